@@ -40,7 +40,7 @@ _OF_LAWS = (*_SIZES, *_OVER, "at_speed", "at_turning", "exponent")
 
 
 class LoadSpec(Spec, frozen=True):
-    """A force on a link or a slider, or a torque on a link.
+    """A force on a link or a slider, or a torque on a link or a shaft.
 
     A resisting load is always against the motion of its point, as friction or a cut; an active one has a direction of
     its own, as a weight or a spring. Beside `at_speed` the size goes with a power of the speed: exponent 1 is viscous.
@@ -48,7 +48,10 @@ class LoadSpec(Spec, frozen=True):
 
     of_file: ClassVar[frozenset[str]] = frozenset({"file", "text", "columns"})
 
-    on: str = Field(min_length=1, description=N_("What it acts on: a part of a mechanism, as [masses] names them."))
+    on: str = Field(
+        min_length=1,
+        description=N_("What it acts on: a part of a mechanism, as [masses] names them; or of a torque a shaft, main."),
+    )
     force: OneOrMany[Force] | None = Field(
         default=None, description=N_("Size of a force, or a list of sizes over angles or travel; or give a torque.")
     )
@@ -77,6 +80,13 @@ class LoadSpec(Spec, frozen=True):
     )
     sense: Literal["resisting", "active"] = Field(
         default="resisting", description=N_("Always against the motion, or in a direction of its own.")
+    )
+    scale: Literal["given", "balanced"] = Field(
+        default="given",
+        description=N_(
+            "Of a torque on a shaft: whether its sizes count as given, or times one factor, so that they balance the"
+            " mean of the machine's torque."
+        ),
     )
     direction: Angle | None = Field(
         default=None,
@@ -162,13 +172,39 @@ class LoadSpec(Spec, frozen=True):
         given = ((name, getattr(self, name)) for name in _OVER)
         return next(((name, places) for name, places in given if places is not None), None)
 
+    @property
+    def is_balanced(self) -> bool:
+        """Whether its size is found, so that it balances the machine."""
+        return self.scale == "balanced"
+
+    def resisting_problems(self) -> Iterator[Problem]:
+        """Find sizes of less than 0, which do not resist; on a shaft, which turns one way, they may stand."""
+        if self.sense != "resisting":
+            return
+        allowed = _('must be at least 0 of a load that resists; sense = "active" gives it a direction')
+        if self.card is not None:
+            yield from (Problem("", size, allowed, None, position) for size, position in self.card.negative)
+            return
+        listed = {name: getattr(self, name) or () for name in _SIZES}
+        yield from (
+            Problem(f"{name}[{i}]" if len(sizes) > 1 else name, size.text, allowed)
+            for name, sizes in listed.items()
+            for i, size in enumerate(sizes)
+            if size.si < 0
+        )
+
     def _problems(self) -> Iterator[Problem]:
         """Find a load of no sort or of two, and what belongs to another."""
+        if self.is_balanced and self.sense != "resisting":
+            yield Problem("sense", self.sense, _("must be resisting: it balances what the machine gives"))
         if self.file is not None:
             yield from self._file_problems(self.file)
             return
         if self.text is not None or self.columns is not None:
             yield Problem("file", None, _("is missing; text and columns are of a file"))
+        if self.is_balanced:
+            yield from self._balanced_problems()
+            return
         if self.force is None and self.torque is None:
             yield Problem("force", None, _("is missing; give force or torque, or a file"))
             return
@@ -192,8 +228,9 @@ class LoadSpec(Spec, frozen=True):
         yield from self._sort_problems(card.sort)
         if card.back is None and self.counts != "with":
             yield Problem("counts", self.counts, _("is for sizes over the travel"))
-        if self.sense == "resisting":
-            yield from (Problem("", size, _resisting(), None, position) for size, position in card.negative)
+        if self.is_balanced and (card.sort, card.over) != ("torque", "crank_angles"):
+            allowed = _('must hold torques over the crank angle beside scale = "balanced"')
+            yield Problem("file", self.file, allowed)
 
     def _sort_problems(self, sort: Sort) -> Iterator[Problem]:
         """Find what belongs to the other sort, and arms that are none."""
@@ -207,20 +244,26 @@ class LoadSpec(Spec, frozen=True):
             if self.radius.si == 0:
                 yield Problem("radius", self.radius.text, _("must not be 0: such a force turns nothing"))
 
+    def _balanced_problems(self) -> Iterator[Problem]:
+        """Find what says how large a load is whose size is found, and one that does not resist."""
+        is_listed = self.crank_angles is not None
+        foreign = ("force", *_OF_FORCES, "swing", "torque_back", "at_turning")
+        foreign += ("exponent",) if is_listed else ("torque",)
+        found = _('must not stand beside scale = "balanced", by which the size is found')
+        if is_listed:
+            found = _('must not stand beside scale = "balanced" and crank_angles')
+        yield from (Problem(name, None, found) for name in foreign if getattr(self, name) is not None)
+        if is_listed and self.torque is None:
+            yield Problem("torque", None, _("is missing: sizes at the crank_angles, which count by one factor"))
+        yield from self._size_problems("torque")
+
     def _size_problems(self, sort: Sort) -> Iterator[Problem]:
         """Find sizes that do not suit the sense, or what they are listed over."""
         listed = {sort: self.sizes, f"{sort}_back": self.back or ()}
-        if self.sense == "resisting":
-            yield from (
-                Problem(f"{name}[{i}]" if len(sizes) > 1 else name, size.text, _resisting())
-                for name, sizes in listed.items()
-                for i, size in enumerate(sizes)
-                if size.si < 0
-            )
         given = [name for name in (*_OVER, "at_speed", "at_turning") if getattr(self, name) is not None]
         if len(given) > 1:
             yield Problem(given[1], None, _("must not stand beside {other}: one law at a time").format(other=given[0]))
-        if self.exponent is not None and self.at_speed is None and self.at_turning is None:
+        if self.exponent is not None and not self.is_balanced and self.at_speed is None and self.at_turning is None:
             yield Problem("exponent", self.exponent.text, _("needs at_speed, or of a torque at_turning"))
         if self.travel is None and self.swing is None:
             if self.back is not None:
@@ -237,11 +280,6 @@ class LoadSpec(Spec, frozen=True):
             rises = all(one.si < other.si for one, other in pairwise(places))
             if not rises:
                 yield Problem(name, None, _("must rise from one place to the next"))
-
-
-def _resisting() -> str:
-    """Say what a load that resists must be."""
-    return _('must be at least 0 of a load that resists; sense = "active" gives it a direction')
 
 
 def with_lists(spec: LoadSpec, lists: Mapping[str, object]) -> LoadSpec:

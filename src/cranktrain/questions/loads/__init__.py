@@ -8,19 +8,23 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.layout.loads import load_problems, loads_of
 from cranktrain.layout.question import ANY_NAME, Parts, Question, ResultDimension, Stage, TableFile, Use
+from cranktrain.layout.shaft_loads import shaft_load_problems, shaft_loads_of
 from cranktrain.questions.loads import load_work, rows
 
 
 def _problems(design: Design) -> Iterator[Problem]:
-    return load_problems(design.places, design.loads)
+    yield from load_problems(design)
+    yield from shaft_load_problems(design)
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
     yield loads_of(designs)
+    yield shaft_loads_of(designs)
 
 
 def _tables(design: Design) -> Sequence[str]:
-    return [f"[{path}.{name}]" for path, named in design.loads.items() for name in named]
+    loads = ((path, name, spec) for path, named in design.loads.items() for name, spec in named.items())
+    return [f"[{path}.{name}]" for path, name, spec in loads if not spec.is_balanced]
 
 
 _HOMES = ((), ("bank", ANY_NAME), ("bank", ANY_NAME, ANY_NAME))

@@ -1,6 +1,7 @@
 """Work and power of the loads of a machine file."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,8 +10,9 @@ from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.load_laws import ByAngle
 from cranktrain.layout.loads import LinkLoad, Loads
-from cranktrain.linkage.forces.load import LoadWay
+from cranktrain.layout.shaft_loads import ShaftLoads, TorqueOnShaft
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, subintervals
 from cranktrain.questions.forces.events import ForceEvents
@@ -31,8 +33,9 @@ _ROUNDING = 1e-12
 
 @record
 class LoadWork(StageResult):
-    """What the loads do: less than 0 where the machine works against them."""
+    """What the loads do: less than 0 where the machine works against them; n_on_links are first, on the mechanisms."""
 
+    n_on_links: int
     load_torque_on_crank: Array = quantity(
         "Q_l", "N*m", _CURVE, N_("Torque of the load on the crank, by virtual work"), _THEORY
     )
@@ -61,36 +64,49 @@ class LoadWork(StageResult):
         return _("Work of the loads in a cycle {works}; largest power {most}.").format(works=works, most=most)
 
 
-def are_asked_for(loads: Loads | None, gas: DeclaredGas | None) -> bool:
+def are_asked_for(loads: Loads | None, on_shafts: ShaftLoads | None, gas: DeclaredGas | None) -> bool | str:
     """Whether there are loads, or may be missed: an engine or compressor works against its gas."""
-    return loads is not None or gas is None
+    if loads is not None or (on_shafts is not None and on_shafts.given):
+        return True
+    return Loads.needs if gas is None else False
 
 
-def load_work(loaded: LoadedMachine, loads: Loads, events: ForceEvents, crank_angle: CrankAngle) -> LoadWork:
+def load_work(
+    loaded: LoadedMachine,
+    loads: Loads | None,
+    on_shafts: ShaftLoads | None,
+    events: ForceEvents,
+    crank_angle: CrankAngle,
+) -> LoadWork:
     """Power over the cycle, and work by quadrature between the events of the loads.
 
     Notes
     -----
     Q = F u′ of a force along its way u, or of a torque along its link's angle. docs/theory/forces, eq. (13.6).
     """
+    links, shafts = () if loads is None else loads.each, () if on_shafts is None else on_shafts.given
 
-    def on_crank(angle: Array) -> Array:
-        return np.concatenate([_on_crank(loaded, load, angle) for load in loads.each], axis=1)
+    acting = partial(_acting, loaded, links, shafts, crank_angle)
 
     def size_of_power(angle: Array) -> Array:
-        return np.abs(on_crank(angle) * loaded.speed.drive(angle).speed)
+        return np.abs(acting(angle)[0] * loaded.speed.drive(angle).speed)
 
     def size(angle: Array) -> Array:
-        return np.concatenate([np.abs(_size(loaded, load, angle)) for load in loads.each], axis=1)
+        return np.abs(acting(angle)[1])
 
     grid = crank_angle.angle
-    torque = on_crank(grid)
+    torque, sizes = acting(grid)
     power = torque * loaded.speed.drive(grid).speed
-    work = _works(on_crank, events, crank_angle)
-    most = largest_of_machine(size_of_power, np.abs(power), events, crank_angle)
-    largest = largest_of_machine(size, size(grid), events, crank_angle)
-    is_torque = np.array([load.is_torque for load in loads.each])
+    corners = (load.law.kinks(crank_angle.cycle) for load in shafts if isinstance(load.law, ByAngle))
+    at_shafts = [own + crank_angle.zero[:, 0] for own in corners]
+    whole = ForceEvents(events.angle, np.concatenate([events.whole, *at_shafts], axis=-1))
+    work = _works(lambda angle: acting(angle)[0], whole, crank_angle)
+    most = largest_of_machine(size_of_power, np.abs(power), whole, crank_angle)
+    largest = largest_of_machine(size, np.abs(sizes), whole, crank_angle)
+    is_torque = np.array([*(load.is_torque for load in links), *(True for _load in shafts)])
+    names = (*(load.name for load in links), *(load.name for load in shafts))
     return LoadWork(
+        n_on_links=len(links),
         load_torque_on_crank=torque,
         load_power=power,
         load_work=work,
@@ -98,27 +114,29 @@ def load_work(loaded: LoadedMachine, loads: Loads, events: ForceEvents, crank_an
         largest_load_power=most,
         largest_load_force=_known(largest, ~is_torque),
         largest_load_moment=_known(largest, is_torque),
-        labels={"load": loads.names},
-        flags=tuple(one_sided([(_("largest power"), most), (_("largest size"), largest)], loads.names)),
+        labels={"load": names},
+        flags=tuple(one_sided([(_("largest power"), most), (_("largest size"), largest)], names)),
     )
 
 
-def _on_crank(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> Array:
-    """Torque of one load on the crank at φ, shape (design, 1, n). [N·m]"""
-    way, value = _acting(loaded, load, angle)
-    return value * way.rate
-
-
-def _size(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> Array:
-    """Size of one load at φ, shape (design, 1, n). [N or N·m]"""
-    return _acting(loaded, load, angle)[1]
-
-
-def _acting(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> tuple[LoadWay, Array]:
-    """Along what one load goes at φ, and its size, shape (design, 1, n). [N or N·m]"""
+def _acting(
+    loaded: LoadedMachine,
+    links: Sequence[LinkLoad],
+    shafts: Sequence[TorqueOnShaft],
+    crank_angle: CrankAngle,
+    angle: Array,
+) -> tuple[Array, Array]:
+    """Torque on the crank [N·m] and size [N or N·m] of every load at φ, each of shape (design, load, n)."""
     own = angle if angle.ndim == 3 else angle[np.newaxis, np.newaxis]
-    way = loaded.load_way(load, own)
-    return way, loaded.load_value(load, way, own, loaded.speed.drive(own).speed)
+    speed = loaded.speed.drive(own).speed
+    on_crank: list[Array] = []
+    sizes: list[Array] = []
+    for load in links:
+        way = loaded.load_way(load, own)
+        sizes.append(loaded.load_value(load, way, own, speed))
+        on_crank.append(sizes[-1] * way.rate)
+    at_shafts = [load.value(own - crank_angle.zero, speed) for load in shafts]
+    return np.concatenate([*on_crank, *at_shafts], axis=1), np.concatenate([*sizes, *at_shafts], axis=1)
 
 
 def _known(peak: Peak, is_one: NDArray[np.bool_]) -> Peak:
