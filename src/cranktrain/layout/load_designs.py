@@ -1,8 +1,7 @@
-"""Loads of several designs together: each may have a file of its own, whose lists then stand over the same places."""
+"""Loads of several designs together: each may have a file of its own, with lists of its own length."""
 
 from collections.abc import Iterator, Sequence
-
-import numpy as np
+from typing import NamedTuple
 
 from cranktrain.columns import in_columns
 from cranktrain.errors import InputError, Problem, refuse
@@ -10,7 +9,6 @@ from cranktrain.fluids.indicator.table import held_text
 from cranktrain.language import _
 from cranktrain.layout.design import Designs
 from cranktrain.layout.load_tables import LoadSpec, LoadTables, with_lists
-from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import Given
 
@@ -39,7 +37,7 @@ def tables_together(designs: Designs) -> LoadTables:
             if spec.file is not None:
                 each = [design.loads[path][name] for design in designs.each]
                 refuse(_problems(each, f"{path}.{name}.file", designs.crank_angle.cycle))
-                of_all = in_columns(_over_the_same(each)) if len(each) > 1 else each[0]
+                of_all = in_columns(_as_long(each)) if len(each) > 1 else each[0]
             found.setdefault(path, {})[name] = of_all
     return found
 
@@ -66,36 +64,42 @@ def _period(angles: Sequence[Given]) -> float:
     return 2 * TURN if angles[-1].si - angles[0].si > 1.5 * TURN else TURN
 
 
-def _over_the_same(each: Sequence[LoadSpec]) -> list[LoadSpec]:
-    """List sizes over the places of all files: on straight lines more places change nothing."""
+def _as_long(each: Sequence[LoadSpec]) -> Sequence[LoadSpec]:
+    """Make the lists of all files as long as the longest: a last place may stand again, which says nothing new."""
     over = each[0].over
-    if over is None or len({spec.text for spec in each}) == 1:
-        return list(each)
-    name, first = over
-    period = _period(first) if name == "crank_angles" else None
-    places = np.unique([place.si for spec in each for place in _places(spec)])
-    if period is not None:
-        places = np.unique(np.mod(places, period))
-        places = np.append(places, places[0] + period)
-    return [_over_places(spec, places, period) for spec in each]
+    if over is None or len({(spec.text, spec.columns) for spec in each}) == 1:
+        return each
+    is_round = over[0] == "crank_angles"
+    period = max(_period(_places(spec)) for spec in each) if is_round else None
+    whole = [_lists(spec, period) for spec in each]
+    longest = max(len(lists.places) for lists in whole)
+    sort = "torque" if each[0].force is None else "force"
+    return [
+        with_lists(spec, dict(zip((over[0], sort, f"{sort}_back"), lists.to_length(longest), strict=True)))
+        for spec, lists in zip(each, whole, strict=True)
+    ]
 
 
-def _places(spec: LoadSpec) -> Sequence[Given]:
+class _Lists(NamedTuple):
+    """Places, sizes there, and sizes on the way back if there are any."""
+
+    places: tuple[Given, ...]
+    sizes: tuple[Given, ...]
+    back: tuple[Given, ...] | None
+
+    def to_length(self, n_places: int) -> "_Lists":
+        """Give the last ones again until there are so many."""
+        return _Lists(*(None if one is None else (*one, *one[-1:] * (n_places - len(one))) for one in self))
+
+
+def _lists(spec: LoadSpec, period: float | None) -> _Lists:
+    """Take the lists of a load; round a period of two turns twice, where they go on over one."""
+    lists = _Lists(_places(spec), spec.sizes, spec.back)
+    if period is None or _period(lists.places) == period:
+        return lists
+    again = tuple(Given(place.si + TURN, place.text) for place in lists.places[1:])
+    return _Lists((*lists.places, *again), (*lists.sizes, *lists.sizes[1:]), None)
+
+
+def _places(spec: LoadSpec) -> tuple[Given, ...]:
     return () if spec.over is None else spec.over[1]
-
-
-def _over_places(spec: LoadSpec, places: Array, period: float | None) -> LoadSpec:
-    """List the sizes of a load over other places, of which its own are some."""
-    over = "" if spec.over is None else spec.over[0]
-    own = [place.si for place in _places(spec)]
-    given = [Given(place, f"{place!r} in SI") for place in places.tolist()]
-
-    def at(sizes: Sequence[Given] | None) -> tuple[Given, ...] | None:
-        if sizes is None:
-            return None
-        found = np.interp(places, own, [size.si for size in sizes], period=period)
-        return tuple(Given(size, f"{size!r} in SI") for size in found.tolist())
-
-    sort = "torque" if spec.force is None else "force"
-    lists = {over: tuple(given), sort: at(spec.sizes), f"{sort}_back": at(spec.back)}
-    return with_lists(spec, lists)

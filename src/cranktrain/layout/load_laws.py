@@ -43,25 +43,21 @@ class BySpeed(NamedTuple):
 
 
 class ByAngle(NamedTuple):
-    """Straight lines from crank angle to crank angle as it is shown, round one turn or two. Shape (design, point)."""
+    """Straight lines from crank angle to crank angle as it is shown, round a turn or two. Shape (design, point)."""
 
     angles: Array
     values: Array
-
-    @property
-    def polylines(self) -> tuple[Polyline, ...]:
-        """The lines of each design."""
-        return tuple(_round(*rows) for rows in zip(self.angles, self.values, strict=True))
-
-    def corners(self, cycle: float) -> Array:
-        """Where they have corners, as they are shown, over a cycle; shape (design, corner). [rad]"""
-        turns = np.arange(round(cycle / TURN)) * TURN
-        return np.mod(self.angles[..., np.newaxis] + turns, cycle).reshape(len(self.angles), -1)
+    period: float = TURN
 
     def value(self, state: LoadState) -> Array:
         """Size, shape (design, 1, n)."""
         shown = np.broadcast_to(state.shown, state.speed.shape)
         return np.stack([polyline_value(*rows) for rows in zip(self.polylines, shown, strict=True)])
+
+    def kinks(self, cycle: float) -> Array:
+        """Crank angles as they are shown at which it has kinks within a cycle, shape (design, kink). [rad]"""
+        turns = np.arange(0.0, cycle - self.period / 2, self.period)
+        return (self.angles[:, np.newaxis] + turns[:, np.newaxis]).reshape(len(self.angles), -1)
 
 
 class ByTravel(NamedTuple):
@@ -86,11 +82,11 @@ def _between(at: Array, places: Array, values: Array) -> Array:
     return np.asarray(np.interp(at, places, values), dtype=np.float64)
 
 
-def _round(angles: Array, values: Array) -> Polyline:
-    """Lines round the turn, or round two where the angles go on beyond one; an end that is the start stands once."""
-    period = TURN if angles[-1] - angles[0] < TURN + _SAME else 2 * TURN
-    kept = slice(None, -1) if angles[-1] - angles[0] > period - _SAME else slice(None)
-    return Polyline(angles[kept], values[kept], period)
+def _round(angles: Array, values: Array, period: float) -> Polyline:
+    """Lines round the period, in whose last angle the first one may stand again."""
+    turned, kept = np.unique(np.mod(angles + _SAME, period) - _SAME, return_index=True)
+    is_new = np.diff(turned, append=np.inf) > _SAME
+    return Polyline(turned[is_new], values[kept][is_new], period)
 
 
 Law: TypeAlias = BySpeed | ByAngle | ByTravel

@@ -19,6 +19,7 @@ from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off
 from cranktrain.linkage.vectors import Vector
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import extremes
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.nested import by_design, mapped
 from cranktrain.quantities import Given, nearest
 from cranktrain.record import record
@@ -189,7 +190,8 @@ def law_of(laid: Laid, spec: LoadSpec, sign: float = 1.0) -> Law:
 
     size = sign * (each(spec.sizes) if spec.sizes else laid([ONE]))
     if spec.crank_angles is not None:
-        return ByAngle(each(spec.crank_angles), size)
+        angles = each(spec.crank_angles)
+        return ByAngle(angles, size, 2 * TURN if float(np.ptp(angles[0])) > TURN * (1 + _COVERED) else TURN)
     if (travel := spec.travel or spec.swing) is not None:
         return ByTravel(each(travel), size, size if spec.back is None else sign * each(spec.back))
     at = spec.at_speed or spec.at_turning

@@ -128,6 +128,15 @@ class TestMachine:
         for design, own in enumerate(alone):
             assert np.max(np.abs(together.driving_torque[design] - own.driving_torque)) < 1e-12 * 9
 
+    def test_designs_whose_files_go_over_one_turn_and_over_two(self):
+        table = {"cylinder": {"bore": "80 mm", "cycle": "four-stroke"}}
+        texts = [f"angle [deg];torque [N*m]\n0;0\n40;9\n{turn};0" for turn in (360, 720)]
+        machines = [machine(text, on="crank", table=table) for text in texts]
+        for order in (machines, machines[::-1]):
+            together = ct.run(order)
+            for design, own in enumerate(map(ct.run, order)):
+                assert np.max(np.abs(together.driving_torque[design] - own.driving_torque)) < 1e-12 * 9
+
     def test_designs_hold_the_same(self):
         other = machine("angle [deg];force [N]\n0;1\n360;1")
         with pytest.raises(ct.InputError, match=r"load\.x\.file = card\.csv: must hold the same in all designs"):
@@ -269,17 +278,20 @@ def test_a_swing_is_covered():
 def test_all_at_once():
     """Two files and a load on what is not there: every problem, each at its place."""
     wrong = {
-        "a": {"on": "piston", "file": "a.csv", "text": HEAD + "5;1\n70;-2\n5;1"},
+        "a": {"on": "piston", "file": "a.csv", "text": HEAD + "0;1\n80;2\n0;1", "columns": [1, 3]},
         "b": {"on": "piston", "file": "b.csv", "text": HEAD + "0;1\n50;2\n40;3\n90;1\n95;1\n20;1\n30;1\n0;1"},
     }
     with pytest.raises(ct.InputError) as caught:
         ct.Machine(mechanism=CRANK, load=wrong)
     found = [(str(problem.position), problem.path) for problem in caught.value.problems]
-    assert found == [("a.csv:3:4", "load.a"), ("b.csv:4:1", "load.b"), ("b.csv:8:1", "load.b")]
-    wrong["a"]["sense"], wrong["b"] = "active", {"on": "pistom", "force": "1 N"}
+    assert found == [("None", "load.a.columns"), ("b.csv:4:1", "load.b"), ("b.csv:8:1", "load.b")]
+    wrong["a"] = {"on": "piston", "file": "a.csv", "text": HEAD + "5;1\n70;-2\n5;1"}
+    wrong["b"] = {"on": "pistom", "force": "1 N"}
     with pytest.raises(ct.InputError) as caught:
         ct.run(ct.Machine(mechanism=CRANK, load=wrong))
-    assert [problem.path for problem in caught.value.problems] == ["load.a", "load.a", "load.b.on"]
+    found = [(str(problem.position), problem.path) for problem in caught.value.problems]
+    first, last, size = "a.csv:2:1", "a.csv:3:1", "a.csv:3:4"
+    assert found == [(size, "load.a"), (first, "load.a"), (last, "load.a"), ("None", "load.b.on")]
     assert "did you mean piston?" in str(caught.value)
 
 

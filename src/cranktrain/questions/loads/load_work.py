@@ -1,6 +1,7 @@
 """Work and power of the loads of a machine file."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle
 from cranktrain.layout.loads import LinkLoad, Loads
-from cranktrain.layout.shaft_loads import ShaftLoads
-from cranktrain.linkage.forces.load import LoadWay
+from cranktrain.layout.shaft_loads import ShaftLoads, TorqueOnShaft
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, subintervals
 from cranktrain.questions.forces.events import ForceEvents
@@ -86,29 +86,23 @@ def load_work(
     """
     links, shafts = () if loads is None else loads.each, () if on_shafts is None else on_shafts.given
 
-    def at_shafts(angle: Array) -> list[Array]:
-        own = _of_designs(angle)
-        return [load.value(own - crank_angle.zero, loaded.speed.drive(own).speed) for load in shafts]
-
-    def on_crank(angle: Array) -> Array:
-        acting = (_acting(loaded, load, angle) for load in links)
-        return np.concatenate([*(value * way.rate for way, value in acting), *at_shafts(angle)], axis=1)
+    acting = partial(_acting, loaded, links, shafts, crank_angle)
 
     def size_of_power(angle: Array) -> Array:
-        return np.abs(on_crank(angle) * loaded.speed.drive(angle).speed)
+        return np.abs(acting(angle)[0] * loaded.speed.drive(angle).speed)
 
     def size(angle: Array) -> Array:
-        return np.abs(np.concatenate([*(_acting(loaded, load, angle)[1] for load in links), *at_shafts(angle)], axis=1))
+        return np.abs(acting(angle)[1])
 
     grid = crank_angle.angle
-    torque = on_crank(grid)
+    torque, sizes = acting(grid)
     power = torque * loaded.speed.drive(grid).speed
-    corners = (load.law.corners(crank_angle.cycle) for load in shafts if isinstance(load.law, ByAngle))
-    breaks = (own + crank_angle.zero[:, 0] for own in corners)
-    whole = ForceEvents(events.angle, np.concatenate([events.whole, *breaks], axis=-1))
-    work = _works(on_crank, whole, crank_angle)
+    corners = (load.law.kinks(crank_angle.cycle) for load in shafts if isinstance(load.law, ByAngle))
+    at_shafts = [own + crank_angle.zero[:, 0] for own in corners]
+    whole = ForceEvents(events.angle, np.concatenate([events.whole, *at_shafts], axis=-1))
+    work = _works(lambda angle: acting(angle)[0], whole, crank_angle)
     most = largest_of_machine(size_of_power, np.abs(power), whole, crank_angle)
-    largest = largest_of_machine(size, size(grid), whole, crank_angle)
+    largest = largest_of_machine(size, np.abs(sizes), whole, crank_angle)
     is_torque = np.array([*(load.is_torque for load in links), *(True for _load in shafts)])
     names = (*(load.name for load in links), *(load.name for load in shafts))
     return LoadWork(
@@ -125,16 +119,24 @@ def load_work(
     )
 
 
-def _of_designs(angle: Array) -> Array:
-    """Angles (n,) or (design, 1, n) as (design or 1, 1, n)."""
-    return angle if angle.ndim == 3 else angle[np.newaxis, np.newaxis]
-
-
-def _acting(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> tuple[LoadWay, Array]:
-    """Along what one load goes at φ, and its size, shape (design, 1, n). [N or N·m]"""
-    own = _of_designs(angle)
-    way = loaded.load_way(load, own)
-    return way, loaded.load_value(load, way, own, loaded.speed.drive(own).speed)
+def _acting(
+    loaded: LoadedMachine,
+    links: Sequence[LinkLoad],
+    shafts: Sequence[TorqueOnShaft],
+    crank_angle: CrankAngle,
+    angle: Array,
+) -> tuple[Array, Array]:
+    """Torque on the crank [N·m] and size [N or N·m] of every load at φ, each of shape (design, load, n)."""
+    own = angle if angle.ndim == 3 else angle[np.newaxis, np.newaxis]
+    speed = loaded.speed.drive(own).speed
+    on_crank: list[Array] = []
+    sizes: list[Array] = []
+    for load in links:
+        way = loaded.load_way(load, own)
+        sizes.append(loaded.load_value(load, way, own, speed))
+        on_crank.append(sizes[-1] * way.rate)
+    at_shafts = [load.value(own - crank_angle.zero, speed) for load in shafts]
+    return np.concatenate([*on_crank, *at_shafts], axis=1), np.concatenate([*sizes, *at_shafts], axis=1)
 
 
 def _known(peak: Peak, is_one: NDArray[np.bool_]) -> Peak:
