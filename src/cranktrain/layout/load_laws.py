@@ -49,6 +49,11 @@ class ByAngle(NamedTuple):
     values: Array
     period: float = TURN
 
+    @property
+    def polylines(self) -> tuple[Polyline, ...]:
+        """The lines of each design."""
+        return tuple(_round(*rows, self.period) for rows in zip(self.angles, self.values, strict=True))
+
     def value(self, state: LoadState) -> Array:
         """Size, shape (design, 1, n)."""
         shown = np.broadcast_to(state.shown, state.speed.shape)

@@ -176,8 +176,7 @@ def _link_load(laid: Laid, name: str, spec: LoadSpec, mechanism: int, place: Pla
 
 def refuse_more_turns(designs: Designs, where: str, law: Law) -> None:
     """Refuse sizes over two turns of a machine whose cycle is one."""
-    longest = max(lines.period for lines in law.polylines) if isinstance(law, ByAngle) else 0.0
-    if longest > designs.crank_angle.cycle * 1.5:
+    if isinstance(law, ByAngle) and law.period > designs.crank_angle.cycle * 1.5:
         allowed = _("goes on over two turns, and the cycle of this machine is one")
         raise InputError([Problem(f"{where}.crank_angles", None, allowed)])
 

@@ -209,7 +209,7 @@ def _largest(
 ) -> Array:
     """Largest torque, between the corners of what is listed, shape (design,). [N·m]"""
     samples = whole(np.broadcast_to(crank_angle.shown, (len(crank_angle.zero), crank_angle.shown.size)))
-    breaks = [load.law.corners(crank_angle.cycle) for load, _factor in scaled if isinstance(load.law, ByAngle)]
+    breaks = [load.law.kinks(crank_angle.cycle) for load, _factor in scaled if isinstance(load.law, ByAngle)]
 
     def curves(which: NDArray[np.intp], shown: Array) -> Array:
         asked, slot = in_slots(which, shown, len(samples))

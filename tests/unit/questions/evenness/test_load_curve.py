@@ -365,9 +365,7 @@ def test_designs_may_have_curves_of_their_own(machine, scale, balance):
                 several, single = getattr(together, name)[design], getattr(alone, name)
                 scale_of = np.fmax.reduce(np.abs(single), axis=None, initial=0.0)
                 # Of a disc alone nothing rolls the frame: what is left there is rounding of torques of 100 N·m.
-                rounding = 1e-12 * (scale_of + (name == "rolling_moment"))
-                # Where an extreme is feels how flat it is.
-                rounding += 1e-10 * (alone.catalogue[name].unit == "deg")
+                rounding = 1e-12 * (scale_of + (alone.catalogue[name].unit == "deg") + (name == "rolling_moment"))
                 np.testing.assert_allclose(several, single, rtol=0, atol=rounding, err_msg=name)
     assert np.all(np.ptp(together.largest_load_torque) > 1.0)
 
