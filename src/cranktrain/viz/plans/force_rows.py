@@ -76,11 +76,14 @@ def group_words(polygon: ForcePolygon) -> str:
 
 
 def _rows(polygon: ForcePolygon, letters: Mapping[str, str], *, has_names: bool) -> Iterator[Row]:
-    """Every force of a group: its sides by their numbers, then whole reactions and those in inner joints."""
+    """Every force of a group: sides by their numbers, torques of loads, whole reactions and those in inner joints."""
     for line in _headings(polygon, has_names=has_names):
         yield Row((line,), is_heading=True)
     for i, force in enumerate(polygon.forces):
         yield _row(polygon, force, str(i + 1), letters)
+    for torque in polygon.torques:
+        name = short(torque.name.replace("_", " "), _LETTERS)
+        yield Row(("", mathematics(torque.symbol), name, "N·m", figure(torque.value)))
     for span in (*polygon.wholes, *polygon.chords):
         yield _row(polygon, span.force, "", letters)
 
@@ -103,7 +106,8 @@ def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
     """Cause of a force, how a part of a reaction lies, or the joint of a reaction."""
     pin = letters.get(force.about) or spoken_name(force.about).replace("_", " ")
     return first_that_holds(
-        (force.cause == "load", _("load")),
+        (force.cause == "gas", _("gas")),
+        (force.cause == "load", short(force.name.replace("_", " "), _LETTERS)),
         (force.cause == "weight", _("weight")),
         (force.cause == "inertia", _("inertia")),
         (bool(force.about), short(_("about {pin}").format(pin=in_words(pin)), _LETTERS)),
