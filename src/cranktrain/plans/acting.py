@@ -3,7 +3,7 @@
 All axes are the machine's, X right and Y up, seen from the free end.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -161,6 +161,19 @@ def torques_of_file(one: LoadedMechanism, link: str, number: int) -> Iterator[tu
     own = [load for load in one.file_loads if load.link == link]
     symbols = load_symbols(own, {link: number})
     return ((symbol, load) for load, symbol in zip(own, symbols, strict=True) if load.is_torque)
+
+
+def symbols_together(loads: Sequence[ActingLoad], places: Sequence[PlacedMechanism]) -> dict[tuple[str, str], str]:
+    """Symbols of loads on mechanisms that are drawn together, by mechanism and name."""
+    found: dict[tuple[str, str], str] = {}
+    after = 1
+    for place in places:
+        numbers = link_numbers(place, after)
+        own = [load for load in loads if load.mechanism == place.name]
+        symbols = load_symbols(own, numbers)
+        found |= {(load.mechanism, load.name): symbol for load, symbol in zip(own, symbols, strict=True)}
+        after = max(numbers.values())
+    return found
 
 
 def _of_wrench(one: LoadedMechanism, i: int, symbol: str, cause: Cause, wrench: Wrench) -> PolygonForce:

@@ -15,7 +15,7 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.vectors import Vector, direction, swept
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.plans.placement import frame, shaft_places
+from cranktrain.plans.placement import frame
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 
 _FORCE, _TORQUE = "Q", "M"
@@ -32,12 +32,16 @@ class ActingLoad(NamedTuple):
     mechanism, link : str
         On what it acts, by the mechanism's own name of its link.
     is_torque : bool
+    is_rope : bool
+        Whether its direction stays, off an arc about the link's first pin.
     size : Array, shape (n,)
         Along its way, less than 0 against that; of a torque anticlockwise. [N or N·m]
     way : Array, shape (2, n)
         Unit vector in which a force acts; 0 of a torque, and of a force that goes with a point which stands.
     place : Array, shape (2, n)
         Where it acts, from the shaft's centre; of a torque the link's first pin. [m]
+    pin : Array, shape (2, n)
+        The link's first pin. [m]
     velocity : Array, shape (2, n)
         Of the link's point there, by the crank angle. [m/rad]
     along : Array, shape (2, n)
@@ -50,12 +54,18 @@ class ActingLoad(NamedTuple):
     mechanism: str
     link: str
     is_torque: bool
+    is_rope: bool
     size: Array
     way: Array
     place: Array
+    pin: Array
     velocity: Array
     along: Array
     turning: Array
+
+    def moved(self, away: Array, factor: float = 1.0) -> "ActingLoad":
+        """Give it elsewhere, then in another unit of length."""
+        return self._replace(place=factor * (self.place + away), pin=factor * (self.pin + away))
 
     @property
     def force(self) -> Array:
@@ -116,26 +126,15 @@ def _acting(
         place.name,
         place.kind.dynamics.moving[load.link],
         load.is_torque,
+        load.radius is not None and load.direction is not None,
         turn * size if load.is_torque else size,
         turned(way.unit.x, way.unit.y),
         turned(point.x, point.y),
+        turned(link.origin.x.value, link.origin.y.value),
         turned(velocity.x, velocity.y),
         turned(*direction(link)),
         turn * (np.ravel(link.angle.first) + np.zeros(angle.shape)),
     )
-
-
-def loads_together(
-    machine: Machine, loaded: LoadedMachine, places: Sequence[PlacedMechanism], angle: Array
-) -> tuple[ActingLoad, ...]:
-    """Loads of the file on several mechanisms, each on its own shaft, about the first one's shaft."""
-    centres = shaft_places(machine).centres
-    origin = centres.get(places[0].shaft, np.zeros(2))
-    found: list[ActingLoad] = []
-    for place in places:
-        away = (centres.get(place.shaft, origin) - origin).reshape(2, 1)
-        found += [one._replace(place=one.place + away) for one in acting_loads(machine, loaded, place, angle)]
-    return tuple(found)
 
 
 def load_symbols(loads: Sequence[ActingLoad], numbers: Mapping[str, int]) -> tuple[str, ...]:

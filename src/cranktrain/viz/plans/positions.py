@@ -11,6 +11,7 @@ from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.plans.lettering import lettered, pin_letters
 from cranktrain.plans.positions import PositionPlan, chosen_scale, position_plan, rescaled, track
+from cranktrain.plans.shown_loads import ShownLoads, shown_loads
 from cranktrain.plans.together import placed_together, places_called
 from cranktrain.plans.vectors import spoken_name
 from cranktrain.viz.paper.detail import RADIUS, draw_detail, has_room, is_too_small
@@ -65,9 +66,11 @@ def plan_positions(
     wide = (_ONE if is_one else _BOTH) * box.width
     left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
     room = (left.width - 22.0, left.height - 22.0)
-    metre = chosen_scale(position_plan(machine, 180, mechanism=mechanism, room=room).scale, scale)
+    loads = shown_loads(machine, places_called(machine, mechanism), curve or "constant")
+    beside = None if loads is None else loads.outline
+    metre = chosen_scale(position_plan(machine, 180, mechanism=mechanism, room=room, beside=beside).scale, scale)
     plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room, is_lettered=True), metre)
-    draw_positions(page, machine, plan, mechanism, left)
+    draw_positions(page, machine, plan, mechanism, left, loads)
     write_scales(page, box, [scale_of("l", metre, "m")], 1e3 * metre)
     _write_tables(
         page, machine, plan, curve, mechanism, box._replace(left=box.left + wide + 6.0, width=box.width - wide - 6.0)
@@ -117,26 +120,28 @@ def output_notes(machine: Machine, plan: PositionPlan, places: Sequence[PlacedMe
     return [_("x from the shaft along the line of stroke;"), _("{rates} from the top toward it").format(rates=rates)]
 
 
-def draw_positions(page: Page, machine: Machine, plan: PositionPlan, mechanism: str | None, room: Box) -> None:
-    """Draw the positions with their paths; where the crank is too small to be seen, the shaft once more, larger."""
+def draw_positions(
+    page: Page, machine: Machine, plan: PositionPlan, mechanism: str | None, room: Box, loads: ShownLoads | None
+) -> None:
+    """Draw the positions with paths and loads; where the crank is too small to be seen, the shaft once more, larger."""
     metal = 1e3 * plan.scale
     crank = plan.drawing.links[0].pins
     pins = plan.drawing.positions
     radius = metal * float(np.hypot(*(pins[crank[1]] - pins[crank[0]])[:, 0]))
 
-    def drawn(scale: float, hidden: Sequence[str] = ()) -> Sketch:
+    def drawn(scale: float, hidden: Sequence[str] = (), acting: ShownLoads | None = None) -> Sketch:
         paths = lettered(track(machine, 1e-3 * scale, mechanism=mechanism))
-        return positions_sketch(rescaled(plan, 1e-3 * scale), paths, hidden=hidden, is_lettered=True)
+        return positions_sketch(rescaled(plan, 1e-3 * scale), paths, hidden=hidden, is_lettered=True, loads=acting)
 
     is_small = is_too_small(radius, metal) and len(plan.angles) > 1
-    whole = drawn(metal, crank if is_small else ())
+    whole = drawn(metal, crank if is_small else (), loads)
     aside = room._replace(left=room.left + 2 * RADIUS + 4.0, width=room.width - 2 * RADIUS - 4.0)
     origins = [origin_in(whole, one) for one in (room, aside)]
     origin = next((one for one in origins if is_small and has_room(whole, one, room)), origins[0])
     n_cranks = len([link for link in plan.drawing.links if link.name == plan.drawing.links[0].name])
     has_detail = is_small and n_cranks == 1 and has_room(whole, origin, room)
     if room.height <= ROOM_FOR_WORDS or (is_small and not has_detail):
-        whole = drawn(metal, tuple(pins))
+        whole = drawn(metal, tuple(pins), loads)
         has_detail = False
     page.draw(whole, origin)
     if has_detail:

@@ -8,10 +8,12 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.plans.acting import symbols_together
 from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.placement import place_called, placed
 from cranktrain.plans.polygons import Polygon, velocity_polygons
 from cranktrain.plans.positions import rounded_scale, single_plans
+from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.vectors import POLE, angle_of, pair, spoken_name, turned_left
 from cranktrain.plans.zhukovsky import LeverForce, ZhukovskyLever, zhukovsky_lever
 from cranktrain.viz.figures import figure
@@ -69,7 +71,11 @@ def plan_zhukovsky(
     turning = curve or "constant"
     levers = [zhukovsky_lever(machine, angle, mechanism=mechanism, speed=turning) for angle in chosen]
     mechanism = levers[0].mechanism
-    letters = pin_letters(placed(machine, place_called(machine, mechanism), np.zeros(1)))
+    place = place_called(machine, mechanism)
+    loads = shown_loads(machine, [place], turning)
+    beside = None if loads is None else loads.outline
+    symbols = None if loads is None else symbols_together(loads.at(np.zeros(1)), [place])
+    letters = pin_letters(placed(machine, place, np.zeros(1)))
     page, box = plan_page(machine, angles, size, _("Zhukovsky's lever"), mechanism, curve=curve)
     cells = cells_of(box, len(chosen))
     left, middle = 0.26 * box.width, 0.46 * box.width
@@ -78,10 +84,11 @@ def plan_zhukovsky(
     polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True, speed=turning)
     longest = max(_longest(lever, polygon) for lever, polygon in zip(levers, polygons, strict=True))
     newton = rounded_scale(longest / (_LONGEST * min(middle, height)))
-    plans = single_plans(machine, chosen, mechanism=mechanism, room=(left - 14.0, height - 20.0 - _NOTES))
+    room = (left - 14.0, height - 20.0 - _NOTES)
+    plans = single_plans(machine, chosen, mechanism=mechanism, room=room, beside=beside)
     for plan, lever, polygon, cell in zip(plans, levers, polygons, cells, strict=True):
         own = cell._replace(bottom=cell.bottom + _NOTES, width=left, height=height - _NOTES)
-        centre_at_angle(page, lever.angle, positions_sketch(plan), own)
+        centre_at_angle(page, lever.angle, positions_sketch(plan, loads=loads, said=symbols), own)
         page.notes(cell.left, cell.bottom + _NOTES - 4.0, _notes(lever))
         centre(page, lever_sketch(lever, polygon, newton), Box(cell.left + left, cell.bottom, middle, height - 4.0))
         rows = list(_table(lever, letters))
@@ -122,7 +129,9 @@ def lever_sketch(lever: ZhukovskyLever, polygon: Polygon, newton: float) -> Sket
         end = at + np.array(force.value) / newton
         sketch.add(arrow(at, end, "LINKS", "part" if force.symbol.startswith("Φ") else "vector"))
         wishes.append(Wish(end, force.symbol, angle_of(end - at)))
-        if force.point.startswith("s_") and not any(np.hypot(*(at - point)) < _ONE_POINT for point in named.values()):
+        if force.point.startswith(("s_", "q_")) and not any(
+            np.hypot(*(at - point)) < _ONE_POINT for point in named.values()
+        ):
             sketch.add([Circle(at, 0.5, "PLAN_V", "outline", 5, "paper")])
             named[force.point] = at
             wishes.append(Wish(at, force.point, angle_of(at - middle)))
