@@ -29,7 +29,7 @@ _BY_SIZE = {Dimension.FORCE, Dimension.TORQUE, Dimension.POWER, Dimension.ENERGY
 """What is shown in N or kN, in W or kW, by its size: of a file's own units those of other systems alone count."""
 _NOT_BY_FILE = {Dimension.RATIO, Dimension.ANGLE}
 """What no habit of a file changes: angles are in degrees, even beside throws that are given in turns."""
-_USUAL = {"mm", "cm²", "rpm", "m/s", "m/s²", "rad/s²", "bar", "kg", "K"}
+_USUAL = {"mm", "cm²", "rpm", "m/s", "m/s²", "rad/s²", "bar", "kg", "kg·m²", "N·m/rad", "K"}
 """Units that are shown anyhow."""
 _COUNTED_FROM = {"ati": "at", "psig": "psi", "barg": "bar"}
 """Gauge units, and those of pressures that count from nothing."""
