@@ -5,6 +5,7 @@ from cranktrain.language import _
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.quantities import shown
+from cranktrain.wording import as_given
 
 
 def running_words(machine: Machine) -> str:
@@ -15,8 +16,9 @@ def running_words(machine: Machine) -> str:
         ("clockwise", "astern"): _("astern, anticlockwise"),
         ("anticlockwise", "astern"): _("astern, clockwise"),
     }
-    given = {"n": machine.main_shaft.speed, "ε": machine.main_shaft.acceleration}
-    said = [f"{symbol} = {number.text}" for symbol, number in given.items() if number is not None]
+    shaft = machine.main_shaft
+    given = (("n", shaft.speed, "rpm"), ("ε", shaft.acceleration, "rad/s²"))
+    said = [f"{symbol} = {as_given(one, usual)}" for symbol, one, usual in given if one is not None]
     return ", ".join([*said, senses[machine.rotation, machine.running]])
 
 

@@ -8,7 +8,8 @@ from cranktrain.one_line import short
 from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.vectors import spoken_name
-from cranktrain.viz.figures import figure
+from cranktrain.scales import Scale
+from cranktrain.viz.figures import column
 from cranktrain.viz.paper.page import Page, in_words, mathematics
 from cranktrain.viz.paper.tables import write_row
 from cranktrain.viz.paper.words import first_that_holds
@@ -39,11 +40,11 @@ class Row(NamedTuple):
     is_heading: bool = False
 
 
-def tables(polygons: Sequence[ForcePolygon], height: float, letters: Mapping[str, str]) -> list[list[Row]]:
-    """Divide the rows of all forces among tables that are as high as the room. [mm]"""
+def tables(polygons: Sequence[ForcePolygon], height: float, letters: Mapping[str, str], unit: Scale) -> list[list[Row]]:
+    """Divide the rows of all forces, in a unit, among tables that are as high as the room. [mm]"""
     room = int((height - _HEAD) / _LINE) - 1
     has_names = len({polygon.mechanism for polygon in polygons}) > 1
-    rows = (row for polygon in polygons for row in _rows(polygon, letters, has_names=has_names))
+    rows = (row for polygon in polygons for row in _rows(polygon, letters, unit, has_names=has_names))
     return packed(rows, lambda table: len(table) <= room - table[-1].is_heading)
 
 
@@ -57,10 +58,10 @@ def packed(items: Iterable[Item], fits: Callable[[Sequence[Item]], bool]) -> lis
     return rows
 
 
-def write_forces(page: Page, rows: Sequence[Row], place: tuple[float, float, float]) -> None:
-    """Write a table at a place on the sheet: left, top, width. [mm]"""
+def write_forces(page: Page, rows: Sequence[Row], unit: Scale, place: tuple[float, float, float]) -> None:
+    """Write a table, in a unit, at a place on the sheet: left, top, width. [mm]"""
     left, top, width = place
-    heads = Row(("", _("force"), _("joint"), "mm", "N"), is_heading=True)
+    heads = Row(("", _("force"), _("joint"), "mm", unit.label), is_heading=True)
     places = [(left + share * width, side) for share, side in zip(_ENDS, _SIDES, strict=True)]
     lines = [0.0, *(_HEAD + _LINE * number for number in range(len(rows)))]
     for row, line in zip((heads, *rows), lines, strict=True):
@@ -75,14 +76,16 @@ def group_words(polygon: ForcePolygon) -> str:
     return f"{numbers}: {sorts.get(polygon.sort) or _('group {sort}').format(sort=polygon.sort)}"
 
 
-def _rows(polygon: ForcePolygon, letters: Mapping[str, str], *, has_names: bool) -> Iterator[Row]:
+def _rows(polygon: ForcePolygon, letters: Mapping[str, str], unit: Scale, *, has_names: bool) -> Iterator[Row]:
     """Every force of a group: its sides by their numbers, then whole reactions and those in inner joints."""
     for line in _headings(polygon, has_names=has_names):
         yield Row((line,), is_heading=True)
-    for i, force in enumerate(polygon.forces):
-        yield _row(polygon, force, str(i + 1), letters)
-    for span in (*polygon.wholes, *polygon.chords):
-        yield _row(polygon, span.force, "", letters)
+    sides = [(str(i + 1), force) for i, force in enumerate(polygon.forces)]
+    every = [*sides, *(("", span.force) for span in (*polygon.wholes, *polygon.chords))]
+    sizes = column([force.size for _number, force in every], unit)
+    for (number, force), size in zip(every, sizes, strict=True):
+        length = f"{polygon.length(force):.2f}"
+        yield Row((number, mathematics(force.symbol), _said(force, letters), length, size))
 
 
 def _headings(polygon: ForcePolygon, *, has_names: bool) -> list[str]:
@@ -92,11 +95,6 @@ def _headings(polygon: ForcePolygon, *, has_names: bool) -> list[str]:
         named[0] = f"{polygon.mechanism}: {named[0]}"
     *lines, last = packed(named, lambda words: len(", ".join(words)) <= _HEADING)
     return [*(f"{', '.join(line)}," for line in lines), ", ".join(last)]
-
-
-def _row(polygon: ForcePolygon, force: PolygonForce, number: str, letters: Mapping[str, str]) -> Row:
-    said = _said(force, letters)
-    return Row((number, mathematics(force.symbol), said, f"{polygon.length(force):.2f}", figure(force.size)))
 
 
 def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
