@@ -68,6 +68,7 @@ SCALES: Mapping[str, tuple[Scale, ...]] = {
     "error": (_PERCENT,),
     "off": (_PERCENT,),
     "1": (Scale("", factor=1.0),),
+    "number": (Scale("", factor=1.0),),
 }
 """Units by what is to be shown, the largest first: the catalogue's, and those of `AnswerLine`."""
 

@@ -232,7 +232,7 @@ def _percent(row: AnswerRow) -> float:
 
 def _texts(row: AnswerRow) -> tuple[str, ...]:
     """Both values, their unit, their difference in it, and in percent."""
-    shown = shown_in(row.entry.unit, np.array(row.values))
+    shown = shown_in(row.entry.shown, np.array(row.values))
     first, second = (float(shown.of(value)) for value in row.values)
     share = _percent(row)
     return significant(first), significant(second), shown.label, difference(first, second), percent(share)
