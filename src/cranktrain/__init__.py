@@ -86,7 +86,7 @@ if TYPE_CHECKING:
     from cranktrain.io.any_machine import load
     from cranktrain.io.examples import example_names
     from cranktrain.machine import Machine
-    from cranktrain.public import compare, run
+    from cranktrain.public import compare, run, units
 
 __all__ = [
     "Comparison",
@@ -99,6 +99,7 @@ __all__ = [
     "example_names",
     "load",
     "run",
+    "units",
     "viz",
 ]
 
@@ -115,6 +116,7 @@ _HOMES = {
     "example_names": "io.examples",
     "load": "io.any_machine",
     "run": "public",
+    "units": "public",
     "viz": "viz",
 }
 

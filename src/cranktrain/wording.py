@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from cranktrain.grouping import places_of_equal
 from cranktrain.motion import Array
-from cranktrain.quantities import chosen_unit, shown
+from cranktrain.quantities import Given, chosen_unit, shown
 
 Names = Mapping[str, Sequence[str]]
 """Labels of each dimension: the pistons', the chambers', …"""
@@ -45,6 +45,20 @@ def number(value: float, unit: str) -> str:
     if unit == "1" or not np.isfinite(value):
         return figure(value, unit)
     return f"{figure(value, unit)} {chosen_unit(unit) or unit}"
+
+
+def as_given(given: Given, usual: str) -> str:
+    """Write a given number as it was typed; in the unit that was chosen for what usually has one, where there is one.
+
+    Examples
+    --------
+    >>> as_given(Given(157.07963267948966, "1500 rpm"), "rpm")
+    '1500 rpm'
+    """
+    chosen = chosen_unit(usual)
+    if chosen is None or given.text.endswith(chosen):
+        return given.text.replace("-", "−")
+    return number(given.si, chosen)
 
 
 def figure(value: float, unit: str) -> str:

@@ -24,6 +24,8 @@ ROOM = (80.0, 80.0)
 _DIGITS = 9
 """Of a crank angle in degrees, so that 30 stays 30."""
 
+_ROUNDING = 1e-9
+
 DRAWING_STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
 """Scale factors of a drawing within a power of ten."""
 
@@ -196,10 +198,18 @@ def source_angles(
     return tuple(round(float(angle), _DIGITS) % 360.0 for angle in turn)
 
 
-def fitting(outlines: Sequence[Array], room: tuple[float, float], steps: Sequence[float] = DRAWING_STEPS) -> float:
-    """Choose the round scale factor at which each of several outlines, shape (2, n), fits a room. [unit for 1 mm]"""
+def fitting(
+    outlines: Sequence[Array],
+    room: tuple[float, float],
+    steps: Sequence[float] = DRAWING_STEPS,
+    one: float = 1.0,
+) -> float:
+    """Choose the scale factor at which each of several outlines, shape (2, n), fits a room. [unit for 1 mm]
+
+    It is round in a unit of which `one` is so many of the outlines'.
+    """
     spans = [np.nanmax(outline, axis=1) - np.nanmin(outline, axis=1) for outline in outlines]
-    return rounded_scale(float(np.max(np.stack(spans) / np.asarray(room))), steps)
+    return rounded_scale(float(np.max(np.stack(spans) / np.asarray(room))), steps, one)
 
 
 def chosen_scale(least: float, asked: float | None) -> float:
@@ -223,8 +233,17 @@ def scale_words(scale: float) -> str:
     return f"1:{scale:g}" if scale >= 1 else f"{1 / scale:g}:1"
 
 
-def rounded_scale(least: float, steps: Sequence[float] = DRAWING_STEPS) -> float:
-    """Give the next scale factor up that a draughtsman would take: one of the steps times a power of ten."""
+def rounded_scale(least: float, steps: Sequence[float] = DRAWING_STEPS, one: float = 1.0) -> float:
+    """Give the next scale factor up that a draughtsman would take: a step times a power of ten, of a unit or of one.
+
+    Examples
+    --------
+    >>> rounded_scale(0.0021), round(rounded_scale(0.21, one=0.3048), 4)
+    (0.0025, 0.3048)
+    """
+    tens = float(np.log10(one))
+    if abs(tens - round(tens)) > _ROUNDING:  # what is round in kN is round in N
+        return one * rounded_scale(least / one, steps)
     power = 10.0 ** float(np.floor(np.log10(least)))
     step = next(step for step in steps if step * power >= least * (1 - 1e-9))
     return float(f"{step * power:.6g}")  # 0.0025, not 0.0025000000000000001

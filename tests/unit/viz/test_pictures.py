@@ -41,6 +41,7 @@ from cranktrain.viz import (
     save_animation,
     sheet,
 )
+from cranktrain.viz.panel import as_shown
 from cranktrain.viz.paper.page import fitting_scale, formula, mathematics, scale_words
 from cranktrain.viz.paper.words import provenance_words
 from cranktrain.viz.sheets.motion.dead_centres import ruler_of
@@ -378,7 +379,7 @@ def test_drawn_parts_lie_on_the_layers_of_a_drawing_office(results):
 def test_curves_are_the_results(results):
     result = results["kamaz_740"]
     travel, velocity, acceleration, error = panels(result)
-    assert [(panel.symbol, panel.unit) for panel in (travel, velocity, acceleration)] == [
+    assert [(panel.symbol, as_shown(panel).unit) for panel in (travel, velocity, acceleration)] == [
         ("s", "mm"),
         ("v", "m/s"),
         ("j", "m/s²"),
@@ -677,7 +678,7 @@ def test_opposed_curves_are_the_results(results):
     ]
     scavenge = result.labels["piston"].index("1.scavenge")
     np.testing.assert_allclose(found["v"].curves[1].values[:360], result.piston_velocity[scavenge, :360], atol=1e-13)
-    np.testing.assert_allclose(found["V"].curves[0].values[:360], 1e3 * result.chamber_volume[0, :360], rtol=1e-14)
+    np.testing.assert_allclose(found["V"].curves[0].values[:360], result.chamber_volume[0, :360], rtol=1e-14)
     assert [(mark.name, mark.is_top) for mark in ruler_of(result).marks] == [("1", True), ("1", False)]
 
 

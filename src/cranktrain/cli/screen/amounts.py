@@ -10,6 +10,7 @@ import numpy as np
 from cranktrain.cli.screen.text import KEPT
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.quantities import chosen_unit
 from cranktrain.rows import Amount, Extent, Piece
 from cranktrain.scales import scale_for
 from cranktrain.wording import ABSENT, decimals_for, signless
@@ -19,8 +20,8 @@ _MOST_DECIMALS = 8
 _ROUNDING = 1e-9
 """Of the largest value; what is less is nothing beside it."""
 
-_DECIMALS = {"rad": 2, "position": 1, "off": 0}
-"""Of these, whatever their size."""
+_DECIMALS = {"rad": 2, "deg": 2, "position": 1, "off": 0, "number": 0}
+"""Of these, whatever their size, unless another unit is chosen."""
 
 _FEW_FIGURES = {"error": 2}
 """Of errors, that say how far off something is."""
@@ -63,10 +64,11 @@ def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.
 def _decimals_of(sized: Sequence[float], most: float, unit: str, *, apart: bool) -> list[int]:
     """How many decimals each of some values has, the largest of which is `most`; what is rounding beside it has its."""
     figures = _FEW_FIGURES.get(unit, _FIGURES)
-    usual = _DECIMALS.get(unit, decimals_for(most, figures))
+    fixed = None if unit == "rad" and chosen_unit("°") else _DECIMALS.get(unit)
+    usual = fixed if fixed is not None else decimals_for(most, figures)
     differs = float(np.ptp(sized)) if apart else 0.0
     needed = max(usual, 1 - floor(log10(differs))) if differs > 0 else usual
-    if unit in _DECIMALS:
+    if fixed is not None:
         return [needed] * len(sized)
     own = [decimals_for(abs(one), figures) if abs(one) > _ROUNDING * most else usual for one in sized]
     return [min(max(needed, min(one, usual + 1)), _MOST_DECIMALS) for one in own]

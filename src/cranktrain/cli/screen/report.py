@@ -90,7 +90,7 @@ def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
         if entry.is_fact:
             continue
         value, at, member = _refined(result, entry) or _in_steps(result, entry)
-        shown = figures(np.array([value]), entry.unit)
+        shown = figures(np.array([value]), entry.shown)
         members = [", ".join(labels) for labels in itertools.product(*result.labels_of(entry).values())]
         whose = members[member] if len(members) > 1 else ""
         words = (ABSENT, "", "", "") if np.isnan(value) else (shown.texts[0], shown.unit, at, whose)

@@ -13,7 +13,7 @@ from cranktrain.motion import Array
 from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.plans.vectors import angle_of, turned_left
 from cranktrain.scales import scale_for
-from cranktrain.viz.figures import figure
+from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish
 from cranktrain.viz.paper.sketch import Habit, Line
@@ -75,7 +75,7 @@ def load_words(load: ActingLoad, at: int = 0) -> str:
     """Name a load with its size at one of its crank angles."""
     size = abs(float(load.size[at]))
     scale = scale_for("N*m" if load.is_torque else "N", size)
-    return f"{load.name.replace('_', ' ')} {figure(scale.of(size))} {scale.label}"
+    return f"{load.name.replace('_', ' ')} {with_unit(size, scale)}"
 
 
 def load_wishes(marks: Sequence[LoadMark], symbols: Mapping[tuple[str, str], str] | None = None) -> Iterator[Wish]:

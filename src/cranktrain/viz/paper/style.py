@@ -70,6 +70,8 @@ SETTINGS: Mapping[str, object] = {
     "xtick.major.width": 0.5,
     "ytick.major.width": 0.5,
     "axes.unicode_minus": True,
+    "axes.formatter.limits": (-9, 12),
+    "axes.formatter.useoffset": False,
     "path.simplify": False,
     "svg.hashsalt": "cranktrain",
     "svg.fonttype": "path",

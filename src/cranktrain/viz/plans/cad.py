@@ -21,6 +21,8 @@ from cranktrain.plans.positions import PositionPlan, position_plan, rescaled, tr
 from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.together import places_called
 from cranktrain.plans.vectors import pair
+from cranktrain.scales import scale_for
+from cranktrain.viz.figures import plain
 from cranktrain.viz.paper.sketch import LAYERS, Circle, Line, Sketch, bounds_of
 from cranktrain.viz.paper.words import speed_words
 from cranktrain.viz.plans.sketches import polygon_sketch, positions_sketch
@@ -159,7 +161,8 @@ def _polygon(space: Modelspace, polygon: Polygon, corner: Array, scale: float) -
     sketch = polygon_sketch(polygon)
     low, high = bounds_of(sketch.outline())
     _draw(space, sketch, corner - scale * np.array([low[0], high[1]]), scale)
-    words = f"φ = {polygon.angle:g}°: 1 mm = {polygon.scale / scale:.6g} {polygon.unit}"
+    shown = scale_for(polygon.unit, 0.0)
+    words = f"φ = {polygon.angle:g}°: 1 mm = {plain(float(shown.of(polygon.scale / scale)))} {shown.label}"
     _write(space, words, corner + scale * np.array([0.0, 6.0]), _TEXT * scale)
 
 

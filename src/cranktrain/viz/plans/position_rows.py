@@ -2,22 +2,20 @@
 
 from collections.abc import Iterator, Sequence
 
+import numpy as np
+
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.position_table import PositionColumn, output_columns, point_columns
-from cranktrain.quantities import shown
+from cranktrain.scales import scale_for
 from cranktrain.viz.figures import aligned
 from cranktrain.viz.paper.page import INDICES
-from cranktrain.viz.plans.sheet import unit_words
 
 N_HEADS = 2
 """Rows of the head of these tables: symbols, units."""
-
-_UNITS = {"m": ("mm", "mm"), "m/rad": ("mm/rad", "mm"), "m/rad^2": ("mm/rad²", "mm"), "rad": ("°", "deg")}
-"""How a column's unit is written, and what it is shown in; others are as they are."""
 
 
 def position_rows(
@@ -51,11 +49,11 @@ def every(table: Sequence[tuple[str, ...]], step: int) -> list[tuple[str, ...]]:
 
 
 def rows_of(angles: Array, columns: Sequence[PositionColumn]) -> Iterator[tuple[str, ...]]:
-    """Two rows of a head, symbols and units, and rows: number, crank angle, columns in the units of drawings."""
+    """Two rows of a head, symbols and units, and rows: number, crank angle, columns as they are shown."""
+    scales = [scale_for(one.unit, float(np.max(np.abs(one.values)))) for one in columns]
     yield (_("no."), "φ", *(one.symbol for one in columns))
-    yield ("", "°", *(_UNITS.get(one.unit, (unit_words(one.unit),))[0] for one in columns))
-    factors = [shown(1.0, _UNITS[one.unit][1]) if one.unit in _UNITS else 1.0 for one in columns]
-    cells = [aligned(factor * one.values) for factor, one in zip(factors, columns, strict=True)]
+    yield ("", "°", *(scale.label for scale in scales))
+    cells = [aligned(scale.of(one.values)) for scale, one in zip(scales, columns, strict=True)]
     yield from (
         (f"{i}", f"{angle:g}", *row)
         for i, (angle, row) in enumerate(zip(angles, zip(*cells, strict=True), strict=True))

@@ -18,7 +18,15 @@ from cranktrain.viz.paper.detail import RADIUS, draw_detail, has_room, is_too_sm
 from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.sketch import Sketch
 from cranktrain.viz.plans.position_rows import N_HEADS, every, point_tables, position_rows
-from cranktrain.viz.plans.sheet import LOWEST, origin_in, plan_page, row_height, scale_of, write_beside, write_scales
+from cranktrain.viz.plans.sheet import (
+    LOWEST,
+    length_scale,
+    origin_in,
+    plan_page,
+    row_height,
+    write_beside,
+    write_scales,
+)
 from cranktrain.viz.plans.sketches import positions_sketch
 
 _ONE, _BOTH = 0.62, 0.48
@@ -71,7 +79,7 @@ def plan_positions(
     metre = chosen_scale(position_plan(machine, 180, mechanism=mechanism, room=room, beside=beside).scale, scale)
     plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room, is_lettered=True), metre)
     draw_positions(page, machine, plan, mechanism, left, loads)
-    write_scales(page, box, [scale_of("l", metre, "m")], 1e3 * metre)
+    write_scales(page, box, [length_scale(metre)], 1e3 * metre)
     _write_tables(
         page, machine, plan, curve, mechanism, box._replace(left=box.left + wide + 6.0, width=box.width - wide - 6.0)
     )

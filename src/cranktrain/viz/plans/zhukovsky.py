@@ -16,7 +16,8 @@ from cranktrain.plans.positions import rounded_scale, single_plans
 from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.vectors import POLE, angle_of, pair, spoken_name, turned_left
 from cranktrain.plans.zhukovsky import LeverForce, ZhukovskyLever, zhukovsky_lever
-from cranktrain.viz.figures import figure
+from cranktrain.scales import Scale, scale_for
+from cranktrain.viz.figures import column, power_of_ten
 from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
@@ -28,6 +29,7 @@ from cranktrain.viz.plans.sheet import (
     centre,
     centre_at_angle,
     few_angles,
+    length_scale,
     plan_page,
     scale_of,
     write_beside,
@@ -83,7 +85,8 @@ def plan_zhukovsky(
     room = ((1 - 2 * _LONGEST) * middle + 6.0, max((1 - 2 * _LONGEST) * height, 0.4 * height) - 4.0)
     polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True, speed=turning)
     longest = max(_longest(lever, polygon) for lever, polygon in zip(levers, polygons, strict=True))
-    newton = rounded_scale(longest / (_LONGEST * min(middle, height)))
+    unit = scale_for("N", longest)
+    newton = rounded_scale(longest / (_LONGEST * min(middle, height)), one=unit.one)
     room = (left - 14.0, height - 20.0 - _NOTES)
     plans = single_plans(machine, chosen, mechanism=mechanism, room=room, beside=beside)
     for plan, lever, polygon, cell in zip(plans, levers, polygons, cells, strict=True):
@@ -91,15 +94,15 @@ def plan_zhukovsky(
         centre_at_angle(page, lever.angle, positions_sketch(plan, loads=loads, said=symbols), own)
         page.notes(cell.left, cell.bottom + _NOTES - 4.0, _notes(lever))
         centre(page, lever_sketch(lever, polygon, newton), Box(cell.left + left, cell.bottom, middle, height - 4.0))
-        rows = list(_table(lever, letters))
+        rows = list(_table(lever, letters, unit))
         notes = list(_short_words(lever, newton))
         line = min(ROW, (height - _HEAD - LINE * len(notes)) / len(rows))
         if line < LEAST_ROW:
             raise InputError([Problem("", lever.mechanism, too_many_words(len(chosen), size))])
         start = cell.left + left + middle + 6.0
         write_beside(page, cell, start, rows, notes, shares=_COLUMNS, line=line, gap=0.0)
-    velocity = scale_of("v", polygons[0].scale, polygons[0].unit)
-    write_scales(page, box, [scale_of("l", plans[0].scale, "m"), velocity, scale_of("F", newton, "N")], None)
+    velocity = scale_of("v", polygons[0].scale, scale_for(polygons[0].unit, 0.0))
+    write_scales(page, box, [length_scale(plans[0].scale), velocity, scale_of("F", newton, unit)], None)
     words = _("Velocities turned by 90° clockwise: a force's anticlockwise moment about p is its power")
     page.text(box.left + left, box.bottom + 4.4, words, color=MUTED)
     return page.figure
@@ -153,19 +156,22 @@ def _balancing(lever: ZhukovskyLever, polygon: Polygon) -> LeverForce:
     return LeverForce("F_b", crank.end, pair(force), crank.value, lever.driving_torque)
 
 
-def _table(lever: ZhukovskyLever, letters: Mapping[str, str]) -> Iterator[tuple[str, ...]]:
+def _table(lever: ZhukovskyLever, letters: Mapping[str, str], unit: Scale) -> Iterator[tuple[str, ...]]:
     """Every force: at which point, its size and its moment about the pole, as torque on the crank."""
-    yield (_("force"), _("at"), "N", "N·m")
-    for force in lever.forces:
+    largest = max(abs(moment) for moment in (lever.driving_torque, *(force.moment for force in lever.forces)))
+    torque = scale_for("N*m", largest)
+    yield (_("force"), _("at"), unit.label, torque.label)
+    sizes = column([float(np.hypot(*force.value)) for force in lever.forces], unit)
+    *moments, driving = column([*(force.moment for force in lever.forces), lever.driving_torque], torque)
+    for force, newtons, moment in zip(lever.forces, sizes, moments, strict=True):
         bare = force.point.rstrip("'")
         at = (
             mathematics(force.point.replace(bare, letters.get(bare) or spoken_name(bare)))
             if force.point
             else _("couple")
         )
-        newtons = figure(float(np.hypot(*force.value))) if force.point else "–"
-        yield (mathematics(force.symbol), at, newtons, figure(force.moment))
-    yield (mathematics("M_b"), "", "", figure(lever.driving_torque))
+        yield (mathematics(force.symbol), at, newtons if force.point else "–", moment)
+    yield (mathematics("M_b"), "", "", driving)
 
 
 def _short_words(lever: ZhukovskyLever, newton: float) -> Iterator[str]:
@@ -182,4 +188,4 @@ def _notes(lever: ZhukovskyLever) -> Iterator[str]:
     yield _("Moments about p over the crank's speed.")
     yield _("Last: driving torque by the joints' reactions,")
     yield _("drawn as a force at the crank pin.")
-    yield _("Their sum: {residual:.1e} of the largest.").format(residual=lever.residual)
+    yield _("Their sum: {residual} of the largest.").format(residual=power_of_ten(lever.residual))

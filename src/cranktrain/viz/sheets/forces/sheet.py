@@ -9,6 +9,8 @@ from cranktrain.language import _
 from cranktrain.questions.forces.carriers import carriers_of
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.scales import scale_for
+from cranktrain.viz.figures import with_unit
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import LINE, MARGIN, Box, Figure, Page, drawing_settings, mathematics
@@ -94,7 +96,7 @@ def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tup
     page.heading(left, top - 3.0, panel.title)
     if shown.has("indicated_mean_pressure"):
         mean = float(shown("indicated_mean_pressure")[chambers_of(shown.result, piston)[0]])
-        words = _("mean {mean}").format(mean=number(mean, "bar").replace("-", "−"))
+        words = _("mean {mean}").format(mean=with_unit(mean, scale_for("Pa", abs(mean))))
         axes.text(0.98, 0.9, words, ha="right", va="top", transform=axes.transAxes, fontsize=TEXT)
     return top - 5.0 - height - 7.0
 
