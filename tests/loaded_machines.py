@@ -88,6 +88,7 @@ LOADED = {
                 "on": "ram",
                 "force": ["0 kN", "0 kN", "6 kN", "6 kN", "0 kN", "0 kN"],
                 "travel": ["0 mm", "20 mm", "20.1 mm", "380 mm", "380.1 mm", "401 mm"],
+                "counts": "against",
                 "force_back": ["0 kN", "0 kN", "0 kN", "0 kN", "0 kN", "0 kN"],
             },
             "slideway": {"on": "ram", "force": "0.6 kN"},

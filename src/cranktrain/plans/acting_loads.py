@@ -48,6 +48,8 @@ class ActingLoad(NamedTuple):
         Unit vector along the link, from its first pin.
     turning : Array, shape (n,)
         Of the link by the crank angle, anticlockwise.
+    sense : float
+        +1 where the crank turns anticlockwise, −1 where it turns clockwise.
     """
 
     name: str
@@ -62,6 +64,12 @@ class ActingLoad(NamedTuple):
     velocity: Array
     along: Array
     turning: Array
+    sense: float
+
+    @property
+    def counted(self) -> Array:
+        """Size as forces and torques count: of a torque in the sense in which the crank turns. [N or N·m]"""
+        return self.sense * self.size if self.is_torque else self.size
 
     def moved(self, away: Array, factor: float = 1.0) -> "ActingLoad":
         """Give it elsewhere, then in another unit of length."""
@@ -134,6 +142,7 @@ def _acting(
         turned(velocity.x, velocity.y),
         turned(*direction(link)),
         turn * (np.ravel(link.angle.first) + np.zeros(angle.shape)),
+        turn,
     )
 
 

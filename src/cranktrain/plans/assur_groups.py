@@ -19,7 +19,6 @@ from cranktrain.plans.acted_links import (
 )
 from cranktrain.plans.acting import LoadedMechanism, pair_symbol, torques_of_file
 from cranktrain.plans.force_sides import INITIAL, GroupForces, LoadTorque, PolygonForce, Span
-from cranktrain.plans.placement import frame
 from cranktrain.plans.rubbing import friction_on_links
 from cranktrain.plans.vectors import pair
 
@@ -106,10 +105,8 @@ class _Laying(NamedTuple):
 
     def _torques(self, name: str) -> Iterator[LoadTorque]:
         """Torques of the file on a link, in the sense in which the crank turns."""
-        one = self.seen.one
-        sense = -frame(one.machine, one.place).sense
-        for symbol, load in torques_of_file(one, name, self.seen.numbers[name]):
-            yield LoadTorque(symbol, load.name, self.seen.names[name], sense * float(load.size[0]))
+        for symbol, load in torques_of_file(self.seen.one, name, self.seen.numbers[name]):
+            yield LoadTorque(symbol, load.name, self.seen.names[name], float(load.counted[0]))
 
     def _arc(self, name: str, group: Group) -> _Arc:
         """Sort the forces on a link of a group; of reactions in inner joints there is none."""

@@ -68,9 +68,9 @@ class GroupForces:
     numbers : tuple of int
         Of the links: 1 is the frame, 2 the crank; `F_34` is the force of link 3 on link 4.
     forces : tuple of PolygonForce
-        Link by link: gas, loads, weight, inertia, what hangs on the group, and its outer reactions. A pin's is in two parts
-        where moments about another pin give the one across the link, `F_23^t`; `F_23^n` is along it. A guide's with
-        friction is `N_14`, across the guide, and `f_14`.
+        Link by link: gas, loads, weight, inertia, what hangs on the group, and its outer reactions. A pin's is in two
+        parts where moments about another pin give the one across the link, `F_23^t`; `F_23^n` is along it. A guide's
+        with friction is `N_14`, across the guide, and `f_14`.
     wholes : tuple of Span
         Outer reactions of which sides are the parts.
     chords : tuple of Span

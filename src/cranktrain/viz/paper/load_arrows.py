@@ -40,12 +40,17 @@ class Room(NamedTuple):
 
 
 class LoadMark(NamedTuple):
-    """A load as it is drawn: its lines, and where its name goes, in which direction from there [mm of metal, rad]."""
+    """A load as it is drawn.
+
+    Its arrow or arc with its head, or a dashed line alone; where its name goes, in which direction from there [mm of
+    metal, rad]; what holds its point.
+    """
 
     load: ActingLoad
     lines: tuple[Line, ...]
     point: Array
     towards: float
+    held: tuple[Line, ...] = ()
 
 
 def load_marks(
@@ -101,10 +106,10 @@ def _arrow(
     if share <= _NONE:
         end = start + side * way * _DASHED * room.longest
         dashed = Line(np.stack([start, end], axis=1), "LOADS", "part", 9)
-        return LoadMark(load, (*held, dashed), end, angle_of(end - start))
+        return LoadMark(load, (dashed,), end, angle_of(end - start), held)
     far = start + side * way * room.longest * (_SHORTEST + (1 - _SHORTEST) * share)
     ends = (start, far) if side * size > 0 else (far, start)
-    return LoadMark(load, (*held, *arrow_of(*ends, room.head)), far, angle_of(far - start))
+    return LoadMark(load, arrow_of(*ends, room.head), far, angle_of(far - start), held)
 
 
 def pulled_side(size: float) -> float:

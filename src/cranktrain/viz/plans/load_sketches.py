@@ -9,7 +9,7 @@ from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array
 from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.plans.shown_loads import ShownLoads
-from cranktrain.plans.vectors import angle_of, turned_left
+from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.paper.labels import Wish
 from cranktrain.viz.paper.load_arrows import (
     LoadMark,
@@ -20,10 +20,10 @@ from cranktrain.viz.paper.load_arrows import (
     held_by,
     load_marks,
     load_wishes,
-    on_one_line,
     pulled_side,
 )
 from cranktrain.viz.paper.sketch import Line
+from cranktrain.viz.plans.lanes import Lanes, is_still
 
 _LONGEST, _HEAD, _RADIUS = 13.0, 2.6, 5.5
 """Longest arrow, its head, radius of an arc about a pin. [mm of paper]"""
@@ -33,13 +33,6 @@ _SMALL_HEAD, _LEAST = 2.0, 3.0
 
 _ARCS, _ARC = (7.0, 18.0), 9.0
 """In several positions: radii of the first arc and of the last, and length of the longest. [mm of paper]"""
-
-_LANES, _LANE, _WIDEST = 8.0, 2.2, 32.0
-"""In several positions arrows that would cover each other stand so far beside their points: the first, each next one
-farther, all within the last. [mm of paper]"""
-
-_APART = 1.0
-"""Arrows nearer to each other than this cover each other. [mm of paper]"""
 
 _NONE = 1e-9
 """A load of less than this part of the largest is not drawn."""
@@ -87,7 +80,7 @@ def drawn_loads(
         room = Room(_LONGEST * scale, _HEAD * scale, _RADIUS * scale)
         marks = list(load_marks(acting, loads.largest, room, links[0]))
         return DrawnLoads(_lines(marks), tuple(load_wishes(marks, said)))
-    lanes = _Lanes(scale, [])
+    lanes = Lanes(scale, [])
     found = [_in_positions(load, loads.largest[load.is_torque], links, lanes) for load in acting]
     return DrawnLoads(
         tuple(line for one in found for line in one.lines), tuple(wish for one in found for wish in one.wishes)
@@ -95,60 +88,10 @@ def drawn_loads(
 
 
 def _lines(marks: Sequence[LoadMark]) -> tuple[Line, ...]:
-    return tuple(line for mark in marks for line in mark.lines)
+    return tuple(line for mark in marks for line in (*mark.held, *mark.lines))
 
 
-class _Lanes(NamedTuple):
-    """Where arrows of one line go so that they stand beside each other: `taken` are lines that have arrows beside them.
-
-    A line is a point on it, and the direction in which it goes.
-    """
-
-    scale: float
-    taken: list[tuple[Array, Array]]
-
-    def spread(self, load: ActingLoad, there: Sequence[int], arrows: Array, links: Sequence[Sequence[Array]]) -> Array:
-        """Steps by which arrows (n, 2, 2) at some positions stand beside their points, shape (n, 2); 0 if they are apart."""
-        if not _overlap(arrows, self.scale):
-            return np.zeros((len(there), 2))
-        across = np.stack([turned_left(load.way[:, i]) for i in there])
-        own = np.array(
-            [
-                clear_side(load.place[:, i], normal, _WIDEST * self.scale, links[i])
-                for i, normal in zip(there, across, strict=True)
-            ]
-        )
-        before = 0
-        if _is_still(load):
-            line = load.place[:, there[0]], load.way[:, there[0]]
-            before = sum(on_one_line(line[0] - point, line[1], way, _LONGEST * self.scale) for point, way in self.taken)
-            self.taken.append(line)
-            own[:] = (np.sign(np.sum(own)) or 1.0) * (-1.0 if before % 2 else 1.0)
-        steps = (
-            _LANES
-            + (_WIDEST - _LANES) * (before // 2)
-            + min(_LANE, (_WIDEST - _LANES) / len(there)) * np.arange(len(there))
-        )
-        return self.scale * steps[:, np.newaxis] * own[:, np.newaxis] * across
-
-
-def _is_still(load: ActingLoad) -> bool:
-    """Whether a force keeps its line's direction in all positions."""
-    return bool(np.allclose(load.way, load.way[:, :1], atol=1e-9))
-
-
-def _overlap(arrows: Array, scale: float) -> bool:
-    """Whether any two of some arrows, shape (n, 2, 2), come near to each other."""
-    shares = np.linspace(0.0, 1.0, 7)
-    points = arrows[:, :, :1] + shares * (arrows[:, :, 1:] - arrows[:, :, :1])
-    for i in range(len(points)):
-        for other in points[i + 1 :]:
-            if np.min(np.hypot(*(points[i][:, :, np.newaxis] - other[:, np.newaxis]))) < _APART * scale:
-                return True
-    return False
-
-
-def _in_positions(load: ActingLoad, largest: float, links: Sequence[Sequence[Array]], lanes: _Lanes) -> DrawnLoads:
+def _in_positions(load: ActingLoad, largest: float, links: Sequence[Sequence[Array]], lanes: Lanes) -> DrawnLoads:
     """One load in every position in which there is any, with its name at the first."""
     shares = np.abs(load.size) / (largest or 1.0)
     there = [i for i in range(load.size.size) if shares[i] > _NONE and (load.is_torque or np.any(load.way[:, i]))]
@@ -158,7 +101,7 @@ def _in_positions(load: ActingLoad, largest: float, links: Sequence[Sequence[Arr
         lines = tuple(_arcs(load, shares, there, lanes.scale))
         return DrawnLoads(lines, (_name(load, lines[0].points[:, -1], load.pin[:, there[0]]),))
     arrows = _arrows(load, shares, there, links, lanes.scale)
-    steps = lanes.spread(load, there, arrows, links)
+    steps = lanes.steps(load, there, arrows, links)
     lines = [*held_by(load, there[0], _LONGEST * lanes.scale)]
     for i, ends, step in zip(there, arrows, steps, strict=True):
         start, end = (ends + step[:, np.newaxis]).T
@@ -180,7 +123,7 @@ def _arrows(
 ) -> Array:
     """Starts and ends of a force's arrows, shape (n, 2, 2), on that side of its way which is clear of most links."""
     sides = np.array([clear_side(load.place[:, i], load.way[:, i], _LONGEST * scale, links[i]) for i in there])
-    if _is_still(load):
+    if is_still(load):
         sides[:] = np.sign(np.sum(sides)) or 1.0
     if load.is_rope:
         sides = np.array([pulled_side(float(load.size[i])) for i in there])
