@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.one_line import short
 from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.plans.vectors import angle_of, turned_left
 from cranktrain.scales import scale_for
@@ -17,6 +18,9 @@ from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish
 from cranktrain.viz.paper.sketch import Habit, Line
+
+_LETTERS = 16
+"""Of a load's name."""
 
 _NONE = 1e-9
 """A load of less than this part of the largest is none."""
@@ -80,7 +84,12 @@ def load_words(load: ActingLoad, at: int = 0) -> str:
     """Name a load with its size at one of its crank angles."""
     size = abs(float(load.size[at]))
     scale = scale_for("N*m" if load.is_torque else "N", size)
-    return f"{load.name.replace('_', ' ')} {with_unit(size, scale)}"
+    return f"{load_name(load)} {with_unit(size, scale)}"
+
+
+def load_name(load: ActingLoad) -> str:
+    """Name of a load, as long as there is room beside an arrow."""
+    return short(load.name.replace("_", " "), _LETTERS)
 
 
 def load_wishes(marks: Sequence[LoadMark], symbols: Mapping[tuple[str, str], str] | None = None) -> Iterator[Wish]:

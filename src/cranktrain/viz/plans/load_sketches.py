@@ -19,6 +19,7 @@ from cranktrain.viz.paper.load_arrows import (
     clear_side,
     held_by,
     load_marks,
+    load_name,
     load_wishes,
     pulled_side,
 )
@@ -115,7 +116,7 @@ def _in_positions(load: ActingLoad, largest: float, links: Sequence[Sequence[Arr
 
 def _name(load: ActingLoad, point: Array, pin: Array) -> Wish:
     """Name of a load at a point, away from its pin."""
-    return Wish(point, load.name.replace("_", " "), angle_of(point - pin), "words")
+    return Wish(point, load_name(load), angle_of(point - pin), "words")
 
 
 def _arrows(

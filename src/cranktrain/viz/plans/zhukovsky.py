@@ -1,6 +1,6 @@
 """Sheet of Zhukovsky's lever: the mechanism, the turned plan of velocities with the forces, and their moments."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from cranktrain.scales import Scale, scale_for
 from cranktrain.viz.figures import column, power_of_ten
 from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
-from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch, bounds_of
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW
 from cranktrain.viz.plans.forces import too_many_words
@@ -51,6 +51,9 @@ _TO_A_LINE = 8
 
 _NOTES = 22.0
 """Height of the notes below the mechanism. [mm]"""
+
+_PASSES, _SPARE = 4, 1.05
+"""How often a plan of velocities is made smaller, and by how much more than it is too large."""
 
 _HEAD = 6.0
 """Height of a table's head. [mm]"""
@@ -83,10 +86,15 @@ def plan_zhukovsky(
     left, middle = 0.26 * box.width, 0.46 * box.width
     height = cells[0].height
     room = ((1 - 2 * _LONGEST) * middle + 6.0, max((1 - 2 * _LONGEST) * height, 0.4 * height) - 4.0)
-    polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True, speed=turning)
+
+    def polygons_in(room: tuple[float, float]) -> Sequence[Polygon]:
+        return velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True, speed=turning)
+
+    polygons = polygons_in(room)
     longest = max(_longest(lever, polygon) for lever, polygon in zip(levers, polygons, strict=True))
     unit = scale_for("N", longest)
     newton = rounded_scale(longest / (_LONGEST * min(middle, height)), one=unit.one)
+    polygons = _with_room(levers, polygons, newton, polygons_in, (room, (middle, height - 4.0)))
     room = (left - 14.0, height - 20.0 - _NOTES)
     plans = single_plans(machine, chosen, mechanism=mechanism, room=room, beside=beside)
     for plan, lever, polygon, cell in zip(plans, levers, polygons, cells, strict=True):
@@ -106,6 +114,26 @@ def plan_zhukovsky(
     words = _("Velocities turned by 90° clockwise: a force's anticlockwise moment about p is its power")
     page.text(box.left + left, box.bottom + 4.4, words, color=MUTED)
     return page.figure
+
+
+def _with_room(
+    levers: Sequence[ZhukovskyLever],
+    polygons: Sequence[Polygon],
+    newton: float,
+    polygons_in: Callable[[tuple[float, float]], Sequence[Polygon]],
+    rooms: tuple[tuple[float, float], tuple[float, float]],
+) -> Sequence[Polygon]:
+    """Make plans of velocities smaller until there is room for forces whose points lie far out; rooms are of both."""
+    own, whole = rooms
+    for _pass in range(_PASSES):
+        sketches = [lever_sketch(lever, polygon, newton) for lever, polygon in zip(levers, polygons, strict=True)]
+        sizes = [np.subtract(*reversed(bounds_of(sketch.outline()))) for sketch in sketches]
+        excess = float(np.max(np.stack(sizes) / np.array(whole)))
+        if excess <= 1.0:
+            break
+        own = own[0] / (_SPARE * excess), own[1] / (_SPARE * excess)
+        polygons = polygons_in(own)
+    return polygons
 
 
 def _longest(lever: ZhukovskyLever, polygon: Polygon) -> float:

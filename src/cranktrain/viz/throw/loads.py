@@ -18,6 +18,9 @@ _LONGEST, _HEAD, _RADIUS = 0.16, 0.028, 0.05
 _ROUND = 1.3
 """Radius of an arc about a pin in those of the big eye, at least."""
 
+_LEADER = 3.5
+"""A name farther from its load than this has a line to it. [mm of paper]"""
+
 _POINT = np.full((2, 2), np.nan)
 _NOWHERE_HELD = (Line(_POINT, "LOADS", "construction", 3), Line(_POINT, "LOADS", "thin", 3))
 _NOWHERE = (Line(_POINT, "LOADS", "load", 9), Line(_POINT, "LOADS", "arrow", 9, is_closed=True, fill="ink"))
@@ -58,10 +61,16 @@ def _on_broken(scene: Scene, load: ActingLoad) -> ActingLoad:
     return load.moved(-member.cut * member.stroke_line.along[:, np.newaxis])
 
 
-def load_names(marks: Sequence[LoadMark], sketch: Sketch) -> Iterator[Label]:
-    """Names of loads with their sizes, clear of what is drawn."""
+def load_names(marks: Sequence[LoadMark], sketch: Sketch) -> Iterator[Label | Line]:
+    """Names of loads with their sizes, clear of what is drawn; to one that is far a line leads."""
     if marks:
         lines: list[Array] = [line.points for line in sketch.lines if line.habit != "hatch"]
         lines += [label_outline(label, sketch.scale) for label in sketch.labels]
         lines += [shapes.arc(one.centre, one.radius, 0.0, 2 * np.pi) for one in sketch.circles]
-        yield from placed_labels(list(load_wishes(marks)), lines, sketch.scale)
+        labels = placed_labels(list(load_wishes(marks)), lines, sketch.scale)
+        for mark, label in zip(marks, labels, strict=True):
+            yield label
+            box = label_outline(label, sketch.scale)
+            nearest = np.clip(mark.point, np.min(box, axis=1), np.max(box, axis=1))
+            if np.hypot(*(nearest - mark.point)) > _LEADER * sketch.scale:
+                yield Line(np.stack([mark.point, nearest], axis=1), "LOADS", "thin", 8)

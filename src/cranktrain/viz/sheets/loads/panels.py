@@ -143,7 +143,7 @@ def load_panels(shown: OneDesign, curves: LoadCurves) -> Iterator[Panel]:
     title = _("Torque of all loads on the crank")
     yield Panel(title, "N*m", curves.angle, (Curve(whole, "whole", "T"),))
     every = list(enumerate(curves.each))
-    yield Panel(_("Power of loads"), "W", curves.angle, tuple(_drawn(every, lambda one: one.power, "v")))
+    yield Panel(_("Power of loads"), "W", curves.angle, tuple(_drawn(every, lambda one: one.power, "T")))
 
 
 def _drawn(own: Sequence[tuple[int, LoadCurve]], values: Callable[[LoadCurve], Array], letter: str) -> Iterator[Curve]:

@@ -41,7 +41,7 @@ _CARD, _CARDS = 38.0, 2
 _LEAST = 35.0
 """Height from which there is room for the machine. [mm]"""
 
-_NOTES = 10.0
+_NOTES = 13.0
 """Height of the notes. [mm]"""
 
 
@@ -105,7 +105,8 @@ def _write_loads(page: Page, shown: OneDesign, curves: LoadCurves, room: Box) ->
 
 def _notes(curves: LoadCurves) -> Iterator[str]:
     """Say how work and power count, and how many loads the table leaves out."""
-    yield _("Work over the cycle and power less than 0: the machine works against the load.")
+    yield _("Work over the cycle, less than 0 where the machine works against the load;")
+    yield _("largest power of either sign. Forces along their ways, torques in the crank's sense.")
     if len(curves.each) > _MOST:
         yield _("{n} more loads are in the result.").format(n=len(curves.each) - _MOST)
 
