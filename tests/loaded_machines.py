@@ -1,7 +1,8 @@
 """Machines that work against loads, for pictures: one of each way in which a load acts."""
 
-import cranktrain as ct
 from tests.unit.questions.forces.test_friction import CHAIN
+
+import cranktrain as ct
 
 _TURNING = {"main": {"speed": "90 rpm"}}
 
