@@ -23,6 +23,7 @@ from cranktrain.motion import Array
 from cranktrain.quantities import shown, shown_as_in, units_asked
 from cranktrain.record import record
 from cranktrain.rows import AnswerLine
+from cranktrain.wording import in_print
 
 if TYPE_CHECKING:
     import xarray
@@ -164,7 +165,8 @@ class Result:
     @property
     def flags(self) -> tuple[str, ...]:
         """Warnings of the stages: a textbook form outside its source's range, and the like."""
-        return (*self.coarse, *(flag for outcome in self.outcomes for flag in getattr(outcome, "flags", ())))
+        found = (flag for outcome in self.outcomes for flag in getattr(outcome, "flags", ()))
+        return (*self.coarse, *map(in_print, found))
 
     def rows(self, design: int = 0) -> Iterator[tuple[str, list[AnswerLine]]]:
         """Give the lines of the answer for one design: question by question its title and rows, if it has any.
@@ -192,7 +194,7 @@ class Result:
             answer = getattr(outcome, "answer", None)
             sentence = answer(self.labels, design) if answer is not None else None
             if sentence:
-                yield sentence
+                yield in_print(sentence)
 
     def summary(self, design: int | None = None) -> str:
         """Say in sentences what is not used of the file, and what was found.

@@ -45,7 +45,18 @@ def aligned(values: Array) -> list[str]:
 
 
 def rounded(value: float) -> str:
-    """Write a number with two decimals, and a true minus."""
+    """Write a number with two decimals, or with fewer so that it has four figures; and a true minus.
+
+    Examples
+    --------
+    >>> rounded(3.109), rounded(-110.28), rounded(-0.001)
+    ('3.11', '−110.3', '0.00')
+    """
+    return _written(value, min(2, decimals_for(abs(value), _DIGITS)) if abs(value) >= 1.0 else 2, nothing=0.0)
+
+
+def degrees(value: float) -> str:
+    """Write an angle in degrees with two decimals, and a true minus."""
     return _written(value, 2, nothing=0.0)
 
 

@@ -9,7 +9,7 @@ from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.vectors import spoken_name
 from cranktrain.scales import Scale
-from cranktrain.viz.figures import column
+from cranktrain.viz.figures import column, rounded
 from cranktrain.viz.paper.page import Page, in_words, mathematics
 from cranktrain.viz.paper.tables import write_row
 from cranktrain.viz.paper.words import first_that_holds
@@ -84,7 +84,7 @@ def _rows(polygon: ForcePolygon, letters: Mapping[str, str], unit: Scale, *, has
     every = [*sides, *(("", span.force) for span in (*polygon.wholes, *polygon.chords))]
     sizes = column([force.size for _number, force in every], unit)
     for (number, force), size in zip(every, sizes, strict=True):
-        length = f"{polygon.length(force):.2f}"
+        length = rounded(polygon.length(force))
         yield Row((number, mathematics(force.symbol), _said(force, letters), length, size))
 
 
