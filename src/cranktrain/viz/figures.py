@@ -40,7 +40,8 @@ def column(values: Sequence[float], scale: Scale) -> list[str]:
 
 def aligned(values: Array) -> list[str]:
     """Write numbers of a column with as many decimals as give the largest four figures, and a true minus."""
-    decimals = decimals_for(float(np.nanmax(np.abs(values), initial=0.0)), _DIGITS)
+    most = float(np.nanmax(np.abs(values), initial=0.0))
+    decimals = decimals_for(most if most > _NOTHING else 0.0, _DIGITS)
     return [_written(value, decimals, nothing=0.0) for value in values.tolist()]
 
 

@@ -26,7 +26,7 @@ def test_a_firing_order_names_the_cylinders_alone():
 
 
 def test_answers_part_valves_from_pistons():
-    """Strokes, dead centres and speeds are of pistons; a valve travels, and is farthest and nearest; lengths in inches."""
+    """Strokes, dead centres and speeds are of pistons; a valve travels, and is farthest and nearest; all in inches."""
     said = ct.run(ct.load("great_northern")).summary().splitlines()
     assert said[0] == (
         "Strokes: 30.00 in. True top dead centres: 0.00 deg after the crank points along the cylinder. "
