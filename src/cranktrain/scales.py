@@ -108,7 +108,7 @@ def scale_for(unit: str, size: float) -> Scale:
         usual = next((scale for scale in scales if size >= scale.least), scales[-1])
         return usual if chosen is None else Scale(chosen)
     whole = _differentiated(unit)
-    if whole in SCALES:
+    if whole is not None and whole in SCALES:
         of = scale_for(whole, size)
         return Scale(of.label + _typeset(unit[len(whole) :]), factor=of.of(1.0))
     return Scale(_typeset(unit), factor=1.0)

@@ -12,7 +12,6 @@ from cranktrain.quantities import shown_as_in
 from cranktrain.record import record
 
 if TYPE_CHECKING:
-    from cranktrain.analysis import Result
     from cranktrain.machine import Machine
 
 
@@ -60,8 +59,8 @@ class Picture:
         draw: Callable[..., Any] = getattr(import_module(module), name)
 
         @wraps(draw)
-        def drawn(of: "Result | Machine", *arguments: Any, **options: Any) -> Any:
-            machine = of if self.over == "angles" else of.machines[0]
+        def drawn(of: Any, *arguments: Any, **options: Any) -> Any:
+            machine: Machine = of if self.over == "angles" else of.machines[0]
             for quantity, sentence in self.needs.items():
                 if quantity not in of.catalogue:
                     needs = ", ".join(of.needs_of(quantity))
