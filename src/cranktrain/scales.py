@@ -127,8 +127,8 @@ def in_asked_unit(unit: str, values: Array) -> tuple[str, Array]:
     --------
     >>> from cranktrain.quantities import shown_by, units_by_dimension
     >>> with shown_by(units_by_dimension(["psi", "in"])):
-    ...     in_asked_unit("Pa", 6894.757293168361), in_asked_unit("m/rad", 0.0254), in_asked_unit("deg", 90.0)
-    (('psi', 1.0), ('in/rad', 1.0), ('deg', 90.0))
+    ...     in_asked_unit("m", 0.0254), in_asked_unit("m/rad", 0.0254), in_asked_unit("deg", 90.0)
+    (('in', 1.0), ('in/rad', 1.0), ('deg', 90.0))
     """
     if unit in _FIXED:
         return unit, values

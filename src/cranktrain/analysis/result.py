@@ -236,7 +236,7 @@ class Result:
 
     def _in_its_units(self) -> AbstractContextManager[None]:
         """Show numbers in the units of the first machine, as far as nobody chose others."""
-        return shown_as_in(self.machines[0].shown_units)
+        return shown_as_in(face("units_of")(self.machines[0]))
 
     def plot(self, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Any:
         """Draw curves over the crank angle.

@@ -72,12 +72,12 @@ def with_unit(value: float, scale: Scale) -> str:
     return f"{figure(float(scale.of(value)))} {scale.label}".rstrip()
 
 
-def told_apart(values: Array) -> list[str]:
+def written_apart(values: Array) -> list[str]:
     """Write numbers with four figures, and with as many more as tell the smallest from the largest by two.
 
     Examples
     --------
-    >>> told_apart(np.array([1502.8, 1497.5])), told_apart(np.array([1500.04, 1499.97]))
+    >>> written_apart(np.array([1502.8, 1497.5])), written_apart(np.array([1500.04, 1499.97]))
     (['1502.8', '1497.5'], ['1500.040', '1499.970'])
     """
     decimals = max(0, decimals_for(float(np.max(np.abs(values))), _DIGITS))

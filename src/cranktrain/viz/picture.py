@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.quantities import shown_as_in
 from cranktrain.record import record
 
 if TYPE_CHECKING:
@@ -60,12 +59,15 @@ class Picture:
 
         @wraps(draw)
         def drawn(of: Any, *arguments: Any, **options: Any) -> Any:
+            from cranktrain.io.description import units_of
+            from cranktrain.quantities import shown_as_in
+
             machine: Machine = of if self.over == "angles" else of.machines[0]
             for quantity, sentence in self.needs.items():
                 if quantity not in of.catalogue:
                     needs = ", ".join(of.needs_of(quantity))
                     raise InputError([Problem("", None, _(sentence).format(needs=needs))])
-            with shown_as_in(machine.shown_units):
+            with shown_as_in(units_of(machine)):
                 return draw(of, *arguments, **options)
 
         return drawn
