@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 
 Outcome = TypeVar("Outcome")
 
+_MILLION = 1e6
+"""From here on six figures would take a power of ten."""
+
 
 class Fact(NamedTuple):
     """A quantity that stands for the whole cycle: its catalogue entry, and its array in the entry's unit."""
@@ -39,7 +42,9 @@ class Fact(NamedTuple):
 
     def __repr__(self) -> str:
         """Show name, symbol and unit, and one value, or how many there are."""
-        value = f"{self.value:.6g}" if np.ndim(self.value) == 0 else brief(self.value)
+        value = brief(self.value)
+        if np.ndim(self.value) == 0:
+            value = f"{self.value:.6g}" if abs(self.value) < _MILLION else f"{self.value:.0f}"
         return f"<{self.entry.name} {self.entry.symbol} = {value} {self.entry.unit}>"
 
 

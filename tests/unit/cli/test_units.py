@@ -1,6 +1,7 @@
 """`--units` and [units]: on the screen, and in what is written."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -90,3 +91,24 @@ def test_a_file_in_kpa_is_shown_in_kpa(typed):
     assert next(line for line in both.splitlines() if "peak pressure" in line).split()[2:5] == ["4784", "5011", "kPa,"]
     one = typed("run", "3d12", *setting).output
     assert "47.84" in one and "kPa" not in one
+
+
+@pytest.mark.parametrize("name", ["3d12", "gas_compressor", "great_northern", "inline_six", "pumping_unit_c57"])
+def test_tables_have_no_powers_of_ten_and_true_minuses(typed, name):
+    said = typed("run", name, "--full").output
+    results = said.partition("\nResults\n")[2].partition("\nChecks\n")[0]
+    assert len(results.splitlines()) > 10
+    assert not re.search(r"\de[+-]?\d", results)
+    assert not re.search(r"(?<![\w.–-])-\d", said.partition("\nChecks\n")[0])
+    assert not re.search(r"\*|\^", results)
+
+
+def test_shaft_speeds_are_in_rpm_in_every_table(typed):
+    """1500 rpm on the mean: the answer, the table of facts and the comparison say so alike."""
+    full = typed("run", "3d12", "--full").output
+    row = next(line for line in full.splitlines() if line.startswith("  mean_speed_over_time"))
+    assert row.split()[1:] == ["ω_t", "rpm", "1500"]
+    compared = ct.compare("3d12", set={"shaft.main.speed": "1800 rpm"}, quantities="mean_speed_over_time")
+    assert "1500" in str(compared) and "1800 rpm" in str(compared)
+    assert str(ct.run("3d12").facts["peak_pressure"]).endswith("Pa>")
+    assert "e+" not in repr(ct.run("deltic").facts["indicated_power"])
