@@ -29,7 +29,7 @@ from cranktrain.mechanisms.spec import LISTS
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import path_text, value_at, with_values
-from cranktrain.quantities import Angle, FileUnits, Given
+from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
 from cranktrain.questions.cylinders.spec import OVERRIDES, CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
@@ -324,12 +324,6 @@ class Machine(Spec, frozen=True):
         """What questions see of it."""
         tables = {key: table for key in type(self).model_fields if (table := getattr(self, key)) is not None}
         return Design(self.places, self.shafts, self.orientation, self.zero, self.weighed, self.loads, tables)
-
-    @cached_property
-    def shown_units(self) -> FileUnits:
-        """Units in which it is shown where its reader chooses no others."""
-        units: FileUnits = face("units_of")(self)
-        return units
 
     @property
     def cycle(self) -> float:

@@ -108,7 +108,7 @@ def scale_for(unit: str, size: float) -> Scale:
         usual = next((scale for scale in scales if size >= scale.least), scales[-1])
         return usual if chosen is None else Scale(chosen)
     whole = _differentiated(unit)
-    if whole in SCALES:
+    if whole is not None and whole in SCALES:
         of = scale_for(whole, size)
         return Scale(of.label + _typeset(unit[len(whole) :]), factor=of.of(1.0))
     return Scale(_typeset(unit), factor=1.0)
@@ -127,8 +127,8 @@ def in_asked_unit(unit: str, values: Array) -> tuple[str, Array]:
     --------
     >>> from cranktrain.quantities import shown_by, units_by_dimension
     >>> with shown_by(units_by_dimension(["psi", "in"])):
-    ...     in_asked_unit("Pa", 6894.757293168361), in_asked_unit("m/rad", 0.0254), in_asked_unit("deg", 90.0)
-    (('psi', 1.0), ('in/rad', 1.0), ('deg', 90.0))
+    ...     in_asked_unit("m", 0.0254), in_asked_unit("m/rad", 0.0254), in_asked_unit("deg", 90.0)
+    (('in', 1.0), ('in/rad', 1.0), ('deg', 90.0))
     """
     if unit in _FIXED:
         return unit, values

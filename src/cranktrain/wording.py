@@ -1,5 +1,6 @@
 """Numbers and names put into sentences."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from math import floor, log10
 from string import digits
@@ -84,6 +85,26 @@ def decimals_for(size: float, figures: int) -> int:
     (1, 2, -2)
     """
     return figures - 1 - floor(log10(float(f"{size:.{figures - 1}e}"))) if 0 < size < np.inf else 0
+
+
+def in_print(sentence: str) -> str:
+    """Write the signs and units of a sentence as they are printed: a true minus, dots and powers.
+
+    Examples
+    --------
+    >>> in_print("1L-2R: from -3.5 N*m, 2 kg*m^2, 9 m/s^2")
+    '1L-2R: from −3.5 N·m, 2 kg·m², 9 m/s²'
+    """
+    for pattern, instead in _PRINTED:
+        sentence = re.sub(pattern, instead, sentence)
+    return sentence
+
+
+_PRINTED = (
+    (r"(?<![\w.)-])-(?=\d)", "−"),
+    (r"\b(k?N|kg)\*m\b", r"\1·m"),
+    (r"\b(m/s|kg·m|m/rad)\^2(?!\d)", r"\1²"),
+)
 
 
 def signless(text: str) -> str:

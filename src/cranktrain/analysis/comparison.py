@@ -127,7 +127,8 @@ class Comparison:
     @property
     def _units(self) -> FileUnits:
         """Units of the first machine, in which both are shown."""
-        return self.results[0].machines[0].shown_units
+        units: FileUnits = face("units_of")(self.results[0].machines[0])
+        return units
 
     def lines(self, width: int = 80) -> Iterator[str]:
         """Write it as a table.

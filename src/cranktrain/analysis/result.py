@@ -23,11 +23,15 @@ from cranktrain.motion import Array
 from cranktrain.quantities import shown, shown_as_in, units_asked
 from cranktrain.record import record
 from cranktrain.rows import AnswerLine
+from cranktrain.wording import in_print
 
 if TYPE_CHECKING:
     import xarray
 
 Outcome = TypeVar("Outcome")
+
+_MILLION = 1e6
+"""From here on six figures would take a power of ten."""
 
 
 class Fact(NamedTuple):
@@ -38,7 +42,9 @@ class Fact(NamedTuple):
 
     def __repr__(self) -> str:
         """Show name, symbol and unit, and one value, or how many there are."""
-        value = f"{self.value:.6g}" if np.ndim(self.value) == 0 else brief(self.value)
+        value = brief(self.value)
+        if np.ndim(self.value) == 0:
+            value = f"{self.value:.6g}" if abs(self.value) < _MILLION else f"{self.value:.0f}"
         return f"<{self.entry.name} {self.entry.symbol} = {value} {self.entry.unit}>"
 
 
@@ -164,7 +170,8 @@ class Result:
     @property
     def flags(self) -> tuple[str, ...]:
         """Warnings of the stages: a textbook form outside its source's range, and the like."""
-        return (*self.coarse, *(flag for outcome in self.outcomes for flag in getattr(outcome, "flags", ())))
+        found = (flag for outcome in self.outcomes for flag in getattr(outcome, "flags", ()))
+        return (*self.coarse, *map(in_print, found))
 
     def rows(self, design: int = 0) -> Iterator[tuple[str, list[AnswerLine]]]:
         """Give the lines of the answer for one design: question by question its title and rows, if it has any.
@@ -192,7 +199,7 @@ class Result:
             answer = getattr(outcome, "answer", None)
             sentence = answer(self.labels, design) if answer is not None else None
             if sentence:
-                yield sentence
+                yield in_print(sentence)
 
     def summary(self, design: int | None = None) -> str:
         """Say in sentences what is not used of the file, and what was found.
@@ -234,7 +241,7 @@ class Result:
 
     def _in_its_units(self) -> AbstractContextManager[None]:
         """Show numbers in the units of the first machine, as far as nobody chose others."""
-        return shown_as_in(self.machines[0].shown_units)
+        return shown_as_in(face("units_of")(self.machines[0]))
 
     def plot(self, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Any:
         """Draw curves over the crank angle.

@@ -10,6 +10,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 
 from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, Asked, at_running_speed, units_asked_for
 from cranktrain.errors import InputError, Position, Problem, problems_as
+from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
 from cranktrain.one_line import one_line
@@ -85,7 +86,7 @@ def write_picture(request: PlotRequest) -> None:
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
     file = request.read()
     with (
-        shown_as_in(file.machine.shown_units),
+        shown_as_in(units_of(file.machine)),
         shown_by(choice.units),
         problems_as(partial(_placed, file, request)),
         problems_as(at_running_speed),

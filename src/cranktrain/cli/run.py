@@ -10,6 +10,7 @@ from cranktrain.analysis import Result
 from cranktrain.cli.asked import Asked, at_running_speed, units_asked_for
 from cranktrain.cli.screen.text import page, show_lines
 from cranktrain.errors import InputError, Problem, problems_as, refuse
+from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
@@ -53,7 +54,7 @@ def show_run(request: RunRequest, shown: Shown | None = None) -> None:
         raise InputError([Problem("--quantities", '""', allowed)])
     asked = units_asked_for(request.units)
     file = request.read()
-    with shown_as_in(file.machine.shown_units), shown_by(asked):
+    with shown_as_in(units_of(file.machine)), shown_by(asked):
         _show(file, request, shown, form)
 
 

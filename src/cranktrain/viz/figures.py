@@ -40,12 +40,24 @@ def column(values: Sequence[float], scale: Scale) -> list[str]:
 
 def aligned(values: Array) -> list[str]:
     """Write numbers of a column with as many decimals as give the largest four figures, and a true minus."""
-    decimals = decimals_for(float(np.nanmax(np.abs(values), initial=0.0)), _DIGITS)
+    most = float(np.nanmax(np.abs(values), initial=0.0))
+    decimals = decimals_for(most if most > _NOTHING else 0.0, _DIGITS)
     return [_written(value, decimals, nothing=0.0) for value in values.tolist()]
 
 
 def rounded(value: float) -> str:
-    """Write a number with two decimals, and a true minus."""
+    """Write a number with two decimals, or with fewer so that it has four figures; and a true minus.
+
+    Examples
+    --------
+    >>> rounded(3.109), rounded(-110.28), rounded(-0.001)
+    ('3.11', '−110.3', '0.00')
+    """
+    return _written(value, min(2, decimals_for(abs(value), _DIGITS)) if abs(value) >= 1.0 else 2, nothing=0.0)
+
+
+def degrees(value: float) -> str:
+    """Write an angle in degrees with two decimals, and a true minus."""
     return _written(value, 2, nothing=0.0)
 
 
@@ -60,12 +72,12 @@ def with_unit(value: float, scale: Scale) -> str:
     return f"{figure(float(scale.of(value)))} {scale.label}".rstrip()
 
 
-def told_apart(values: Array) -> list[str]:
+def written_apart(values: Array) -> list[str]:
     """Write numbers with four figures, and with as many more as tell the smallest from the largest by two.
 
     Examples
     --------
-    >>> told_apart(np.array([1502.8, 1497.5])), told_apart(np.array([1500.04, 1499.97]))
+    >>> written_apart(np.array([1502.8, 1497.5])), written_apart(np.array([1500.04, 1499.97]))
     (['1502.8', '1497.5'], ['1500.040', '1499.970'])
     """
     decimals = max(0, decimals_for(float(np.max(np.abs(values))), _DIGITS))

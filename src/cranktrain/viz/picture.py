@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.quantities import shown_as_in
 from cranktrain.record import record
 
 if TYPE_CHECKING:
-    from cranktrain.analysis import Result
     from cranktrain.machine import Machine
 
 
@@ -60,13 +58,16 @@ class Picture:
         draw: Callable[..., Any] = getattr(import_module(module), name)
 
         @wraps(draw)
-        def drawn(of: "Result | Machine", *arguments: Any, **options: Any) -> Any:
-            machine = of if self.over == "angles" else of.machines[0]
+        def drawn(of: Any, *arguments: Any, **options: Any) -> Any:
+            from cranktrain.io.description import units_of
+            from cranktrain.quantities import shown_as_in
+
+            machine: Machine = of if self.over == "angles" else of.machines[0]
             for quantity, sentence in self.needs.items():
                 if quantity not in of.catalogue:
                     needs = ", ".join(of.needs_of(quantity))
                     raise InputError([Problem("", None, _(sentence).format(needs=needs))])
-            with shown_as_in(machine.shown_units):
+            with shown_as_in(units_of(machine)):
                 return draw(of, *arguments, **options)
 
         return drawn

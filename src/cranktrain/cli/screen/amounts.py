@@ -13,7 +13,7 @@ from cranktrain.motion import Array
 from cranktrain.quantities import chosen_unit
 from cranktrain.rows import Amount, Extent, Piece
 from cranktrain.scales import scale_for
-from cranktrain.wording import ABSENT, decimals_for, signless
+from cranktrain.wording import ABSENT, decimals_for, in_print, signless
 
 _FIGURES = 4
 _MOST_DECIMALS = 8
@@ -118,6 +118,7 @@ def typeset(sentence: str) -> str:
     >>> typeset("at -4.50 deg, 3 N*m").replace(KEPT, " ")
     'at −4.50°, 3 N·m'
     """
+    sentence = in_print(sentence)
     for pattern, instead in _TYPESET:
         sentence = re.sub(pattern, instead, sentence)
     return sentence
@@ -125,10 +126,6 @@ def typeset(sentence: str) -> str:
 
 _TYPESET = (
     (r"(?<=\d) deg\b", "°"),
-    (r"(?<![\w.)-])-(?=\d)", "−"),
-    (r"\bN\*m\b", "N·m"),
-    (r"\bkg\*m\^2\b", "kg·m²"),
-    (r"/s\^2\b", "/s²"),
     (r"(?<=\d) (?=%|[a-zA-Z]+[/·²³]|[kM]?[NWJ]\b|bar\b|mm\b|m\b|L\b|rpm\b)", KEPT),
 )
 """Patterns of how sentences write units and signs, and what they are here."""

@@ -129,8 +129,12 @@ def _checks(console: Console, result: Result) -> Iterator[Text]:
             yield from paragraph(console, f"– {check.verdict()}: {check.sentence}", "")
             continue
         mark, style = ("✓", "") if check.passed[0] else ("✗", "red")
-        said = _("{mark} {verdict} (residual {residual:.1e}, limit {limit:.0e}): {sentence}").format(
-            mark=mark, verdict=check.verdict(), residual=residual, limit=check.limit, sentence=check.sentence
+        said = _("{mark} {verdict} (residual {residual}, limit {limit:.0e}): {sentence}").format(
+            mark=mark,
+            verdict=check.verdict(),
+            residual=f"{residual:.1e}" if residual else "0",
+            limit=check.limit,
+            sentence=check.sentence,
         )
         yield from paragraph(console, said, style)
 

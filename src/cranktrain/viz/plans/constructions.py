@@ -13,7 +13,7 @@ from cranktrain.questions.cylinders.declared import cylinders_of
 from cranktrain.scales import scale_for
 from cranktrain.textbook.largest_errors import errors_by_ratio
 from cranktrain.textbook.percents import percent
-from cranktrain.viz.figures import aligned, rounded, with_unit
+from cranktrain.viz.figures import aligned, degrees, rounded, with_unit
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import ROW
@@ -163,7 +163,7 @@ def _backward_table(found: Construction, scale: float) -> Iterator[tuple[str, ..
     ways = zip(found.displacement, aligned(length.of(found.displacement)), strict=True)
     for number, (made, exact, (way, said)) in enumerate(zip(found.angle, found.exact_angle, ways, strict=True)):
         angle, right = np.rad2deg([made, exact])
-        yield (f"{number}", said, *map(rounded, (way / scale, angle, right, angle - right)))
+        yield (f"{number}", said, rounded(way / scale), *map(degrees, (angle, right, angle - right)))
 
 
 def _notes(found: Construction) -> Iterator[str]:

@@ -9,7 +9,7 @@ from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.vectors import spoken_name
 from cranktrain.scales import Scale, scale_for
-from cranktrain.viz.figures import column, figure
+from cranktrain.viz.figures import column, figure, rounded
 from cranktrain.viz.paper.page import Page, in_words, mathematics
 from cranktrain.viz.paper.tables import write_row
 from cranktrain.viz.paper.words import first_that_holds
@@ -84,7 +84,7 @@ def _rows(polygon: ForcePolygon, letters: Mapping[str, str], unit: Scale, *, has
     others = [("", span.force) for span in (*polygon.wholes, *polygon.chords)]
     sizes = column([force.size for _number, force in (*sides, *others)], unit)
     rows = [
-        Row((number, mathematics(force.symbol), _said(force, letters), f"{polygon.length(force):.2f}", size))
+        Row((number, mathematics(force.symbol), _said(force, letters), rounded(polygon.length(force)), size))
         for (number, force), size in zip((*sides, *others), sizes, strict=True)
     ]
     yield from rows[: len(sides)]

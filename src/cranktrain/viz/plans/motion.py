@@ -22,7 +22,7 @@ from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.together import places_called
 from cranktrain.plans.vectors import PolygonVector
 from cranktrain.scales import Scale, scale_for
-from cranktrain.viz.figures import column, figure
+from cranktrain.viz.figures import column, figure, rounded
 from cranktrain.viz.paper.page import LINE, Box, Figure, Page, drawing_settings, mathematics
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW
 from cranktrain.viz.plans.position_rows import N_HEADS, position_rows
@@ -223,7 +223,7 @@ def _vectors_table(polygon: Polygon, vectors: Sequence[PolygonVector]) -> Iterat
     yield (_("vector"), _("from, to"), "mm", shown.label)
     for vector, size in zip(vectors, column([vector.size for vector in vectors], shown), strict=True):
         ends = f"{mathematics(vector.start)} {mathematics(vector.end)}"
-        yield (mathematics(vector.symbol), ends, f"{polygon.length(vector):.2f}", size)
+        yield (mathematics(vector.symbol), ends, rounded(polygon.length(vector)), size)
 
 
 def _klein_rates(machine: Machine) -> tuple[tuple[float, Scale], tuple[float, Scale]]:

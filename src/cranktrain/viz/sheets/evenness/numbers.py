@@ -9,7 +9,7 @@ from cranktrain.quantities import shown as in_unit
 from cranktrain.questions.evenness.flywheel import FlywheelSize
 from cranktrain.scales import scale_for
 from cranktrain.textbook.flywheel_diagrams import Tangent
-from cranktrain.viz.figures import figure, plain, told_apart
+from cranktrain.viz.figures import figure, plain, written_apart
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.page import Page
 from cranktrain.viz.paper.style import INK, MUTED
@@ -42,7 +42,7 @@ def _speeds(shown: OneDesign, tangents: Sequence[Tangent]) -> list[tuple[str, st
         for part in (size.exact.largest_speed, size.exact.smallest_speed, size.exact.initial_energy)
     )
     speed = scale_for("rpm", fastest)
-    speeds = told_apart(speed.of(np.array([fastest, slowest])))
+    speeds = written_apart(speed.of(np.array([fastest, slowest])))
     largest = float(shown("largest_excess_work"))
     works = [(one, scale_for("J", abs(one))) for one in (largest, energy)]
     excess, start = ((scale.label, figure(float(scale.of(one)))) for one, scale in works)

@@ -19,7 +19,6 @@ from cranktrain.viz.paper.style import TEXT
 from cranktrain.viz.sheets.forces.panels import force_panels, formula_error, has_forces, is_off
 from cranktrain.viz.sheets.gas.panels import chambers_of, indicator_panel
 from cranktrain.viz.sheets.torque.orders import draw_orders, draw_stars
-from cranktrain.wording import number
 
 _LEFT = 0.55
 """Share of the curves over the crank angle in the width."""
@@ -123,7 +122,9 @@ def _on_forces(shown: OneDesign, piston: str) -> Iterator[str]:
     yield _("P, S, N, K, T: by the reactions in the joints, K without the rod's rotating mass.")
     errors = {"N": "side_force_formula_error", "T": "tangential_force_formula_error"}
     said = [
-        _("{error} in {symbol}").format(error=number(formula_error(shown, piston, name), "%"), symbol=symbol)
+        _("{error} in {symbol}").format(
+            error=with_unit(formula_error(shown, piston, name), scale_for("%", 1.0)), symbol=symbol
+        )
         for symbol, name in errors.items()
         if is_off(shown, piston, name)
     ]
