@@ -32,7 +32,7 @@ class PolygonForce(NamedTuple):
         return float(np.hypot(*self.value))
 
 
-class LoadTorque(NamedTuple):
+class TorqueOnLink(NamedTuple):
     """A torque that the machine file lets act on a link: its symbol such as `M_4`, its name there, the link, its value.
 
     In the sense in which the mechanism's crank turns. [N·m]
@@ -77,7 +77,7 @@ class GroupForces:
         Reactions in inner joints, which split the polygon into those of the links.
     moment : float
         Of the crank: the balancing moment in the sense in which its shaft turns [N·m]; NaN for a group.
-    torques : tuple of LoadTorque
+    torques : tuple of TorqueOnLink
         That the file lets act on the links: they are in the moments that give the parts across links.
     """
 
@@ -88,4 +88,4 @@ class GroupForces:
     wholes: tuple[Span, ...]
     chords: tuple[Span, ...]
     moment: float
-    torques: tuple[LoadTorque, ...]
+    torques: tuple[TorqueOnLink, ...]

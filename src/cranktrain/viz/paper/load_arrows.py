@@ -35,7 +35,7 @@ _ASIDE, _ONE_LINE = 0.14, 0.05
 """How far arrows of one line stand apart, and how near to each other two are on one, in parts of the longest."""
 
 
-class Room(NamedTuple):
+class ArrowSizes(NamedTuple):
     """How large loads are drawn: the longest arrow, its head, the radius of arcs; all in mm of metal."""
 
     longest: float
@@ -58,7 +58,7 @@ class LoadMark(NamedTuple):
 
 
 def load_marks(
-    loads: Sequence[ActingLoad], largest: dict[bool, float], room: Room, links: Sequence[Array]
+    loads: Sequence[ActingLoad], largest: dict[bool, float], room: ArrowSizes, links: Sequence[Array]
 ) -> Iterator[LoadMark]:
     """Draw loads at one crank angle, places in mm of metal; dashed where there is none.
 
@@ -68,7 +68,7 @@ def load_marks(
         Of one crank angle.
     largest : dict
         Largest of a turn, of torques and of forces.
-    room : Room
+    room : ArrowSizes
     links : sequence of Array, shape (2, n)
         Lines to keep clear of.
     """
@@ -102,7 +102,7 @@ def load_wishes(marks: Sequence[LoadMark], symbols: Mapping[tuple[str, str], str
 
 
 def _arrow(
-    load: ActingLoad, share: float, room: Room, links: Sequence[Array], taken: list[tuple[Array, Array]]
+    load: ActingLoad, share: float, room: ArrowSizes, links: Sequence[Array], taken: list[tuple[Array, Array]]
 ) -> LoadMark | None:
     """A force; None of one that goes nowhere."""
     way, point = load.way[:, 0], load.place[:, 0]
@@ -178,7 +178,7 @@ def on_one_line(away: Array, way: Array, other: Array, longest: float) -> bool:
     return bool(abs(across @ other) < _ONE_LINE and abs(across @ away) < _ONE_LINE * longest)
 
 
-def _arc(load: ActingLoad, share: float, room: Room) -> LoadMark:
+def _arc(load: ActingLoad, share: float, room: ArrowSizes) -> LoadMark:
     """A torque about its link's pin, on the side away from the link."""
     centre, middle = load.place[:, 0], angle_of(load.along[:, 0]) + np.pi
     point, towards = centre + room.radius * shapes.unit(middle), middle

@@ -17,7 +17,7 @@ _NEAR, _APART = 13.0, 1.0
 """Lines so near to each other, in a small part of it, are one; arrows nearer than the other cover each other. [mm]"""
 
 
-class Line(NamedTuple):
+class LoadLine(NamedTuple):
     """A line that has arrows beside it: a point on it, its direction, and to which side they stand, unit vectors."""
 
     point: Array
@@ -29,7 +29,7 @@ class Lanes(NamedTuple):
     """Where arrows go, in mm of metal; `taken` are lines that have arrows beside them already."""
 
     scale: float
-    taken: list[Line]
+    taken: list[LoadLine]
 
     def steps(self, load: ActingLoad, there: Sequence[int], arrows: Array, links: Sequence[Sequence[Array]]) -> Array:
         """Steps by which arrows stand beside their points, shape (n, 2); 0 where none covers another.
@@ -49,7 +49,7 @@ class Lanes(NamedTuple):
         beside = self._sides(load, there, links)
         before = 0
         if is_still(load):
-            line = Line(load.place[:, there[0]], load.way[:, there[0]], np.sum(beside, axis=0))
+            line = LoadLine(load.place[:, there[0]], load.way[:, there[0]], np.sum(beside, axis=0))
             same = [
                 one for one in self.taken if on_one_line(line.point - one.point, line.way, one.way, _NEAR * self.scale)
             ]

@@ -12,8 +12,8 @@ from cranktrain.plans.shown_loads import ShownLoads
 from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.paper.labels import Wish
 from cranktrain.viz.paper.load_arrows import (
+    ArrowSizes,
     LoadMark,
-    Room,
     arc_of,
     arrow_of,
     clear_side,
@@ -78,7 +78,7 @@ def drawn_loads(
     bars = [(link.pins[0], name) for link in drawing.links for name in link.pins[1:]]
     links = [[np.stack([pins[name][:, i] for name in ends], axis=1) for ends in bars] for i in range(len(angles))]
     if len(angles) == 1:
-        room = Room(_LONGEST * scale, _HEAD * scale, _RADIUS * scale)
+        room = ArrowSizes(_LONGEST * scale, _HEAD * scale, _RADIUS * scale)
         marks = list(load_marks(acting, loads.largest, room, links[0]))
         return DrawnLoads(_lines(marks), tuple(load_wishes(marks, said)))
     lanes = Lanes(scale, [])

@@ -8,7 +8,7 @@ from cranktrain.motion import Array
 from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import label_outline, placed_labels
-from cranktrain.viz.paper.load_arrows import LoadMark, Room, load_marks, load_wishes
+from cranktrain.viz.paper.load_arrows import ArrowSizes, LoadMark, load_marks, load_wishes
 from cranktrain.viz.paper.sketch import Label, Line, Sketch
 from cranktrain.viz.throw.scene import BIG_EYE, Scene
 
@@ -32,7 +32,7 @@ def throw_loads(scene: Scene, angle: float) -> tuple[LoadMark, ...]:
         return ()
     size = scene.size
     radius = max(_RADIUS * size, _ROUND * BIG_EYE * scene.crank_radius)
-    room = Room(_LONGEST * size, _HEAD * size, radius)
+    room = ArrowSizes(_LONGEST * size, _HEAD * size, radius)
     links = [
         np.stack([scene.pins(member, angle)[name] for name in (link.pins[0], end)], axis=1)
         for member in scene.members

@@ -24,8 +24,8 @@ ROLES: tuple[Role, ...] = ("main", "side", "radial", "resultant", "formula")
 """Of the curves of one panel; further ones are thin."""
 
 
-class LoadCurve(NamedTuple):
-    """A load over the cycle at the angles of `LoadCurves`, arrays of shape (n,).
+class CurveOfLoad(NamedTuple):
+    """A load over the cycle at the angles of `CurvesOfLoads`, arrays of shape (n,).
 
     Attributes
     ----------
@@ -55,14 +55,14 @@ class LoadCurve(NamedTuple):
         return self.load is None or self.load.is_torque
 
 
-class LoadCurves(NamedTuple):
+class CurvesOfLoads(NamedTuple):
     """Loads over the cycle, and the crank angles as they are shown, from 0 to its end, shape (n,). [deg]"""
 
     angle: Array
-    each: tuple[LoadCurve, ...]
+    each: tuple[CurveOfLoad, ...]
 
 
-def load_curves(shown: OneDesign) -> LoadCurves:
+def load_curves(shown: OneDesign) -> CurvesOfLoads:
     """Loads of one design at the angles of the grid, and twice at those where one may jump."""
     loaded, cycle = shown.result[LoadedMachine], float(shown.cycle[-1])
     zero = float(np.broadcast_to(shown.result.machines[shown.design].zero, (1,))[0])
@@ -74,7 +74,7 @@ def load_curves(shown: OneDesign) -> LoadCurves:
         _on_link(loaded, links[name], phi, shown.design) if name in links else _elsewhere(shown, i, name, angle)
         for i, name in enumerate(shown.result.labels["load"])
     )
-    return LoadCurves(angle, each)
+    return CurvesOfLoads(angle, each)
 
 
 def _angles(grid: Array, events: Array) -> tuple[Array, Array]:
@@ -93,7 +93,7 @@ def _angles(grid: Array, events: Array) -> tuple[Array, Array]:
     return at[order], drawn[order]
 
 
-def _on_link(loaded: LoadedMachine, load: LinkLoad, phi: Array, design: int) -> LoadCurve:
+def _on_link(loaded: LoadedMachine, load: LinkLoad, phi: Array, design: int) -> CurveOfLoad:
     """One load on a link at φ, shape (1, 1, n). [rad]"""
     way = loaded.load_way(load, phi)
     speed = loaded.speed.drive(phi).speed
@@ -102,16 +102,16 @@ def _on_link(loaded: LoadedMachine, load: LinkLoad, phi: Array, design: int) -> 
     if isinstance(load.law, ByTravel):
         travel = load.counts * way.place - loaded.travel_starts[load.name]
     parts = (size, travel, size * way.rate, size * way.rate * speed)
-    return LoadCurve(load.name, load, *(_of_curve(part, design, phi.size) for part in parts))
+    return CurveOfLoad(load.name, load, *(_of_curve(part, design, phi.size) for part in parts))
 
 
-def _elsewhere(shown: OneDesign, i: int, name: str, angle: Array) -> LoadCurve:
+def _elsewhere(shown: OneDesign, i: int, name: str, angle: Array) -> CurveOfLoad:
     """One load that is not on a link, from the result's own grid."""
     torque, power = (
         np.interp(angle, shown.result.crank_angle, shown(curve)[i], period=float(shown.cycle[-1]))
         for curve in ("load_torque_on_crank", "load_power")
     )
-    return LoadCurve(name, None, torque, np.full_like(angle, np.nan), torque, power)
+    return CurveOfLoad(name, None, torque, np.full_like(angle, np.nan), torque, power)
 
 
 def _of_curve(values: Array | float, design: int, n: int) -> Array:
@@ -125,7 +125,7 @@ def _of_design(values: Array, design: int) -> Array:
     return values[min(design, len(values) - 1)]
 
 
-def load_panels(shown: OneDesign, curves: LoadCurves) -> Iterator[Panel]:
+def load_panels(shown: OneDesign, curves: CurvesOfLoads) -> Iterator[Panel]:
     """Collect the curves over the crank angle.
 
     Yields
@@ -146,14 +146,16 @@ def load_panels(shown: OneDesign, curves: LoadCurves) -> Iterator[Panel]:
     yield Panel(_("Power of loads"), "W", curves.angle, tuple(_drawn(every, lambda one: one.power, "T")))
 
 
-def _drawn(own: Sequence[tuple[int, LoadCurve]], values: Callable[[LoadCurve], Array], letter: str) -> Iterator[Curve]:
+def _drawn(
+    own: Sequence[tuple[int, CurveOfLoad]], values: Callable[[CurveOfLoad], Array], letter: str
+) -> Iterator[Curve]:
     """Curves of some loads, the first few with their numbers."""
     for place, (i, one) in enumerate(own):
         role = ROLES[place] if place < len(ROLES) else "each"
         yield Curve(values(one), role, letter, f"{i + 1}" if place < len(ROLES) else "", one.name)
 
 
-def travel_panels(curves: LoadCurves) -> Iterator[Panel]:
+def travel_panels(curves: CurvesOfLoads) -> Iterator[Panel]:
     """Size over the travel, or the swing, of loads that go by it, once round the cycle."""
     for i, one in enumerate(curves.each):
         if not np.all(np.isfinite(one.travel)):

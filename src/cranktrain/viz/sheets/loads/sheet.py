@@ -19,7 +19,7 @@ from cranktrain.viz.paper.labels import labelled_bounds
 from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.panels import FORCES, axes_in, draw_curves, draw_panels
 from cranktrain.viz.paper.tables import write_table
-from cranktrain.viz.sheets.loads.panels import LoadCurves, load_curves, load_panels, travel_panels
+from cranktrain.viz.sheets.loads.panels import CurvesOfLoads, load_curves, load_panels, travel_panels
 from cranktrain.viz.throw.beside import fitted
 from cranktrain.viz.throw.mechanism import mechanism_sketch
 from cranktrain.viz.throw.scene import scene_of
@@ -78,7 +78,7 @@ def sheet_loads(result: Result, *, size: str = "A4", piston: str | None = None, 
     return page.figure
 
 
-def _write_loads(page: Page, shown: OneDesign, curves: LoadCurves, room: Box) -> float:
+def _write_loads(page: Page, shown: OneDesign, curves: CurvesOfLoads, room: Box) -> float:
     """Write what every load is and does; give where the table ends. [mm]"""
     works, most = shown("load_work"), shown("largest_load_power")
     work = scale_for("J", float(np.max(np.abs(works))))
@@ -103,7 +103,7 @@ def _write_loads(page: Page, shown: OneDesign, curves: LoadCurves, room: Box) ->
     return write_table(page, rows, (room.left, room.bottom + room.height, room.width), _COLUMNS)
 
 
-def _notes(curves: LoadCurves) -> Iterator[str]:
+def _notes(curves: CurvesOfLoads) -> Iterator[str]:
     """Say how work and power count, and how many loads the table leaves out."""
     yield _("Work over the cycle, less than 0 where the machine works against the load;")
     yield _("largest power of either sign. Forces along their ways, torques in the crank's sense.")
@@ -111,7 +111,7 @@ def _notes(curves: LoadCurves) -> Iterator[str]:
         yield _("{n} more loads are in the result.").format(n=len(curves.each) - _MOST)
 
 
-def _draw_cards(page: Page, curves: LoadCurves, room: Box, top: float) -> float:
+def _draw_cards(page: Page, curves: CurvesOfLoads, room: Box, top: float) -> float:
     """Draw sizes over the travel; give where they end. [mm]"""
     panels = list(travel_panels(curves))[:_CARDS]
     if not panels or top - _CARD < room.bottom:
