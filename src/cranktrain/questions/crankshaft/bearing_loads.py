@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.questions.crankshaft.blocks import applied
 from cranktrain.questions.crankshaft.shaft import Supports
 from cranktrain.questions.crankshaft.shaft_loads import AxisLoads
 from cranktrain.questions.crankshaft.spans import CutShaft
@@ -83,11 +84,6 @@ def bearing_loads(supports: Supports, cut: CutShaft, moment: Array, *, complianc
     if compliance is not None:
         displacement = displacement - applied(compliance[..., np.newaxis], reaction)
     return BearingLoads(-reaction, moment, displacement)
-
-
-def applied(block: Array, vector: Array) -> Array:
-    """Matrices of shape (..., 2, 2, angle) times vectors of shape (..., 2, angle)."""
-    return block[..., :, 0, :] * vector[..., 0:1, :] + block[..., :, 1, :] * vector[..., 1:2, :]
 
 
 def end_moments(n_bearings: int, cut: CutShaft) -> Array:

@@ -20,8 +20,8 @@ class ShaftLoads(NamedTuple):
     z : Array, shape (design, load)
         Where along the shaft. [m]
     radius, angle : Array, shape (design, load)
-        Where it acts in axes that turn with the shaft: distance from its axis and its direction, as in `Pieces`. A force
-        on a pin has the pin's own. [m, rad]
+        Where it acts in axes that turn with the shaft: distance from its axis and its direction, as in `Pieces`.
+        A force on a pin has the pin's own. [m, rad]
     turned : Array, shape (design, angle)
         Direction of the turning axes' first one, from X toward Y: falling where the shaft turns clockwise. [rad]
     force : Array, shape (design, load, 2, angle)

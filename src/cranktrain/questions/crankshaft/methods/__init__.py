@@ -1,5 +1,7 @@
 """Methods for the loads of main bearings, the most exact first; each is a file."""
 
+from cranktrain.questions.crankshaft.methods.crank_frame import ELASTIC_FRAME, RIGID_FRAME
 from cranktrain.questions.crankshaft.methods.split import SPLIT
+from cranktrain.questions.crankshaft.methods.straight import FIVE_MOMENT, THREE_MOMENT
 
-BEARING_METHODS = (SPLIT,)
+BEARING_METHODS = (ELASTIC_FRAME, RIGID_FRAME, FIVE_MOMENT, THREE_MOMENT, SPLIT)

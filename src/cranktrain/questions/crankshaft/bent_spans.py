@@ -1,0 +1,180 @@
+"""How a crank frame bends under a unit moment at either end of a span: from piece to web to piece, in closed form.
+
+What a load does to the ends of its span is, by reciprocity, what a moment at that end does to the load's point.
+Arrays of the shape (design, end, direction, component): the first or the last end of the span, the direction of the
+moment's loads there, and the component of what it causes; what has no components is without the last.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.questions.crankshaft.shaft import Pieces, Webs
+
+
+class Bent(NamedTuple):
+    """A cross-section of a bent span.
+
+    Attributes
+    ----------
+    shift : Array, shape (design, 2, 2, 2)
+        Displacement across the shaft. [m/(N·m)]
+    slope : Array, shape (design, 2, 2, 2)
+        Rotation, by the direction in which points further along the shaft move. [rad/(N·m)]
+    twist : Array, shape (design, 2, 2)
+        Rotation about the shaft's axis, from X toward Y. [rad/(N·m)]
+    along : Array, shape (design, 2, 2)
+        Displacement along the shaft. [m/(N·m)]
+    """
+
+    shift: Array
+    slope: Array
+    twist: Array
+    along: Array
+
+
+class UnitMoments(NamedTuple):
+    """Unit moments at both ends of a span.
+
+    left, right: where it ends, shape (design,) [m]; shear: sum of the forces before a section, which are those of the
+    first bearing, shape (design, 2, 2, 2) [1/m].
+    """
+
+    left: Array
+    right: Array
+    shear: Array
+
+    def moment(self, z: Array) -> Array:
+        """Bending moment at a place, shape (design, 2, 2, 2). [1]"""
+        length = self.right - self.left
+        return _at_both((self.right - z) / length, (z - self.left) / length)
+
+
+def unit_moments(left: Array, right: Array) -> UnitMoments:
+    """Unit moments at both ends of a span from `left` to `right`, shape (design,)."""
+    per_length = 1 / (right - left)
+    return UnitMoments(left, right, _at_both(-per_length, per_length))
+
+
+def _at_both(first: Array, last: Array) -> Array:
+    return np.stack([first, last], axis=1)[:, :, np.newaxis, np.newaxis] * _BOTH_DIRECTIONS
+
+
+_BOTH_DIRECTIONS = np.eye(2)
+
+
+def unbent(n_designs: int) -> Bent:
+    """The first end of a span, where it begins."""
+    shape = (n_designs, 2, 2)
+    return Bent(np.zeros((*shape, 2)), np.zeros((*shape, 2)), np.zeros(shape), np.zeros(shape))
+
+
+def along_piece(start: Bent, units: UnitMoments, pieces: Pieces, piece: int, z: Array, length: Array) -> Bent:
+    """Go a length, shape (design,), along a piece from z.
+
+    Notes
+    -----
+    docs/theory/crankshaft, eq. (24.16).
+    """
+    arm, way = position(pieces, piece), _wide(length)
+    shear, moment, stiffness = units.shear, units.moment(z), _wide(pieces.bending[:, piece])
+    gained = (moment * way + shear * way**2 / 2) / stiffness
+    bent = (moment * way**2 / 2 + shear * way**3 / 6) / stiffness
+    turning = arm[..., 0] * shear[..., 1] - arm[..., 1] * shear[..., 0]
+    twist = turning * way[..., 0] / _wide(pieces.torsion[:, piece])[..., 0]
+    return Bent(
+        start.shift + start.slope * way + bent - shear * way / _wide(pieces.shear[:, piece]),
+        start.slope + gained,
+        start.twist + twist,
+        start.along,
+    )
+
+
+def along_web(start: Bent, units: UnitMoments, pieces: Pieces, webs: Webs, web: int, way: Array) -> Bent:
+    """Go a way, shape (design,), along a web from its first end; not beyond its ends.
+
+    Notes
+    -----
+    docs/theory/crankshaft, eq. (24.17).
+    """
+    first = position(pieces, web)
+    line, whole = web_line(pieces, web)
+    before, after = webs.rigid[:, web, 0], webs.rigid[:, web, 1]
+    begun = np.clip(way, 0.0, before)
+    strained = np.clip(way - before, 0.0, np.maximum(whole - before - after, 0.0))
+    rest = np.clip(way, 0.0, whole) - begun - strained
+    at = displaced(start, line * _wide(begun), None)
+    at = _strained(at, units, webs, web, _Line(pieces.bounds[:, web + 1], first + line * _wide(begun), line, strained))
+    return displaced(at, line * _wide(rest), None)
+
+
+def web_line(pieces: Pieces, web: int) -> tuple[Array, Array]:
+    """Direction of a web's line, shape (design, 1, 1, 2), none of a shoulder; and its length, shape (design,)."""
+    across = position(pieces, web + 1) - position(pieces, web)
+    length = np.hypot(across[..., 0], across[..., 1])
+    return across / np.where(length > 0, length, 1.0)[..., np.newaxis], length[:, 0, 0]
+
+
+class _Line(NamedTuple):
+    """What gives of a web: its plane, where it begins, its direction and its length."""
+
+    z: Array
+    begin: Array
+    direction: Array
+    length: Array
+
+
+def _strained(start: Bent, units: UnitMoments, webs: Webs, web: int, line: _Line) -> Bent:
+    """Go along what gives of a web."""
+    bending, across, torsion, shear, axial = (
+        values[:, web, np.newaxis, np.newaxis]
+        for values in (webs.bending, webs.bending_across, webs.torsion, webs.shear, webs.axial)
+    )
+    along, way = line.direction, line.length[:, np.newaxis, np.newaxis]
+    normal = _normal(along)
+    force, moment = units.shear, units.moment(line.z)
+    force_along, force_across = _dot(force, along), _dot(force, normal)
+    moment_along, moment_across = _dot(moment, along), _dot(moment, normal)
+    turning = line.begin[..., 0] * force[..., 1] - line.begin[..., 1] * force[..., 0]
+    swung = (turning * way**2 / 2 + force_across * way**3 / 6) / across
+    aside = start.twist * way + swung - force_across * way / shear
+    slope = (moment_along * way / bending)[..., np.newaxis] * along
+    return Bent(
+        start.shift + aside[..., np.newaxis] * normal - (force_along * way / axial)[..., np.newaxis] * along,
+        start.slope + slope + (moment_across * way / torsion)[..., np.newaxis] * normal,
+        start.twist + (turning * way + force_across * way**2 / 2) / across,
+        start.along - _dot(start.slope, along) * way - moment_along * way**2 / (2 * bending),
+    )
+
+
+def displaced(at: Bent, arm: Array, z: Array | None) -> Bent:
+    """What is fixed rigidly to a cross-section, at an arm across the shaft, (design, 1, 1, 2), and z along it, (design,)."""
+    shift = at.shift + at.twist[..., np.newaxis] * _normal(arm)
+    if z is not None:
+        shift = shift + at.slope * _wide(z)
+    return Bent(shift, at.slope, at.twist, at.along - _dot(at.slope, arm))
+
+
+def position(pieces: Pieces, piece: int) -> Array:
+    """Axis of a piece from the shaft's, in axes that turn with the shaft, shape (design, 1, 1, 2). [m]"""
+    radius, angle = pieces.radius[:, piece], pieces.angle[:, piece]
+    return polar(radius, angle)
+
+
+def polar(radius: Array, angle: Array) -> Array:
+    """Components, shape (design, 1, 1, 2), of shape (design,)."""
+    return np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=-1)[:, np.newaxis, np.newaxis]
+
+
+def _wide(values: Array) -> Array:
+    return values[:, np.newaxis, np.newaxis, np.newaxis]
+
+
+def _normal(vector: Array) -> Array:
+    """Turned by a right angle, from X toward Y."""
+    return np.stack([-vector[..., 1], vector[..., 0]], axis=-1)
+
+
+def _dot(one: Array, other: Array) -> Array:
+    return one[..., 0] * other[..., 0] + one[..., 1] * other[..., 1]
