@@ -1,4 +1,4 @@
-"""How a crank frame bends under a unit moment at either end of a span: from piece to web to piece, in closed form.
+"""How a crank frame bends, from piece to web to piece, in closed form: under a unit moment at either end of a span.
 
 What a load does to the ends of its span is, by reciprocity, what a moment at that end does to the load's point.
 Arrays of the shape (design, end, direction, component): the first or the last end of the span, the direction of the
@@ -34,34 +34,39 @@ class Bent(NamedTuple):
     along: Array
 
 
-class UnitMoments(NamedTuple):
-    """Unit moments at both ends of a span.
+class Inner(NamedTuple):
+    """What the part of a span before a section gives on to the part behind it.
 
-    left, right: where it ends, shape (design,) [m]; shear: sum of the forces before a section, which are those of the
-    first bearing, shape (design, 2, 2, 2) [1/m].
+    Attributes
+    ----------
+    z : Array, shape (design,)
+        Where the moment is taken.
+    moment : Array, shape (design, 2, 2, 2)
+        Bending moment there.
+    shear : Array, shape (design, 2, 2, 2)
+        Sum of the forces before the section.
+    torque : Array, shape (design, 2, 2)
+        Sum of the torques about the shaft's axis before the section.
     """
 
-    left: Array
-    right: Array
+    z: Array
+    moment: Array
     shear: Array
+    torque: Array
 
-    def moment(self, z: Array) -> Array:
-        """Bending moment at a place, shape (design, 2, 2, 2). [1]"""
-        length = self.right - self.left
-        return _at_both((self.right - z) / length, (z - self.left) / length)
-
-
-def unit_moments(left: Array, right: Array) -> UnitMoments:
-    """Unit moments at both ends of a span from `left` to `right`, shape (design,)."""
-    per_length = 1 / (right - left)
-    return UnitMoments(left, right, _at_both(-per_length, per_length))
+    def moment_at(self, z: Array) -> Array:
+        """Bending moment at another place, where no force acts in between."""
+        return self.moment + self.shear * _wide(z - self.z)
 
 
-def _at_both(first: Array, last: Array) -> Array:
-    return np.stack([first, last], axis=1)[:, :, np.newaxis, np.newaxis] * _BOTH_DIRECTIONS
-
-
-_BOTH_DIRECTIONS = np.eye(2)
+def of_unit_moments(left: Array, right: Array) -> Inner:
+    """Unit moments at both ends of a span from `left` to `right`, shape (design,); docs/theory/crankshaft, eq. (24.15)."""
+    per_length = (1 / (right - left))[:, np.newaxis, np.newaxis]
+    ends = np.array([-1.0, 1.0])[:, np.newaxis, np.newaxis] * np.eye(2)
+    n_designs = left.size
+    moment = np.zeros((n_designs, 2, 2, 2))
+    moment[:, 0] = np.eye(2)
+    return Inner(left, moment, ends * per_length[..., np.newaxis], np.zeros((n_designs, 2, 2)))
 
 
 def unbent(n_designs: int) -> Bent:
@@ -70,7 +75,7 @@ def unbent(n_designs: int) -> Bent:
     return Bent(np.zeros((*shape, 2)), np.zeros((*shape, 2)), np.zeros(shape), np.zeros(shape))
 
 
-def along_piece(start: Bent, units: UnitMoments, pieces: Pieces, piece: int, z: Array, length: Array) -> Bent:
+def along_piece(start: Bent, inner: Inner, pieces: Pieces, piece: int, z: Array, length: Array) -> Bent:
     """Go a length, shape (design,), along a piece from z.
 
     Notes
@@ -78,10 +83,10 @@ def along_piece(start: Bent, units: UnitMoments, pieces: Pieces, piece: int, z: 
     docs/theory/crankshaft, eq. (24.16).
     """
     arm, way = position(pieces, piece), _wide(length)
-    shear, moment, stiffness = units.shear, units.moment(z), _wide(pieces.bending[:, piece])
+    shear, moment, stiffness = inner.shear, inner.moment_at(z), _wide(pieces.bending[:, piece])
     gained = (moment * way + shear * way**2 / 2) / stiffness
     bent = (moment * way**2 / 2 + shear * way**3 / 6) / stiffness
-    turning = arm[..., 0] * shear[..., 1] - arm[..., 1] * shear[..., 0]
+    turning = arm[..., 0] * shear[..., 1] - arm[..., 1] * shear[..., 0] - inner.torque
     twist = turning * way[..., 0] / _wide(pieces.torsion[:, piece])[..., 0]
     return Bent(
         start.shift + start.slope * way + bent - shear * way / _wide(pieces.shear[:, piece]),
@@ -91,7 +96,7 @@ def along_piece(start: Bent, units: UnitMoments, pieces: Pieces, piece: int, z: 
     )
 
 
-def along_web(start: Bent, units: UnitMoments, pieces: Pieces, webs: Webs, web: int, way: Array) -> Bent:
+def along_web(start: Bent, inner: Inner, pieces: Pieces, webs: Webs, web: int, way: Array) -> Bent:
     """Go a way, shape (design,), along a web from its first end; not beyond its ends.
 
     Notes
@@ -105,7 +110,7 @@ def along_web(start: Bent, units: UnitMoments, pieces: Pieces, webs: Webs, web: 
     strained = np.clip(way - before, 0.0, np.maximum(whole - before - after, 0.0))
     rest = np.clip(way, 0.0, whole) - begun - strained
     at = displaced(start, line * _wide(begun), None)
-    at = _strained(at, units, webs, web, _Line(pieces.bounds[:, web + 1], first + line * _wide(begun), line, strained))
+    at = _strained(at, inner, webs, web, _Line(pieces.bounds[:, web + 1], first + line * _wide(begun), line, strained))
     return displaced(at, line * _wide(rest), None)
 
 
@@ -125,7 +130,7 @@ class _Line(NamedTuple):
     length: Array
 
 
-def _strained(start: Bent, units: UnitMoments, webs: Webs, web: int, line: _Line) -> Bent:
+def _strained(start: Bent, inner: Inner, webs: Webs, web: int, line: _Line) -> Bent:
     """Go along what gives of a web."""
     bending, across, torsion, shear, axial = (
         values[:, web, np.newaxis, np.newaxis]
@@ -133,10 +138,10 @@ def _strained(start: Bent, units: UnitMoments, webs: Webs, web: int, line: _Line
     )
     along, way = line.direction, line.length[:, np.newaxis, np.newaxis]
     normal = _normal(along)
-    force, moment = units.shear, units.moment(line.z)
+    force, moment = inner.shear, inner.moment_at(line.z)
     force_along, force_across = _dot(force, along), _dot(force, normal)
     moment_along, moment_across = _dot(moment, along), _dot(moment, normal)
-    turning = line.begin[..., 0] * force[..., 1] - line.begin[..., 1] * force[..., 0]
+    turning = line.begin[..., 0] * force[..., 1] - line.begin[..., 1] * force[..., 0] - inner.torque
     swung = (turning * way**2 / 2 + force_across * way**3 / 6) / across
     aside = start.twist * way + swung - force_across * way / shear
     slope = (moment_along * way / bending)[..., np.newaxis] * along
@@ -149,7 +154,7 @@ def _strained(start: Bent, units: UnitMoments, webs: Webs, web: int, line: _Line
 
 
 def displaced(at: Bent, arm: Array, z: Array | None) -> Bent:
-    """What is fixed rigidly to a cross-section, at an arm across the shaft, (design, 1, 1, 2), and z along it, (design,)."""
+    """What is fixed rigidly to a cross-section, at an arm, shape (design, 1, 1, 2), and by z along, shape (design,)."""
     shift = at.shift + at.twist[..., np.newaxis] * _normal(arm)
     if z is not None:
         shift = shift + at.slope * _wide(z)

@@ -1,6 +1,7 @@
-"""Matrices of two rows, for the two directions across a shaft, and band systems of them. Elementwise in designs and angles.
+"""Matrices of two rows, for the two directions across a shaft, and band systems of them.
 
-Matrices have the shape (..., 2, 2, angle), vectors (..., 2, angle); one of both may have a single angle.
+All is elementwise in designs and angles. Matrices have the shape (..., 2, 2, angle), vectors (..., 2, angle); one of both
+may have a single angle.
 """
 
 from collections.abc import Mapping, Sequence
@@ -35,7 +36,7 @@ def inverse(matrix: Array) -> Array:
 
 
 def turned_by(vector: Array, angle: Array) -> Array:
-    """Components in axes that are turned by an angle, shape (design, angle), of vectors of shape (design, ..., 2, angle)."""
+    """Vectors, shape (design, ..., 2, angle), in axes that are turned by an angle, shape (design, angle)."""
     between = (slice(None), *(np.newaxis,) * (vector.ndim - 3))
     cos, sin = np.cos(angle)[between], np.sin(angle)[between]
     one, other = vector[..., 0, :], vector[..., 1, :]

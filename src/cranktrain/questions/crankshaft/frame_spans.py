@@ -11,10 +11,10 @@ from cranktrain.questions.crankshaft.bent_spans import (
     along_piece,
     along_web,
     displaced,
+    of_unit_moments,
     polar,
     position,
     unbent,
-    unit_moments,
     web_line,
 )
 from cranktrain.questions.crankshaft.blocks import applied, turned_by
@@ -83,7 +83,7 @@ def bent_span(shaft: Crankshaft, loads: ShaftLoads, alike: Alike, span: int) -> 
     """
     pieces, webs = shaft.pieces, shaft.webs
     left, right = shaft.supports.place[:, span], shaft.supports.place[:, span + 1]
-    units, begin = unit_moments(left, right), int(np.sum(alike.webs <= span))
+    inner, begin = of_unit_moments(left, right), int(np.sum(alike.webs <= span))
     end = int(np.sum(alike.webs <= span + 1))
     within = np.flatnonzero(alike.loads == span + 1).tolist()
     points: dict[int, Bent] = {}
@@ -93,18 +93,18 @@ def bent_span(shaft: Crankshaft, loads: ShaftLoads, alike: Alike, span: int) -> 
         axis = position(pieces, piece)
         for load in (one for one in within if loads.piece[one] == piece and not loads.on_web[one]):
             way = np.clip(loads.z[:, load] - z, 0.0, until - z)
-            here = along_piece(at, units, pieces, piece, z, way)
+            here = along_piece(at, inner, pieces, piece, z, way)
             points[load] = displaced(here, _place(loads, load) - axis, loads.z[:, load] - z - way)
-        at, z = along_piece(at, units, pieces, piece, z, until - z), until
+        at, z = along_piece(at, inner, pieces, piece, z, until - z), until
         if piece < end:
             line, length = web_line(pieces, piece)
             for load in (one for one in within if loads.piece[one] == piece and loads.on_web[one]):
                 arm = _place(loads, load) - axis
                 way = np.clip(np.sum(arm * line, axis=-1)[:, 0, 0], 0.0, length)
-                here = along_web(at, units, pieces, webs, piece, way)
+                here = along_web(at, inner, pieces, webs, piece, way)
                 rest = arm - line * way[:, np.newaxis, np.newaxis, np.newaxis]
                 points[load] = displaced(here, rest, loads.z[:, load] - z)
-            at = along_web(at, units, pieces, webs, piece, length)
+            at = along_web(at, inner, pieces, webs, piece, length)
     to_right = shaft.supports.thrust % shaft.supports.place.shape[1] > span
     return _held(unbent(left.size), at, points, loads, left, right, holds_right=to_right)
 

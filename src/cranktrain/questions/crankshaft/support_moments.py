@@ -1,4 +1,4 @@
-"""Bending moments of a continuous shaft over its bearings: the equations of three moments, or of five where bearings give."""
+"""Bending moments of a continuous shaft over its bearings: equations of three moments, of five where bearings give."""
 
 from typing import NamedTuple
 
