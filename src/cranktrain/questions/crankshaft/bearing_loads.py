@@ -51,16 +51,20 @@ class Residuals(NamedTuple):
     largest_moment: Array
 
 
-def bearing_loads(supports: Supports, cut: CutShaft, moment: Array, *, compliance: Array | None) -> BearingLoads:
+def bearing_loads(
+    place: Array, cut: CutShaft, moment: Array, *, settlement: Array, compliance: Array | None
+) -> BearingLoads:
     """Bearing loads of a shaft whose bending moments are known.
 
     Parameters
     ----------
-    supports : Supports
+    place : Array, shape (design, bearing)
     cut : CutShaft
     moment : Array, shape (design, bearing, 2, angle)
         With those of what hangs over at both ends. [N·m]
-    compliance : Array, shape (design, bearing, 2, 2), or None
+    settlement : Array, shape (design, bearing, 2, angle or 1)
+        Where the bearings stand while they bear nothing. [m]
+    compliance : Array, shape (design, bearing, 2, 2, angle or 1), or None
         Of the bearings, where they give. [m/N]
 
     Returns
@@ -72,18 +76,16 @@ def bearing_loads(supports: Supports, cut: CutShaft, moment: Array, *, complianc
     -----
     docs/theory/crankshaft, eqs. (24.6) and (24.7).
     """
-    if supports.place.shape[1] < 2:
+    if place.shape[1] < 2:
         nothing = np.full_like(moment, np.nan)
         return BearingLoads(nothing, nothing, nothing)
-    lengths = np.diff(supports.place, axis=1)[:, :, np.newaxis, np.newaxis]
+    lengths = np.diff(place, axis=1)[:, :, np.newaxis, np.newaxis]
     slope = np.diff(moment, axis=1) / lengths
     reaction = cut.reaction.copy()
     reaction[:, :-1] += slope
     reaction[:, 1:] -= slope
-    displacement = np.broadcast_to(supports.settlement[..., np.newaxis], reaction.shape)
-    if compliance is not None:
-        displacement = displacement - applied(compliance[..., np.newaxis], reaction)
-    return BearingLoads(-reaction, moment, displacement)
+    given = 0.0 if compliance is None else applied(compliance, reaction)
+    return BearingLoads(-reaction, moment, np.broadcast_to(settlement, reaction.shape) - given)
 
 
 def end_moments(n_bearings: int, cut: CutShaft) -> Array:

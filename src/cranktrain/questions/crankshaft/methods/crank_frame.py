@@ -31,26 +31,39 @@ def elastic_frame(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> Bearing
 def _frame(shaft: Crankshaft, loads: ShaftLoads, alike: Alike, *, gives: bool) -> BearingLoads:
     supports, turned = shaft.supports, loads.turned
     cut = cut_shaft(supports.place, alike.loads, on_axis(loads))
-    own = CutShaft(*(turned_by(values, turned) for values in cut))
-    settlement = turned_by(np.broadcast_to(supports.settlement[..., np.newaxis], cut.reaction.shape), turned)
-    compliance = in_turning_axes(supports.compliance, turned, is_isotropic=alike.is_isotropic) if gives else None
-    moment = support_moments(Bearings(supports.place, settlement, compliance), frame_spans(shaft, loads, alike), own)
-    given = supports.compliance if gives else None
-    return bearing_loads(supports, cut, turned_by(moment, -turned), compliance=given)
+    settlement = supports.settlement[..., np.newaxis]
+    compliance = supports.compliance[..., np.newaxis] if gives else None
+    turning = Bearings(
+        supports.place,
+        settlements_in_turning_axes(settlement, turned),
+        None if compliance is None else in_turning_axes(compliance, turned, is_isotropic=alike.is_isotropic),
+    )
+    moment = support_moments(turning, frame_spans(shaft, loads, alike), cut_in_turning_axes(cut, turned))
+    return bearing_loads(supports.place, cut, turned_by(moment, -turned), settlement=settlement, compliance=compliance)
+
+
+def cut_in_turning_axes(cut: CutShaft, turned: Array) -> CutShaft:
+    """A cut shaft in axes that turn with it."""
+    return CutShaft(*(turned_by(values, turned) for values in cut))
+
+
+def settlements_in_turning_axes(settlement: Array, turned: Array) -> Array:
+    """Settlements of shape (design, bearing, 2, 1) in axes that turn with the shaft, for every angle."""
+    return turned_by(np.broadcast_to(settlement, (*settlement.shape[:-1], turned.shape[-1])), turned)
 
 
 def in_turning_axes(compliance: Array, turned: Array, *, is_isotropic: bool) -> Array:
-    """Compliance of bearings in axes that turn with the shaft, shape (design, bearing, 2, 2, angle or 1).
+    """Compliance of bearings, (design, bearing, 2, 2, 1), in axes that turn with the shaft, for every angle if it differs.
 
     Notes
     -----
     docs/theory/crankshaft, eq. (24.20).
     """
     if is_isotropic:
-        return compliance[..., np.newaxis]
+        return compliance
     cos, sin = np.cos(turned), np.sin(turned)
     turning = np.stack([np.stack([cos, sin], axis=1), np.stack([-sin, cos], axis=1)], axis=1)[:, np.newaxis]
-    return product(product(turning, compliance[..., np.newaxis]), transposed(turning))
+    return product(product(turning, compliance), transposed(turning))
 
 
 RIGID_FRAME = BearingMethod(

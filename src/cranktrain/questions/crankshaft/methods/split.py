@@ -1,5 +1,7 @@
 """The shaft split at its bearings: statically determinate, with any number of throws between two of them."""
 
+import numpy as np
+
 from cranktrain.language import N_
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, bearing_loads, end_moments
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
@@ -14,8 +16,9 @@ def split(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> BearingLoads:
 
     Stiffness counts for nothing: the displacements of the journals are those of bearings that stand as they were set.
     """
-    cut = cut_shaft(shaft.supports.place, alike.loads, on_axis(loads))
-    return bearing_loads(shaft.supports, cut, end_moments(shaft.supports.place.shape[1], cut), compliance=None)
+    place, settlement = shaft.supports.place, shaft.supports.settlement[..., np.newaxis]
+    cut = cut_shaft(place, alike.loads, on_axis(loads))
+    return bearing_loads(place, cut, end_moments(place.shape[1], cut), settlement=settlement, compliance=None)
 
 
 SPLIT = BearingMethod(

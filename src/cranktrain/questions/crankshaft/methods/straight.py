@@ -1,5 +1,7 @@
 """The shaft as a straight beam from bearing to bearing: equations of three moments, and of five."""
 
+import numpy as np
+
 from cranktrain.language import N_
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, bearing_loads
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
@@ -26,13 +28,10 @@ def _continuous(shaft: Crankshaft, loads: ShaftLoads, alike: Alike, *, gives: bo
     along = on_axis(loads)
     cut = cut_shaft(supports.place, alike.loads, along)
     spans = straight_spans(supports.place, shaft.straight, alike.loads, along)
-    compliance = supports.compliance if gives else None
-    bearings = Bearings(
-        supports.place,
-        supports.settlement[..., None],
-        None if compliance is None else compliance[..., None],
-    )
-    return bearing_loads(supports, cut, support_moments(bearings, spans, cut), compliance=compliance)
+    settlement = supports.settlement[..., np.newaxis]
+    compliance = supports.compliance[..., np.newaxis] if gives else None
+    moment = support_moments(Bearings(supports.place, settlement, compliance), spans, cut)
+    return bearing_loads(supports.place, cut, moment, settlement=settlement, compliance=compliance)
 
 
 THREE_MOMENT = BearingMethod(

@@ -1,0 +1,125 @@
+"""Journals with clearance in their bearings: the least of a convex energy, found by Newton's method.
+
+All is done at every point, a design at a crank angle, by itself: shapes begin with the point.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.motion import Array
+
+_MOST_STEPS = 100
+_MOST_HALVINGS = 60
+_TOUCH = 1e-6
+"""Part of a bearing's stiffness that a step takes it to have while its journal does not touch: only the way depends on it."""
+
+_RESIDUAL = 1e-13
+"""Part of the forces that balance that may be left over."""
+
+
+class Contact(NamedTuple):
+    """A shaft that is borne where its journals touch.
+
+    Attributes
+    ----------
+    stiffness : Array, shape (point, 2·bearing, 2·bearing)
+        What the shaft resists displacements of its bearings with. [N/m]
+    force : Array, shape (point, 2·bearing)
+        Reactions on the shaft where no bearing is displaced. [N]
+    centre : Array, shape (point, bearing, 2)
+        Where the bearings' middles stand. [m]
+    clearance : Array, shape (point, bearing)
+        [m]
+    bearing : Array, shape (point, bearing)
+        Stiffness of each bearing beyond its clearance. [N/m]
+    """
+
+    stiffness: Array
+    force: Array
+    centre: Array
+    clearance: Array
+    bearing: Array
+
+
+def contact_displacements(contact: Contact, start: Array) -> Array:
+    """Where the journals come to rest.
+
+    Parameters
+    ----------
+    contact : Contact
+    start : Array, shape (point, bearing, 2)
+        Where the search begins; the outcome does not depend on it. [m]
+
+    Returns
+    -------
+    Array, shape (point, bearing, 2)
+        NaN where it has not come to rest. [m]
+
+    Notes
+    -----
+    docs/theory/crankshaft, eqs. (24.39) to (24.42).
+    """
+    shifts = start.copy()
+    moves = np.all(np.isfinite(start), axis=(1, 2)) & np.all(np.isfinite(contact.stiffness), axis=(1, 2))
+    shifts[~moves] = np.nan
+    left = np.flatnonzero(moves)
+    for _step in range(_MOST_STEPS):
+        of_left, at = Contact(*(values[left] for values in contact)), shifts[left]
+        gradient, size = _gradient(of_left, at)
+        goes_on = np.max(np.abs(gradient), axis=1) > _RESIDUAL * size
+        left, of_left, at = left[goes_on], Contact(*(values[goes_on] for values in of_left)), at[goes_on]
+        if not left.size:
+            return shifts
+        shifts[left] = at + _step_of(of_left, at, gradient[goes_on])
+    shifts[left] = np.nan
+    return shifts
+
+
+def _step_of(contact: Contact, at: Array, gradient: Array) -> Array:
+    """Newton's step, cut where the energy would no longer fall along it."""
+    direction = -np.linalg.solve(_hessian(contact, at), gradient[..., np.newaxis])[..., 0]
+    slope = -np.sum(direction * gradient, axis=1)
+    share = np.ones(len(at))
+    for _halving in range(_MOST_HALVINGS):
+        ahead, _size = _gradient(contact, at + (share[:, np.newaxis] * direction).reshape(at.shape))
+        too_far = np.sum(direction * ahead, axis=1) > 0.9 * slope
+        if not np.any(too_far):
+            break
+        share = np.where(too_far, share / 2, share)
+    return (share[:, np.newaxis] * direction).reshape(at.shape)
+
+
+def _gradient(contact: Contact, at: Array) -> tuple[Array, Array]:
+    """Forces that are left over, shape (point, 2·bearing), and the largest of those that are to balance."""
+    shaft = contact.force
+    for column, shift in enumerate(at.reshape(len(at), -1).T):
+        shaft = shaft + contact.stiffness[:, :, column] * shift[:, np.newaxis]
+    distance, away = _away(contact, at)
+    pressed = np.maximum(distance - contact.clearance, 0.0) * contact.bearing
+    borne = (pressed[..., np.newaxis] * away).reshape(shaft.shape)
+    sizes = np.max(np.abs(contact.force), axis=1), np.max(np.abs(borne), axis=1, initial=0.0)
+    return shaft + borne, np.maximum(*sizes)
+
+
+def _away(contact: Contact, at: Array) -> tuple[Array, Array]:
+    """Distance of the journals from the bearings' middles, and its direction."""
+    apart = at - contact.centre
+    distance = np.hypot(apart[..., 0], apart[..., 1])
+    return distance, apart / np.where(distance > 0, distance, 1.0)[..., np.newaxis]
+
+
+def _hessian(contact: Contact, at: Array) -> Array:
+    """Stiffness of shaft and bearings for small displacements, shape (point, 2·bearing, 2·bearing)."""
+    distance, away = _away(contact, at)
+    touches: NDArray[np.bool_] = distance > contact.clearance
+    share = np.where(touches, contact.clearance / np.where(distance > 0, distance, 1.0), 0.0)
+    radial = np.where(touches, contact.bearing, _TOUCH * contact.bearing)
+    matrix = contact.stiffness.copy()
+    for one in range(2):
+        for other in range(2):
+            own = (1.0 - share) * (one == other) + share * away[..., one] * away[..., other]
+            rows = np.arange(contact.bearing.shape[1])
+            matrix[:, 2 * rows + one, 2 * rows + other] += radial * own
+    return matrix
