@@ -60,7 +60,7 @@ class Inner(NamedTuple):
 
 
 def of_unit_moments(left: Array, right: Array) -> Inner:
-    """Unit moments at both ends of a span from `left` to `right`, shape (design,); docs/theory/crankshaft, eq. (24.15)."""
+    """Unit moments at both ends of a span, shape (design,); docs/theory/crankshaft, eq. (24.15)."""
     per_length = (1 / (right - left))[:, np.newaxis, np.newaxis]
     ends = np.array([-1.0, 1.0])[:, np.newaxis, np.newaxis] * np.eye(2)
     n_designs = left.size

@@ -1,7 +1,7 @@
 """Matrices of two rows, for the two directions across a shaft, and band systems of them.
 
-All is elementwise in designs and angles. Matrices have the shape (..., 2, 2, angle), vectors (..., 2, angle); one of both
-may have a single angle.
+All is elementwise in designs and angles. Matrices have the shape (..., 2, 2, angle), vectors (..., 2, angle);
+either may have a single angle.
 """
 
 from collections.abc import Mapping, Sequence

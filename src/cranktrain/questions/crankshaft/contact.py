@@ -13,7 +13,7 @@ from cranktrain.motion import Array
 _MOST_STEPS = 100
 _MOST_HALVINGS = 60
 _TOUCH = 1e-6
-"""Part of a bearing's stiffness that a step takes it to have while its journal does not touch: only the way depends on it."""
+"""Part of a bearing's stiffness that a step counts with where a journal does not touch: only the way depends on it."""
 
 _RESIDUAL = 1e-13
 """Part of the forces that balance that may be left over."""

@@ -52,8 +52,8 @@ def equivalent_stiffness(shaft: Crankshaft, span: int, pin: int) -> EquivalentSt
 
     Notes
     -----
-    A force across the throw turns the pin about the shaft's axis as well: its torque goes on to the last end, which does
-    not twist. docs/theory/crankshaft, eqs. (24.25) to (24.28).
+    A force across the throw turns the pin about the shaft's axis as well: its torque goes on to the last end, which
+    does not twist. docs/theory/crankshaft, eqs. (24.25) to (24.28).
     """
     place = shaft.supports.place
     length = (place[:, span + 1] - place[:, span])[:, np.newaxis]
@@ -72,7 +72,7 @@ def equivalent_stiffness(shaft: Crankshaft, span: int, pin: int) -> EquivalentSt
 
 
 def pin_displacement(shaft: Crankshaft, span: int, pin: int) -> Array:
-    """Displacement of a pin's middle by a unit force there, in its throw's plane and across it, shape (design, 2). [m/N]
+    """Displacement of a pin's middle by a unit force there, in the throw's plane and across, shape (design, 2). [m/N]
 
     Notes
     -----

@@ -15,9 +15,9 @@ from cranktrain.motion import Array
 class ThrowLengths(NamedTuple):
     """Lengths of fig. 35 by its own symbols. [m]
 
-    l1, l6: from a support to the web; h_l, h_p: thickness of the left and the right web; l2, l5: from a web to the axis
-    of the rod beside it; l3, l4: from the left rod to the middle of the pin, and on to the right rod; l_p1, l_p2: from a
-    support to the counterweight beyond it.
+    l1, l6: from a support to the web; h_l, h_p: thickness of the left and the right web; l2, l5: from a web to the
+    axis of the rod beside it; l3, l4: from the left rod to the middle of the pin, and on to the right rod; l_p1, l_p2:
+    from a support to the counterweight beyond it.
     """
 
     l1: Array
@@ -37,8 +37,8 @@ class ThrowForces(NamedTuple):
 
     Outward: c2, c6 of the webs, c4 of the pin, c3 and c5 of what turns of the rods. Inward: c1, c7 of the internal and
     c11, c13 of the external counterweights; k1, k2 of the rods. With the rotation: t1, t2, and c10 of the left external
-    counterweight. Against the rotation: c8 + c14 in the plane of the left web, c9 + c15 in that of the right one, c12 of
-    the right external counterweight.
+    counterweight. Against it: c8 + c14 in the plane of the left web, c9 + c15 in that of the right one, and c12 of the
+    right external counterweight.
     """
 
     c1: Array
@@ -88,8 +88,8 @@ class ThrowConstituents(NamedTuple):
 class ThrowBalance(NamedTuple):
     """What the forces C of a throw leave over; all four are 0 where they cause no reactions.
 
-    outward, against: sums of forces, 0 in static balance [N]; outward_moment, against_moment: sums of their moments about
-    the left support, 0 in dynamic balance [N·m].
+    outward, against (the rotation): sums of forces, 0 in static balance [N]; outward_moment, against_moment: sums of
+    their moments about the left support, 0 in dynamic balance [N·m].
     """
 
     outward: Array

@@ -22,7 +22,7 @@ from cranktrain.questions.crankshaft.support_moments import Bearings, SpanFlexib
 
 
 def clearance(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> BearingLoads:
-    """Bearing loads of a crank frame in elastic bearings with clearance; docs/theory/crankshaft, eqs. (24.39) to (24.42).
+    """Bearing loads of a crank frame in bearings with clearance; docs/theory/crankshaft, eqs. (24.39) to (24.42).
 
     NaN where a bearing is rigid in some direction.
     """

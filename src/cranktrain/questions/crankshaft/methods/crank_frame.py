@@ -53,7 +53,7 @@ def settlements_in_turning_axes(settlement: Array, turned: Array) -> Array:
 
 
 def in_turning_axes(compliance: Array, turned: Array, *, is_isotropic: bool) -> Array:
-    """Compliance of bearings, (design, bearing, 2, 2, 1), in axes that turn with the shaft, for every angle if it differs.
+    """Compliance of bearings, (design, bearing, 2, 2, 1), in axes that turn with the shaft: for every angle, or alike.
 
     Notes
     -----
