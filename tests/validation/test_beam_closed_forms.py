@@ -16,7 +16,9 @@ METHODS = {method.name: method for method in BEARING_METHODS}
 def found(method, n_spans, **stands):
     """What a method finds of spans of length 1 under unit loads down, as far as there are any."""
     down = np.tile([0.0, -1.0], (n_spans, 1))
-    return METHODS[method].loads(straight_shaft(np.arange(n_spans + 1.0), **stands), forces_on(np.arange(n_spans) + 0.5, down))
+    return METHODS[method].loads(
+        straight_shaft(np.arange(n_spans + 1.0), **stands), forces_on(np.arange(n_spans) + 0.5, down)
+    )
 
 
 @pytest.mark.parametrize("method", ["three_moment", "frame_rigid"])

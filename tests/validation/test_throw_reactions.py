@@ -94,7 +94,9 @@ def test_static_balance_alone_leaves_a_couple():
 
 def test_a_throw_in_both_balances_has_no_reactions():
     """C₂ … C₆ of a throw, and internal and external counterweights that take both sums to 0."""
-    acting = FORCES._replace(k1=0.0, k2=0.0, t1=0.0, t2=0.0, c8=0.0, c9=0.0, c14=0.0, c15=0.0, c10=0.0, c12=0.0, c11=0.0, c13=0.0)
+    acting = FORCES._replace(
+        k1=0.0, k2=0.0, t1=0.0, t2=0.0, c8=0.0, c9=0.0, c14=0.0, c15=0.0, c10=0.0, c12=0.0, c11=0.0, c13=0.0
+    )
     alone = throw_balance(LENGTHS, acting._replace(c1=0.0, c7=0.0))
     left = LENGTHS.l1 + LENGTHS.h_l / 2
     right = throw_length(LENGTHS) - LENGTHS.l6 - LENGTHS.h_p / 2
@@ -109,7 +111,8 @@ def test_a_throw_in_both_balances_has_no_reactions():
 def test_journal_between_two_throws():
     """Loads as vectors: the throw behind is turned ahead by γ, its T with the rotation, its K inward."""
     before, behind = (
-        throw_reactions(throw_constituents(LENGTHS, forces)) for forces in (FORCES, FORCES._replace(k1=np.float64(-700.0)))
+        throw_reactions(throw_constituents(LENGTHS, forces))
+        for forces in (FORCES, FORCES._replace(k1=np.float64(-700.0)))
     )
     ahead = 2.1
     inward = np.array([-1.0, 0.0])

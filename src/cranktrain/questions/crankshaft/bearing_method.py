@@ -35,11 +35,12 @@ class BearingMethod:
     range: str
 
     def loads(self, shaft: Crankshaft, loads: ShaftLoads) -> BearingLoads:
-        """Bearing loads of any designs, each to the last bit what it gives alone."""
-        found = [
-            (designs, self.kernel(of_designs(shaft, designs), of_designs(loads, designs), alike))
-            for designs, alike in designs_alike(shaft, loads)
-        ]
+        """Bearing loads of any designs, each to the last bit what it gives alone; NaN of a shaft that floats."""
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            found = [
+                (designs, self.kernel(of_designs(shaft, designs), of_designs(loads, designs), alike))
+                for designs, alike in designs_alike(shaft, loads)
+            ]
         if len(found) == 1:
             return found[0][1]
         n_designs = shaft.supports.place.shape[0]

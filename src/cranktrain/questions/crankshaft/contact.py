@@ -62,9 +62,10 @@ def contact_displacements(contact: Contact, start: Array) -> Array:
     docs/theory/crankshaft, eqs. (24.39) to (24.42).
     """
     shifts = start.copy()
-    moves = np.all(np.isfinite(start), axis=(1, 2)) & np.all(np.isfinite(contact.stiffness), axis=(1, 2))
+    numbers = (start, *contact)
+    moves = np.all([np.all(np.isfinite(values.reshape(len(start), -1)), axis=1) for values in numbers], axis=0)
     shifts[~moves] = np.nan
-    left = np.flatnonzero(moves)
+    left: NDArray[np.intp] = np.flatnonzero(moves)
     for _step in range(_MOST_STEPS):
         of_left, at = Contact(*(values[left] for values in contact)), shifts[left]
         gradient, size = _gradient(of_left, at)
