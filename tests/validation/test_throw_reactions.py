@@ -1,4 +1,4 @@
-"""Formulas (44)–(53) of [crankshaft-reactions] against one example by the balance of moments, and against the split shaft."""
+"""Formulas (44)–(53) of [crankshaft-reactions] against an example by the balance of moments, and the split shaft."""
 
 import numpy as np
 import pytest

@@ -13,10 +13,13 @@ from cranktrain.motion import Array
 _MOST_STEPS = 100
 _MOST_HALVINGS = 60
 _TOUCH = 1e-6
-"""Part of a bearing's stiffness that a step counts with where a journal does not touch: only the way depends on it."""
+"""Part of a stiffness that a step counts with where a journal does not touch: only the way depends on it."""
 
 _RESIDUAL = 1e-13
 """Part of the forces that balance that may be left over."""
+
+_ROUNDING = 1e-15
+"""Of a place: where a stiff bearing's journal stands is not known better, nor its force by that place."""
 
 
 class Contact(NamedTuple):
@@ -67,12 +70,12 @@ def contact_displacements(contact: Contact, start: Array) -> Array:
     shifts[~moves] = np.nan
     left: NDArray[np.intp] = np.flatnonzero(moves)
     for _step in range(_MOST_STEPS):
-        of_left, at = Contact(*(values[left] for values in contact)), shifts[left]
-        gradient, size = _gradient(of_left, at)
-        goes_on = np.max(np.abs(gradient), axis=1) > _RESIDUAL * size
-        left, of_left, at = left[goes_on], Contact(*(values[goes_on] for values in of_left)), at[goes_on]
         if not left.size:
-            return shifts
+            break
+        of_left, at = Contact(*(values[left] for values in contact)), shifts[left]
+        gradient, rest = _gradient(of_left, at)
+        goes_on = np.max(np.abs(gradient), axis=1) > rest
+        left, of_left, at = left[goes_on], Contact(*(values[goes_on] for values in of_left)), at[goes_on]
         shifts[left] = at + _step_of(of_left, at, gradient[goes_on])
     shifts[left] = np.nan
     return shifts
@@ -84,7 +87,7 @@ def _step_of(contact: Contact, at: Array, gradient: Array) -> Array:
     slope = -np.sum(direction * gradient, axis=1)
     share = np.ones(len(at))
     for _halving in range(_MOST_HALVINGS):
-        ahead, _size = _gradient(contact, at + (share[:, np.newaxis] * direction).reshape(at.shape))
+        ahead, _rest = _gradient(contact, at + (share[:, np.newaxis] * direction).reshape(at.shape))
         too_far = np.sum(direction * ahead, axis=1) > 0.9 * slope
         if not np.any(too_far):
             break
@@ -93,15 +96,16 @@ def _step_of(contact: Contact, at: Array, gradient: Array) -> Array:
 
 
 def _gradient(contact: Contact, at: Array) -> tuple[Array, Array]:
-    """Forces that are left over, shape (point, 2·bearing), and the largest of those that are to balance."""
+    """Forces that are left over, shape (point, 2·bearing), and how much of them may be: what rounding leaves."""
     shaft = contact.force
-    for column, shift in enumerate(at.reshape(len(at), -1).T):
+    for column, shift in enumerate(at.reshape(shaft.shape).T):
         shaft = shaft + contact.stiffness[:, :, column] * shift[:, np.newaxis]
     distance, away = _away(contact, at)
     pressed = np.maximum(distance - contact.clearance, 0.0) * contact.bearing
     borne = (pressed[..., np.newaxis] * away).reshape(shaft.shape)
-    sizes = np.max(np.abs(contact.force), axis=1), np.max(np.abs(borne), axis=1, initial=0.0)
-    return shaft + borne, np.maximum(*sizes)
+    sizes = np.max(np.abs(contact.force), axis=1), np.max(np.abs(borne), axis=1)
+    places = np.max(contact.bearing * (np.abs(at[..., 0]) + np.abs(at[..., 1]) + contact.clearance), axis=1)
+    return shaft + borne, _RESIDUAL * np.maximum(*sizes) + _ROUNDING * places
 
 
 def _away(contact: Contact, at: Array) -> tuple[Array, Array]:
@@ -116,8 +120,10 @@ def _hessian(contact: Contact, at: Array) -> Array:
     distance, away = _away(contact, at)
     touches: NDArray[np.bool_] = distance > contact.clearance
     share = np.where(touches, contact.clearance / np.where(distance > 0, distance, 1.0), 0.0)
-    radial = np.where(touches, contact.bearing, _TOUCH * contact.bearing)
     matrix = contact.stiffness.copy()
+    shaft = np.maximum(*(matrix[:, one::2, one::2].diagonal(axis1=1, axis2=2) for one in range(2)))
+    free = _TOUCH * np.minimum(contact.bearing, shaft) + _TOUCH**2 * contact.bearing
+    radial = np.where(touches, contact.bearing, free)
     for one in range(2):
         for other in range(2):
             own = (1.0 - share) * (one == other) + share * away[..., one] * away[..., other]
