@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.shaft import Pieces, Webs
+from cranktrain.questions.crankshaft.shaft import Crankshaft, Pieces, Webs
 
 
 class Bent(NamedTuple):
@@ -32,6 +32,27 @@ class Bent(NamedTuple):
     slope: Array
     twist: Array
     along: Array
+
+
+class CrankLine(NamedTuple):
+    """The line along which forces are handed on.
+
+    Attributes
+    ----------
+    pieces : Pieces
+    webs : Webs
+    axes : Array, shape (design, piece, 1, 1, 2)
+        Axis of each piece from the shaft's, in axes that turn with the shaft. [m]
+    """
+
+    pieces: Pieces
+    webs: Webs
+    axes: Array
+
+
+def crank_line(shaft: Crankshaft) -> CrankLine:
+    """The line of a shaft."""
+    return CrankLine(shaft.pieces, shaft.webs, polar(shaft.pieces.radius, shaft.pieces.angle))
 
 
 class Inner(NamedTuple):
@@ -75,14 +96,14 @@ def unbent(n_designs: int) -> Bent:
     return Bent(np.zeros((*shape, 2)), np.zeros((*shape, 2)), np.zeros(shape), np.zeros(shape))
 
 
-def along_piece(start: Bent, inner: Inner, pieces: Pieces, piece: int, z: Array, length: Array) -> Bent:
+def along_piece(start: Bent, inner: Inner, line: CrankLine, piece: int, z: Array, length: Array) -> Bent:
     """Go a length, shape (design,), along a piece from z.
 
     Notes
     -----
     docs/theory/crankshaft, eq. (24.16).
     """
-    arm, way = position(pieces, piece), _wide(length)
+    pieces, arm, way = line.pieces, line.axes[:, piece], _wide(length)
     shear, moment, stiffness = inner.shear, inner.moment_at(z), _wide(pieces.bending[:, piece])
     gained = (moment * way + shear * way**2 / 2) / stiffness
     bent = (moment * way**2 / 2 + shear * way**3 / 6) / stiffness
@@ -96,32 +117,32 @@ def along_piece(start: Bent, inner: Inner, pieces: Pieces, piece: int, z: Array,
     )
 
 
-def along_web(start: Bent, inner: Inner, pieces: Pieces, webs: Webs, web: int, way: Array) -> Bent:
+def along_web(start: Bent, inner: Inner, line: CrankLine, web: int, way: Array) -> Bent:
     """Go a way, shape (design,), along a web from its first end; not beyond its ends.
 
     Notes
     -----
     docs/theory/crankshaft, eq. (24.17).
     """
-    first = position(pieces, web)
-    line, whole = web_line(pieces, web)
-    before, after = webs.rigid[:, web, 0], webs.rigid[:, web, 1]
+    first = line.axes[:, web]
+    along, whole = web_line(line, web)
+    before, after = line.webs.rigid[:, web, 0], line.webs.rigid[:, web, 1]
     begun = np.clip(way, 0.0, before)
     strained = np.clip(way - before, 0.0, np.maximum(whole - before - after, 0.0))
     rest = np.clip(way, 0.0, whole) - begun - strained
-    at = displaced(start, line * _wide(begun), None)
-    at = _strained(at, inner, webs, web, _Line(pieces.bounds[:, web + 1], first + line * _wide(begun), line, strained))
-    return displaced(at, line * _wide(rest), None)
+    at = displaced(start, along * _wide(begun), None)
+    gives = _Gives(line.pieces.bounds[:, web + 1], first + along * _wide(begun), along, strained)
+    return displaced(_strained(at, inner, line.webs, web, gives), along * _wide(rest), None)
 
 
-def web_line(pieces: Pieces, web: int) -> tuple[Array, Array]:
+def web_line(line: CrankLine, web: int) -> tuple[Array, Array]:
     """Direction of a web's line, shape (design, 1, 1, 2), none of a shoulder; and its length, shape (design,)."""
-    across = position(pieces, web + 1) - position(pieces, web)
+    across = line.axes[:, web + 1] - line.axes[:, web]
     length = np.hypot(across[..., 0], across[..., 1])
     return across / np.where(length > 0, length, 1.0)[..., np.newaxis], length[:, 0, 0]
 
 
-class _Line(NamedTuple):
+class _Gives(NamedTuple):
     """What gives of a web: its plane, where it begins, its direction and its length."""
 
     z: Array
@@ -130,18 +151,18 @@ class _Line(NamedTuple):
     length: Array
 
 
-def _strained(start: Bent, inner: Inner, webs: Webs, web: int, line: _Line) -> Bent:
+def _strained(start: Bent, inner: Inner, webs: Webs, web: int, gives: _Gives) -> Bent:
     """Go along what gives of a web."""
     bending, across, torsion, shear, axial = (
         values[:, web, np.newaxis, np.newaxis]
         for values in (webs.bending, webs.bending_across, webs.torsion, webs.shear, webs.axial)
     )
-    along, way = line.direction, line.length[:, np.newaxis, np.newaxis]
+    along, way = gives.direction, gives.length[:, np.newaxis, np.newaxis]
     normal = _normal(along)
-    force, moment = inner.shear, inner.moment_at(line.z)
+    force, moment = inner.shear, inner.moment_at(gives.z)
     force_along, force_across = _dot(force, along), _dot(force, normal)
     moment_along, moment_across = _dot(moment, along), _dot(moment, normal)
-    turning = line.begin[..., 0] * force[..., 1] - line.begin[..., 1] * force[..., 0] - inner.torque
+    turning = gives.begin[..., 0] * force[..., 1] - gives.begin[..., 1] * force[..., 0] - inner.torque
     swung = (turning * way**2 / 2 + force_across * way**3 / 6) / across
     aside = start.twist * way + swung - force_across * way / shear
     slope = (moment_along * way / bending)[..., np.newaxis] * along
@@ -161,15 +182,9 @@ def displaced(at: Bent, arm: Array, z: Array | None) -> Bent:
     return Bent(shift, at.slope, at.twist, at.along - _dot(at.slope, arm))
 
 
-def position(pieces: Pieces, piece: int) -> Array:
-    """Axis of a piece from the shaft's, in axes that turn with the shaft, shape (design, 1, 1, 2). [m]"""
-    radius, angle = pieces.radius[:, piece], pieces.angle[:, piece]
-    return polar(radius, angle)
-
-
 def polar(radius: Array, angle: Array) -> Array:
-    """Components, shape (design, 1, 1, 2), of shape (design,)."""
-    return np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=-1)[:, np.newaxis, np.newaxis]
+    """Components, shape (design, member, 1, 1, 2), of shape (design, member)."""
+    return np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=-1)[:, :, np.newaxis, np.newaxis]
 
 
 def _wide(values: Array) -> Array:
@@ -178,7 +193,10 @@ def _wide(values: Array) -> Array:
 
 def _normal(vector: Array) -> Array:
     """Turned by a right angle, from X toward Y."""
-    return np.stack([-vector[..., 1], vector[..., 0]], axis=-1)
+    return vector[..., ::-1] * _TURNED
+
+
+_TURNED = np.array([-1.0, 1.0])
 
 
 def _dot(one: Array, other: Array) -> Array:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.bent_spans import Inner, along_piece, along_web, position, unbent
+from cranktrain.questions.crankshaft.bent_spans import Inner, along_piece, along_web, crank_line, polar, unbent
 from cranktrain.questions.crankshaft.designs_alike import Alike
 from cranktrain.questions.crankshaft.frame_spans import bent_span
 from cranktrain.questions.crankshaft.shaft import Crankshaft
@@ -58,7 +58,8 @@ def equivalent_stiffness(shaft: Crankshaft, span: int, pin: int) -> EquivalentSt
     place = shaft.supports.place
     length = (place[:, span + 1] - place[:, span])[:, np.newaxis]
     alike = Alike(np.array([], dtype=np.intp), _spans_of_webs(shaft), is_isotropic=True)
-    bent = bent_span(shaft, _no_loads(place.shape[0]), alike, span)
+    none = _no_loads(place.shape[0])
+    bent = bent_span(shaft, crank_line(shaft), none, polar(none.radius, none.angle), alike, span)
     axes = _axes(shaft.pieces.angle[:, pin])
     near, far, last = (
         _along(values, axes) for values in (-bent.first.slope[:, 0], -bent.first.slope[:, 1], bent.last.slope[:, 1])
@@ -82,19 +83,20 @@ def pin_displacement(shaft: Crankshaft, span: int, pin: int) -> Array:
     begin, end = (int(np.sum(webs <= which)) for which in (span, span + 1))
     left, right = shaft.supports.place[:, span], shaft.supports.place[:, span + 1]
     middle = 0.5 * (shaft.pieces.bounds[:, pin] + shaft.pieces.bounds[:, pin + 1])
-    before, after = _of_unit_force(left, right, middle, position(shaft.pieces, pin))
+    line = crank_line(shaft)
+    arm = line.axes[:, pin]
+    before, after = _of_unit_force(left, right, middle, arm)
     at, z, found = unbent(left.size), left, unbent(left.size)
     for piece in range(begin, end + 1):
         until = right if piece == end else shaft.pieces.bounds[:, piece + 1]
         inner = before if piece < pin else after
         if piece == pin:
-            at = found = along_piece(at, before, shaft.pieces, piece, z, middle - z)
+            at = found = along_piece(at, before, line, piece, z, middle - z)
             z = middle
-        at, z = along_piece(at, inner, shaft.pieces, piece, z, until - z), until
+        at, z = along_piece(at, inner, line, piece, z, until - z), until
         if piece < end:
-            at = along_web(at, inner, shaft.pieces, shaft.webs, piece, np.full_like(left, np.inf))
+            at = along_web(at, inner, line, piece, np.full_like(left, np.inf))
     slope = -at.shift / (right - left)[:, np.newaxis, np.newaxis, np.newaxis]
-    arm = position(shaft.pieces, pin)
     shift = found.shift + slope * (middle - left)[:, np.newaxis, np.newaxis, np.newaxis]
     twist = -at.twist[..., np.newaxis] * np.stack([-arm[..., 1], arm[..., 0]], axis=-1)
     return _along((shift + twist)[:, 0], _axes(shaft.pieces.angle[:, pin]))

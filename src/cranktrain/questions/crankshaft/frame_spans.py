@@ -8,12 +8,13 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.bent_spans import (
     Bent,
+    CrankLine,
     along_piece,
     along_web,
+    crank_line,
     displaced,
     of_unit_moments,
     polar,
-    position,
     unbent,
     web_line,
 )
@@ -58,7 +59,8 @@ def frame_spans(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> SpanFlexi
     -----
     docs/theory/crankshaft, eqs. (24.14) to (24.19).
     """
-    bent = [bent_span(shaft, loads, alike, span) for span in range(shaft.supports.place.shape[1] - 1)]
+    line, places = crank_line(shaft), polar(loads.radius, loads.angle)
+    bent = [bent_span(shaft, line, loads, places, alike, span) for span in range(shaft.supports.place.shape[1] - 1)]
     slopes = _slopes_by_loads(bent, shaft.supports.thrust % (len(bent) + 1), loads, alike.loads)
     return SpanFlexibility(
         np.stack([_by_moment(-one.first.slope[:, 0]) for one in bent], axis=1),
@@ -74,14 +76,15 @@ def _by_moment(slope: Array) -> Array:
     return np.swapaxes(slope, -1, -2)[..., np.newaxis]
 
 
-def bent_span(shaft: Crankshaft, loads: ShaftLoads, alike: Alike, span: int) -> BentSpan:
-    """Go along a span, from its first bearing to its last.
+def bent_span(
+    shaft: Crankshaft, line: CrankLine, loads: ShaftLoads, places: Array, alike: Alike, span: int
+) -> BentSpan:
+    """Go along a span, from its first bearing to its last, with `places` where loads act as `polar` says.
 
     Notes
     -----
     docs/theory/crankshaft, eqs. (24.15) to (24.18).
     """
-    pieces, webs = shaft.pieces, shaft.webs
     left, right = shaft.supports.place[:, span], shaft.supports.place[:, span + 1]
     inner, begin = of_unit_moments(left, right), int(np.sum(alike.webs <= span))
     end = int(np.sum(alike.webs <= span + 1))
@@ -89,35 +92,32 @@ def bent_span(shaft: Crankshaft, loads: ShaftLoads, alike: Alike, span: int) -> 
     points: dict[int, Bent] = {}
     at, z = unbent(left.size), left
     for piece in range(begin, end + 1):
-        until = right if piece == end else pieces.bounds[:, piece + 1]
-        axis = position(pieces, piece)
+        until = right if piece == end else line.pieces.bounds[:, piece + 1]
+        axis = line.axes[:, piece]
         for load in (one for one in within if loads.piece[one] == piece and not loads.on_web[one]):
             way = np.clip(loads.z[:, load] - z, 0.0, until - z)
-            here = along_piece(at, inner, pieces, piece, z, way)
-            points[load] = displaced(here, _place(loads, load) - axis, loads.z[:, load] - z - way)
-        at, z = along_piece(at, inner, pieces, piece, z, until - z), until
+            here = along_piece(at, inner, line, piece, z, way)
+            points[load] = displaced(here, places[:, load] - axis, loads.z[:, load] - z - way)
+        at, z = along_piece(at, inner, line, piece, z, until - z), until
         if piece < end:
-            line, length = web_line(pieces, piece)
+            along, length = web_line(line, piece)
             for load in (one for one in within if loads.piece[one] == piece and loads.on_web[one]):
-                arm = _place(loads, load) - axis
-                way = np.clip(np.sum(arm * line, axis=-1)[:, 0, 0], 0.0, length)
-                here = along_web(at, inner, pieces, webs, piece, way)
-                rest = arm - line * way[:, np.newaxis, np.newaxis, np.newaxis]
+                arm = places[:, load] - axis
+                way = np.clip(np.sum(arm * along, axis=-1)[:, 0, 0], 0.0, length)
+                here = along_web(at, inner, line, piece, way)
+                rest = arm - along * way[:, np.newaxis, np.newaxis, np.newaxis]
                 points[load] = displaced(here, rest, loads.z[:, load] - z)
-            at = along_web(at, inner, pieces, webs, piece, length)
+            at = along_web(at, inner, line, piece, length)
     to_right = shaft.supports.thrust % shaft.supports.place.shape[1] > span
-    return _held(unbent(left.size), at, points, loads, left, right, holds_right=to_right)
-
-
-def _place(loads: ShaftLoads, load: int) -> Array:
-    return polar(loads.radius[:, load], loads.angle[:, load])
+    return _held(unbent(left.size), at, points, loads.z, places, left, right, holds_right=to_right)
 
 
 def _held(
     first: Bent,
     last: Bent,
     points: dict[int, Bent],
-    loads: ShaftLoads,
+    z: Array,
+    places: Array,
     left: Array,
     right: Array,
     *,
@@ -132,15 +132,15 @@ def _held(
     twist, along = -last.twist, -last.along if holds_right else np.zeros_like(last.along)
     rigid = Bent(np.zeros_like(slope), slope, twist, along)
 
-    def moved(one: Bent, arm: Array, z: Array) -> Bent:
-        added = displaced(rigid, arm, z - left)
+    def moved(one: Bent, arm: Array, at: Array) -> Bent:
+        added = displaced(rigid, arm, at - left)
         return Bent(*(own + gained for own, gained in zip(one, added, strict=True)))
 
-    axis = polar(np.zeros_like(left), np.zeros_like(left))
+    axis = np.zeros((left.size, 1, 1, 2))
     return BentSpan(
         moved(first, axis, left),
         moved(last, axis, right),
-        {load: moved(one, _place(loads, load), loads.z[:, load]) for load, one in points.items()},
+        {load: moved(one, places[:, load], z[:, load]) for load, one in points.items()},
     )
 
 
