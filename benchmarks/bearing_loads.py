@@ -129,9 +129,8 @@ def main():
     base = times[0]
     for n_throws, n_angles in ((6, 1440), (6, 2880), (6, 5760), (12, 720), (24, 720), (48, 720)):
         own, by = shaft(n_throws), loads(n_throws, n_angles)
-        print(
-            f"{n_throws:>3} throws, {n_angles:>5} angles: {time_of(lambda own=own, by=by: all_linear(own, by)) / base:.2f}"
-        )
+        share = time_of(lambda own=own, by=by: all_linear(own, by)) / base
+        print(f"{n_throws:>3} throws, {n_angles:>5} angles: {share:.2f}")
 
 
 if __name__ == "__main__":

@@ -131,6 +131,14 @@ def frame_loads(shaft, loads, design, angle, *, gives):
     return _CrankFrame(shaft, loads, design, angle).bearing_loads(gives=gives)
 
 
+def frame_torques(shaft, loads, design, angle):
+    """Torque from X toward Y in the first and the last beam of every piece, on elastic bearings, shape (2, piece)."""
+    ctx.dps = DIGITS
+    whole = _CrankFrame(shaft, loads, design, angle)
+    whole.bearing_loads(gives=True)
+    return np.array([[float(whole.torque(beams[end])) for beams in whole.of_piece] for end in (0, -1)])
+
+
 def beam_loads(shaft, loads, design, angle, *, gives):
     """The same of its straight spans; couples and forces act on the axis."""
     ctx.dps = DIGITS
@@ -142,7 +150,7 @@ class _OnBearings:
 
     def __init__(self, shaft, loads, design, angle):
         self.shaft, self.loads, self.design, self.angle = shaft, loads, design, angle
-        self.frame, self.bearings = Frame(), {}
+        self.frame, self.bearings, self.of_piece = Frame(), {}, []
         self.turned = exact(loads.turned[design, angle])
         self.build()
 
@@ -180,7 +188,8 @@ class _OnBearings:
                         frame.springs.append((6 * node + i, 6 * node + j, springs[i, j], rest[j]))
             else:
                 frame.held |= {6 * node + i: rest[i] for i in range(2)}
-        shift, reaction = frame.solved()
+        self.shift, reaction = frame.solved()
+        shift = self.shift
         moved = np.array([[float(shift[6 * self.bearings[b] + i]) for i in range(2)] for b in range(n)])
         borne = np.empty((n, 2))
         for bearing, node in self.bearings.items():
@@ -219,13 +228,18 @@ class _CrankFrame(_OnBearings):
         marks = [begin, end, *(place[2] for _load, place in loads), *(z for _bearing, z in bearings)]
         nodes = self.nodes_along(axis, (arb(0), arb(0), arb(1)), marks, {})
         bending, *others = (self.at(values, piece) for values in pieces[3:])
-        for one, other in pairwise(nodes.values()):
-            self.frame.beams.append(Beam(one, other, bending, bending, *others))
+        self.of_piece.append([Beam(*ends, bending, bending, *others) for ends in pairwise(nodes.values())])
+        self.frame.beams += self.of_piece[-1]
         for load, place in loads:
             self.push(load, nodes[place[2]], [a - b for a, b in zip(place[:2], axis[:2], strict=True)] + [arb(0)])
         self.bearings |= {bearing: nodes[z] for bearing, z in bearings}
         self.last = nodes[end]
         return nodes[begin]
+
+    def torque(self, beam):
+        """What a beam along the shaft hands on: the twist is against what acts before it."""
+        length = self.frame.nodes[beam.end][2] - self.frame.nodes[beam.begin][2]
+        return (self.shift[6 * beam.begin + 5] - self.shift[6 * beam.end + 5]) * beam.torsion / length
 
     def web(self, web, begin, end):
         """What joins two pieces: what gives of it, and what does not."""

@@ -17,7 +17,7 @@ def straight_shaft(place, *, bending=1.0, shear=np.inf, compliance=0.0, settleme
         Webs(none, none, none, none, none, np.zeros((1, 0, 2))),
         Supports(
             place,
-            np.full((1, n, 1, 1), compliance) * np.eye(2),
+            np.where(np.eye(2, dtype=bool), np.full((1, n, 1, 1), compliance), 0.0),
             settlement[np.newaxis],
             np.full((1, n), float(clearance)),
         ),

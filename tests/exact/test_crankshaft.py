@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 from tests.crankshafts import drawn_crankshaft
-from tests.frame_elements import beam_loads, frame_loads
+from tests.frame_elements import beam_loads, frame_loads, frame_torques
 
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
+from cranktrain.questions.crankshaft.torque_along import torque_along
 
 METHODS = {method.name: method for method in BEARING_METHODS}
 LIMIT = 1e-11
@@ -44,3 +45,13 @@ def test_frame_on_rigid_bearings(seed):
 @pytest.mark.parametrize("seed", range(6))
 def test_frame_on_elastic_bearings(seed, is_isotropic):
     agree("frame_elastic", frame_loads, seed, gives=True, is_isotropic=is_isotropic)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_torque_along_the_shaft(seed):
+    """With several throws between two bearings, thrust and torques on the way."""
+    shaft, loads = drawn_crankshaft(seed, n_angles=1)
+    found = torque_along(shaft, loads, METHODS["frame_elastic"].loads(shaft, loads))
+    wanted = frame_torques(shaft, loads, 0, 0)
+    for values, torques in zip(found, wanted, strict=True):
+        np.testing.assert_allclose(values[0, :, 0], torques, rtol=0, atol=1e-11 * np.max(np.abs(wanted)))

@@ -70,15 +70,11 @@ def bearing_loads(
     Returns
     -------
     BearingLoads
-        NaN where a shaft has a single bearing: it floats.
 
     Notes
     -----
     docs/theory/crankshaft, eqs. (24.6) and (24.7).
     """
-    if place.shape[1] < 2:
-        nothing = np.full_like(moment, np.nan)
-        return BearingLoads(nothing, nothing, nothing)
     lengths = np.diff(place, axis=1)[:, :, np.newaxis, np.newaxis]
     slope = np.diff(moment, axis=1) / lengths
     reaction = cut.reaction.copy()

@@ -35,7 +35,13 @@ class BearingMethod:
     range: str
 
     def loads(self, shaft: Crankshaft, loads: ShaftLoads) -> BearingLoads:
-        """Bearing loads of any designs, each to the last bit what it gives alone; NaN of a shaft that floats."""
+        """Bearing loads of any designs, each to the last bit what it gives alone.
+
+        NaN where the shaft floats on a single bearing, or has no stiffness where the method asks for it.
+        """
+        if shaft.supports.place.shape[1] < 2:
+            nothing = np.full((*shaft.supports.place.shape, 2, loads.force.shape[-1]), np.nan)
+            return BearingLoads(nothing, nothing, nothing)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             found = [
                 (designs, self.kernel(of_designs(shaft, designs), of_designs(loads, designs), alike))

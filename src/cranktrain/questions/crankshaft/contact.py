@@ -3,7 +3,7 @@
 All is done at every point, a design at a crank angle, by itself: shapes begin with the point.
 """
 
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,7 +83,7 @@ def contact_displacements(contact: Contact, start: Array) -> Array:
 
 def _step_of(contact: Contact, at: Array, gradient: Array) -> Array:
     """Newton's step, cut where the energy would no longer fall along it."""
-    direction = -np.linalg.solve(_hessian(contact, at), gradient[..., np.newaxis])[..., 0]
+    direction = -cast(Array, np.linalg.solve(_hessian(contact, at), gradient[..., np.newaxis]))[..., 0]
     slope = -np.sum(direction * gradient, axis=1)
     share = np.ones(len(at))
     for _halving in range(_MOST_HALVINGS):
@@ -92,7 +92,7 @@ def _step_of(contact: Contact, at: Array, gradient: Array) -> Array:
         if not np.any(too_far):
             break
         share = np.where(too_far, share / 2, share)
-    return (share[:, np.newaxis] * direction).reshape(at.shape)
+    return np.reshape(share[:, np.newaxis] * direction, at.shape)
 
 
 def _gradient(contact: Contact, at: Array) -> tuple[Array, Array]:
@@ -126,7 +126,7 @@ def _hessian(contact: Contact, at: Array) -> Array:
     radial = np.where(touches, contact.bearing, free)
     for one in range(2):
         for other in range(2):
-            own = (1.0 - share) * (one == other) + share * away[..., one] * away[..., other]
-            rows = np.arange(contact.bearing.shape[1])
-            matrix[:, 2 * rows + one, 2 * rows + other] += radial * own
+            own = radial * ((1.0 - share) * (one == other) + share * away[..., one] * away[..., other])
+            for bearing in range(own.shape[1]):
+                matrix[:, 2 * bearing + one, 2 * bearing + other] += own[:, bearing]
     return matrix

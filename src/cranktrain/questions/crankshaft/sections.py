@@ -85,7 +85,8 @@ def rectangle_in_torsion(one: Array, other: Array) -> Array:
     ratio = short / long
     rest = 0.0
     for k in _ODD.tolist():
-        rest = rest + 2 / (np.exp(np.pi * k / ratio) + 1) / k**5
+        fallen = np.exp(-np.pi * k / ratio)
+        rest = rest + 2 * fallen / (1 + fallen) / k**5
     return long * short**3 * (1 / 3 - 64 / np.pi**5 * ratio * (_SUM_OF_FIFTHS - rest))
 
 

@@ -101,16 +101,11 @@ def _of_spans(spans: SpanFlexibility, moments: Array) -> tuple[dict[tuple[int, i
 def _shares(place: Array) -> dict[tuple[int, int], Array]:
     """What the moment over one bearing adds to the reaction of another, shape (design, 1, 1). [1/m]"""
     per_length = (1 / np.diff(place, axis=1))[:, :, np.newaxis, np.newaxis]
-    n = place.shape[1]
-    shares: dict[tuple[int, int], Array] = {}
-    for bearing in range(n):
-        before = per_length[:, bearing - 1] if bearing > 0 else None
-        after = per_length[:, bearing] if bearing < n - 1 else None
-        shares[bearing, bearing] = -sum(one for one in (before, after) if one is not None)
-        if before is not None:
-            shares[bearing, bearing - 1] = before
-        if after is not None:
-            shares[bearing, bearing + 1] = after
+    shares = {(bearing, bearing): np.zeros_like(per_length[:, 0]) for bearing in range(place.shape[1])}
+    for span in range(per_length.shape[1]):
+        for one, other in ((span, span + 1), (span + 1, span)):
+            shares[one, other] = per_length[:, span]
+            shares[one, one] = shares[one, one] - per_length[:, span]
     return shares
 
 

@@ -101,7 +101,7 @@ def webs_of_throws(sections: WebSection, journal_diameter: Array, pin_diameter: 
     first, last = journal.copy(), pin.copy()
     first[..., 1], last[..., 1] = pin[..., 1], journal[..., 1]
     rigid = np.stack([first.reshape(shape), last.reshape(shape)], axis=-1)
-    return Webs(*(np.reshape(values, shape) for values in sections), rigid)
+    return Webs(*(np.reshape(values, shape) for values in sections), rigid=rigid)
 
 
 def in_turn(journals: Array, pins: Array) -> Array:

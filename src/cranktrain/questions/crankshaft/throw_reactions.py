@@ -173,9 +173,10 @@ def throw_reactions(found: ThrowConstituents, *, is_first: bool = False, is_last
     Where they enter a continuous shaft as moments at its ends, neither (48) nor (49) is to be added: they would count
     twice.
     """
-    parts = [found.rotating, found.normal, found.tangential]
-    parts += [found.first] * is_first + [found.last] * is_last
-    return ThrowReactions(*(sum(values[1:], start=values[0]) for values in zip(*parts, strict=True)))
+    whole = found.rotating
+    for part in (found.normal, found.tangential, *[found.first] * is_first, *[found.last] * is_last):
+        whole = ThrowReactions(*(one + other for one, other in zip(whole, part, strict=True)))
+    return whole
 
 
 def journal_load(before: ThrowReactions, behind: ThrowReactions, ahead: Array) -> tuple[Array, Array]:

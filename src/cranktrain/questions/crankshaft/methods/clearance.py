@@ -28,9 +28,6 @@ def clearance(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> BearingLoad
     """
     supports, turned = shaft.supports, loads.turned
     cut = cut_shaft(supports.place, alike.loads, on_axis(loads))
-    if supports.place.shape[1] < 2:
-        nothing = np.full_like(cut.reaction, np.nan)
-        return BearingLoads(nothing, nothing, nothing)
     even = _least(supports.compliance)
     rest = (supports.compliance - even[..., np.newaxis, np.newaxis] * np.eye(2))[..., np.newaxis]
     turning = Bearings(
