@@ -17,7 +17,7 @@ from cranktrain.questions.crankshaft.methods import BEARING_METHODS
 from cranktrain.questions.crankshaft.sections import Material, round_section, web_section
 from cranktrain.questions.crankshaft.shaft import Crankshaft, StraightSpans, Supports
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
-from cranktrain.questions.crankshaft.throw_line import WEB_RULES, Throws, pieces_of_throws, webs_of_throws
+from cranktrain.questions.crankshaft.throw_line import WEB_RULES, ThrowGeometry, pieces_of_throws, webs_of_throws
 
 LINEAR = BEARING_METHODS[:5]
 SPAN, RADIUS, STIFFNESS, BENDING = 0.19, 0.09, 8e8, 3e5
@@ -28,7 +28,7 @@ def shaft(n_throws, *, is_isotropic=True):
     one = np.ones((1, 1))
     steel = Material(206e9 * one, 79.2e9 * one)
     begins = SPAN * np.arange(n_throws)
-    throws = Throws(
+    throws = ThrowGeometry(
         np.array([[-0.05, SPAN * n_throws + 0.1]]),
         (begins[:, np.newaxis] + np.array([0.04, 0.15]))[np.newaxis],
         np.full((1, n_throws), RADIUS),

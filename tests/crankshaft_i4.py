@@ -6,7 +6,7 @@ from tests.reference_case import ReferenceCase
 from cranktrain.questions.crankshaft.sections import Material, round_section, web_section
 from cranktrain.questions.crankshaft.shaft import Crankshaft, StraightSpans, Supports
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
-from cranktrain.questions.crankshaft.throw_line import WEB_RULES, Throws, pieces_of_throws, webs_of_throws
+from cranktrain.questions.crankshaft.throw_line import WEB_RULES, ThrowGeometry, pieces_of_throws, webs_of_throws
 
 CASE = ReferenceCase.load("crankshaft_I4")
 MACHINE = CASE.machine
@@ -65,7 +65,9 @@ def crankshaft():
     material = Material(np.array([[MACHINE["E_N_per_mm2"] * 1e6]]), np.array([[MACHINE["G_N_per_mm2"] * 1e6]]))
     begins = np.arange(N) * span
     planes = begins[:, np.newaxis] + SIZES["web_mid_planes"]
-    throws = Throws(np.array([[0.0, N * span]]), planes[np.newaxis], np.full((1, N), RADIUS), -THROW_ANGLES[np.newaxis])
+    throws = ThrowGeometry(
+        np.array([[0.0, N * span]]), planes[np.newaxis], np.full((1, N), RADIUS), -THROW_ANGLES[np.newaxis]
+    )
     journal, pin = np.full((1, N + 1), SIZES["main_diameter"]), np.full((1, N), SIZES["crankpin_diameter"])
     webs = web_section(
         np.full((1, N, 2), SIZES["web_width"]),

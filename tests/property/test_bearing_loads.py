@@ -29,7 +29,7 @@ def side_by_side(tuples):
 
 
 def varied(seed, n_designs=4):
-    """A shaft and its loads as several designs: of all arrays other numbers, and of one alike bearings."""
+    """A shaft and its loads as several designs: other numbers, bearings that give alike or not at all, a load elsewhere."""
     shaft, loads = drawn_crankshaft(seed, 5)
     draw = np.random.default_rng(seed + 100)
     found = []
@@ -46,6 +46,8 @@ def varied(seed, n_designs=4):
         if design == 1:
             alike = np.eye(2) * one.supports.compliance[..., :1, :1]
             one = one._replace(supports=one.supports._replace(compliance=alike))
+        if design == 3:
+            one = one._replace(supports=one.supports._replace(compliance=0 * one.supports.compliance))
         if design == 2:
             z = acting.z.copy()
             z[:, 0] = one.supports.place[:, -1] + 0.01

@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+import numpy as np
+
 from cranktrain.motion import Array
 
 
@@ -86,6 +88,31 @@ class Supports(NamedTuple):
     settlement: Array
     clearance: Array
     thrust: int = -1
+
+
+def bearing_compliance(stiffness: Array) -> Array:
+    """Compliance of bearings of a stiffness, both of shape (..., 2, 2). [m/N, N/m]
+
+    Parameters
+    ----------
+    stiffness : Array, shape (..., 2, 2)
+        Symmetric; an infinite one toward X or Y is rigid that way.
+
+    Returns
+    -------
+    Array, shape (..., 2, 2)
+
+    Examples
+    --------
+    >>> bearing_compliance(np.array([[np.inf, 0.0], [0.0, 4e8]])).tolist()
+    [[0.0, 0.0], [0.0, 2.5e-09]]
+    """
+    x, y, both = stiffness[..., 0, 0], stiffness[..., 1, 1], stiffness[..., 0, 1]
+    rest = 1 - (both / x) * (both / y)
+    found = np.zeros_like(stiffness)
+    found[..., 0, 0], found[..., 1, 1] = 1 / x / rest, 1 / y / rest
+    found[..., 0, 1] = found[..., 1, 0] = 0.0 - both / x / y / rest
+    return found
 
 
 class StraightSpans(NamedTuple):

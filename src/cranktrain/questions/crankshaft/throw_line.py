@@ -11,7 +11,7 @@ from cranktrain.questions.crankshaft.shaft import Pieces, Webs
 from cranktrain.record import record
 
 
-class Throws(NamedTuple):
+class ThrowGeometry(NamedTuple):
     """Throws of a shaft.
 
     Attributes
@@ -57,12 +57,12 @@ WEB_RULES = (
 """Rules for the length of a web, that of plain centre lines first."""
 
 
-def pieces_of_throws(throws: Throws, journals: Section, pins: Section) -> Pieces:
+def pieces_of_throws(throws: ThrowGeometry, journals: Section, pins: Section) -> Pieces:
     """Journal, pin, journal, …: pieces 0, 2, … are journals, piece 2i + 1 is the pin of throw i.
 
     Parameters
     ----------
-    throws : Throws
+    throws : ThrowGeometry
     journals : Section, shape (design, throw + 1)
     pins : Section, shape (design, throw)
 

@@ -11,7 +11,8 @@ from cranktrain.questions.crankshaft.sections import (
     round_section,
     web_section,
 )
-from cranktrain.questions.crankshaft.throw_line import WEB_RULES, Throws, pieces_of_throws, webs_of_throws
+from cranktrain.questions.crankshaft.shaft import bearing_compliance
+from cranktrain.questions.crankshaft.throw_line import WEB_RULES, ThrowGeometry, pieces_of_throws, webs_of_throws
 
 STEEL = Material(np.array(206e9), np.array(206e9 / 2.6))
 
@@ -50,7 +51,7 @@ def test_web():
 
 
 def test_throws_in_line():
-    throws = Throws(
+    throws = ThrowGeometry(
         np.array([[0.0, 0.4]]),
         np.array([[[0.1, 0.15], [0.25, 0.3]]]),
         np.array([[0.04, 0.05]]),
@@ -67,3 +68,10 @@ def test_throws_in_line():
     np.testing.assert_allclose(webs.axial, 206e9 * 0.2 * width.reshape(1, 4) ** 2)
     ends = [[0.06, 0.05], [0.05, 0.07], [0.07, 0.055], [0.055, 0.08]]
     np.testing.assert_allclose(webs.rigid, 0.2 * np.array([ends]), rtol=1e-15)
+
+
+def test_compliance_of_bearings():
+    stiffness = np.array([[[3e8, 1e8], [1e8, 5e8]], [[4e8, 0.0], [0.0, 4e8]]])
+    np.testing.assert_allclose(bearing_compliance(stiffness), np.linalg.inv(stiffness), rtol=1e-14)
+    rigid = np.array([[np.inf, 0.0], [0.0, np.inf]])
+    np.testing.assert_array_equal(bearing_compliance(rigid), np.zeros((2, 2)))

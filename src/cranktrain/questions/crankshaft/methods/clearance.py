@@ -7,7 +7,7 @@ from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, bearing_loads
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.blocks import turned_by
-from cranktrain.questions.crankshaft.contact import Contact, contact_displacements
+from cranktrain.questions.crankshaft.contact import TouchingShaft, displacements_in_clearance
 from cranktrain.questions.crankshaft.designs_alike import Alike
 from cranktrain.questions.crankshaft.frame_spans import frame_spans
 from cranktrain.questions.crankshaft.methods.crank_frame import (
@@ -22,10 +22,7 @@ from cranktrain.questions.crankshaft.support_moments import Bearings, SpanFlexib
 
 
 def clearance(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> BearingLoads:
-    """Bearing loads of a crank frame in bearings with clearance; docs/theory/crankshaft, eqs. (24.39) to (24.42).
-
-    NaN where a bearing is rigid in some direction.
-    """
+    """Bearing loads of a crank frame in bearings with clearance; docs/theory/crankshaft, eqs. (24.39) to (24.43)."""
     supports, turned = shaft.supports, loads.turned
     cut = cut_shaft(supports.place, alike.loads, on_axis(loads))
     even = _least(supports.compliance)
@@ -50,7 +47,12 @@ def clearance(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> BearingLoad
 def _least(compliance: Array) -> Array:
     """Least compliance of bearings in any direction, shape (design, bearing): what all directions have in common."""
     mean = 0.5 * (compliance[..., 0, 0] + compliance[..., 1, 1])
-    return mean - np.hypot(0.5 * (compliance[..., 0, 0] - compliance[..., 1, 1]), compliance[..., 0, 1])
+    least = mean - np.hypot(0.5 * (compliance[..., 0, 0] - compliance[..., 1, 1]), compliance[..., 0, 1])
+    return np.where(least <= _NOTHING * mean, 0.0, least)
+
+
+_NOTHING = 1e-9
+"""Of a bearing that gives in one direction only, what rounding leaves in the other."""
 
 
 def displacements(bearings: Bearings, spans: SpanFlexibility, cut: CutShaft, stiffness: Array, gap: Array) -> Array:
@@ -64,7 +66,7 @@ def displacements(bearings: Bearings, spans: SpanFlexibility, cut: CutShaft, sti
         Of any model of the shaft.
     cut : CutShaft
     stiffness : Array, shape (design, bearing)
-        What is alike in all directions. [N/m]
+        What is alike in all directions, infinite of rigid bearings. [N/m]
     gap : Array, shape (design, bearing)
         Radial clearance. [m]
 
@@ -75,14 +77,14 @@ def displacements(bearings: Bearings, spans: SpanFlexibility, cut: CutShaft, sti
     n_designs, n, _two, n_angles = cut.reaction.shape
     unmoved = bearings._replace(settlement=np.zeros_like(bearings.settlement))
     force = _reactions(unmoved, spans, cut)
-    contact = Contact(
+    contact = TouchingShaft(
         _resistance(unmoved, spans, n_angles),
         _by_point(force).reshape(-1, 2 * n),
         _by_point(bearings.settlement),
         np.repeat(gap, n_angles, axis=0),
         np.repeat(stiffness, n_angles, axis=0),
     )
-    found = contact_displacements(contact, contact.centre - _by_point(force) / contact.bearing[..., np.newaxis])
+    found = displacements_in_clearance(contact, contact.centre - _by_point(force) / contact.bearing[..., np.newaxis])
     return np.moveaxis(found.reshape(n_designs, n_angles, n, 2), 1, -1)
 
 
@@ -120,5 +122,5 @@ CLEARANCE = BearingMethod(
     "clearance",
     clearance,
     "docs/theory/crankshaft",
-    N_("journals, webs and pins that bend and twist, in elastic bearings with clearance"),
+    N_("journals, webs and pins that bend and twist, in bearings with clearance"),
 )
