@@ -29,7 +29,7 @@ def side_by_side(tuples):
 
 
 def varied(seed, n_designs=4):
-    """A shaft and its loads as several designs: other numbers, bearings that give alike or not at all, a load elsewhere."""
+    """A shaft and its loads as several designs: other numbers, bearings that give otherwise, a load elsewhere."""
     shaft, loads = drawn_crankshaft(seed, 5)
     draw = np.random.default_rng(seed + 100)
     found = []
