@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 
-_MOST_STEPS = 100
-_MOST_HALVINGS = 60
+_MOST_STEPS, _MOST_HALVINGS = 100, 60
 _TOUCH = 1e-6
 """Part of a stiffness that a step counts with where a journal does not touch: only the way depends on it."""
 
@@ -20,6 +19,12 @@ _RESIDUAL = 1e-13
 
 _ROUNDING = 1e-15
 """Of a place: where a stiff bearing's journal stands is not known better, nor its force by that place."""
+
+_STIFFEST, _TIMES = 1e3, 8
+"""Most stiffness that is counted with, in parts of the shaft's; and how often what it gives is made up for."""
+
+_ANY = 1e9
+"""A stiffness like that of a housing, where the shaft has none: on two bearings alone any number does. [N/m]"""
 
 
 class TouchingShaft(NamedTuple):
@@ -46,14 +51,6 @@ class TouchingShaft(NamedTuple):
     bearing: Array
 
 
-_RIGID = 1e3
-"""Most stiffness that is counted with, in parts of the shaft's; and how often what it gives is made up for."""
-
-_TIMES = 8
-_ANY = 1e9
-"""A stiffness like that of a housing, where the shaft has none: of two bearings alone any number does. [N/m]"""
-
-
 def displacements_in_clearance(contact: TouchingShaft, start: Array) -> Array:
     """Where the journals come to rest, in bearings that may be rigid.
 
@@ -75,7 +72,7 @@ def displacements_in_clearance(contact: TouchingShaft, start: Array) -> Array:
     eq. (24.43).
     """
     shaft = _own_stiffness(contact)
-    most = np.where(shaft > 0, _RIGID * shaft, _ANY)
+    most = np.where(shaft > 0, _STIFFEST * shaft, _ANY)
     softer = contact._replace(bearing=np.minimum(contact.bearing, most))
     gives = (1 / softer.bearing - 1 / contact.bearing)[..., np.newaxis]
     found = contact_displacements(softer, start)

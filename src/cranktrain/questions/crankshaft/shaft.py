@@ -67,14 +67,14 @@ class Webs(NamedTuple):
 
 
 class Supports(NamedTuple):
-    """Main bearings, from the free end to the flywheel, in the machine's axes X, Y.
+    """Main bearings, from the free end to the flywheel, each on a journal, in the machine's axes X, Y.
 
     Attributes
     ----------
     place : Array, shape (design, bearing)
         z of their middles, rising. [m]
     compliance : Array, shape (design, bearing, 2, 2)
-        Displacement for a unit load, symmetric; 0 is rigid. [m/N]
+        Displacement for a unit load, symmetric, by `bearing_compliance`; 0 is rigid. [m/N]
     settlement : Array, shape (design, bearing, 2)
         How far each stands from the line of the bearings. [m]
     clearance : Array, shape (design, bearing)
