@@ -1,7 +1,7 @@
 """Every question that can be asked of a machine, in the order in which people ask them."""
 
 from cranktrain.layout.question import Question
-from cranktrain.questions import balance, cylinders, evenness, forces, gas, loads, motion, torque, torsion
+from cranktrain.questions import balance, crankshaft, cylinders, evenness, forces, gas, loads, motion, torque, torsion
 
 QUESTIONS: tuple[Question, ...] = (
     motion.QUESTION,
@@ -13,4 +13,5 @@ QUESTIONS: tuple[Question, ...] = (
     balance.QUESTION,
     evenness.QUESTION,
     torsion.QUESTION,
+    crankshaft.QUESTION,
 )

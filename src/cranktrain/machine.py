@@ -31,6 +31,7 @@ from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import path_text, value_at, with_values
 from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
+from cranktrain.questions.crankshaft.spec import CrankshaftSpec
 from cranktrain.questions.cylinders.spec import OVERRIDES, CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.gas.spec import GasTables
@@ -136,6 +137,9 @@ class Machine(Spec, frozen=True):
     )
     evenness: EvennessSpec | None = Field(
         default=None, description=N_("What balances the machine, its flywheel, and how evenly it is to run.")
+    )
+    crankshaft: CrankshaftSpec | None = Field(
+        default=None, description=N_("Sections of the crankshaft, and the bearings that it rests on.")
     )
     torsion: TorsionSpec | None = Field(
         default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")

@@ -53,6 +53,7 @@ REFERENCES: dict[str, Reference] = {
 
 CONVENTIONS = "docs/conventions"
 THEORY_OF_BALANCE = "docs/theory/balance"
+THEORY_OF_CRANKSHAFT = "docs/theory/crankshaft"
 THEORY_OF_CRANK_ROCKERS = "docs/theory/crank-rocker"
 THEORY_OF_EVENNESS = "docs/theory/evenness"
 THEORY_OF_FORCES = "docs/theory/forces"

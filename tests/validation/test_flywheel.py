@@ -16,7 +16,7 @@ import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import STAGES, lacking, run_stages
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.shaft_loads import ShaftLoads
+from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.speed import Speed
 from cranktrain.numerics.periodic import cycle_grid, fourier_curve, plus
 from cranktrain.questions.evenness.applied_torque import applied_torque
@@ -129,8 +129,8 @@ def whole_machine(torque, speed, load: dict[str, Any] | None = None, **evenness:
     rest = applied.applied_torque[:, np.newaxis]
     sources = TorqueSources((), rest, *np.zeros((2, *rest[:, 0].shape)), np.zeros(1))
     given = None
-    if ShaftLoads in known:
-        given = load_torque(known[ShaftLoads], balancing, applied, sources, torques, known[Speed], angle)
+    if LoadsOnShafts in known:
+        given = load_torque(known[LoadsOnShafts], balancing, applied, sources, torques, known[Speed], angle)
     work = shaft_work(applied, sources, given, torques, angle)
     if WantedCoefficient in known:
         known[FlywheelSize] = flywheel_size(balancing, known[WantedCoefficient], None, work, known[Speed])

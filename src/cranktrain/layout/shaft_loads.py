@@ -44,7 +44,7 @@ class TorqueOnShaft(NamedTuple):
 
 
 @record
-class ShaftLoads:
+class LoadsOnShafts:
     """Loads on the shafts of a machine, which all turn alike fast: their torques add up at the crank."""
 
     needs: ClassVar[str] = N_('[load.NAME] on = "main"')
@@ -62,7 +62,7 @@ class ShaftLoads:
         return next((load for load in self.each if load.is_balanced), None)
 
 
-def shaft_loads_of(designs: Designs) -> ShaftLoads | None:
+def shaft_loads_of(designs: Designs) -> LoadsOnShafts | None:
     """Put the loads of the file to the shafts; None where it has none."""
     together = designs.together
     found = [
@@ -77,7 +77,7 @@ def shaft_loads_of(designs: Designs) -> ShaftLoads | None:
     ]
     for load in found:
         refuse_more_turns(designs, f"{LOAD}.{load.name}", load.law)
-    return ShaftLoads(tuple(found)) if found else None
+    return LoadsOnShafts(tuple(found)) if found else None
 
 
 def on_shafts(design: Design) -> Mapping[str, LoadSpec]:

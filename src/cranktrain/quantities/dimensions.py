@@ -170,7 +170,11 @@ class Dimension(Enum):
             _unit("PS", "л.с.", si=75 * _GRAVITY),
         ),
     )
-    STIFFNESS = (N_("a stiffness"), "250 N/mm", (_unit("N/mm", "Н/мм", si=1000), _unit("N/m", "Н/м")))
+    STIFFNESS = (
+        N_("a stiffness"),
+        "250 N/mm",
+        (_unit("N/mm", "Н/мм", si=1000), _unit("kN/mm", "кН/мм", si="1e6"), _unit("N/m", "Н/м")),
+    )
     TORSIONAL_STIFFNESS = (
         N_("a torsional stiffness"),
         "1.25 MN·m/rad",

@@ -1,1 +1,39 @@
-"""What the bearings of a crankshaft carry."""
+"""Crankshaft: what its main bearings carry, by every method from the split shaft to the crank frame."""
+
+from collections.abc import Iterator
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_
+from cranktrain.layout.design import Design, Designs
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.uses import table
+from cranktrain.questions.crankshaft import rows
+from cranktrain.questions.crankshaft.model import loaded_shaft, of_one_shaft
+from cranktrain.questions.crankshaft.parts import crankshaft_problems, declared_crankshaft
+from cranktrain.questions.crankshaft.spec import CrankshaftSpec
+from cranktrain.questions.crankshaft.stages import MainBearingLoads, main_bearing_loads
+
+
+def _problems(design: Design) -> Iterator[Problem]:
+    spec = design.table(CrankshaftSpec)
+    if spec is not None:
+        yield from crankshaft_problems(spec, design)
+
+
+def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
+    yield declared_crankshaft(designs)
+
+
+QUESTION = Question(
+    "crankshaft",
+    tables={"crankshaft": CrankshaftSpec},
+    problems=_problems,
+    parts=_parts,
+    stages=(Stage(loaded_shaft, applies=of_one_shaft), Stage(main_bearing_loads)),
+    dimensions=(ResultDimension("bearing_method", N_("bearing method")), ResultDimension("bearing", N_("bearing"))),
+    headline=("largest_bearing_load",),
+    title=N_("Main bearings"),
+    rows=(rows.bearing_rows,),
+    offers={"main_bearing_load_x": N_("loads of main bearings")},
+    uses=(Use(table("crankshaft"), (MainBearingLoads,)),),
+)

@@ -11,7 +11,7 @@ from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle, BySpeed
-from cranktrain.layout.shaft_loads import ShaftLoads, TorqueOnShaft
+from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import ONE, Array
 from cranktrain.numerics import in_slots, largest_between
@@ -102,13 +102,13 @@ class LoadTorque(StageResult):
         return f"{said} {left.format(rest=number(abs(rest), 'N*m'))}"
 
 
-def are_on_shafts(loads: ShaftLoads | None) -> bool:
+def are_on_shafts(loads: LoadsOnShafts | None) -> bool:
     """Whether there are loads on shafts; without them nothing is missing."""
     return loads is not None
 
 
 def load_torque(
-    loads: ShaftLoads,
+    loads: LoadsOnShafts,
     balancing: Balancing,
     applied: AppliedTorque,
     sources: TorqueSources,

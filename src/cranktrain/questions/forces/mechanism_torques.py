@@ -8,7 +8,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.shaft_loads import ShaftLoads
+from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.linkage.forces import torque_by_work
 from cranktrain.motion import Array
 from cranktrain.questions.forces.forces_times_arms import forces_times_arms
@@ -44,7 +44,7 @@ class MechanismTorques(StageResult):
 
 
 def mechanism_torques(
-    loaded: LoadedMachine, solved: SolvedCycle, on_shafts: ShaftLoads | None, crank_angle: CrankAngle
+    loaded: LoadedMachine, solved: SolvedCycle, on_shafts: LoadsOnShafts | None, crank_angle: CrankAngle
 ) -> MechanismTorques:
     """Torques by virtual work and by reactions, which share little, and the reduced inertia."""
     by_reactions = driving_torques(loaded, solved.batches)

@@ -12,7 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle
 from cranktrain.layout.loads import LinkLoad, Loads
-from cranktrain.layout.shaft_loads import ShaftLoads, TorqueOnShaft
+from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, subintervals
 from cranktrain.questions.forces.events import ForceEvents
@@ -64,7 +64,7 @@ class LoadWork(StageResult):
         return _("Work of the loads in a cycle {works}; largest power {most}.").format(works=works, most=most)
 
 
-def are_asked_for(loads: Loads | None, on_shafts: ShaftLoads | None, gas: DeclaredGas | None) -> bool | str:
+def are_asked_for(loads: Loads | None, on_shafts: LoadsOnShafts | None, gas: DeclaredGas | None) -> bool | str:
     """Whether there are loads, or may be missed: an engine or compressor works against its gas."""
     if loads is not None or (on_shafts is not None and on_shafts.given):
         return True
@@ -74,7 +74,7 @@ def are_asked_for(loads: Loads | None, on_shafts: ShaftLoads | None, gas: Declar
 def load_work(
     loaded: LoadedMachine,
     loads: Loads | None,
-    on_shafts: ShaftLoads | None,
+    on_shafts: LoadsOnShafts | None,
     events: ForceEvents,
     crank_angle: CrankAngle,
 ) -> LoadWork:

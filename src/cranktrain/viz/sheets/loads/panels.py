@@ -107,10 +107,12 @@ def _on_link(loaded: LoadedMachine, load: LinkLoad, phi: Array, design: int) -> 
 
 def _elsewhere(shown: OneDesign, i: int, name: str, angle: Array) -> CurveOfLoad:
     """One load that is not on a link, from the result's own grid."""
-    torque, power = (
-        np.interp(angle, shown.result.crank_angle, shown(curve)[i], period=float(shown.cycle[-1]))
-        for curve in ("load_torque_on_crank", "load_power")
-    )
+
+    def drawn(curve: str) -> Array:
+        found = np.interp(angle, shown.result.crank_angle, shown(curve)[i], period=float(shown.cycle[-1]))
+        return np.asarray(found, dtype=np.float64)
+
+    torque, power = drawn("load_torque_on_crank"), drawn("load_power")
     return CurveOfLoad(name, None, torque, np.full_like(angle, np.nan), torque, power)
 
 

@@ -1,0 +1,135 @@
+"""What the main bearings carry over the cycle, by every method that the file has numbers for."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import Check, StageResult
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.shafts import Shafts
+from cranktrain.motion import Array
+from cranktrain.numerics import Peak, subintervals
+from cranktrain.questions.crankshaft.acting import LoadedShaft
+from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, residuals
+from cranktrain.questions.crankshaft.bearing_method import BearingMethod
+from cranktrain.questions.crankshaft.methods import BEARING_METHODS
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft
+from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, on_axis
+from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.peaks import largest_of_machine, one_sided
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
+from cranktrain.record import record
+from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
+from cranktrain.wording import Names, number
+
+_CURVE, _FACT = ("bearing_method", "bearing", "crank_angle"), ("bearing_method", "bearing")
+_ELASTIC, _LOOSE = ("frame_elastic", "five_moment"), "clearance"
+_LIMIT = 1e-11
+"""Of the largest load: what bearings and loads may leave over by rounding."""
+_WIDEST = np.pi / 9
+"""Of a piece of the quadrature. [rad]"""
+
+
+@record
+class MainBearingLoads(StageResult):
+    """Load of the journals on the main bearings, by each method."""
+
+    main_bearing_load_x: Array = quantity(
+        "Q_X", "N", _CURVE, N_("Load of the journal on the main bearing, to the right"), _THEORY
+    )
+    main_bearing_load_y: Array = quantity(
+        "Q_Y", "N", _CURVE, N_("Load of the journal on the main bearing, upward"), _THEORY
+    )
+    largest_bearing_load: Peak = extreme(
+        "Q_max", "N", _FACT, N_("Largest load of the main bearing"), N_("Crank angle of that load"), _THEORY
+    )
+    mean_bearing_load: Array = quantity("Q_m", "N", _FACT, N_("Mean size of the main bearing's load"), _THEORY)
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say which bearing carries most, by every method."""
+        most = self.largest_bearing_load.value[design]
+        if not np.all(np.isfinite(most)):
+            return None
+        found = (
+            _("{method} {load} in bearing {bearing}").format(
+                method=_(method), load=number(float(np.max(own)), "kN"), bearing=names["bearing"][int(np.argmax(own))]
+            )
+            for method, own in zip(names["bearing_method"], most, strict=True)
+        )
+        return _("Largest load of a main bearing: {found}.").format(found=", ".join(found))
+
+
+def main_bearing_loads(
+    loaded: LoadedShaft,
+    declared: DeclaredCrankshaft,
+    solved: SolvedCycle,
+    shafts: Shafts,
+    events: ForceEvents,
+    crank_angle: CrankAngle,
+) -> MainBearingLoads:
+    """Bearing loads over the cycle, largest ones refined on the machine itself, means by quadrature between events.
+
+    Notes
+    -----
+    docs/theory/crankshaft.
+    """
+    methods = methods_for(declared)
+    acting = loaded.loads(crank_angle.angle, solved.batches)
+    found = [method.loads(loaded.shaft, acting) for method in methods]
+    curves = np.stack([one.load for one in found], axis=1)
+
+    def sizes(angle: Array) -> Array:
+        """Of every method's bearings at φ, shape (design, method · bearing, n)."""
+        own = loaded.loads(angle)
+        each = [np.hypot(*np.moveaxis(method.loads(loaded.shaft, own).load, 2, 0)) for method in methods]
+        return np.concatenate(each, axis=1)
+
+    samples = np.hypot(curves[:, :, :, 0], curves[:, :, :, 1])
+    shape = samples.shape[:3]
+    most = largest_of_machine(sizes, samples.reshape(shape[0], -1, samples.shape[-1]), events, crank_angle)
+    named = [f"{method.name} {bearing}" for method in methods for bearing in shafts.journals]
+    return MainBearingLoads(
+        main_bearing_load_x=curves[:, :, :, 0],
+        main_bearing_load_y=curves[:, :, :, 1],
+        largest_bearing_load=Peak(*(part.reshape(shape) for part in most)),
+        mean_bearing_load=_means(loaded, methods, events, crank_angle).reshape(shape),
+        labels={"bearing_method": tuple(method.name for method in methods), "bearing": shafts.journals},
+        checks=(_check(loaded, acting, found),),
+        flags=tuple(one_sided([(_("largest load of a main bearing"), most)], named)),
+    )
+
+
+def methods_for(declared: DeclaredCrankshaft) -> tuple[BearingMethod, ...]:
+    """Methods that the file has numbers for: elastic bearings need a stiffness, loose ones a clearance."""
+    return tuple(
+        method
+        for method in BEARING_METHODS
+        if (declared.is_elastic or method.name not in _ELASTIC) and (declared.has_clearance or method.name != _LOOSE)
+    )
+
+
+def _means(
+    loaded: LoadedShaft, methods: Sequence[BearingMethod], events: ForceEvents, crank_angle: CrankAngle
+) -> Array:
+    """Mean sizes over the cycle, shape (design, method · bearing). [N]"""
+    cuts = [subintervals(own, _WIDEST, crank_angle.cycle) for own in events.whole - crank_angle.zero[:, 0]]
+    longest = max(cut.angle.size for cut in cuts)
+    angle, weight = np.zeros((2, len(cuts), 1, longest))
+    for design, cut in enumerate(cuts):
+        angle[design, 0, : cut.angle.size], weight[design, 0, : cut.angle.size] = cut.angle, cut.weight
+    acting = loaded.loads(angle + crank_angle.zero)
+    each = [np.hypot(*np.moveaxis(method.loads(loaded.shaft, acting).load, 2, 0)) for method in methods]
+    return np.sum(np.concatenate(each, axis=1) * weight, axis=-1) / crank_angle.cycle
+
+
+def _check(loaded: LoadedShaft, acting: ShaftLoads, found: Sequence[BearingLoads]) -> Check:
+    """Whether the bearings balance all that acts, in force and in moment, by every method."""
+    worst = np.zeros(len(acting.z))
+    for one in found:
+        left = residuals(loaded.shaft.supports, on_axis(acting), one)
+        for part, scale in ((left.force, left.largest_force), (left.moment, left.largest_moment)):
+            worst = np.maximum(worst, np.max(part / np.where(scale > 0, scale, 1.0), axis=-1))
+    sentence = _("Sum of all bearing loads and their moments against all that acts on the shaft, by every method")
+    return Check("bearing_loads", sentence, worst, _LIMIT)
