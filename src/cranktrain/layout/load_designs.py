@@ -89,7 +89,11 @@ class _Lists(NamedTuple):
 
     def to_length(self, n_places: int) -> "_Lists":
         """Give the last ones again until there are so many."""
-        return _Lists(*(None if one is None else (*one, *one[-1:] * (n_places - len(one))) for one in self))
+
+        def longer(one: tuple[Given, ...]) -> tuple[Given, ...]:
+            return (*one, *one[-1:] * (n_places - len(one)))
+
+        return _Lists(longer(self.places), longer(self.sizes), None if self.back is None else longer(self.back))
 
 
 def _lists(spec: LoadSpec, period: float | None) -> _Lists:
