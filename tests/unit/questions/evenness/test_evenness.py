@@ -271,7 +271,7 @@ def test_answers(engine):
     answers = engine.summary()
     assert "Largest excess work 615.3 J within a cycle." in answers
     size = float(engine.flywheel_inertia[0])
-    assert f"needs J = {size:.3f} kg*m^2, GD² = {4 * size:.3f} kg*m^2; by Mertsalov " in answers
+    assert f"needs J = {size:.3f} kg·m², GD² = {4 * size:.3f} kg·m²; by Mertsalov " in answers
     assert re.search(r"mean 900\.0 rpm over time, \d+\.\d rpm of the extremes", answers)
 
 

@@ -54,7 +54,7 @@ def test_a_pulse_on_a_disc_in_closed_form():
         assert found.smallest_crank_speed_at == pytest.approx(END + RAMP * (1 - MEAN / PEAK), abs=1e-9)
         assert found.remaining_torque == pytest.approx(-MEAN, rel=1e-13)
         assert found.load_factor == 1
-        assert f"A constant torque of {MEAN:.1f} N*m drives the shaft besides." in found.summary()
+        assert f"A constant torque of {MEAN:.1f} N·m drives the shaft besides." in found.summary()
 
 
 def test_the_speed_of_a_disc_under_a_pulse_in_closed_form():
@@ -329,7 +329,7 @@ def test_the_file_stands_beside_the_machine_file(tmp_path):
     (tmp_path / "shears.csv").write_text(PULSE.replace(".", ","), encoding="utf-8")
     found = ct.run(read_machine(tmp_path / "machine.toml").machine)
     assert found.largest_load_torque == pytest.approx(PEAK, rel=1e-13)
-    assert "The load on the shaft takes 21.6 N*m on the mean, at most 400.0 N*m." in found.summary()
+    assert "The load on the shaft takes 21.6 N·m on the mean, at most 400.0 N·m." in found.summary()
 
 
 def pulse_of(peak, start, unit="N·m"):
