@@ -58,7 +58,10 @@ EVERYTHING = {
     },
     "masses": {"piston": {"mass": "0.4 kg"}},
     "guide": {"piston": {"length": "60 mm"}},
-    "load": {"work": {"on": "rocker", "torque": "20 N*m"}},
+    "load": {
+        "work": {"on": "rocker", "torque": "20 N*m"},
+        "on_shaft": {"on": "main", "file": "load.csv", "text": "angle;torque [N·m]\n0;100\n360;100"},
+    },
     "gas": {
         "kind": "otto",
         "start_pressure": "95 kPa",
@@ -77,7 +80,6 @@ EVERYTHING = {
         "coefficient": 0.02,
         "rim": {"mean_diameter": "600 mm"},
     },
-    "load": {"on_shaft": {"on": "main", "file": "load.csv", "text": "angle;torque [N·m]\n0;100\n360;100"}},
 }
 """A machine of all kinds, which declares all there is for such a one."""
 
