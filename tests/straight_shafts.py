@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.questions.crankshaft.shaft import Crankshaft, Pieces, StraightSpans, Supports, Webs
-from cranktrain.questions.crankshaft.shaft_loads import LoadsOnShafts
+from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
 
 
 def straight_shaft(place, *, bending=1.0, shear=np.inf, compliance=0.0, settlement=None, clearance=0.0):
@@ -29,7 +29,7 @@ def forces_on(z, force, *, couple=None):
     """Forces toward X and Y, shape (load, 2), on the axis of a straight shaft, at a single angle."""
     z, force = np.asarray(z, dtype=float)[np.newaxis], np.asarray(force, dtype=float)[np.newaxis, ..., np.newaxis]
     n = z.shape[1]
-    return LoadsOnShafts(
+    return ShaftLoads(
         np.zeros(n, dtype=np.intp),
         np.zeros(n, dtype=np.bool_),
         z,

@@ -157,8 +157,10 @@ SAYS_NOTHING = (
 )
 """Numbers by which nothing that is laid out need change."""
 
-TIED = re.compile(r"^shaft\.\w+\.(throws\.\d+|phase)$|^bank\.\w+\.(lead|angle\.0)$|^load\.\w+\.travel\.0$")
-"""Numbers of opposed pistons that cannot change alone, and where a travel begins."""
+TIED = re.compile(
+    r"^shaft\.\w+\.(throws\.\d+|phase)$|^bank\.\w+\.(lead|angle\.0)$|^load\.\w+\.(travel\.0|force(_back)?\.\d+)$"
+)
+"""Numbers of opposed pistons that cannot change alone; where a travel begins; forces of 0 that resist."""
 
 
 def numbers_of(value, path=()):

@@ -89,10 +89,9 @@ class _Lists(NamedTuple):
 
     def to_length(self, n_places: int) -> "_Lists":
         """Give the last ones again until there are so many."""
-        n_more = n_places - len(self.places)
 
         def longer(one: tuple[Given, ...]) -> tuple[Given, ...]:
-            return (*one, *one[-1:] * n_more)
+            return (*one, *one[-1:] * (n_places - len(one)))
 
         return _Lists(longer(self.places), longer(self.sizes), None if self.back is None else longer(self.back))
 

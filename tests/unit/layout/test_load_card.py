@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from tests.sentences import AS_AT_THE_START, GOES_ON, NO_FILE, NO_NUMBERS, NO_UNIT
+from tests.sentences import AS_AT_THE_START, FOUR_COLUMNS, GOES_ON, NO_FILE, NO_NUMBERS, NO_UNIT
 
 import cranktrain as ct
 from cranktrain.cli import main
@@ -202,7 +202,7 @@ HEAD = "travel [mm];force [N]\n"
         ),
         ("travel [mm];t [N*m]\n0;1\n80;2\n0;1", "load.x.file = card.csv: must have forces over the travel of a point"),
         ("angle [deg];a [N];b [N]\n0;1;1\n360;1;1", "load.x.file = card.csv: has two sizes for a crank angle"),
-        ("a;b;c;d\n0;1;1;1\n80;1;1;1", "load.x.columns: must say which of the 4 columns are place and size"),
+        ("a;b;c;d\n0;1;1;1\n80;1;1;1", f"load.x.columns: {FOUR_COLUMNS} are place and size"),
         (HEAD + "0;1\n80;2", "card.csv:3:1  load.x.file = card.csv: goes one way only, and a load over its travel"),
         (HEAD + "0;1\n80;2\n30;1", "card.csv:4:1  load.x = 30: must come back to where it began, 0"),
         (HEAD + "40;1\n80;2\n0;1\n40;3", "card.csv:5:4  load.x = 3: must be as in the first row, 1"),
