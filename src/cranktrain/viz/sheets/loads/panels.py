@@ -15,7 +15,7 @@ from cranktrain.motion import Array
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.scales import scale_for
-from cranktrain.viz.panel import Curve, OneDesign, Panel, Role
+from cranktrain.viz.panel import Curve, OneDesign, Panel, Role, closed
 
 _ASIDE = 1e-6
 """How far before and after an angle at which loads may jump they are looked at. [deg]"""
@@ -108,7 +108,7 @@ def _on_link(loaded: LoadedMachine, load: LinkLoad, phi: Array, design: int) -> 
 def _elsewhere(shown: OneDesign, i: int, name: str, angle: Array) -> CurveOfLoad:
     """One load that is not on a link, from the result's own grid."""
     torque, power = (
-        np.interp(angle, shown.result.crank_angle, shown(curve)[i], period=float(shown.cycle[-1]))
+        np.asarray(np.interp(angle, shown.cycle, closed(shown(curve)[i])), dtype=np.float64)
         for curve in ("load_torque_on_crank", "load_power")
     )
     return CurveOfLoad(name, None, torque, np.full_like(angle, np.nan), torque, power)
