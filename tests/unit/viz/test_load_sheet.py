@@ -134,6 +134,6 @@ def test_a_torque_on_the_shaft_has_its_curve_with_its_kinks():
     assert [one.name for one in curves.each] == ["nominal_force", "balancer", "fan"]
     own = curves.each[2]
     expected = -np.interp(curves.angle, [0.0, 90.5, 180.0, 180.01, 360.0], [10.0, 30.0, 30.0, 10.0, 10.0])
-    assert own.size == pytest.approx(expected, abs=1e-3)
+    assert own.size == pytest.approx(expected, abs=2.1e-3)  # 20 N·m in 0.01°, looked at 1e-6° aside
     assert own.power == pytest.approx(own.size * 1.5 * 2 * np.pi, rel=1e-12)
     assert_words_are_readable(sheet_loads(result))
