@@ -1,4 +1,4 @@
-"""Loads of the machine file for a picture: those on some mechanisms at any crank angle, and the largest of a turn."""
+"""Loads of the machine file for a picture: on some mechanisms at any crank angle, and the largest of the cycle."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -13,10 +13,11 @@ from cranktrain.motion import Array
 from cranktrain.plans.acting import made_ready
 from cranktrain.plans.acting_loads import ActingLoad, acting_loads
 from cranktrain.plans.placement import shaft_places
+from cranktrain.quantities import shown
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 
-_TURN = np.arange(0.0, 360.0, 2.0)
-"""Crank angles at which the largest load is looked for. [deg]"""
+_STEP = 2.0
+"""Of crank angles at which the largest load is looked for. [deg]"""
 
 
 @dataclass(frozen=True)
@@ -50,17 +51,22 @@ class ShownLoads:
             for load in acting_loads(self.machine, self.loaded, place, phi):
                 yield load.moved(away)
 
+    @property
+    def _cycle(self) -> Array:
+        """Crank angles of the cycle. [deg]"""
+        return np.arange(0.0, shown(self.machine.cycle, "deg"), _STEP)
+
     @cached_property
     def outline(self) -> Array:
-        """Where forces act over a turn, shape (2, n); empty where there is none. [m]"""
-        places = [load.place for load in self.at(_TURN) if not load.is_torque]
+        """Where forces act over the cycle, shape (2, n); empty where there is none. [m]"""
+        places = [load.place for load in self.at(self._cycle) if not load.is_torque]
         return np.concatenate(places, axis=1) if places else np.empty((2, 0))
 
     @cached_property
     def largest(self) -> dict[bool, float]:
-        """Largest size over a turn, of torques and of forces: by whether it is a torque. [N·m or N]"""
+        """Largest size over the cycle, of torques and of forces: by whether it is a torque. [N·m or N]"""
         found = {True: 0.0, False: 0.0}
-        for load in self.at(_TURN):
+        for load in self.at(self._cycle):
             found[load.is_torque] = max(found[load.is_torque], float(np.nanmax(np.abs(load.size))))
         return found
 

@@ -119,3 +119,21 @@ def test_no_load_is_a_dashed_line_in_one_position_and_nothing_in_several():
     assert len(of_loads([150.0], "arrow")) == 1
     assert of_loads([150.0, 240.0], "part") == []
     assert len(of_loads([150.0, 240.0], "arrow")) == 2
+
+
+def test_a_torque_on_the_shaft_has_its_curve_with_its_kinks():
+    """Straight lines from crank angle to crank angle, also where these lie between those of the grid."""
+    fan = {
+        "on": "main",
+        "torque": ["10 N*m", "30 N*m", "30 N*m", "10 N*m"],
+        "crank_angles": ["0 deg", "90.5 deg", "180 deg", "180.01 deg"],
+    }
+    machine = LOADED["press"].with_({"load.fan": fan})
+    result = ct.run(machine)
+    curves = load_curves(OneDesign(result, 0))
+    assert [one.name for one in curves.each] == ["nominal_force", "balancer", "fan"]
+    own = curves.each[2]
+    expected = -np.interp(curves.angle, [0.0, 90.5, 180.0, 180.01, 360.0], [10.0, 30.0, 30.0, 10.0, 10.0])
+    assert own.size == pytest.approx(expected, abs=2.1e-3)  # 20 N·m in 0.01°, looked at 1e-6° aside
+    assert own.power == pytest.approx(own.size * 1.5 * 2 * np.pi, rel=1e-12)
+    assert_words_are_readable(sheet_loads(result))

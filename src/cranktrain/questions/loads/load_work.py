@@ -33,9 +33,10 @@ _ROUNDING = 1e-12
 
 @record
 class LoadWork(StageResult):
-    """What the loads do: less than 0 where the machine works against them; n_on_links are first, on the mechanisms."""
+    """What the loads do: less than 0 where the machine works against them; n_on_links are first, then on_shafts."""
 
     n_on_links: int
+    on_shafts: tuple[TorqueOnShaft, ...]
     load_torque_on_crank: Array = quantity(
         "Q_l", "N*m", _CURVE, N_("Torque of the load on the crank, by virtual work"), _THEORY
     )
@@ -107,6 +108,7 @@ def load_work(
     names = (*(load.name for load in links), *(load.name for load in shafts))
     return LoadWork(
         n_on_links=len(links),
+        on_shafts=shafts,
         load_torque_on_crank=torque,
         load_power=power,
         load_work=work,

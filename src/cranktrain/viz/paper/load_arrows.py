@@ -74,7 +74,7 @@ def load_marks(
     """
     taken: list[tuple[Array, Array]] = []
     for load in loads:
-        share = abs(float(load.size[0])) / (largest[load.is_torque] or 1.0)
+        share = min(abs(float(load.size[0])) / (largest[load.is_torque] or 1.0), 1.0)
         mark = _arc(load, share, room) if load.is_torque else _arrow(load, share, room, links, taken)
         if mark is not None:
             yield mark

@@ -94,7 +94,7 @@ def _lines(marks: Sequence[LoadMark]) -> tuple[Line, ...]:
 
 def _in_positions(load: ActingLoad, largest: float, links: Sequence[Sequence[Array]], lanes: Lanes) -> DrawnLoads:
     """One load in every position in which there is any, with its name at the first."""
-    shares = np.abs(load.size) / (largest or 1.0)
+    shares = np.minimum(np.abs(load.size) / (largest or 1.0), 1.0)
     there = [i for i in range(load.size.size) if shares[i] > _NONE and (load.is_torque or np.any(load.way[:, i]))]
     if not there:
         return DrawnLoads()

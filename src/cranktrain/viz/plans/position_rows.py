@@ -16,8 +16,8 @@ from cranktrain.scales import scale_for
 from cranktrain.viz.figures import aligned
 from cranktrain.viz.paper.page import INDICES
 
-_LETTERS = 14
-"""Of a load's name at the head of its column."""
+_LETTERS = 46
+"""Of the heads of all columns of a table of loads, of which each has its part."""
 
 N_HEADS = 2
 """Rows of the head of these tables: symbols, units."""
@@ -51,7 +51,11 @@ def point_tables(
 def load_rows(angles: Array, loads: Sequence[ActingLoad]) -> list[tuple[str, ...]]:
     """Table of loads: sizes of forces along their ways, of torques in the sense of rotation; less than 0 against it."""
     columns = [
-        PositionColumn(short(load.name.replace("_", " "), _LETTERS), "N*m" if load.is_torque else "N", load.counted)
+        PositionColumn(
+            short(load.name.replace("_", " "), _LETTERS // (len(loads) + 1)),
+            "N*m" if load.is_torque else "N",
+            load.counted,
+        )
         for load in loads
     ]
     return list(rows_of(angles, columns))

@@ -143,6 +143,8 @@ def _write_tables(
     first, *others = places_called(machine, mechanism)
     rows = list(position_rows(machine, (first, *others), plan.angles, curve))
     tables = [] if others else list(_further_tables(machine, first, plan.angles, curve, loads))
+    while len(tables) > 1 and _least_height(rows, tables, len(rows)) > room.height:
+        tables = tables[1:]  # loads are on their arrows, and on a sheet of their own
     step = next((step for step in range(1, len(rows)) if _least_height(rows, tables, step) <= room.height), len(rows))
     tables = [table._replace(rows=every(table.rows, step)) for table in tables]
     line = row_height([len(rows), *(len(table.rows) + 1 for table in tables)], room.height - 8.0)

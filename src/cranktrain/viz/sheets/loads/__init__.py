@@ -11,7 +11,7 @@ PICTURES = (
         "loads",
         "cranktrain.viz.sheets.loads.sheet:sheet_loads",
         "cycle",
-        needs={"load_work": N_("a sheet of loads needs {needs}")},
+        needs={"load_work": N_("a sheet of loads needs [load.NAME]")},
         refused={"at": _WHOLE, "mechanism": _WHOLE},
     ),
 )

@@ -9,11 +9,13 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.language import _
-from cranktrain.layout.load_laws import ByTravel
+from cranktrain.layout.load_laws import ByAngle, ByTravel
 from cranktrain.layout.loads import LinkLoad
+from cranktrain.layout.shaft_loads import TorqueOnShaft
 from cranktrain.motion import Array
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.loads.load_work import LoadWork
 from cranktrain.scales import scale_for
 from cranktrain.viz.panel import Curve, OneDesign, Panel, Role
 
@@ -66,13 +68,22 @@ def load_curves(shown: OneDesign) -> CurvesOfLoads:
     """Loads of one design at the angles of the grid, and twice at those where one may jump."""
     loaded, cycle = shown.result[LoadedMachine], float(shown.cycle[-1])
     zero = float(np.broadcast_to(shown.result.machines[shown.design].zero, (1,))[0])
-    events = np.rad2deg(_of_design(shown.result[ForceEvents].whole, shown.design) - zero) % cycle
+    shafts = {load.name: load for load in shown.result[LoadWork].on_shafts}
+    kinks = [
+        _of_design(load.law.kinks(np.deg2rad(cycle)), shown.design)
+        for load in shafts.values()
+        if isinstance(load.law, ByAngle)
+    ]
+    whole = _of_design(shown.result[ForceEvents].whole, shown.design) - zero
+    events = np.rad2deg(np.concatenate([whole, *kinks])) % cycle
     at, angle = _angles(shown.cycle, np.unique(np.round(events[np.isfinite(events)], 9)))
     phi = (np.deg2rad(at) + zero)[np.newaxis, np.newaxis]
     links = {load.name: load for load in (() if loaded.loads is None else loaded.loads.each)}
     each = tuple(
-        _on_link(loaded, links[name], phi, shown.design) if name in links else _elsewhere(shown, i, name, angle)
-        for i, name in enumerate(shown.result.labels["load"])
+        _on_link(loaded, links[name], phi, shown.design)
+        if name in links
+        else _on_shaft(loaded, shafts[name], phi, (zero, shown.design))
+        for name in shown.result.labels["load"]
     )
     return CurvesOfLoads(angle, each)
 
@@ -105,15 +116,13 @@ def _on_link(loaded: LoadedMachine, load: LinkLoad, phi: Array, design: int) -> 
     return CurveOfLoad(load.name, load, *(_of_curve(part, design, phi.size) for part in parts))
 
 
-def _elsewhere(shown: OneDesign, i: int, name: str, angle: Array) -> CurveOfLoad:
-    """One load that is not on a link, from the result's own grid."""
-
-    def drawn(curve: str) -> Array:
-        found = np.interp(angle, shown.result.crank_angle, shown(curve)[i], period=float(shown.cycle[-1]))
-        return np.asarray(found, dtype=np.float64)
-
-    torque, power = drawn("load_torque_on_crank"), drawn("load_power")
-    return CurveOfLoad(name, None, torque, np.full_like(angle, np.nan), torque, power)
+def _on_shaft(loaded: LoadedMachine, load: TorqueOnShaft, phi: Array, of: tuple[float, int]) -> CurveOfLoad:
+    """One load on a shaft at φ, shape (1, 1, n) [rad]; of: φ where the shown angle is 0, and which design."""
+    zero, design = of
+    speed = loaded.speed.drive(phi).speed
+    torque = load.value(phi - zero, speed)
+    parts = (torque, np.nan, torque, torque * speed)
+    return CurveOfLoad(load.name, None, *(_of_curve(part, design, phi.size) for part in parts))
 
 
 def _of_curve(values: Array | float, design: int, n: int) -> Array:
