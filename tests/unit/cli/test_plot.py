@@ -149,11 +149,11 @@ def test_crank_angles_as_typed(plan, at, output, angles):
         (["3d12", "-o", "a.svg", "--at", ""], [f"--at = : {BETWEEN_COMMAS}, "
                                                "such as 30,60"]),
         (
-            ["pumping_unit_c57", "-o", "a.svg", "--running-speed"],
+            ["mud_pump_12p160", "-o", "a.svg", "--running-speed"],
             [RUNNING_SPEED_NEEDS],
         ),
         (
-            ["pumping_unit_c57", "-o", "a.svg", "--plan", "accelerations", "--running-speed"],
+            ["mud_pump_12p160", "-o", "a.svg", "--plan", "accelerations", "--running-speed"],
             [RUNNING_SPEED_NEEDS],
         ),
         (

@@ -131,7 +131,7 @@ def test_sheet_says_what_it_shows(results):
 
 def test_sheet_of_what_has_no_forces():
     with pytest.raises(InputError, match=r"a sheet of forces needs \[masses\]"):
-        sheet_forces(ct.run(ct.load("jaw_crusher")))
+        sheet_forces(ct.run(ct.load("jaw_crusher", set={"load": {}})))
     with pytest.raises(InputError, match="--mechanism = 9Z: must be one of this machine's pistons"):
         sheet_forces(ct.run(WEIGHED["vaz_21213"]), piston="9Z")
 

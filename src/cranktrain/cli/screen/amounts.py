@@ -99,8 +99,12 @@ def _piece(piece: Piece, beside: Mapping[str, float]) -> str:
     if piece.positions is None:
         return _("{least} to {most}").format(least=found.texts[0], most=last)
     at = written(np.array(piece.positions), "position")
-    low, high = map(at.whole, at.texts)
-    return _("{least} at {low} to {most} at {high}").format(least=found.texts[0], low=low, most=last, high=high)
+    ends = (found.texts[0], last)
+    placed = [
+        _("{value} at {angle}").format(value=end, angle=at.whole(text)) if np.isfinite(angle) else end
+        for end, text, angle in zip(ends, at.texts, piece.positions, strict=True)
+    ]
+    return _("{least} to {most}").format(least=placed[0], most=placed[1])
 
 
 def _text(value: float, decimals: int, sign: str) -> str:

@@ -64,6 +64,10 @@ class LoadedMachine:
         """Whether something makes its torque jump, or gives it kinks, besides the gas."""
         return self.masses.has_friction or self.loads is not None
 
+    def without_mass(self) -> str | None:
+        """Say what has no mass, and what alone acts then; None where all has."""
+        return self.masses.without_mass(has_gas=self.gas is not None, has_loads=self.loads is not None)
+
     def in_order(self, by_batch: Iterable[NDArray[Any]]) -> NDArray[Any]:
         """Values of every batch, broadcastable to (design, member, ...), in the machine's order of mechanisms."""
         values = list(by_batch)

@@ -143,7 +143,7 @@ def _notes(shown: OneDesign, piston: str | None) -> Iterator[str]:
     masses = result[LoadedMachine].masses
     if masses.assumed:
         yield _("Rods without a given inertia have that of two masses at their ends.")
-    if (said := masses.without_mass()) is not None:
+    if (said := result[LoadedMachine].without_mass()) is not None:
         yield said
     gas = result.get(GasPressures)
     yield from () if gas is None else gas.flags
