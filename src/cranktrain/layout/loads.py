@@ -16,7 +16,7 @@ from cranktrain.layout.load_tables import AT_POINT, LoadSpec, LoadTables
 from cranktrain.layout.part_tables import SLIDER, part_name, table_paths
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off_arc, pushing, turning, with_motion
-from cranktrain.linkage.vectors import Vector
+from cranktrain.linkage.vectors import Vector, rotated
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import extremes
 from cranktrain.numerics.harmonics import TURN
@@ -77,6 +77,14 @@ class LinkLoad(NamedTuple):
         if self.direction is not None:
             return pushing(link, self.arm, self.direction)
         return along_link(link) if self.is_slider else with_motion(link, self.arm)
+
+    def arm_of(self, link: Link) -> Vector:
+        """From the link's first pin to where it acts, off an arc to where the rope leaves that. [m]"""
+        if self.radius is not None and self.direction is not None:
+            still = 0.0 * link.cos
+            return Vector(self.radius * np.sin(self.direction) + still, -self.radius * np.cos(self.direction) + still)
+        arm = self.arm if self.radius is None else Vector(self.radius, ZERO)
+        return rotated(arm, link.cos, link.sin)
 
     def turns_back(self, link: Link, way: LoadWay) -> Array:
         """What changes its sign where the load turns round, if it resists."""

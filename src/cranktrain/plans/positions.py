@@ -58,6 +58,7 @@ def position_plan(
     mechanism: str | None = None,
     room: tuple[float, float] = ROOM,
     is_lettered: bool = False,
+    beside: Array | None = None,
 ) -> PositionPlan:
     """Plan of a mechanism in several positions.
 
@@ -73,6 +74,8 @@ def position_plan(
         For which the scale factor must suffice. [mm]
     is_lettered : bool
         Call pins with long names by letters.
+    beside : Array, shape (2, m), optional
+        Points for which there must be room too. [m]
 
     Returns
     -------
@@ -88,16 +91,25 @@ def position_plan(
     places = places_called(machine, mechanism)
     shown = closed_angles(machine, places, angles)
     drawing = placed_together(machine, places, np.deg2rad(shown) + machine.zero)
-    scale = fitting([np.concatenate(list(drawing.positions.values()), axis=1)], room)
+    points = [*drawing.positions.values(), *([] if beside is None else [beside])]
+    scale = fitting([np.concatenate(points, axis=1)], room)
     named = lettered(drawing) if is_lettered else drawing
     return PositionPlan(together_name(places), shown, scale, named.scaled(1.0 / scale))
 
 
 def single_plans(
-    machine: Machine, angles: Sequence[float], *, mechanism: str | None, room: tuple[float, float]
+    machine: Machine,
+    angles: Sequence[float],
+    *,
+    mechanism: str | None,
+    room: tuple[float, float],
+    beside: Array | None = None,
 ) -> list[PositionPlan]:
-    """Plans of a mechanism in one position each, with letters, all to one scale that suffices for a room."""
-    plans = [position_plan(machine, [angle], mechanism=mechanism, room=room, is_lettered=True) for angle in angles]
+    """Plans of a mechanism in one position each, with letters, all to one scale; parameters as of `position_plan`."""
+    plans = [
+        position_plan(machine, [angle], mechanism=mechanism, room=room, is_lettered=True, beside=beside)
+        for angle in angles
+    ]
     scale = max(plan.scale for plan in plans)
     return [rescaled(plan, scale) for plan in plans]
 

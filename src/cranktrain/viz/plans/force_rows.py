@@ -8,8 +8,8 @@ from cranktrain.one_line import short
 from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.vectors import spoken_name
-from cranktrain.scales import Scale
-from cranktrain.viz.figures import column, rounded
+from cranktrain.scales import Scale, scale_for
+from cranktrain.viz.figures import column, figure, rounded
 from cranktrain.viz.paper.page import Page, in_words, mathematics
 from cranktrain.viz.paper.tables import write_row
 from cranktrain.viz.paper.words import first_that_holds
@@ -77,15 +77,27 @@ def group_words(polygon: ForcePolygon) -> str:
 
 
 def _rows(polygon: ForcePolygon, letters: Mapping[str, str], unit: Scale, *, has_names: bool) -> Iterator[Row]:
-    """Every force of a group: its sides by their numbers, then whole reactions and those in inner joints."""
+    """Every force of a group: sides by their numbers, torques of loads, whole reactions and those in inner joints."""
     for line in _headings(polygon, has_names=has_names):
         yield Row((line,), is_heading=True)
     sides = [(str(i + 1), force) for i, force in enumerate(polygon.forces)]
-    every = [*sides, *(("", span.force) for span in (*polygon.wholes, *polygon.chords))]
-    sizes = column([force.size for _number, force in every], unit)
-    for (number, force), size in zip(every, sizes, strict=True):
-        length = rounded(polygon.length(force))
-        yield Row((number, mathematics(force.symbol), _said(force, letters), length, size))
+    others = [("", span.force) for span in (*polygon.wholes, *polygon.chords)]
+    sizes = column([force.size for _number, force in (*sides, *others)], unit)
+    rows = [
+        Row((number, mathematics(force.symbol), _said(force, letters), rounded(polygon.length(force)), size))
+        for (number, force), size in zip((*sides, *others), sizes, strict=True)
+    ]
+    yield from rows[: len(sides)]
+    for torque in polygon.torques:
+        newton_metres = scale_for("N*m", abs(torque.value))
+        size = figure(float(newton_metres.of(torque.value)))
+        yield Row(("", mathematics(torque.symbol), _name(torque.name), newton_metres.label, size))
+    yield from rows[len(sides) :]
+
+
+def _name(load: str) -> str:
+    """Name of a load, as far as there is room."""
+    return short(load.replace("_", " "), _LETTERS)
 
 
 def _headings(polygon: ForcePolygon, *, has_names: bool) -> list[str]:
@@ -101,7 +113,8 @@ def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
     """Cause of a force, how a part of a reaction lies, or the joint of a reaction."""
     pin = letters.get(force.about) or spoken_name(force.about).replace("_", " ")
     return first_that_holds(
-        (force.cause == "load", _("load")),
+        (force.cause == "gas", _("gas")),
+        (force.cause == "load", _name(force.name)),
         (force.cause == "weight", _("weight")),
         (force.cause == "inertia", _("inertia")),
         (bool(force.about), short(_("about {pin}").format(pin=in_words(pin)), _LETTERS)),

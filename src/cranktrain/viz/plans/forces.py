@@ -8,9 +8,11 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.plans.acting import symbols_together
 from cranktrain.plans.force_polygons import force_polygons
 from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.positions import single_plans
+from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.together import placed_together, places_called
 from cranktrain.scales import scale_for
 from cranktrain.viz.paper.page import Figure, drawing_settings
@@ -65,7 +67,11 @@ def plan_forces(
     curve = speed_over_cycle(machine, speed)
     polygons = force_polygons(machine, chosen, mechanism=mechanism, speed=curve or "constant")
     groups = [[polygon for polygon in polygons if polygon.angle == angle] for angle in chosen]
-    letters = pin_letters(placed_together(machine, places_called(machine, mechanism), np.zeros(1)))
+    places = places_called(machine, mechanism)
+    loads = shown_loads(machine, places, curve or "constant")
+    beside = None if loads is None else loads.outline
+    symbols = None if loads is None else symbols_together(loads.at(np.zeros(1)), places)
+    letters = pin_letters(placed_together(machine, places, np.zeros(1)))
     unit = scale_for("N", max(force.size for polygon in polygons for force in polygon.forces))
     page, box = plan_page(machine, angles, size, _("Polygons of forces"), mechanism, curve=curve)
     cells = cells_of(box._replace(bottom=box.bottom + _FOOT, height=box.height - _FOOT), len(chosen))
@@ -74,9 +80,10 @@ def plan_forces(
     drawn = fitting_polygons(groups, (middle, height))
     if drawn is None:
         raise InputError([Problem("", polygons[0].mechanism, too_many_words(len(chosen), size))])
-    plans = single_plans(machine, chosen, mechanism=mechanism, room=(left - 14.0, height - 20.0))
+    plans = single_plans(machine, chosen, mechanism=mechanism, room=(left - 14.0, height - 20.0), beside=beside)
     for plan, pictures, cell in zip(plans, drawn, cells, strict=True):
-        centre_at_angle(page, plan.angles[0], positions_sketch(plan), cell._replace(width=left))
+        sketch = positions_sketch(plan, loads=loads, said=symbols)
+        centre_at_angle(page, plan.angles[0], sketch, cell._replace(width=left))
         draw_rows(page, pictures, cell._replace(left=cell.left + left, width=middle))
         group = [picture.polygon for row in pictures for picture in row]
         for number, rows in enumerate(tables(group, height, letters, unit)):

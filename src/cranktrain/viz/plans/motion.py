@@ -18,6 +18,7 @@ from cranktrain.plans.positions import (
     rescaled,
     single_plans,
 )
+from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.together import places_called
 from cranktrain.plans.vectors import PolygonVector
 from cranktrain.scales import Scale, scale_for
@@ -99,7 +100,7 @@ def _polygon_sheet(
     polygons = polygons_of(machine, angles, mechanism=mechanism, room=room, is_lettered=True, speed=curve or "constant")
     scales = [scale_of(polygons[0].quantity[0], polygons[0].scale, scale_for(polygons[0].unit, 0.0))]
     if has_table:
-        scales.append(_beside(page, machine, polygons, cells, mechanism))
+        scales.append(_beside(page, machine, polygons, cells, mechanism, curve))
     else:
         for number, (polygon, place) in enumerate(zip(polygons, cells, strict=True)):
             sketch = polygon_sketch(polygon, with_symbols=False, with_corners=n <= _NAMED)
@@ -110,14 +111,22 @@ def _polygon_sheet(
 
 
 def _beside(
-    page: Page, machine: Machine, polygons: Sequence[Polygon], cells: Sequence[Box], mechanism: str | None
+    page: Page,
+    machine: Machine,
+    polygons: Sequence[Polygon],
+    cells: Sequence[Box],
+    mechanism: str | None,
+    curve: SpeedCurve | None,
 ) -> str:
     """Draw mechanism, polygon and table side by side for each angle; say the mechanism's scale."""
     first = 0.30 * cells[0].width
     room = (first - 14.0, cells[0].height - 20.0)
-    plans = single_plans(machine, [polygon.angle for polygon in polygons], mechanism=mechanism, room=room)
+    loads = shown_loads(machine, places_called(machine, mechanism), curve or "constant")
+    beside = None if loads is None else loads.outline
+    angles = [polygon.angle for polygon in polygons]
+    plans = single_plans(machine, angles, mechanism=mechanism, room=room, beside=beside)
     for plan, polygon, cell in zip(plans, polygons, cells, strict=True):
-        centre_at_angle(page, polygon.angle, positions_sketch(plan), cell._replace(width=first))
+        centre_at_angle(page, polygon.angle, positions_sketch(plan, loads=loads), cell._replace(width=first))
         middle = Box(cell.left + first, cell.bottom, 0.38 * cell.width, cell.height - 2.0)
         centre(page, polygon_sketch(polygon), middle)
         rows, line = _fitting_rows(polygon, cell.height)
@@ -147,9 +156,11 @@ def _strip(
     high = line * len(rows) + 8.0 + LINE * 3
     upper = Box(box.left, box.bottom + high, _STRIP, box.height - high)
     room = (upper.width - 18.0, upper.height - 18.0)
-    whole = position_plan(machine, 180, mechanism=mechanism, room=room).scale
+    loads = shown_loads(machine, places, curve or "constant")
+    beside = None if loads is None else loads.outline
+    whole = position_plan(machine, 180, mechanism=mechanism, room=room, beside=beside).scale
     plan = rescaled(position_plan(machine, angles.tolist(), mechanism=mechanism, room=room, is_lettered=True), whole)
-    draw_positions(page, machine, plan, mechanism, upper)
+    draw_positions(page, machine, plan, mechanism, upper, loads)
     notes = output_notes(machine, plan, places)
     lower = Box(box.left, box.bottom, _STRIP, high)
     write_beside(page, lower, box.left, rows, notes, line=line, n_heads=N_HEADS)

@@ -9,10 +9,15 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.one_line import short
+from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.plans.position_table import PositionColumn, output_columns, point_columns
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import aligned
 from cranktrain.viz.paper.page import INDICES
+
+_LETTERS = 14
+"""Of a load's name at the head of its column."""
 
 N_HEADS = 2
 """Rows of the head of these tables: symbols, units."""
@@ -41,6 +46,15 @@ def point_tables(
     """Table of each point that is followed, by its name."""
     for name, columns in point_columns(machine, place, angles, curve):
         yield name, list(rows_of(angles, columns))
+
+
+def load_rows(angles: Array, loads: Sequence[ActingLoad]) -> list[tuple[str, ...]]:
+    """Table of loads: sizes of forces along their ways, of torques in the sense of rotation; less than 0 against it."""
+    columns = [
+        PositionColumn(short(load.name.replace("_", " "), _LETTERS), "N*m" if load.is_torque else "N", load.counted)
+        for load in loads
+    ]
+    return list(rows_of(angles, columns))
 
 
 def every(table: Sequence[tuple[str, ...]], step: int) -> list[tuple[str, ...]]:

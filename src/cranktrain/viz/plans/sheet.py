@@ -101,7 +101,10 @@ def centre(page: Page, sketch: Sketch, box: Box) -> tuple[float, float]:
 
 def origin_in(sketch: Sketch, box: Box) -> tuple[float, float]:
     """Where a sketch's origin is if it stands in the middle of a room. [mm]"""
-    low, high = (corner / sketch.scale for corner in bounds_of(sketch.outline()))
+    # Names of loads are long, and may reach farther than what is drawn.
+    has_loads = any(line.layer == "LOADS" for line in sketch.lines)
+    bounds = labelled_bounds(sketch) if has_loads else bounds_of(sketch.outline())
+    low, high = (corner / sketch.scale for corner in bounds)
     return pair(box.middle - (low + high) / 2)
 
 

@@ -1,6 +1,6 @@
 """Sheet of Zhukovsky's lever: the mechanism, the turned plan of velocities with the forces, and their moments."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -8,17 +8,19 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.plans.acting import symbols_together
 from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.placement import place_called, placed
 from cranktrain.plans.polygons import Polygon, velocity_polygons
 from cranktrain.plans.positions import rounded_scale, single_plans
+from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.vectors import POLE, angle_of, pair, spoken_name, turned_left
 from cranktrain.plans.zhukovsky import LeverForce, ZhukovskyLever, zhukovsky_lever
 from cranktrain.scales import Scale, scale_for
 from cranktrain.viz.figures import column, power_of_ten
 from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
-from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch, bounds_of
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW
 from cranktrain.viz.plans.forces import too_many_words
@@ -50,6 +52,9 @@ _TO_A_LINE = 8
 _NOTES = 22.0
 """Height of the notes below the mechanism. [mm]"""
 
+_PASSES, _SPARE = 4, 1.05
+"""How often a plan of velocities is made smaller, and by how much more than it is too large."""
+
 _HEAD = 6.0
 """Height of a table's head. [mm]"""
 
@@ -71,20 +76,30 @@ def plan_zhukovsky(
     turning = curve or "constant"
     levers = [zhukovsky_lever(machine, angle, mechanism=mechanism, speed=turning) for angle in chosen]
     mechanism = levers[0].mechanism
-    letters = pin_letters(placed(machine, place_called(machine, mechanism), np.zeros(1)))
+    place = place_called(machine, mechanism)
+    loads = shown_loads(machine, [place], turning)
+    beside = None if loads is None else loads.outline
+    symbols = None if loads is None else symbols_together(loads.at(np.zeros(1)), [place])
+    letters = pin_letters(placed(machine, place, np.zeros(1)))
     page, box = plan_page(machine, angles, size, _("Zhukovsky's lever"), mechanism, curve=curve)
     cells = cells_of(box, len(chosen))
     left, middle = 0.26 * box.width, 0.46 * box.width
     height = cells[0].height
     room = ((1 - 2 * _LONGEST) * middle + 6.0, max((1 - 2 * _LONGEST) * height, 0.4 * height) - 4.0)
-    polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True, speed=turning)
+
+    def polygons_in(room: tuple[float, float]) -> Sequence[Polygon]:
+        return velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True, speed=turning)
+
+    polygons = polygons_in(room)
     longest = max(_longest(lever, polygon) for lever, polygon in zip(levers, polygons, strict=True))
     unit = scale_for("N", longest)
     newton = rounded_scale(longest / (_LONGEST * min(middle, height)), one=unit.one)
-    plans = single_plans(machine, chosen, mechanism=mechanism, room=(left - 14.0, height - 20.0 - _NOTES))
+    polygons = _with_room(levers, polygons, newton, polygons_in, (room, (middle, height - 4.0)))
+    room = (left - 14.0, height - 20.0 - _NOTES)
+    plans = single_plans(machine, chosen, mechanism=mechanism, room=room, beside=beside)
     for plan, lever, polygon, cell in zip(plans, levers, polygons, cells, strict=True):
         own = cell._replace(bottom=cell.bottom + _NOTES, width=left, height=height - _NOTES)
-        centre_at_angle(page, lever.angle, positions_sketch(plan), own)
+        centre_at_angle(page, lever.angle, positions_sketch(plan, loads=loads, said=symbols), own)
         page.notes(cell.left, cell.bottom + _NOTES - 4.0, _notes(lever))
         centre(page, lever_sketch(lever, polygon, newton), Box(cell.left + left, cell.bottom, middle, height - 4.0))
         rows = list(_table(lever, letters, unit))
@@ -99,6 +114,26 @@ def plan_zhukovsky(
     words = _("Velocities turned by 90° clockwise: a force's anticlockwise moment about p is its power")
     page.text(box.left + left, box.bottom + 4.4, words, color=MUTED)
     return page.figure
+
+
+def _with_room(
+    levers: Sequence[ZhukovskyLever],
+    polygons: Sequence[Polygon],
+    newton: float,
+    polygons_in: Callable[[tuple[float, float]], Sequence[Polygon]],
+    rooms: tuple[tuple[float, float], tuple[float, float]],
+) -> Sequence[Polygon]:
+    """Make plans of velocities smaller until there is room for forces whose points lie far out; rooms are of both."""
+    own, whole = rooms
+    for _pass in range(_PASSES):
+        sketches = [lever_sketch(lever, polygon, newton) for lever, polygon in zip(levers, polygons, strict=True)]
+        sizes = [np.subtract(*reversed(bounds_of(sketch.outline()))) for sketch in sketches]
+        excess = float(np.max(np.stack(sizes) / np.array(whole)))
+        if excess <= 1.0:
+            break
+        own = own[0] / (_SPARE * excess), own[1] / (_SPARE * excess)
+        polygons = polygons_in(own)
+    return polygons
 
 
 def _longest(lever: ZhukovskyLever, polygon: Polygon) -> float:
@@ -125,7 +160,9 @@ def lever_sketch(lever: ZhukovskyLever, polygon: Polygon, newton: float) -> Sket
         end = at + np.array(force.value) / newton
         sketch.add(arrow(at, end, "LINKS", "part" if force.symbol.startswith("Φ") else "vector"))
         wishes.append(Wish(end, force.symbol, angle_of(end - at)))
-        if force.point.startswith("s_") and not any(np.hypot(*(at - point)) < _ONE_POINT for point in named.values()):
+        if force.point.startswith(("s_", "q_")) and not any(
+            np.hypot(*(at - point)) < _ONE_POINT for point in named.values()
+        ):
             sketch.add([Circle(at, 0.5, "PLAN_V", "outline", 5, "paper")])
             named[force.point] = at
             wishes.append(Wish(at, force.point, angle_of(at - middle)))
