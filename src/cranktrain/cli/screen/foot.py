@@ -73,7 +73,7 @@ def _textbook(result: Result) -> str:
     errors = found.acceleration_error.value[0]
     said: list[str] = []
     for method, words in (("two_harmonics", _("up to {off} off")), ("reconstructed", _("of slaves {off}"))):
-        own = errors[result.labels["method"].index(method)]
+        own = errors[result.labels["motion_method"].index(method)]
         if np.any(np.isfinite(own)):
             said.append(filled(words, {"off": Amount(float(np.nanmax(own)), "error")}))
     return _("Textbook forms: {forms}").format(forms=", ".join(said)) if said else ""
