@@ -117,6 +117,7 @@ class TextbookMotion(StageResult):
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say how far the forms that textbooks use most are off."""
+        methods = names["motion_method"]
         said = [
             _("{form} is off by up to {x} of the stroke, {v} in velocity, {j} in acceleration").format(
                 form=form,
@@ -128,7 +129,7 @@ class TextbookMotion(StageResult):
                 ("two_harmonics", _("two harmonics (333)–(337)")),
                 ("reconstructed", _("(I.13), reconstructed,")),
             )
-            if not np.all(np.isnan(self.displacement_error.value[design, (index := names["motion_method"].index(method))]))
+            if np.any(np.isfinite(self.displacement_error.value[design, (index := methods.index(method))]))
         ]
         return _("Textbook: {forms}.").format(forms="; ".join(said)) if said else None
 

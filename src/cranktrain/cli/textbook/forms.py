@@ -102,7 +102,11 @@ def _show_motion(console: Console, result: Result, places: Sequence[PlacedMechan
         entry = result.catalogue[name]
         curves = getattr(result, name)[:, piston][:, turn]
         columns = [
-            Column(method, unit, tuple(figure(value, "mm") for value in curves[result.labels["motion_method"].index(method)]))
+            Column(
+                method,
+                unit,
+                tuple(figure(value, "mm") for value in curves[result.labels["motion_method"].index(method)]),
+            )
             for method in methods
         ]
         heading = _("{symbol} of piston {piston} by the crank angle").format(symbol=entry.symbol, piston=first.name)

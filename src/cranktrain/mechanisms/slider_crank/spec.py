@@ -46,7 +46,7 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
     permissible_pressure_angle: _PressureAngle | None = Field(
         default=None,
         description=N_(
-            "Largest angle between rod and line of stroke that is permitted; what is over it is said, and moves nothing."
+            "Largest angle between rod and line of stroke that is permitted: what is over it is flagged, no more."
         ),
     )
 

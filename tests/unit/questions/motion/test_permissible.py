@@ -1,4 +1,4 @@
-"""The permissible pressure angle of a slider-crank: asked of the synthesis, kept in the file, warned of and drawn at."""
+"""The permissible pressure angle of a slider-crank: asked of the synthesis, kept in the file, drawn at."""
 
 import tomllib
 from math import asin, degrees, radians
