@@ -148,6 +148,16 @@ def test_what_comes_next_is_of_this_machine(typed, written):
     assert following(str(written(still))).startswith("[shaft.main] speed speeds and accelerations")
 
 
+def test_room_is_said_as_the_file_says_it(typed):
+    """15 % of the swept volume is a ratio of 1 + 1/0.15 = 7.667; the other of the two is behind --full."""
+    answer = typed("run", "gas_compressor", "--step", "5").output
+    assert re.search(r"(?m)^  clearance +15\.00 %$", answer)
+    assert "ratio" not in answer
+    assert re.search(r"(?m)^ +compression_ratio .* 7\.667 ", typed("run", "gas_compressor", "--full").output)
+    assert "clearance" not in typed("run", "3d12", "--step", "5").output
+    assert "Clearance 15.00 %." in ct.run("gas_compressor").answers()
+
+
 def test_a_table_is_quoted_where_a_file_has_blanks(typed, written):
     path = written('[mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "136 mm"\n', "my press.toml")
     assert f"plot '{path.name}' -o sheet.pdf" in typed("run", path.name).output
