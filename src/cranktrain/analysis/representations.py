@@ -54,10 +54,10 @@ def result_html(result: Result) -> str:
         rows = answer_rows([OneMachine(result)], headline_names([result]))
         parts += ["<table><tbody>", *_table(rows), "</tbody></table>"]
         parts.append(_folded(_("In words"), result.answers()))
-        if result.missing:
+        if worth_asking := result.worth_asking:
             lacking = (
                 _("{needs}: gives {results}").format(needs=_(" and ").join(one.needs), results=", ".join(one.results))
-                for one in result.missing
+                for one in worth_asking
             )
             parts.append(_folded(_("To learn more"), lacking))
     parts.append(_paragraph(" · ".join([*_trust(result), _("result.plot(), result.sheet(), result.dataset")])))

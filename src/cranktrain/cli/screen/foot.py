@@ -46,7 +46,7 @@ def foot_lines(file: MachineFile, result: Result, name: str, width: int) -> Iter
     yield from _with_end(f"{_checks(result)} · {_inputs(file)}", "--checks --inputs", width)
     label = _("Next: ")
     offers = ""
-    for offer in _offers(file, result.missing):
+    for offer in _offers(file, result.worth_asking):
         longer = f"{offers}{_BETWEEN if offers else ''}{offer}"
         offers = longer if cell_len(label + longer) <= width else offers
     surfaces = _BETWEEN.join(
