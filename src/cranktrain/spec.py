@@ -302,9 +302,21 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
     elif kind in get_args(core_schema.ErrorType):
         if kind in ("int_type", "float_type", "bool_type") and isinstance(detail["input"], str):
             given = f'"{given}"'  # the quotes are what is wrong with "5"
-        yield Problem(where.path, given, _(_ALLOWED.get(kind, _OTHERWISE)).format(**context))
+        allowed = _(_ALLOWED.get(kind, _OTHERWISE)).format(**context)
+        yield Problem(where.path, given, allowed + _example_of_list(where) if kind == "tuple_type" else allowed)
     else:  # a validator's own PydanticCustomError
         yield Problem(where.path, given, detail["msg"])
+
+
+def _example_of_list(where: _Location) -> str:
+    """Say how a list of quantities is written, with the example that suits the key."""
+    items = get_args(bare(where.annotation).annotation)
+    quantity = quantity_of(items[0]) if items else None
+    if quantity is None:
+        return ""
+    key = where.path.rpartition(".")[2].partition("[")[0]
+    example = quantity.of_field(key).example or quantity.dimension.example
+    return _(', such as ["{example}", …]').format(example=example)
 
 
 def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:

@@ -9,7 +9,7 @@ import tomllib
 import numpy as np
 import pytest
 from tests.machines import slider
-from tests.sentences import A_LENGTH, NO_FILE, NOT_A_KEY, SET_TWICE
+from tests.sentences import A_ROD, NO_FILE, NOT_A_KEY, SET_TWICE
 
 import cranktrain as ct
 from cranktrain.catalogue import entries
@@ -112,7 +112,7 @@ class TestSet:
     @pytest.mark.parametrize(
         ("values", "path", "said"),
         [
-            ({"bank.L.mechanism.rod_length": 320}, "bank.L.mechanism.rod_length", A_LENGTH),
+            ({"bank.L.mechanism.rod_length": 320}, "bank.L.mechanism.rod_length", A_ROD),
             ({"bank.L.mechanism.rod_lenght": "320 mm"}, "bank.L.mechanism.rod_lenght", NOT_A_KEY),
             ({"shaft.main": {}, "shaft.main.speed": "1 rpm"}, "shaft.main.speed", SET_TWICE),
         ],
