@@ -8,7 +8,7 @@ from math import inf
 from pathlib import PurePath
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, Asked, at_running_speed
+from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, AskedAtSpeed, at_running_speed
 from cranktrain.errors import InputError, Position, Problem, problems_as
 from cranktrain.io.machine_file import MachineFile, shown_units
 from cranktrain.language import _
@@ -41,7 +41,7 @@ _DIGITS = 9
 
 
 @record
-class PlotRequest(Asked):
+class PlotRequest(AskedAtSpeed):
     """What is asked of `plot`, as typed."""
 
     plan: str | None = None

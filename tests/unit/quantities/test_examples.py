@@ -67,7 +67,7 @@ def test_no_key_has_an_example_that_only_its_dimension_explains():
 
 def from_examples(spec, *keys):
     """A table in which every number that it may have, or each of some, is the example that messages give."""
-    found = {key: quantity for key, quantity in quantities(spec, set())}
+    found = dict(quantities(spec, set()))
     return {key: found[key].of_field(key).example or found[key].dimension.example for key in keys or found}
 
 
