@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 from html import escape
 
 from cranktrain.analysis.designs_summary import summary_of_designs
-from cranktrain.analysis.fact_rows import FactRow, OneMachine, fact_rows, headline_names
+from cranktrain.analysis.fact_values import FactValues, OneMachine, fact_values, headline_names
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.unused import sentences
 from cranktrain.faces import face
@@ -51,7 +51,7 @@ def result_html(result: Result) -> str:
     if result.has_designs:
         parts.append(f"<ul>{''.join(f'<li>{escape(line)}</li>' for line in summary_of_designs(result))}</ul>")
     else:
-        rows = fact_rows([OneMachine(result)], headline_names([result]))
+        rows = fact_values([OneMachine(result)], headline_names([result]))
         parts += ["<table><tbody>", *_table(rows), "</tbody></table>"]
         parts.append(_folded(_("In words"), result.answers()))
         if worth_asking := result.worth_asking:
@@ -89,7 +89,7 @@ def _trust(result: Result) -> Iterator[str]:
             yield one if n == 1 else more.format(n=n)
 
 
-def _table(rows: Iterable[FactRow]) -> Iterator[str]:
+def _table(rows: Iterable[FactValues]) -> Iterator[str]:
     """Rows of a table, question by question."""
     for question, of_question in grouped((row.question, row) for row in rows).items():
         yield f'<tr><th colspan="3" style="text-align:left">{escape(question.capitalize())}</th></tr>'
