@@ -4,7 +4,7 @@ One drawing millimetre is μ_l metres; docs/pictures says how the plans are draw
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from cranktrain.motion import Array
 from cranktrain.plans.lettering import lettered
 from cranktrain.plans.placement import slider_crank_called
 from cranktrain.plans.together import placed_together, places_called, together_name
+from cranktrain.record import record
 
 ROOM = (80.0, 80.0)
 """Width and height for which a scale is chosen, unless given. [mm]"""
@@ -29,7 +30,7 @@ DRAWING_STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
 """Scale factors of a drawing within a power of ten."""
 
 
-@dataclass(frozen=True)
+@record
 class PositionPlan:
     """A mechanism in several positions.
 

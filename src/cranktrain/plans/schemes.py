@@ -1,7 +1,6 @@
 """Schemes of mechanisms with the letters of the sources' figures, as data."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +17,7 @@ from cranktrain.plans.placement import frame, output_motion
 from cranktrain.plans.positions import closed_angles
 from cranktrain.plans.together import placed_together, places_called, together_name
 from cranktrain.plans.vectors import angle_of, cross
+from cranktrain.record import record
 
 
 class MarkedAngle(NamedTuple):
@@ -50,7 +50,7 @@ class MarkedForce(NamedTuple):
     value: float
 
 
-@dataclass(frozen=True)
+@record
 class Scheme:
     """A mechanism at one crank angle with the letters of a source's figure.
 
