@@ -228,7 +228,7 @@ def _degrees(words: str, option: str, text: str) -> list[float]:
             angles.append(round(shown(read(quantity, Dimension.ANGLE), "deg"), _DIGITS))
         except QuantityError:
             allowed = _("must be crank angles in degrees with commas between, such as 30,60")
-            raise InputError([Problem(option, text, allowed)]) from None
+            raise InputError([Problem(option, text if text.strip() else '""', allowed)]) from None
     return angles
 
 
