@@ -19,6 +19,7 @@ SLOW = (
     "tests/contract/test_docs.py::test_readers_need_no_network",
     "tests/contract/test_kinds.py::test_gap_is_open_where_the_motion_is_nan",
     "tests/contract/test_language.py::test_template_holds_what_the_code_says",
+    "tests/contract/test_picture_words.py",
     "tests/contract/test_pictures.py",
     "tests/contract/test_types.py",
     "tests/e2e/",

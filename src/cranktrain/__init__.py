@@ -34,7 +34,7 @@ Results
     >>> result.facts["mean_piston_speed"]
     <mean_piston_speed c_m = <1> m/s>
     >>> print(result.summary().splitlines()[0])
-    Strokes: 304.80 mm. ...
+    Strokes: 12.00 in. ...
     >>> [check.verdict() for check in result.checks]
     ['holds']
     >>> len(result.flags) > 0
@@ -50,6 +50,13 @@ Part of it, and many designs
     >>> print(ct.run([pump, longer], quantities="largest_piston_speed").summary())
     2 designs of a pump
     largest piston speed: 1.942 m/s (design 2) to 1.953 m/s (design 1)
+
+Units
+    What is shown has the units of the machine's file, or others that are asked for; arrays have those of the catalogue.
+
+    >>> with ct.units("cm, ft/s"):
+    ...     print(result.summary().splitlines()[0])
+    Strokes: 30.48 cm. ...
 
 Pictures
     They are figures of matplotlib, which a notebook shows; `ct.viz` has plans and constructions too.
@@ -86,7 +93,7 @@ if TYPE_CHECKING:
     from cranktrain.io.any_machine import load
     from cranktrain.io.examples import example_names
     from cranktrain.machine import Machine
-    from cranktrain.public import compare, run
+    from cranktrain.public import compare, run, units
 
 __all__ = [
     "Comparison",
@@ -99,6 +106,7 @@ __all__ = [
     "example_names",
     "load",
     "run",
+    "units",
     "viz",
 ]
 
@@ -115,6 +123,7 @@ _HOMES = {
     "example_names": "io.examples",
     "load": "io.any_machine",
     "run": "public",
+    "units": "public",
     "viz": "viz",
 }
 

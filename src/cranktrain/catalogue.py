@@ -46,6 +46,13 @@ class Entry:
         return f"<{self.name} {self.symbol} [{self.unit}]: {self.sentence}>"
 
     @property
+    def shown(self) -> str:
+        """What `scales` finds its unit for people by: speeds of shafts are in rpm, natural frequencies in Hz."""
+        if self.unit == "rad/s" and "speed" in self.name:
+            return "rpm"
+        return "Hz" if self.name.endswith("frequency") else self.unit
+
+    @property
     def is_fact(self) -> bool:
         """Whether it stands for the whole cycle, not for each crank angle."""
         return "crank_angle" not in self.dimensions

@@ -15,6 +15,7 @@ _HOMES = {
     "result_line": "analysis.representations",
     "sheet_called": "viz.curves",
     "summary_of_designs": "analysis.designs_summary",
+    "units_of": "io.description",
 }
 
 

@@ -289,8 +289,9 @@ class Machine(Spec, frozen=True):
 
     @property
     def loads(self) -> LoadTables:
-        """What it works against, by the paths of its tables."""
-        return {f"{home}load": table.load for home, table in self._homes.items() if table.load}
+        """What it works against, by the paths of its tables; what files hold as lists."""
+        homes = ((home, table.load) for home, table in self._homes.items() if table.load)
+        return {f"{home}load": {name: load.listed for name, load in loads.items()} for home, loads in homes}
 
     @property
     def _homes(self) -> "Mapping[str, Machine | BankSpec | OpposedPistonSpec]":

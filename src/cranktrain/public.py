@@ -1,6 +1,7 @@
 """What Python users call: run and compare whatever one has of a machine."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Generator, Iterable, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial as with_arguments
 from typing import TYPE_CHECKING
@@ -11,6 +12,7 @@ from cranktrain.analysis.comparison import Comparison, compared
 from cranktrain.errors import InputError, Problem, problems_as
 from cranktrain.io.any_machine import sources_of, values_of
 from cranktrain.language import _
+from cranktrain.quantities import shown_by, units_by_dimension
 
 if TYPE_CHECKING:
     from cranktrain.analysis import SpeedWanted
@@ -123,6 +125,36 @@ def compare(
     asked = (quantities,) if isinstance(quantities, str) else None if quantities is None else tuple(quantities)
     one = _result(first, {} if second is None else values, asked)
     return compared((one, _result(named, values, asked)), (names[0], names[1]), asked)
+
+
+@contextmanager
+def units(*names: str) -> Generator[None]:
+    """Show numbers in some units for a while, as the terminal's --units does.
+
+    In pictures, sentences, tables and datasets; arrays of a result stay in the units of the catalogue. What is not
+    named is shown in the units of the machine's file, or in the usual ones.
+
+    Parameters
+    ----------
+    *names : str
+        Units of machine files, one for each quantity: `"psi", "in"`, or with commas between, `"psi,in"`.
+
+    Raises
+    ------
+    InputError
+        For names of no unit, and two units of one quantity.
+
+    Examples
+    --------
+    >>> result = run("3d12", quantities="stroke")
+    >>> with units("in"):
+    ...     in_inches = result.dataset["stroke"]
+    >>> in_inches.attrs["units"], round(float(in_inches[0]), 3), round(float(result.dataset["stroke"][0]), 3)
+    ('in', 7.087, 0.18)
+    """
+    each = [name.strip() for text in names for name in text.split(",")]
+    with shown_by(units_by_dimension(each, "units")):
+        yield
 
 
 _EXAMPLE = '{"mechanism.rod_length": "140 mm"}'

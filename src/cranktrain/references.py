@@ -45,6 +45,7 @@ REFERENCES: dict[str, Reference] = {
         Reference("bevan", "Bevan, The Theory of Machines, chapters 12, 14 and 15"),
         Reference("sarkar", "Sarkar, Theory of Machines, chapters 5 and 11"),
         Reference("machinerys-handbook", "Machinery's Handbook, Flywheels: safe speed of cast-iron rims, 100 ft/s"),
+        Reference("cowper-1966", "Cowper, The shear coefficient in Timoshenko's beam theory, J. Appl. Mech. 33, 1966"),
         Reference("api-11e", "API Spec 11E (pumping units)"),
     )
 }

@@ -6,7 +6,7 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.quantities import chosen_unit, shown
+from cranktrain.quantities import asked_unit, chosen_unit, shown
 
 Size = TypeVar("Size", float, Array)
 
@@ -32,6 +32,11 @@ class Scale(NamedTuple):
         """Express SI values in it."""
         return shown(si, self.label) if self.factor is None else si * self.factor
 
+    @property
+    def one(self) -> float:
+        """What one of it is in SI."""
+        return 1.0 / self.of(1.0)
+
 
 _DEGREE = Scale("°")
 _PERCENT = Scale("%", factor=100.0)
@@ -43,8 +48,6 @@ SCALES: Mapping[str, tuple[Scale, ...]] = {
     "m^3/s": (Scale("m³/h", factor=3600.0),),
     "m/s": (Scale("m/s"),),
     "m/s^2": (Scale("m/s²"),),
-    "m/rad": (Scale("mm/rad", factor=1e3),),
-    "m/rad^2": (Scale("mm/rad²", factor=1e3),),
     "rad": (_DEGREE,),
     "position": (_DEGREE,),
     "deg": (Scale("°", factor=1.0),),
@@ -54,17 +57,27 @@ SCALES: Mapping[str, tuple[Scale, ...]] = {
     "Hz": (Scale("Hz", factor=1 / (2 * np.pi)),),
     "N": (Scale("kN", 1e3), Scale("N")),
     "N*m": (Scale("kN·m", 1e4, factor=1e-3), Scale("N·m")),
+    "N*m/rad": (Scale("MN·m/rad", 1e5), Scale("N·m/rad")),
     "Pa": (Scale("bar"),),
     "W": (Scale("kW", 1e2), Scale("W")),
     "J": (Scale("kJ", 1e5), Scale("J")),
     "kg": (Scale("kg"),),
     "kg*m^2": (Scale("kg·m²"),),
+    "K": (Scale("K"),),
     "%": (_PERCENT,),
     "error": (_PERCENT,),
     "off": (_PERCENT,),
     "1": (Scale("", factor=1.0),),
+    "number": (Scale("", factor=1.0),),
 }
 """Units by what is to be shown, the largest first: the catalogue's, and those of `AnswerLine`."""
+
+
+_FIXED = {"deg", "position"}
+"""Crank angles are in degrees, whatever unit is chosen for angles."""
+
+_BY_ANGLE = ("/rad", "/rad^2")
+"""Derivatives by an angle are shown in the unit of what they are of."""
 
 
 def scale_for(unit: str, size: float) -> Scale:
@@ -80,17 +93,59 @@ def scale_for(unit: str, size: float) -> Scale:
     Returns
     -------
     Scale
-        What a reader chose with `shown_by`, whatever the size.
+        What a reader chose with `shown_by`, or the machine's file has, whatever the size.
 
     Examples
     --------
     >>> scale_for("Pa", 5e6).label, scale_for("N", 657.7).label, scale_for("N", 66.6e3).label
     ('bar', 'N', 'kN')
+    >>> scale_for("m/rad^2", 0.1)
+    Scale(label='mm/rad²', least=0.0, factor=1000.0)
     """
     scales = SCALES.get(unit)
-    chosen = None if scales is None else chosen_unit(scales[-1].label)
-    if chosen is not None:
-        return Scale(chosen)
-    if scales is None:
-        return Scale(unit.replace("^2", "²").replace("^3", "³").replace("*", "·"), factor=1.0)
-    return next((scale for scale in scales if size >= scale.least), scales[-1])
+    if scales is not None:
+        chosen = None if unit in _FIXED else chosen_unit(scales[-1].label)
+        usual = next((scale for scale in scales if size >= scale.least), scales[-1])
+        return usual if chosen is None else Scale(chosen)
+    whole = _differentiated(unit)
+    if whole is not None and whole in SCALES:
+        of = scale_for(whole, size)
+        return Scale(of.label + _typeset(unit[len(whole) :]), factor=of.of(1.0))
+    return Scale(_typeset(unit), factor=1.0)
+
+
+def in_asked_unit(unit: str, values: Array) -> tuple[str, Array]:
+    """Give values of the catalogue as data in the unit that was asked for, with its name; else as they are, in SI.
+
+    Parameters
+    ----------
+    unit : str
+        Of the catalogue.
+    values : Array
+
+    Examples
+    --------
+    >>> from cranktrain.quantities import shown_by, units_by_dimension
+    >>> with shown_by(units_by_dimension(["psi", "in"])):
+    ...     in_asked_unit("m", 0.0254), in_asked_unit("m/rad", 0.0254), in_asked_unit("deg", 90.0)
+    (('in', 1.0), ('in/rad', 1.0), ('deg', 90.0))
+    """
+    if unit in _FIXED:
+        return unit, values
+    if (asked := asked_unit(unit)) is not None:
+        return asked, shown(values, asked)
+    whole = _differentiated(unit)
+    if whole is not None and (asked := asked_unit(whole)) is not None:
+        return asked + unit[len(whole) :], shown(values, asked)
+    return unit, values
+
+
+def _differentiated(unit: str) -> str | None:
+    """Unit of what a derivative by the crank angle is of; None for others, and for angles by angles."""
+    whole = next((unit.removesuffix(end) for end in _BY_ANGLE if unit.endswith(end)), None)
+    return None if whole == "rad" else whole
+
+
+def _typeset(unit: str) -> str:
+    """Write a unit with its powers and dots."""
+    return unit.replace("^2", "²").replace("^3", "³").replace("*", "·")

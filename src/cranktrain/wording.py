@@ -1,5 +1,6 @@
 """Numbers and names put into sentences."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from math import floor, log10
 from string import digits
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 
 from cranktrain.grouping import places_of_equal
 from cranktrain.motion import Array
-from cranktrain.quantities import chosen_unit, shown
+from cranktrain.quantities import Given, chosen_unit, shown
 
 Names = Mapping[str, Sequence[str]]
 """Labels of each dimension: the pistons', the chambers', …"""
@@ -47,6 +48,20 @@ def number(value: float, unit: str) -> str:
     return f"{figure(value, unit)} {chosen_unit(unit) or unit}"
 
 
+def as_given(given: Given, usual: str) -> str:
+    """Write a given number as it was typed; in the unit that was chosen for what usually has one, where there is one.
+
+    Examples
+    --------
+    >>> as_given(Given(157.07963267948966, "1500 rpm"), "rpm")
+    '1500 rpm'
+    """
+    chosen = chosen_unit(usual)
+    if chosen is None or given.text.endswith(chosen):
+        return given.text.replace("-", "−")
+    return number(given.si, chosen)
+
+
 def figure(value: float, unit: str) -> str:
     """Write an SI value in a unit, not written here, with decimals that suit it; one that is not finite is absent."""
     if not np.isfinite(value):
@@ -70,6 +85,26 @@ def decimals_for(size: float, figures: int) -> int:
     (1, 2, -2)
     """
     return figures - 1 - floor(log10(float(f"{size:.{figures - 1}e}"))) if 0 < size < np.inf else 0
+
+
+def in_print(sentence: str) -> str:
+    """Write the signs and units of a sentence as they are printed: a true minus, dots and powers.
+
+    Examples
+    --------
+    >>> in_print("1L-2R: from -3.5 N*m, 2 kg*m^2, 9 m/s^2")
+    '1L-2R: from −3.5 N·m, 2 kg·m², 9 m/s²'
+    """
+    for pattern, instead in _PRINTED:
+        sentence = re.sub(pattern, instead, sentence)
+    return sentence
+
+
+_PRINTED = (
+    (r"(?<![\w.)-])-(?=\d)", "−"),
+    (r"\b(k?N|kg)\*m\b", r"\1·m"),
+    (r"\b(m/s|kg·m|m/rad)\^2(?!\d)", r"\1²"),
+)
 
 
 def signless(text: str) -> str:

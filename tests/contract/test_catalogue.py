@@ -76,8 +76,8 @@ EVERYTHING = {
         "flywheel": "2 kg·m²",
         "coefficient": 0.02,
         "rim": {"mean_diameter": "600 mm"},
-        "load_curve": {"file": "load.csv", "text": "angle;torque [N·m]\n0;100\n360;100"},
     },
+    "load": {"on_shaft": {"on": "main", "file": "load.csv", "text": "angle;torque [N·m]\n0;100\n360;100"}},
 }
 """A machine of all kinds, which declares all there is for such a one."""
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from pkgutil import iter_modules
 
 import pytest
+from tests.loaded_machines import LOADED
 
 import cranktrain as ct
 from cranktrain import viz
@@ -27,15 +28,15 @@ DATA = [name for folder in FOLDERS if find_spec(name := f"{sheets.__name__}.{fol
 
 
 @cache
-def result_of(example):
-    return ct.run(ct.load(example))
+def result_of(name):
+    return ct.run(LOADED[name] if name in LOADED else ct.load(name))
 
 
 def shown(picture):
     """Result of the first example that has what a picture needs; of an engine with cylinders, if that will do."""
     return next(
         found
-        for name in dict.fromkeys(["vaz_21213", *example_names()])
+        for name in dict.fromkeys(["vaz_21213", *example_names(), *LOADED])
         if set(picture.needs) <= set((found := result_of(name)).catalogue)
     )
 

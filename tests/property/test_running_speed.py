@@ -175,9 +175,9 @@ def test_at_the_running_speed_flywheel_and_torque_make_the_load(tables, flywheel
 
 def test_against_a_load_curve_the_torque_is_that_of_the_curve():
     text = "angle;torque [N·m]\n0;0\n140;0\n150;60\n170;60\n180;0\n360;0\n"
-    evenness = {"flywheel": "1 kg·m²", "load_curve": {"file": "load.csv", "text": text}}
-    found = ct.run(ct.Machine(**SLIDER_CRANK, evenness=evenness), speed="running")
-    needed = found.driving_torque + found.crank_acceleration + found.load_torque
+    load = {"saw": {"on": "main", "file": "load.csv", "text": text}}
+    found = ct.run(ct.Machine(**SLIDER_CRANK, load=load, evenness={"flywheel": "1 kg·m²"}), speed="running")
+    needed = found.driving_torque + found.crank_acceleration
     np.testing.assert_allclose(needed, -found.remaining_torque, atol=1e-11)
 
 

@@ -61,6 +61,12 @@ def jaw_crusher(drawn):
     assert drawn.y("C")[0] == pytest.approx(-815.7e-3, abs=1e-9)
 
 
+def tilting_table(drawn):
+    assert np.all(drawn.x("C") > 0)  # "to the right of the shaft"
+    assert np.ptp(drawn.y("C")) < 1e-12
+    assert np.all(drawn.y("B") > 0)  # the rocker stands up
+
+
 def eccentric_press(drawn):
     assert np.all(drawn.y("B") < drawn.y("A"))
     far = np.argmax(np.hypot(drawn.x("B"), drawn.y("B")))
@@ -145,6 +151,7 @@ STANDING = {
     "toggle_press": ("the file's x points to the right, y up", "whose upper link hangs on the frame", toggle_press),
     "jaw_crusher": ("45.3 mm to the right and 815.7 mm down", "The jaw's lower end", jaw_crusher),
     "eccentric_press": ("ram below the shaft", "press's lower dead centre", eccentric_press),
+    "tilting_table": ("the rocker's pivot lies to the right of the shaft", "", tilting_table),
     "pumping_unit_c57": ("56 in to the right and 105 - 37 = 68 in up", "well on the right", pumping_unit),
     "lms_class5": ("to the right; y points down", "throw 1 is on the right side", lms_class5),
     "traction_engine": (

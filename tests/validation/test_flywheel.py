@@ -16,15 +16,17 @@ import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import STAGES, lacking, run_stages
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.shaft_loads import ShaftLoads
 from cranktrain.layout.speed import Speed
 from cranktrain.numerics.periodic import cycle_grid, fourier_curve, plus
 from cranktrain.questions.evenness.applied_torque import applied_torque
 from cranktrain.questions.evenness.flywheel import FlywheelSize, flywheel_size
 from cranktrain.questions.evenness.flywheel_inertia import exact_flywheel, flywheels_by_method, textbook_inertia
+from cranktrain.questions.evenness.load_torque import load_torque
 from cranktrain.questions.evenness.running_speed import RunningSpeed, running_speed
 from cranktrain.questions.evenness.shaft_work import shaft_work
-from cranktrain.questions.evenness.spec import GivenFlywheel, ShaftLoad, WantedCoefficient
-from cranktrain.questions.evenness.speed_law import TorqueLaw, motor, speed_under_law
+from cranktrain.questions.evenness.spec import Balancing, GivenFlywheel, WantedCoefficient
+from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, motor, speed_under_law
 from cranktrain.questions.evenness.speed_over_cycle import steady_speed
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
@@ -84,7 +86,7 @@ def test_two_definitions_of_the_coefficient(row):
 
 def test_quadratic_load():
     case = EXPECTED["quadratic_load"]
-    law = TorqueLaw(DRIVING, quadratic=np.array(-case["k"]))
+    law = TorqueLaw(DRIVING, (Power(np.array(-case["k"]), np.array(2.0)),))
     found = speed_under_law(law, CARRIED + case["J"])
     assert found.speed.speed[0] == pytest.approx(case["omega0"], rel=1e-12)
     assert found.speed.means.time == pytest.approx(case["omega_time_mean"], rel=1e-12)
@@ -108,29 +110,33 @@ def test_linear_motor():
     assert rms == pytest.approx(case["motor_torque_rms_time"], rel=1e-11)
 
 
-def whole_machine(torque, speed, **evenness: Any) -> dict[type, Any]:
+def whole_machine(torque, speed, load: dict[str, Any] | None = None, **evenness: Any) -> dict[type, Any]:
     """Stages of a slider-crank of the file's words, its torque being the case's; J_v and J′ are the mechanism's own."""
     machine = ct.Machine(
         shaft={"main": {"speed": f"{speed!r} rad/s"}},
         mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "180 mm"},
         masses={"piston": {"mass": "9 kg"}},
         evenness=evenness,
+        load={} if load is None else {"on_shaft": load},
     )
     parts = parts_of([machine], step=np.radians(0.5))
     known: dict[type, Any] = {**parts, **run_stages(STAGES, parts, lacking(STAGES, parts))}
     torques = known[MechanismTorques]
     square = known[Speed].value[0] ** 2
-    torques = replace(torques, driving_torque=torques.reduced_inertia_slope * square / 2 - torque)
-    load, angle = known[ShaftLoad], known[CrankAngle]
+    torques = replace(torques, from_mechanisms=torques.reduced_inertia_slope * square / 2 - torque)
+    balancing, angle = known[Balancing], known[CrankAngle]
     applied = applied_torque(torques, known[LoadedMachine], angle)
     rest = applied.applied_torque[:, np.newaxis]
     sources = TorqueSources((), rest, *np.zeros((2, *rest[:, 0].shape)), np.zeros(1))
-    work = shaft_work(applied, sources, None, torques, angle)
+    given = None
+    if ShaftLoads in known:
+        given = load_torque(known[ShaftLoads], balancing, applied, sources, torques, known[Speed], angle)
+    work = shaft_work(applied, sources, given, torques, angle)
     if WantedCoefficient in known:
-        known[FlywheelSize] = flywheel_size(load, known[WantedCoefficient], work, known[Speed])
+        known[FlywheelSize] = flywheel_size(balancing, known[WantedCoefficient], None, work, known[Speed])
     if GivenFlywheel in known:
         flywheel = known[GivenFlywheel]
-        known[RunningSpeed] = running_speed(load, flywheel, applied, None, work, torques, known[Speed], angle)
+        known[RunningSpeed] = running_speed(balancing, flywheel, applied, given, work, torques, known[Speed], angle)
     return known
 
 
@@ -149,10 +155,13 @@ def test_flywheel_of_a_whole_machine():
     assert all(np.all(check.residual < 1e-11) for check in found.checks)
 
 
+RISING = {"on": "main", "scale": "balanced", "exponent": 2}
+
+
 def test_quadratic_load_of_a_whole_machine():
     case = EXPECTED["quadratic_load"]
     flywheel = f"{case['J']!r} kg·m²"
-    found = whole_machine(DRIVING, case["omega_time_mean"], flywheel=flywheel, load="quadratic")[RunningSpeed]
+    found = whole_machine(DRIVING, case["omega_time_mean"], RISING, flywheel=flywheel)[RunningSpeed]
     assert found.crank_speed[0, 0] == pytest.approx(case["omega0"], rel=1e-10)
     assert found.coefficient_of_fluctuation[0] == pytest.approx(case["delta_time_mean"], rel=NODES)
 

@@ -111,6 +111,23 @@ def test_a_press_does_the_work_under_its_curve():
     assert float(result.mean_torque) * 2 * np.pi == pytest.approx(result.load_work[0], rel=1e-12)
 
 
+WHOLE = ["0 mm", "100 mm"]
+
+
+def test_a_press_bears_most_just_before_its_dead_centre():
+    """Straight up to it, and nothing behind it: there the force is a limit from one side, whose slope is 0."""
+    press = ct.Machine(
+        mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "300 mm"},
+        shaft={"main": {"speed": "60 rpm"}},
+        load={"blank": {"on": "piston", "force": ["0 kN", "300 kN"], "force_back": ["0 N", "0 N"], "travel": WHOLE}},
+    )
+    for travel, most in (("100 mm", 300e3), ("120 mm", 250e3)):
+        result = ct.run(press.with_({"load.blank.travel": ["0 mm", travel]}))
+        assert result.largest_rod_force[0] == pytest.approx(most, rel=1e-12)
+        for named in ("largest S 1", "largest force in 1.crank_pin", "largest size blank"):
+            assert any(f"{named} just before 360.00 deg" in said for said in result.flags), named
+
+
 INCH, POUND_FORCE = 0.0254, 4.4482216152605
 STROKE = 49.52420986543403
 """Of the unit C-57D-109-48. [in]"""

@@ -15,6 +15,7 @@ from cranktrain.faces import face
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.one_line import one_line, short
+from cranktrain.quantities import FileUnits, shown_as_in
 from cranktrain.record import record
 
 _LONGEST_HEAD = 10
@@ -120,7 +121,14 @@ class Comparison:
         InputError
             Where neither machine has such a curve.
         """
-        return face("plot_comparison")(self, *quantities)
+        with shown_as_in(self._units):
+            return face("plot_comparison")(self, *quantities)
+
+    @property
+    def _units(self) -> FileUnits:
+        """Units of the first machine, in which both are shown."""
+        units: FileUnits = face("units_of")(self.results[0].machines[0])
+        return units
 
     def lines(self, width: int = 80) -> Iterator[str]:
         """Write it as a table.
@@ -134,7 +142,8 @@ class Comparison:
         ------
         str
         """
-        cells = [(row, _texts(row)) for row in self._rows]
+        with shown_as_in(self._units):
+            cells = [(row, _texts(row)) for row in self._rows]
         if not cells:
             yield _("Neither machine has a result that could be compared.")
             return
@@ -184,7 +193,8 @@ class Comparison:
             title = question.capitalize() or _("More")
             parts.append(f'<tr><th colspan="6" style="text-align:left">{escape(title)}</th></tr>')
             for row in rows:
-                texts = "".join(f"<td>{escape(text)}</td>" for text in _texts(row))
+                with shown_as_in(self._units):
+                    texts = "".join(f"<td>{escape(text)}</td>" for text in _texts(row))
                 parts.append(f'<tr><td style="text-align:left">{escape(row.name)}</td>{texts}</tr>')
         return "".join([*parts, "</tbody></table>"])
 
@@ -223,7 +233,7 @@ def _percent(row: FactValues) -> float:
 
 def _texts(row: FactValues) -> tuple[str, ...]:
     """Both values, their unit, their difference in it, and in percent."""
-    shown = shown_in(row.entry.unit, np.array(row.values))
+    shown = shown_in(row.entry.shown, np.array(row.values))
     first, second = (float(shown.of(value)) for value in row.values)
     share = _percent(row)
     return significant(first), significant(second), shown.label, difference(first, second), percent(share)

@@ -6,6 +6,9 @@ from typing import TYPE_CHECKING, Any
 from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.unused import sentences
+from cranktrain.catalogue import Entry
+from cranktrain.motion import Array
+from cranktrain.scales import in_asked_unit
 
 if TYPE_CHECKING:
     import xarray
@@ -21,18 +24,15 @@ def dataset_of(result: Result) -> "xarray.Dataset":
     Returns
     -------
     xarray.Dataset
-        Of the quantities that were asked for, or of all. Members that are numbers are numbers there.
+        Of the quantities that were asked for, or of all; in SI and degrees unless a table [units], or `ct.units`, asks
+        for other units. Members that are numbers are numbers there.
     """
     import xarray
 
     design = ("design",) if result.has_designs else ()
     chosen = result.catalogue if result.asked is None else dict.fromkeys(result.asked)
     variables: dict[str, Any] = {
-        name: (
-            (*design, *entry.dimensions),
-            getattr(result, name),
-            {"units": entry.unit, "symbol": entry.symbol, "long_name": entry.sentence, "source": entry.source},
-        )
+        name: ((*design, *entry.dimensions), *_with_attributes(entry, getattr(result, name)))
         for name, entry in result.catalogue.items()
         if name in chosen
     }
@@ -43,6 +43,12 @@ def dataset_of(result: Result) -> "xarray.Dataset":
     coordinates["crank_angle"] = ("crank_angle", result.crank_angle, {"units": "deg", "symbol": "φ"})
     about = {"name": result.machines[0].name, "unused": sentences(result.unused)}
     return xarray.Dataset(variables, coordinates, about)
+
+
+def _with_attributes(entry: Entry, values: Array) -> tuple[Array, dict[str, str]]:
+    """Give values in the unit that was asked for, else in the catalogue's, and what that says of them."""
+    unit, given = in_asked_unit(entry.unit, values)
+    return given, {"units": unit, "symbol": entry.symbol, "long_name": entry.sentence, "source": entry.source}
 
 
 def _coordinate(dimension: str, labels: Sequence[str]) -> list[str] | list[int] | list[float]:

@@ -60,7 +60,7 @@ def _between(values: Array, entry: Entry, members: Sequence[str]) -> str:
     finite = np.isfinite(values)
     if not np.any(finite):
         return _("none")
-    shown = shown_in(entry.unit, values)
+    shown = shown_in(entry.shown, values)
     least, most = float(values[finite].min()), float(values[finite].max())
     without = np.flatnonzero(~np.any(finite, axis=1))
     but = _("; none in {designs}").format(designs=_named(without, len(values))) if without.size else ""

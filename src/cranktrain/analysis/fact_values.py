@@ -43,7 +43,7 @@ class FactValues:
     @property
     def texts(self) -> tuple[tuple[str, ...], str]:
         """The values as they are shown, and their unit."""
-        shown = shown_in(self.entry.unit, np.array(self.values))
+        shown = shown_in(self.entry.shown, np.array(self.values))
         return tuple(text_in(shown, value) for value in self.values), shown.label
 
 

@@ -158,7 +158,7 @@ def whose_of(members: Sequence[str], places: Sequence[int]) -> str:
 
 def _texts(entry: Entry, values: Array) -> tuple[str, ...]:
     """Values as they are shown, by which they are one or differ."""
-    shown = shown_in(entry.unit, values)
+    shown = shown_in(entry.shown, values)
     return tuple(text_in(shown, float(value)) for value in np.ravel(values))
 
 

@@ -12,6 +12,7 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line, short
+from cranktrain.wording import as_given
 
 _LONGEST_NAME, _FEW = 70, 3
 
@@ -68,7 +69,7 @@ def _about(machine: Machine) -> str:
     """Say what a machine is and how fast it turns."""
     words: str = face("layout_words")(machine)
     speed = machine.main_shaft.speed
-    return one_line(words if speed is None else f"{words}; {speed.text}")
+    return one_line(words if speed is None else f"{words}; {as_given(speed, 'rpm')}")
 
 
 def _name(machine: Machine) -> str:

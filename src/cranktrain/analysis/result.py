@@ -1,6 +1,7 @@
 """The result: every quantity by name, its facts, checks, what is missing, and sentences that answer."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
@@ -19,14 +20,18 @@ from cranktrain.layout.question import needs_of
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
 from cranktrain.motion import Array
-from cranktrain.quantities import shown
+from cranktrain.quantities import shown, shown_as_in, units_asked
 from cranktrain.record import record
 from cranktrain.rows import AnswerLine
+from cranktrain.wording import in_print
 
 if TYPE_CHECKING:
     import xarray
 
 Outcome = TypeVar("Outcome")
+
+_MILLION = 1e6
+"""From here on six figures would take a power of ten."""
 
 
 class Fact(NamedTuple):
@@ -37,7 +42,9 @@ class Fact(NamedTuple):
 
     def __repr__(self) -> str:
         """Show name, symbol and unit, and one value, or how many there are."""
-        value = f"{self.value:.6g}" if np.ndim(self.value) == 0 else brief(self.value)
+        value = brief(self.value)
+        if np.ndim(self.value) == 0:
+            value = f"{self.value:.6g}" if abs(self.value) < _MILLION else f"{self.value:.0f}"
         return f"<{self.entry.name} {self.entry.symbol} = {value} {self.entry.unit}>"
 
 
@@ -169,7 +176,8 @@ class Result:
     @property
     def flags(self) -> tuple[str, ...]:
         """Warnings of the stages: a textbook form outside its source's range, and the like."""
-        return (*self.coarse, *(flag for outcome in self.outcomes for flag in getattr(outcome, "flags", ())))
+        found = (flag for outcome in self.outcomes for flag in getattr(outcome, "flags", ()))
+        return (*self.coarse, *map(in_print, found))
 
     def rows(self, design: int = 0) -> Iterator[tuple[str, list[AnswerLine]]]:
         """Give the lines of the answer for one design: question by question its title and rows, if it has any.
@@ -197,7 +205,7 @@ class Result:
             answer = getattr(outcome, "answer", None)
             sentence = answer(self.labels, design) if answer is not None else None
             if sentence:
-                yield sentence
+                yield in_print(sentence)
 
     def summary(self, design: int | None = None) -> str:
         """Say in sentences what is not used of the file, and what was found.
@@ -212,17 +220,34 @@ class Result:
         str
         """
         is_of_all = self.has_designs and design is None
-        found = face("summary_of_designs")(self) if is_of_all else self.answers(design or 0)
-        return "\n".join([*sentences(self.unused), *found])
+        with self._in_its_units():
+            found = face("summary_of_designs")(self) if is_of_all else self.answers(design or 0)
+            return "\n".join([*sentences(self.unused), *found])
 
     def labels_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
         """Names along each dimension of a quantity, but for the crank angle."""
         return {dimension: self.labels[dimension] for dimension in entry.dimensions if dimension != "crank_angle"}
 
-    @cached_property
+    @property
     def dataset(self) -> "xarray.Dataset":
-        """Give the quantities that were asked for, or all, as an xarray dataset with units, symbols and sources."""
-        return face("dataset_of")(self)
+        """Give the quantities that were asked for, or all, as an xarray dataset with units, symbols and sources.
+
+        In SI and degrees unless a table [units] of the machine, or `ct.units`, asks for other units.
+        """
+        with self._in_its_units():
+            units = tuple(units_asked().items())
+            if units not in self._datasets:
+                self._datasets[units] = face("dataset_of")(self)
+        return self._datasets[units]
+
+    @cached_property
+    def _datasets(self) -> "dict[object, xarray.Dataset]":
+        """Datasets that were made, by the units that were asked for."""
+        return {}
+
+    def _in_its_units(self) -> AbstractContextManager[None]:
+        """Show numbers in the units of the first machine, as far as nobody chose others."""
+        return shown_as_in(face("units_of")(self.machines[0]))
 
     def plot(self, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Any:
         """Draw curves over the crank angle.
@@ -245,7 +270,8 @@ class Result:
         InputError
             Where there is no such curve, or member.
         """
-        return face("plot_result")(self, *quantities, design=design, **members)
+        with self._in_its_units():
+            return face("plot_result")(self, *quantities, design=design, **members)
 
     def sheet(self, name: str = "machine", *, size: str = "A4", design: int = 0) -> Any:
         """Draw a sheet of paper.
@@ -276,8 +302,9 @@ class Result:
 
     def _repr_html_(self) -> str:
         """Give the answer for a notebook."""
-        words: str = face("result_html")(self)
-        return words
+        with self._in_its_units():
+            words: str = face("result_html")(self)
+            return words
 
 
 def _read_only(values: Array) -> Array:

@@ -11,11 +11,12 @@ from cranktrain.cli.asked import Asked, units_asked_for
 from cranktrain.cli.screen.text import page
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.io.description import units_of
 from cranktrain.io.examples import example_called
-from cranktrain.io.machine_file import MachineFile, computed, read_machine, shown_units
+from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.language import _
 from cranktrain.one_line import one_line
-from cranktrain.quantities import shown_by
+from cranktrain.quantities import shown_as_in, shown_by
 from cranktrain.record import record
 
 
@@ -38,7 +39,7 @@ def show_comparison(request: CompareRequest) -> None:
     _check(request)
     asked = units_asked_for(request.units)
     files = _read(request)
-    with shown_by(shown_units(files[0])), shown_by(asked):
+    with shown_as_in(units_of(files[0].machine)), shown_by(asked):
         _show(files, request)
 
 

@@ -8,12 +8,13 @@ from math import inf
 from pathlib import PurePath
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, AskedAtSpeed, at_running_speed
+from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, AskedAtSpeed, at_running_speed, units_asked_for
 from cranktrain.errors import InputError, Position, Problem, problems_as
-from cranktrain.io.machine_file import MachineFile, shown_units
+from cranktrain.io.description import units_of
+from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
 from cranktrain.one_line import one_line
-from cranktrain.quantities import Dimension, QuantityError, read, shown, shown_by, unlisted
+from cranktrain.quantities import Dimension, QuantityError, UnitChoice, read, shown, shown_as_in, shown_by, unlisted
 from cranktrain.record import record
 from cranktrain.viz import PICTURES, save, save_animation
 from cranktrain.viz.output import FORMATS
@@ -57,7 +58,8 @@ class PlotRequest(AskedAtSpeed):
 class Choice(NamedTuple):
     """A request as it was understood: which picture, at which angles if any were said, on which paper, to which scale.
 
-    permissible is the pressure angle of the source's twelve positions [deg]; scale is metal in one of paper.
+    permissible is the pressure angle of the source's twelve positions [deg]; scale is metal in one of paper; units are
+    those that were asked for.
     """
 
     picture: Picture
@@ -66,6 +68,7 @@ class Choice(NamedTuple):
     permissible: float | None = None
     scale: float | None = None
     letters: str | None = None
+    units: UnitChoice = {}  # noqa: RUF012 - nobody changes a choice
 
 
 def write_picture(request: PlotRequest) -> None:
@@ -82,7 +85,12 @@ def write_picture(request: PlotRequest) -> None:
     # What the plotting library says of its fonts and its folder is nothing that a user asked for.
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
     file = request.read()
-    with shown_by(shown_units(file)), problems_as(partial(_placed, file, request)), problems_as(at_running_speed):
+    with (
+        shown_as_in(units_of(file.machine)),
+        shown_by(choice.units),
+        problems_as(partial(_placed, file, request)),
+        problems_as(at_running_speed),
+    ):
         if request.mechanism is not None:
             with problems_as(lambda problem: replace(problem, path="--mechanism")):
                 place_called(file.machine, request.mechanism)
@@ -120,7 +128,7 @@ def understood(request: PlotRequest) -> Choice:
     size = (request.size or _SIZES[0]).strip().upper()
     if size not in _SIZES:
         problems.append(unlisted("--size", request.size, _SIZES))
-    angles, permissible, scale = None, None, None
+    angles, permissible, scale, units = None, None, None, {}
     try:
         angles, permissible = _angles(request, picture)
     except InputError as error:
@@ -129,9 +137,13 @@ def understood(request: PlotRequest) -> Choice:
         scale = None if request.scale is None else read_scale(request.scale)
     except InputError as error:
         problems += error.problems
+    try:
+        units = units_asked_for(request.units)
+    except InputError as error:
+        problems += error.problems
     if problems or picture is None:
         raise InputError(problems)
-    return Choice(picture, angles, size, permissible, scale, request.letters)
+    return Choice(picture, angles, size, permissible, scale, request.letters, units)
 
 
 def read_scale(text: str) -> float:

@@ -10,11 +10,12 @@ from cranktrain.analysis import Result
 from cranktrain.cli.asked import AskedAtSpeed, at_running_speed, units_asked_for
 from cranktrain.cli.screen.text import page, show_lines
 from cranktrain.errors import InputError, Problem, problems_as, refuse
-from cranktrain.io.machine_file import MachineFile, shown_units
+from cranktrain.io.description import units_of
+from cranktrain.io.machine_file import MachineFile
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
 from cranktrain.one_line import one_line
-from cranktrain.quantities import shown_by
+from cranktrain.quantities import shown_as_in, shown_by
 from cranktrain.record import record
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def show_run(request: RunRequest, shown: Shown | None = None) -> None:
         raise InputError([Problem("--quantities", '""', allowed)])
     asked = units_asked_for(request.units)
     file = request.read()
-    with shown_by(shown_units(file)), shown_by(asked):
+    with shown_as_in(units_of(file.machine)), shown_by(asked):
         _show(file, request, shown, form)
 
 

@@ -11,7 +11,7 @@ from cranktrain.errors import InputError, Problem, problems_as
 from cranktrain.io.files import content_of, refusal
 from cranktrain.language import _
 from cranktrain.layout.parts import FILES
-from cranktrain.layout.question import TableFile
+from cranktrain.layout.question import ANY_NAME, TableFile
 from cranktrain.paths import path_text, replaced, value_at
 
 LARGEST_FILE = 16 * 2**20
@@ -98,10 +98,23 @@ def with_curves(data: Mapping[str, object], folder: Path) -> tuple[dict[str, obj
 
 def _paths(data: Mapping[str, object], curve: TableFile) -> Iterator[tuple[str, ...]]:
     """Where such tables may stand: at their path, or, of those told by their kind, below it by name."""
+    if ANY_NAME in curve.table:
+        yield from _named(data, curve.table)
+        return
     yield curve.table
     table = value_at(data, path_text(curve.table))
     if curve.kind is not None and isinstance(table, Mapping) and "kind" not in table:
         yield from ((*curve.table, name) for name in cast("Mapping[str, object]", table))
+
+
+def _named(data: object, table: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    """Tables of a path in which any name may stand."""
+    if not table:
+        yield ()
+    elif isinstance(data, Mapping):
+        found = cast("Mapping[str, object]", data)
+        names = found if table[0] == ANY_NAME else {table[0]} & found.keys()
+        yield from ((name, *rest) for name in names for rest in _named(found[name], table[1:]))
 
 
 def _filled(data: dict[str, object], parts: tuple[str, ...], curve: TableFile, folder: Path) -> dict[str, object]:

@@ -1,12 +1,15 @@
 """What a machine is, and where its numbers are from, as every sheet and report says it."""
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, cast
 
 from cranktrain.language import _
+from cranktrain.layout.unit_tables import units_of_table
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import kind_named
-from cranktrain.quantities import Given
+from cranktrain.quantities import FileUnits, Given, own_units
+from cranktrain.spec import Spec
 
 
 def layout_words(machine: Machine) -> str:
@@ -47,3 +50,36 @@ def counted_by_status(numbers: Iterable[Given]) -> str:
         None: _("{n} without a status"),
     }
     return ", ".join(word.format(n=counts[status]) for status, word in words.items() if counts[status])
+
+
+def units_of(machine: Machine) -> FileUnits:
+    """Units in which a machine is to be shown: those of its [units], and those in which most of its numbers stand."""
+    return FileUnits(units_of_table(machine.units), own_units(one.text for one in given_numbers(machine)))
+
+
+def given_numbers(part: object, name: object = "") -> Iterator[Given]:
+    """Give the numbers that a machine's tables declare; what they leave unsaid is none of them."""
+    if isinstance(part, Given):
+        yield part
+    for inner, item in _inside(part, name).items():
+        yield from given_numbers(item, inner)
+
+
+def _inside(part: object, name: object) -> Mapping[Any, object]:
+    """What a part of a machine is made of, by name.
+
+    Of a bank's mechanisms, one for each angle, a field that is alike in all of them stands in the file once.
+    """
+    match part:
+        case tuple() if name == "mechanism":
+            each = cast("tuple[Spec, ...]", part)
+            fields = {field: tuple(getattr(one, field) for one in each) for field in each[0].model_fields_set}
+            return {field: one[0] if len(set(map(repr, one))) == 1 else one for field, one in fields.items()}
+        case Spec():
+            return {field: getattr(part, field) for field in part.model_fields_set}
+        case tuple():
+            return dict(enumerate(cast("tuple[object, ...]", part)))
+        case Mapping():
+            return cast("Mapping[str, object]", part)
+        case _:
+            return {}

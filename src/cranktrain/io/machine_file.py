@@ -12,12 +12,11 @@ from cranktrain.io.curve_files import with_curves
 from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near
 from cranktrain.language import _
-from cranktrain.layout.unit_tables import units_of_table
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.paths import PathParts, parts_of, path_text, quantity_path, with_values
-from cranktrain.quantities import Given, UnitChoice, own_units
+from cranktrain.quantities import Given
 from cranktrain.record import record
 from cranktrain.spec import Spec
 
@@ -218,11 +217,6 @@ def inputs_of(file: MachineFile) -> tuple[Input, ...]:
     tuple of Input
     """
     return tuple(Input(path_text(parts), given) for parts, given in _inputs(file.document.data, file.machine))
-
-
-def shown_units(file: MachineFile) -> UnitChoice:
-    """Units in which it is shown: those of its [units], and where most numbers are in feet, at or hp, these."""
-    return {**own_units(one.given.text for one in inputs_of(file)), **units_of_table(file.machine.units)}
 
 
 def _example_meant(name: str) -> str | None:

@@ -12,7 +12,7 @@ from cranktrain.analysis import Result
 from cranktrain.catalogue import Entry
 from cranktrain.io.conventions import conventions
 from cranktrain.motion import Array
-from cranktrain.quantities import chosen_unit, shown
+from cranktrain.scales import in_asked_unit
 from cranktrain.version import VERSION
 
 
@@ -124,13 +124,13 @@ def _columns(result: Result, entry: Entry) -> Iterator[tuple[str, Array]]:
     labels = result.labels_of(entry).values()
     for place in itertools.product(*(range(len(names)) for names in labels)):
         index = " ".join(names[i] for names, i in zip(labels, place, strict=True))
-        unit, values = in_chosen_unit(entry.unit, curves[place])
+        unit, values = in_asked_unit(entry.unit, curves[place])
         yield f"{entry.name}({index}) [{unit}]" if index else f"{entry.name} [{unit}]", values
 
 
 def _described(result: Result, entry: Entry) -> dict[str, object]:
     """One quantity with all that its catalogue entry says."""
-    unit, values = in_chosen_unit(entry.unit, getattr(result, entry.name))
+    unit, values = in_asked_unit(entry.unit, getattr(result, entry.name))
     return {
         "unit": unit,
         "symbol": entry.symbol,
@@ -140,12 +140,6 @@ def _described(result: Result, entry: Entry) -> dict[str, object]:
         "source": entry.source,
         "values": _nested(values),
     }
-
-
-def in_chosen_unit(unit: str, values: Array) -> tuple[str, Array]:
-    """Give values of the catalogue in the unit that a reader chose for them; else as they are, in SI."""
-    chosen = None if unit == "deg" else chosen_unit(unit)
-    return (unit, values) if chosen is None else (chosen, shown(values, chosen))
 
 
 def _nested(values: Array) -> object:

@@ -6,6 +6,10 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
+from cranktrain.numerics.polyline import Polyline, polyline_value
+
+_SAME = 1e-9
+"""Angles closer than this are one. [rad]"""
 
 
 class LoadState(NamedTuple):
@@ -39,16 +43,26 @@ class BySpeed(NamedTuple):
 
 
 class ByAngle(NamedTuple):
-    """Straight lines from crank angle to crank angle as it is shown, round a turn. Shape (design, point)."""
+    """Straight lines from crank angle to crank angle as it is shown, round a turn or two. Shape (design, point)."""
 
     angles: Array
     values: Array
+    period: float = TURN
+
+    @property
+    def polylines(self) -> tuple[Polyline, ...]:
+        """The lines of each design."""
+        return tuple(_round(*rows, self.period) for rows in zip(self.angles, self.values, strict=True))
 
     def value(self, state: LoadState) -> Array:
         """Size, shape (design, 1, n)."""
-        rows = zip(np.broadcast_to(state.shown, state.speed.shape), self.angles, self.values, strict=True)
-        found = [_between(np.mod(shown, TURN), *_round(angles, values)) for shown, angles, values in rows]
-        return np.stack(found)
+        shown = np.broadcast_to(state.shown, state.speed.shape)
+        return np.stack([polyline_value(*rows) for rows in zip(self.polylines, shown, strict=True)])
+
+    def kinks(self, cycle: float) -> Array:
+        """Crank angles as they are shown at which it has kinks within a cycle, shape (design, kink). [rad]"""
+        turns = np.arange(0.0, cycle - self.period / 2, self.period)
+        return (self.angles[:, np.newaxis] + turns[:, np.newaxis]).reshape(len(self.angles), -1)
 
 
 class ByTravel(NamedTuple):
@@ -73,14 +87,11 @@ def _between(at: Array, places: Array, values: Array) -> Array:
     return np.asarray(np.interp(at, places, values), dtype=np.float64)
 
 
-def _round(angles: Array, values: Array) -> tuple[Array, Array]:
-    """Angles within a turn, with those beside it, so that the last leads on to the first."""
-    order = np.argsort(np.mod(angles, TURN))
-    turned, own = np.mod(angles, TURN)[order], values[order]
-    return (
-        np.concatenate([turned[-1:] - TURN, turned, turned[:1] + TURN]),
-        np.concatenate([own[-1:], own, own[:1]]),
-    )
+def _round(angles: Array, values: Array, period: float) -> Polyline:
+    """Lines round the period, in whose last angle the first one may stand again."""
+    turned, kept = np.unique(np.mod(angles + _SAME, period) - _SAME, return_index=True)
+    is_new = np.diff(turned, append=np.inf) > _SAME
+    return Polyline(turned[is_new], values[kept][is_new], period)
 
 
 Law: TypeAlias = BySpeed | ByAngle | ByTravel

@@ -1,14 +1,17 @@
 """Loads: what a machine works against, or what drives it besides the gas; their tables of the machine file."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from itertools import pairwise
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, ClassVar, Literal, TypeAlias, cast
 
-from pydantic import Field
+from pydantic import BaseModel, Field
 
-from cranktrain.errors import Problem
+from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.listed import OneOrMany
+from cranktrain.layout.load_card import LoadCard, load_card
+from cranktrain.layout.load_heads import Sort
 from cranktrain.quantities import (
     Angle,
     Dimension,
@@ -31,16 +34,24 @@ AT_POINT = ("along", "across")
 _OVER = ("crank_angles", "travel", "swing")
 _OF_FORCES = (*AT_POINT, "radius", "direction", "at_speed", "travel", "force_back")
 _OF_TORQUES = ("at_turning", "swing", "torque_back")
+_SIZES = ("force", "torque", "force_back", "torque_back")
+_OF_LAWS = (*_SIZES, *_OVER, "at_speed", "at_turning", "exponent")
+"""What a file says instead."""
 
 
 class LoadSpec(Spec, frozen=True):
-    """A force on a link or a slider, or a torque on a link.
+    """A force on a link or a slider, or a torque on a link or a shaft.
 
     A resisting load is always against the motion of its point, as friction or a cut; an active one has a direction of
     its own, as a weight or a spring. Beside `at_speed` the size goes with a power of the speed: exponent 1 is viscous.
     """
 
-    on: str = Field(min_length=1, description=N_("What it acts on: a part of a mechanism, as [masses] names them."))
+    of_file: ClassVar[frozenset[str]] = frozenset({"file", "text", "columns"})
+
+    on: str = Field(
+        min_length=1,
+        description=N_("What it acts on: a part of a mechanism, as [masses] names them; or of a torque a shaft, main."),
+    )
     force: OneOrMany[Force] | None = Field(
         default=None, description=N_("Size of a force, or a list of sizes over angles or travel; or give a torque.")
     )
@@ -70,6 +81,13 @@ class LoadSpec(Spec, frozen=True):
     sense: Literal["resisting", "active"] = Field(
         default="resisting", description=N_("Always against the motion, or in a direction of its own.")
     )
+    scale: Literal["given", "balanced"] = Field(
+        default="given",
+        description=N_(
+            "Of a torque on a shaft: whether its sizes count as given, or times one factor, so that they balance the"
+            " mean of the machine's torque."
+        ),
+    )
     direction: Angle | None = Field(
         default=None,
         description=N_("Of a force, from the mechanism's x in the sense of rotation; of a slider's along its guide."),
@@ -95,6 +113,49 @@ class LoadSpec(Spec, frozen=True):
         default=None, description=N_("Of the speed, with which the size goes; 1 unless given: viscous.")
     )
 
+    file: str | None = Field(
+        default=None,
+        min_length=1,
+        description=N_(
+            "File with its sizes over the crank angle, or over travel or swing there and back, relative to the machine"
+            " file; units stand in its heads."
+        ),
+    )
+    text: str | None = Field(
+        default=None, description=N_("What the file holds, where it is not to be read; `file` is then only its name.")
+    )
+    columns: tuple[Annotated[int, Field(ge=1)], ...] | None = Field(
+        default=None,
+        min_length=2,
+        max_length=3,
+        description=N_(
+            "Columns of the file, counted from 1: place, size, and size on the way back if it has a column of its own."
+        ),
+    )
+
+    @property
+    def card(self) -> LoadCard | None:
+        """What its file says; None where it has none, or nobody has read it."""
+        return None if self.file is None or self.text is None else load_card(self.file, self.text, self.columns)
+
+    @property
+    def listed(self) -> "LoadSpec":
+        """The load itself, or one with the lists that its file holds."""
+        card = self.card
+        if card is None:
+            return self
+        lists = {card.sort: card.out, f"{card.sort}_back": card.back, card.over: card.places}
+        return with_lists(self, lists)
+
+    def in_file(self, problem: Problem, where: str) -> Problem:
+        """Say what is wrong with lists of a file, at paths below `where`, of that file and at its line."""
+        card, key = self.card, problem.path.removeprefix(f"{where}.")
+        if card is None or key.partition("[")[0] not in _OF_LAWS:
+            return problem
+        if problem.given is None:
+            return replace(problem, path=f"{where}.file", given=self.file)
+        return replace(problem, path=where, position=card.first if key.endswith("[0]") else card.last)
+
     @property
     def sizes(self) -> tuple[Given, ...]:
         """Of force or torque."""
@@ -111,14 +172,69 @@ class LoadSpec(Spec, frozen=True):
         given = ((name, getattr(self, name)) for name in _OVER)
         return next(((name, places) for name, places in given if places is not None), None)
 
+    @property
+    def is_balanced(self) -> bool:
+        """Whether its size is found, so that it balances the machine."""
+        return self.scale == "balanced"
+
+    def resisting_problems(self) -> Iterator[Problem]:
+        """Find sizes of less than 0, which do not resist; on a shaft, which turns one way, they may stand."""
+        if self.sense != "resisting":
+            return
+        allowed = _('must be at least 0 of a load that resists; sense = "active" gives it a direction')
+        if self.card is not None:
+            yield from (Problem("", size, allowed, None, position) for size, position in self.card.negative)
+            return
+        listed = {name: getattr(self, name) or () for name in _SIZES}
+        yield from (
+            Problem(f"{name}[{i}]" if len(sizes) > 1 else name, size.text, allowed)
+            for name, sizes in listed.items()
+            for i, size in enumerate(sizes)
+            if size.si < 0
+        )
+
     def _problems(self) -> Iterator[Problem]:
         """Find a load of no sort or of two, and what belongs to another."""
-        sort, other = ("torque", "force") if self.force is None else ("force", "torque")
+        if self.is_balanced and self.sense != "resisting":
+            yield Problem("sense", self.sense, _("must be resisting: it balances what the machine gives"))
+        if self.file is not None:
+            yield from self._file_problems(self.file)
+            return
+        if self.text is not None or self.columns is not None:
+            yield Problem("file", None, _("is missing; text and columns are of a file"))
+        if self.is_balanced:
+            yield from self._balanced_problems()
+            return
         if self.force is None and self.torque is None:
-            yield Problem("force", None, _("is missing; give force or torque"))
+            yield Problem("force", None, _("is missing; give force or torque, or a file"))
             return
         if self.torque is not None and self.force is not None:
             yield Problem("torque", None, _("must not stand beside force; make it another load"))
+        sort: Sort = "torque" if self.force is None else "force"
+        yield from self._sort_problems(sort)
+        yield from self._size_problems(sort)
+
+    def _file_problems(self, file: str) -> Iterator[Problem]:
+        """Find what stands beside a file, what is wrong in it, and what does not suit what it holds."""
+        beside = _("must not stand beside file, which says how large the load is")
+        yield from (Problem(name, None, beside) for name in _OF_LAWS if getattr(self, name) is not None)
+        try:
+            card = self.card
+        except InputError as error:
+            yield from error.problems
+            return
+        if card is None:
+            return
+        yield from self._sort_problems(card.sort)
+        if card.back is None and self.counts != "with":
+            yield Problem("counts", self.counts, _("is for sizes over the travel"))
+        if self.is_balanced and (card.sort, card.over) != ("torque", "crank_angles"):
+            allowed = _('must hold torques over the crank angle beside scale = "balanced"')
+            yield Problem("file", self.file, allowed)
+
+    def _sort_problems(self, sort: Sort) -> Iterator[Problem]:
+        """Find what belongs to the other sort, and arms that are none."""
+        other = "force" if sort == "torque" else "torque"
         foreign = _OF_FORCES if sort == "torque" else _OF_TORQUES
         allowed = _("is for a {sort}").format(sort=_(other))
         yield from (Problem(name, None, allowed) for name in foreign if getattr(self, name) is not None)
@@ -127,23 +243,27 @@ class LoadSpec(Spec, frozen=True):
             yield from (Problem(name, None, beside) for name in AT_POINT if getattr(self, name) is not None)
             if self.radius.si == 0:
                 yield Problem("radius", self.radius.text, _("must not be 0: such a force turns nothing"))
-        yield from self._size_problems(sort)
 
-    def _size_problems(self, sort: str) -> Iterator[Problem]:
+    def _balanced_problems(self) -> Iterator[Problem]:
+        """Find what says how large a load is whose size is found, and one that does not resist."""
+        is_listed = self.crank_angles is not None
+        foreign = ("force", *_OF_FORCES, "swing", "torque_back", "at_turning")
+        foreign += ("exponent",) if is_listed else ("torque",)
+        found = _('must not stand beside scale = "balanced", by which the size is found')
+        if is_listed:
+            found = _('must not stand beside scale = "balanced" and crank_angles')
+        yield from (Problem(name, None, found) for name in foreign if getattr(self, name) is not None)
+        if is_listed and self.torque is None:
+            yield Problem("torque", None, _("is missing: sizes at the crank_angles, which count by one factor"))
+        yield from self._size_problems("torque")
+
+    def _size_problems(self, sort: Sort) -> Iterator[Problem]:
         """Find sizes that do not suit the sense, or what they are listed over."""
         listed = {sort: self.sizes, f"{sort}_back": self.back or ()}
-        if self.sense == "resisting":
-            allowed = _('must be at least 0 of a load that resists; sense = "active" gives it a direction')
-            yield from (
-                Problem(f"{name}[{i}]" if len(sizes) > 1 else name, size.text, allowed)
-                for name, sizes in listed.items()
-                for i, size in enumerate(sizes)
-                if size.si < 0
-            )
         given = [name for name in (*_OVER, "at_speed", "at_turning") if getattr(self, name) is not None]
         if len(given) > 1:
             yield Problem(given[1], None, _("must not stand beside {other}: one law at a time").format(other=given[0]))
-        if self.exponent is not None and self.at_speed is None and self.at_turning is None:
+        if self.exponent is not None and not self.is_balanced and self.at_speed is None and self.at_turning is None:
             yield Problem("exponent", self.exponent.text, _("needs at_speed, or of a torque at_turning"))
         if self.travel is None and self.swing is None:
             if self.back is not None:
@@ -160,6 +280,11 @@ class LoadSpec(Spec, frozen=True):
             rises = all(one.si < other.si for one, other in pairwise(places))
             if not rises:
                 yield Problem(name, None, _("must rise from one place to the next"))
+
+
+def with_lists(spec: LoadSpec, lists: Mapping[str, object]) -> LoadSpec:
+    """Give a load whose file holds some lists these as its own, unchecked: the file was."""
+    return cast("LoadSpec", BaseModel.model_copy(spec, update=lists))
 
 
 LoadTables: TypeAlias = Mapping[str, Mapping[str, LoadSpec]]

@@ -1,28 +1,32 @@
 """Loads of a machine file, put to the links of its mechanisms as SI arrays; and what is wrong with them."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Container, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
 
-from cranktrain.errors import Problem
+from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
-from cranktrain.layout.design import Designs
+from cranktrain.layout.design import Design, Designs
+from cranktrain.layout.load_designs import tables_together
 from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadState
 from cranktrain.layout.load_tables import AT_POINT, LoadSpec, LoadTables
 from cranktrain.layout.part_tables import SLIDER, part_name, table_paths
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off_arc, pushing, turning, with_motion
-from cranktrain.linkage.vectors import Vector
+from cranktrain.linkage.vectors import Vector, rotated
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import extremes
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.nested import by_design, mapped
 from cranktrain.quantities import Given, nearest
 from cranktrain.record import record
 from cranktrain.wording import precise
 
-_TABLE = "load"
+LOAD = "load"
+"""Name of the tables of loads, and path of the machine's own."""
 _COVERED = 1e-6
 """Travels are written to some digits: what is missing of so small a part is covered."""
 
@@ -74,6 +78,14 @@ class LinkLoad(NamedTuple):
             return pushing(link, self.arm, self.direction)
         return along_link(link) if self.is_slider else with_motion(link, self.arm)
 
+    def arm_of(self, link: Link) -> Vector:
+        """From the link's first pin to where it acts, off an arc to where the rope leaves that. [m]"""
+        if self.radius is not None and self.direction is not None:
+            still = 0.0 * link.cos
+            return Vector(self.radius * np.sin(self.direction) + still, -self.radius * np.cos(self.direction) + still)
+        arm = self.arm if self.radius is None else Vector(self.radius, ZERO)
+        return rotated(arm, link.cos, link.sin)
+
     def turns_back(self, link: Link, way: LoadWay) -> Array:
         """What changes its sign where the load turns round, if it resists."""
         goes_anywhere = not (self.is_torque or self.is_slider) and self.radius is None and self.direction is None
@@ -106,22 +118,31 @@ class Loads:
 
 def loads_of(designs: Designs) -> Loads | None:
     """Put the loads of the file to the mechanisms; None where it has none."""
-    tables = designs.together.loads
-    if not tables:
-        return None
+    shafts = designs.together.shafts
+    tables = {
+        path: {name: spec for name, spec in named.items() if not is_on_shaft(path, spec, shafts)}
+        for path, named in tables_together(designs).items()
+    }
     found = [
         _link_load(designs.by_design, name if len(designs.places) == 1 else f"{place.name}.{name}", spec, i, place)
         for i, place in enumerate(designs.places)
         for name, spec in _named_loads(place, tables).items()
         if _link_of(place, spec.on) is not None
     ]
-    return Loads(tuple(found), designs.crank_angle.zero)
+    for load in found:
+        refuse_more_turns(designs, f"{LOAD}.{load.name}", load.law)
+    return Loads(tuple(found), designs.crank_angle.zero) if found else None
+
+
+def is_on_shaft(path: str, spec: LoadSpec, shafts: Container[str]) -> bool:
+    """Whether a load is a torque on one of these shafts, which the machine's own table may give."""
+    return path == LOAD and spec.force is None and spec.on in shafts
 
 
 def _named_loads(place: PlacedMechanism, tables: LoadTables) -> dict[str, LoadSpec]:
     """Loads that speak of a mechanism: of two of one name the nearer table's."""
     found: dict[str, LoadSpec] = {}
-    for path in reversed(table_paths(place, _TABLE)):
+    for path in reversed(table_paths(place, LOAD)):
         found |= tables.get(path, {})
     return found
 
@@ -153,7 +174,7 @@ def _link_load(laid: Laid, name: str, spec: LoadSpec, mechanism: int, place: Pla
         is_slider=_slides(place, place.kind.dynamics.moving[link]),
         is_torque=spec.torque is not None,
         resists=spec.sense == "resisting",
-        law=_law(laid, spec, 1.0 if spec.sense == "resisting" else turned),
+        law=law_of(laid, spec, 1.0 if spec.sense == "resisting" else turned),
         arm=Vector(each(ZERO) if along is None else along, each(ZERO) if across is None else across),
         counts=1.0 if spec.counts == "with" else -1.0,
         radius=given(spec.radius, place.sense),
@@ -161,19 +182,29 @@ def _link_load(laid: Laid, name: str, spec: LoadSpec, mechanism: int, place: Pla
     )
 
 
-def _law(laid: Laid, spec: LoadSpec, sign: float) -> Law:
-    """How large it is, in the sense that counts in the mechanism's axes."""
+def refuse_more_turns(designs: Designs, where: str, law: Law) -> None:
+    """Refuse sizes over two turns of a machine whose cycle is one."""
+    if isinstance(law, ByAngle) and law.period > designs.crank_angle.cycle * 1.5:
+        allowed = _("goes on over two turns, and the cycle of this machine is one")
+        raise InputError([Problem(f"{where}.crank_angles", None, allowed)])
+
+
+def law_of(laid: Laid, spec: LoadSpec, sign: float = 1.0) -> Law:
+    """How large a load is, its sizes with a sign; of one whose size is found at 1 rad/s the size 1."""
 
     def each(numbers: Sequence[Given]) -> Array:
         return laid([number.array for number in numbers])
 
-    size = sign * each(spec.sizes)
+    size = sign * (each(spec.sizes) if spec.sizes else laid([ONE]))
     if spec.crank_angles is not None:
-        return ByAngle(each(spec.crank_angles), size)
+        angles = each(spec.crank_angles)
+        return ByAngle(angles, size, 2 * TURN if float(np.ptp(angles[0])) > TURN * (1 + _COVERED) else TURN)
     if (travel := spec.travel or spec.swing) is not None:
         return ByTravel(each(travel), size, size if spec.back is None else sign * each(spec.back))
     at = spec.at_speed or spec.at_turning
-    power = ZERO if at is None else ONE if spec.exponent is None else spec.exponent.array
+    power = ZERO if at is None else ONE
+    if spec.exponent is not None:
+        power = spec.exponent.array
     speed = laid([ONE if at is None else at.array])
     return BySpeed(*(part[..., np.newaxis] for part in (size, speed, laid([power]))))
 
@@ -189,20 +220,36 @@ def _output_slider(place: PlacedMechanism) -> tuple[str, ...]:
     return (output,) if place.kind.output == "slider" else ()
 
 
-def load_problems(places: Sequence[PlacedMechanism], tables: LoadTables) -> Iterator[Problem]:
+def load_problems(design: Design) -> Iterator[Problem]:
     """Find loads on what is not there, torques on what does not turn, and forces of no direction."""
-    for path, named in tables.items():
-        own = [place for place in places if path in table_paths(place, _TABLE)]
+    for path, named in design.loads.items():
+        own = [place for place in design.places if path in table_paths(place, LOAD)]
         parts = dict.fromkeys(part_name(name) for place in own for name in place.kind.dynamics.moving)
         for name, spec in named.items():
             where = f"{path}.{name}"
-            if spec.on not in parts:
-                close = nearest(spec.on, parts)
-                allowed = _("must be a part that moves: {parts}").format(parts=", ".join(parts))
-                repair = None if close is None else _("did you mean {name}?").format(name=close)
-                yield Problem(f"{where}.on", spec.on, allowed, repair)
+            if is_on_shaft(path, spec, design.shafts):
                 continue
-            yield from _way_problems(where, spec, own)
+            if spec.on not in parts:
+                yield _no_part(where, spec, parts, design.shafts if path == LOAD else ())
+                continue
+            if spec.is_balanced:
+                yield Problem(f"{where}.scale", spec.scale, _("is for a torque on a shaft, such as main"))
+                continue
+            yield from (replace(one, path=f"{where}.{one.path}".rstrip(".")) for one in spec.resisting_problems())
+            yield from (spec.in_file(problem, where) for problem in _way_problems(where, spec, own))
+
+
+def _no_part(where: str, spec: LoadSpec, parts: Collection[str], shafts: Collection[str]) -> Problem:
+    """Say on what a load may be."""
+    if spec.on in shafts:
+        allowed = _("is a shaft, on which a torque acts; a force acts on a part that moves: {parts}")
+        return Problem(f"{where}.on", spec.on, allowed.format(parts=", ".join(parts)))
+    close = nearest(spec.on, (*parts, *shafts))
+    allowed = _("must be a part that moves: {parts}")
+    if shafts:
+        allowed = _("must be a part that moves: {parts}; or of a torque a shaft: {shafts}")
+    repair = None if close is None else _("did you mean {name}?").format(name=close)
+    return Problem(f"{where}.on", spec.on, allowed.format(parts=", ".join(parts), shafts=", ".join(shafts)), repair)
 
 
 def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
@@ -211,11 +258,10 @@ def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism])
     index = _link_of(place, spec.on) or 0
     if _slides(place, place.kind.dynamics.moving[index]):
         slides = _("is for what turns, and this slides")
-        yield from (
-            Problem(f"{where}.{name}", None, slides)
-            for name in ("torque", "radius", "swing")
-            if getattr(spec, name) is not None
-        )
+        foreign = [name for name in ("torque", "radius", "swing") if getattr(spec, name) is not None]
+        yield from (Problem(f"{where}.{name}", None, slides) for name in foreign)
+        if foreign:
+            return
         if spec.direction is None:
             at_pin = _("is for a link; without a direction a force on a slider goes through its pin")
             given = ((name, getattr(spec, name)) for name in AT_POINT)

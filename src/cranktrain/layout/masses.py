@@ -69,10 +69,14 @@ class Masses:
         """Whether any slider of any design rubs."""
         return any(np.any(coefficient != 0.0) for batch in self.batches for coefficient in batch.friction)
 
-    def without_mass(self) -> str | None:
-        """Say what has no mass; None where all has."""
+    def without_mass(self, *, has_gas: bool = True, has_loads: bool = False) -> str | None:
+        """Say what has no mass, and what alone acts then; None where all has."""
         if all(not np.any(body.mass) for batch in self.batches for body in batch.bodies):
-            return _("No masses are given: forces and torque are of the gas alone.")
+            if not has_loads:
+                return _("No masses are given: forces and torque are of the gas alone.")
+            if not has_gas:
+                return _("No masses are given: forces and torque are of the loads alone.")
+            return _("No masses are given: forces and torque are of gas and loads alone.")
         return _("Without mass: {parts}.").format(parts=", ".join(self.weightless)) if self.weightless else None
 
 

@@ -129,8 +129,15 @@ class Use(NamedTuple):
     consequence: str = ""
 
 
+ANY_NAME = "*"
+"""In the path of a table, for those of all names."""
+
+
 class TableFile(NamedTuple):
-    """A table of the machine file that names a file: its path, its `kind` where only one has a file, what this is."""
+    """A table of the machine file that names a file: its path, its `kind` where only one has a file, what this is.
+
+    `ANY_NAME` in the path stands for every name.
+    """
 
     table: tuple[str, ...]
     kind: str | None

@@ -135,6 +135,18 @@ def combined(one: PeriodicCurve, factor: Array, other: PeriodicCurve) -> Periodi
     return PeriodicCurve(one.cycle, one.samples + times * other.samples, motion)
 
 
+def times(one: PeriodicCurve, factor: Array) -> PeriodicCurve:
+    """A factor, shape (...), times the curve."""
+    by = np.asarray(factor)[..., np.newaxis]
+    if one.pieces is not None:
+        return _by_pieces(by * one.pieces, one.cycle)
+
+    def motion(angle: Array) -> Coefficient:
+        return Coefficient(*(by * part for part in one.motion(angle)))
+
+    return PeriodicCurve(one.cycle, by * one.samples, motion)
+
+
 def side_by_side(curves: Sequence[PeriodicCurve]) -> PeriodicCurve:
     """Curves of samples (n,) as one of samples (curve, n), at angles (k,) or (curve, k); one alone as it is."""
     if len(curves) == 1:

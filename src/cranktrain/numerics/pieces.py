@@ -31,6 +31,8 @@ _LEVEL = 1e-12
 """The same along one piece, whose values are exact to rounding."""
 _ONE_BREAK = 1e-9
 """Breaks that are closer are one. [rad]"""
+_AT_END = 1 - 1e-6
+"""A top from there on stands at the end of its piece: where it is level there, rounding moves it so far."""
 _MOST = 48
 """Peaks of one curve that are looked at."""
 
@@ -201,7 +203,7 @@ def _sides(way: Array, ends: Array, scale: Array) -> Array:
     jump = np.abs(ends[0, ..., 1:] - ends[1, ..., :-1]) > _ALIKE * scale
     none = np.zeros((*jump.shape[:-1], 1), dtype=np.bool_)
     after, before = np.concatenate([none, jump], axis=-1), np.concatenate([jump, none], axis=-1)
-    return np.where((way <= -1.0) & after, 1.0, np.where((way >= 1.0) & before, -1.0, 0.0))
+    return np.where((way <= -_AT_END) & after, 1.0, np.where((way >= _AT_END) & before, -1.0, 0.0))
 
 
 def _first_of_the_best(angle: Array, top: Array, side: Array, scale: Array, period: float) -> Peak:

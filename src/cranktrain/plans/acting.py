@@ -1,9 +1,10 @@
-"""What acts on every link of a mechanism but its joints: load, weight, inertia; and how the link moves.
+"""What acts on every link of a mechanism but its joints: gas, loads, weight, inertia; and how the link moves.
 
 All axes are the machine's, X right and Y up, seen from the free end.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import cached_property
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from cranktrain.mechanisms.geometry import rows
 from cranktrain.mechanisms.kind import AnyGeometry
 from cranktrain.motion import Array, Link
 from cranktrain.numerics.nested import mapped
+from cranktrain.plans.acting_loads import ActingLoad, acting_loads, load_symbols
 from cranktrain.plans.force_sides import Cause, PolygonForce
 from cranktrain.plans.placement import frame
 from cranktrain.plans.vectors import pair
@@ -68,6 +70,11 @@ class LoadedMechanism:
         """How its links move, in its own axes."""
         return self.dynamics.links(self.solved.motion, self.size)
 
+    @cached_property
+    def file_loads(self) -> tuple[ActingLoad, ...]:
+        """Loads of the file on it."""
+        return acting_loads(self.machine, self.loaded, self.place, self.angle)
+
     def in_machine_axes(self, x: Array, y: Array) -> Array:
         """Give a vector of its own axes in the machine's, shape (2,)."""
         return np.ravel(in_machine_axes(x, y, frame(self.machine, self.place)))
@@ -95,7 +102,7 @@ def _idle(machine: Machine) -> Iterator[Problem]:
     """What a machine lacks for forces."""
     if machine.main_shaft.speed is None and machine.main_shaft.speed_curve is None:
         yield Problem("shaft.main.speed", None, _("is missing: forces of inertia need it"))
-    if machine.gas is None and not machine.masses and not machine.weighed.bodies:
+    if machine.gas is None and not machine.masses and not machine.weighed.bodies and not machine.loads:
         yield Problem("masses", None, _("is missing, and [gas] too: nothing acts on the links"))
 
 
@@ -126,14 +133,49 @@ def pair_symbol(letter: str, by: int, on: int) -> str:
 
 
 def known_forces(one: LoadedMechanism, i: int, number: int) -> Iterator[PolygonForce]:
-    """Load, weight and inertia of one link."""
-    link, body = one.links[i], one.bodies[i]
-    conditions = one.solved.conditions
-    acting: tuple[tuple[str, Cause, Wrench], ...] = (
-        ("P", "load", one.solved.loads[i]),
-        ("G", "weight", weight(link, body, conditions.gravity)),
-        ("Φ", "inertia", applied(link, body, conditions.drive, WEIGHTLESS)),
-    )
-    for letter, cause, wrench in acting:
-        value = pair(one.in_machine_axes(wrench.x, wrench.y))
-        yield PolygonForce(f"{letter}_{number}", cause, "", one.dynamics.moving[i], value)
+    """Gas, loads of the file, weight and inertia of one link."""
+    name = one.dynamics.moving[i]
+    yield _of_wrench(one, i, f"P_{number}", "gas", one.solved.pressed[i])
+    yield from (force for force, _load in forces_of_file(one, name, number))
+    for letter, cause, wrench in own_wrenches(one, i):
+        yield _of_wrench(one, i, f"{letter}_{number}", cause, wrench)
+
+
+def own_wrenches(one: LoadedMechanism, i: int) -> Iterator[tuple[str, Cause, Wrench]]:
+    """Weight and inertia of one link, about its first pin, with their letters."""
+    link, body, conditions = one.links[i], one.bodies[i], one.solved.conditions
+    yield "G", "weight", weight(link, body, conditions.gravity)
+    yield "Φ", "inertia", applied(link, body, conditions.drive, WEIGHTLESS)
+
+
+def forces_of_file(one: LoadedMechanism, link: str, number: int) -> Iterator[tuple[PolygonForce, ActingLoad]]:
+    """Forces that the file lets act on one link; torques are none."""
+    own = [load for load in one.file_loads if load.link == link]
+    for load, symbol in zip(own, load_symbols(own, {link: number}), strict=True):
+        if not load.is_torque:
+            yield PolygonForce(symbol, "load", "", link, pair(load.force[:, 0]), name=load.name), load
+
+
+def torques_of_file(one: LoadedMechanism, link: str, number: int) -> Iterator[tuple[str, ActingLoad]]:
+    """Torques that the file lets act on one link, by their symbols."""
+    own = [load for load in one.file_loads if load.link == link]
+    symbols = load_symbols(own, {link: number})
+    return ((symbol, load) for load, symbol in zip(own, symbols, strict=True) if load.is_torque)
+
+
+def symbols_together(loads: Sequence[ActingLoad], places: Sequence[PlacedMechanism]) -> dict[tuple[str, str], str]:
+    """Symbols of loads on mechanisms that are drawn together, by mechanism and name."""
+    found: dict[tuple[str, str], str] = {}
+    after = 1
+    for place in places:
+        numbers = link_numbers(place, after)
+        own = [load for load in loads if load.mechanism == place.name]
+        symbols = load_symbols(own, numbers)
+        found |= {(load.mechanism, load.name): symbol for load, symbol in zip(own, symbols, strict=True)}
+        after = max(numbers.values())
+    return found
+
+
+def _of_wrench(one: LoadedMechanism, i: int, symbol: str, cause: Cause, wrench: Wrench) -> PolygonForce:
+    """Force of a wrench on one link."""
+    return PolygonForce(symbol, cause, "", one.dynamics.moving[i], pair(one.in_machine_axes(wrench.x, wrench.y)))

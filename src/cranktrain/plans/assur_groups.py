@@ -17,8 +17,8 @@ from cranktrain.plans.acted_links import (
     seen_by_itself,
     seen_by_slave,
 )
-from cranktrain.plans.acting import LoadedMechanism, pair_symbol
-from cranktrain.plans.force_sides import INITIAL, GroupForces, PolygonForce, Span
+from cranktrain.plans.acting import LoadedMechanism, pair_symbol, torques_of_file
+from cranktrain.plans.force_sides import INITIAL, GroupForces, PolygonForce, Span, TorqueOnLink
 from cranktrain.plans.rubbing import friction_on_links
 from cranktrain.plans.vectors import pair
 
@@ -100,7 +100,13 @@ class _Laying(NamedTuple):
             tuple(self._wholes(own, sides)),
             tuple(self._chords(group, ends)),
             float(self.seen.one.solved.forces.driving_torque[0]) if group.sort == INITIAL else float("nan"),
+            tuple(torque for name in group.links for torque in self._torques(name)),
         )
+
+    def _torques(self, name: str) -> Iterator[TorqueOnLink]:
+        """Torques of the file on a link, in the sense in which the crank turns."""
+        for symbol, load in torques_of_file(self.seen.one, name, self.seen.numbers[name]):
+            yield TorqueOnLink(symbol, load.name, self.seen.names[name], float(load.counted[0]))
 
     def _arc(self, name: str, group: Group) -> _Arc:
         """Sort the forces on a link of a group; of reactions in inner joints there is none."""

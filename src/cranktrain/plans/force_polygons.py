@@ -19,6 +19,7 @@ from cranktrain.plans.force_sides import GroupForces, PolygonForce, Span
 from cranktrain.plans.positions import ROOM, closed_angles, fitting
 from cranktrain.plans.together import numbered_pin, places_called, together_name
 from cranktrain.record import record
+from cranktrain.scales import scale_for
 
 
 @record
@@ -110,7 +111,7 @@ def force_polygons(
     if not found:
         allowed = _("no force acts on the links of {name} there").format(name=together_name(places))
         raise InputError([Problem("", ", ".join(f"φ = {angle:g}°" for angle in shown), allowed)])
-    scale = fitting([_corners(group.forces) for _name, _angle, group in found], room)
+    scale = fitting([_corners(group.forces) for _name, _angle, group in found], room, one=scale_for("N", 0.0).one)
     return tuple(
         ForcePolygon(**vars(group), mechanism=name, angle=angle, scale=scale, corners=_corners(group.forces) / scale)
         for name, angle, group in found

@@ -19,6 +19,7 @@ from cranktrain.plans.together import placed_together, places_called, together_n
 from cranktrain.plans.turning import turning
 from cranktrain.plans.vectors import POLE, PolygonVector, Quantity, plan_vectors
 from cranktrain.record import record
+from cranktrain.scales import scale_for
 
 
 @record
@@ -32,7 +33,7 @@ class Polygon:
     angle : float
         Crank angle as the machine shows it. [deg]
     scale : float
-        μ: what one drawing millimetre is. [unit]
+        μ: what one drawing millimetre is; round in the unit in which it is shown. [unit]
     unit : str
         m/s or m/s^2 at the machine's speed; m/rad or m/rad^2 where it has none.
     points : mapping of name to (X, Y)
@@ -137,15 +138,17 @@ def _polygons(
         found = [plan_vectors(drawing, at, drive, quantity) for at, drive in enumerate(drives)]
     _refuse_boundless(together_name(places), shown, found)
     described = [_points(vectors) for vectors in found]
-    scale = fitting([np.stack(list(points.values()), axis=1) for points in described], room)
     time = "rad" if machine.main_shaft.speed is None and curve is None else "s"
+    unit = f"m/{time}" if quantity == "velocity" else f"m/{time}^2"
+    outlines = [np.stack(list(points.values()), axis=1) for points in described]
+    scale = fitting(outlines, room, one=scale_for(unit, 0.0).one)
     return tuple(
         Polygon(
             mechanism=together_name(places),
             quantity=quantity,
             angle=float(angle),
             scale=scale,
-            unit=f"m/{time}" if quantity == "velocity" else f"m/{time}^2",
+            unit=unit,
             points={name: (float(point[0] / scale), float(point[1] / scale)) for name, point in points.items()},
             vectors=vectors,
         )

@@ -26,6 +26,8 @@ ROOM = (80.0, 80.0)
 _DIGITS = 9
 """Of a crank angle in degrees, so that 30 stays 30."""
 
+_ROUNDING = 1e-9
+
 DRAWING_STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
 """Scale factors of a drawing within a power of ten."""
 
@@ -58,6 +60,7 @@ def position_plan(
     mechanism: str | None = None,
     room: tuple[float, float] = ROOM,
     is_lettered: bool = False,
+    beside: Array | None = None,
 ) -> PositionPlan:
     """Plan of a mechanism in several positions.
 
@@ -73,6 +76,8 @@ def position_plan(
         For which the scale factor must suffice. [mm]
     is_lettered : bool
         Call pins with long names by letters.
+    beside : Array, shape (2, m), optional
+        Points for which there must be room too. [m]
 
     Returns
     -------
@@ -88,16 +93,25 @@ def position_plan(
     places = places_called(machine, mechanism)
     shown = closed_angles(machine, places, angles)
     drawing = placed_together(machine, places, np.deg2rad(shown) + machine.zero)
-    scale = fitting([np.concatenate(list(drawing.positions.values()), axis=1)], room)
+    points = [*drawing.positions.values(), *([] if beside is None else [beside])]
+    scale = fitting([np.concatenate(points, axis=1)], room)
     named = lettered(drawing) if is_lettered else drawing
     return PositionPlan(together_name(places), shown, scale, named.scaled(1.0 / scale))
 
 
 def single_plans(
-    machine: Machine, angles: Sequence[float], *, mechanism: str | None, room: tuple[float, float]
+    machine: Machine,
+    angles: Sequence[float],
+    *,
+    mechanism: str | None,
+    room: tuple[float, float],
+    beside: Array | None = None,
 ) -> list[PositionPlan]:
-    """Plans of a mechanism in one position each, with letters, all to one scale that suffices for a room."""
-    plans = [position_plan(machine, [angle], mechanism=mechanism, room=room, is_lettered=True) for angle in angles]
+    """Plans of a mechanism in one position each, with letters, all to one scale; parameters as of `position_plan`."""
+    plans = [
+        position_plan(machine, [angle], mechanism=mechanism, room=room, is_lettered=True, beside=beside)
+        for angle in angles
+    ]
     scale = max(plan.scale for plan in plans)
     return [rescaled(plan, scale) for plan in plans]
 
@@ -188,10 +202,18 @@ def source_angles(
     return tuple(round(float(angle), _DIGITS) % 360.0 for angle in turn)
 
 
-def fitting(outlines: Sequence[Array], room: tuple[float, float], steps: Sequence[float] = DRAWING_STEPS) -> float:
-    """Choose the round scale factor at which each of several outlines, shape (2, n), fits a room. [unit for 1 mm]"""
+def fitting(
+    outlines: Sequence[Array],
+    room: tuple[float, float],
+    steps: Sequence[float] = DRAWING_STEPS,
+    one: float = 1.0,
+) -> float:
+    """Choose the scale factor at which each of several outlines, shape (2, n), fits a room. [unit for 1 mm]
+
+    It is round in a unit of which `one` is so many of the outlines'.
+    """
     spans = [np.nanmax(outline, axis=1) - np.nanmin(outline, axis=1) for outline in outlines]
-    return rounded_scale(float(np.max(np.stack(spans) / np.asarray(room))), steps)
+    return rounded_scale(float(np.max(np.stack(spans) / np.asarray(room))), steps, one)
 
 
 def chosen_scale(least: float, asked: float | None) -> float:
@@ -215,8 +237,17 @@ def scale_words(scale: float) -> str:
     return f"1:{scale:g}" if scale >= 1 else f"{1 / scale:g}:1"
 
 
-def rounded_scale(least: float, steps: Sequence[float] = DRAWING_STEPS) -> float:
-    """Give the next scale factor up that a draughtsman would take: one of the steps times a power of ten."""
+def rounded_scale(least: float, steps: Sequence[float] = DRAWING_STEPS, one: float = 1.0) -> float:
+    """Give the next scale factor up that a draughtsman would take: a step times a power of ten, of a unit or of one.
+
+    Examples
+    --------
+    >>> rounded_scale(0.0021), round(rounded_scale(0.21, one=0.3048), 4)
+    (0.0025, 0.3048)
+    """
+    tens = float(np.log10(one))
+    if abs(tens - round(tens)) > _ROUNDING:  # what is round in kN is round in N
+        return one * rounded_scale(least / one, steps)
     power = 10.0 ** float(np.floor(np.log10(least)))
     step = next(step for step in steps if step * power >= least * (1 - 1e-9))
     return float(f"{step * power:.6g}")  # 0.0025, not 0.0025000000000000001

@@ -12,7 +12,16 @@ from cranktrain.analysis import SpeedWanted
 from cranktrain.linkage.forces import NO_FRICTION, WEIGHTLESS, added, applied, momentum
 from cranktrain.machine import Machine
 from cranktrain.motion import ONE, ZERO, Array
-from cranktrain.plans.acting import LoadedMechanism, known_forces, link_numbers, made_ready, member_of, pair_symbol
+from cranktrain.plans.acting import (
+    LoadedMechanism,
+    forces_of_file,
+    link_numbers,
+    made_ready,
+    member_of,
+    own_wrenches,
+    pair_symbol,
+    torques_of_file,
+)
 from cranktrain.plans.placement import place_called
 from cranktrain.plans.positions import closed_angles
 from cranktrain.plans.rubbing import Rubbing, friction_on_links
@@ -46,7 +55,7 @@ class ZhukovskyLever:
     speed : float
         Of the crank. [rad/s]
     forces : tuple of LeverForce
-        Loads, weights, forces and couples of inertia, and friction of the mechanism's own links.
+        Gas, loads, weights, forces and couples of inertia, and friction of the mechanism's own links.
     driving_torque : float
         What must be applied to the crank for them, by the joints' reactions. [N·m]
     """
@@ -106,18 +115,29 @@ def zhukovsky_lever(
 
 
 def _of_link(one: LoadedMechanism, i: int, number: int) -> Iterator[LeverForce]:
-    """Load at a link's pin, weight and inertia at its centroid, couples of both."""
-    link, body = one.links[i], one.bodies[i]
-    load, *at_centroid = known_forces(one, i, number)
-    pin = link.origin
-    yield _at(one, load.symbol, load.value, _pin_name(one, i), (pin.x.first, pin.y.first))
+    """Gas at a link's pin, loads of the file where they act, weight and inertia at its centroid; their couples."""
+    link, body, name = one.links[i], one.bodies[i], one.dynamics.moving[i]
+    pressed, pin = one.solved.pressed[i], link.origin
+    pin_name, pin_velocity = _pin_name(one, i), (pin.x.first, pin.y.first)
+    yield _at(one, f"P_{number}", pair(one.in_machine_axes(pressed.x, pressed.y)), pin_name, pin_velocity)
+    for force, load in forces_of_file(one, name, number):
+        is_at_pin = np.all(load.velocity[:, 0] == one.in_machine_axes(*pin_velocity))
+        point = pin_name if is_at_pin else force.symbol.lower()
+        yield _moving(one, force.symbol, force.value, point, _speed(one) * load.velocity[:, 0])
     centroid = momentum(link, body._replace(mass=ONE))
-    for force in at_centroid:
-        yield _at(one, force.symbol, force.value, f"s_{number}", (centroid.x, centroid.y))
+    for letter, _cause, wrench in own_wrenches(one, i):
+        value = pair(one.in_machine_axes(wrench.x, wrench.y))
+        yield _at(one, f"{letter}_{number}", value, f"s_{number}", (centroid.x, centroid.y))
     turning = applied(link, body._replace(mass=ZERO), one.solved.conditions.drive, WEIGHTLESS)
-    for symbol, couple in (("M", one.solved.loads[i]), (f"M_Φ{number}", turning)):
-        moment = float(np.squeeze(couple.moment * link.angle.first))
-        yield LeverForce(symbol, "", (np.nan, np.nan), (np.nan, np.nan), moment)
+    for symbol, couple in (("M", pressed), (f"M_Φ{number}", turning)):
+        yield _couple(symbol, float(np.squeeze(couple.moment * link.angle.first)))
+    for symbol, load in torques_of_file(one, name, number):
+        yield _couple(symbol, float(load.on_crank[0]))
+
+
+def _couple(symbol: str, moment: float) -> LeverForce:
+    """A couple, by what it does to the crank. [N·m]"""
+    return LeverForce(symbol, "", (np.nan, np.nan), (np.nan, np.nan), moment)
 
 
 def _at(
@@ -125,8 +145,12 @@ def _at(
 ) -> LeverForce:
     """Put a force to its point, of which the velocity is by the crank angle, in the mechanism's axes. [m/rad]"""
     x, y = velocity
-    turned = one.in_machine_axes(_speed(one) * x, _speed(one) * y)
-    return LeverForce(symbol, point, value, pair(turned), float(np.dot(value, turned)) / _speed(one))
+    return _moving(one, symbol, value, point, one.in_machine_axes(_speed(one) * x, _speed(one) * y))
+
+
+def _moving(one: LoadedMechanism, symbol: str, value: tuple[float, float], point: str, velocity: Array) -> LeverForce:
+    """Put a force to its point, of which the velocity is in the machine's axes. [m/s]"""
+    return LeverForce(symbol, point, value, pair(velocity), float(np.dot(value, velocity)) / _speed(one))
 
 
 def _of_friction(one: LoadedMechanism, rubbing: Rubbing, numbers: Mapping[str, int]) -> LeverForce:

@@ -1,6 +1,19 @@
 """Units at the edge: "180 mm" is read, checked and rounded once where it enters; inside, all is SI and radians."""
 
-from cranktrain.quantities.choice import SHOWN, UnitChoice, chosen_unit, own_units, shown_by, units_by_dimension
+from cranktrain.quantities.choice import (
+    SHOWN,
+    FileUnits,
+    UnitChoice,
+    asked_unit,
+    chosen_unit,
+    counted_from,
+    gauge_problem,
+    own_units,
+    shown_as_in,
+    shown_by,
+    units_asked,
+    units_by_dimension,
+)
 from cranktrain.quantities.conversion import shown
 from cranktrain.quantities.dimensions import Dimension, expected, is_unit, unit_names
 from cranktrain.quantities.fields import (
@@ -39,6 +52,7 @@ __all__ = [
     "Angle",
     "AngularAcceleration",
     "Dimension",
+    "FileUnits",
     "FlywheelMoment",
     "Force",
     "Given",
@@ -67,16 +81,21 @@ __all__ = [
     "TurnedAngle",
     "UnitChoice",
     "Velocity",
+    "asked_unit",
     "chosen_unit",
+    "counted_from",
     "expected",
+    "gauge_problem",
     "is_unit",
     "nearest",
     "one_of",
     "own_units",
     "read",
     "shown",
+    "shown_as_in",
     "shown_by",
     "unit_names",
+    "units_asked",
     "units_by_dimension",
     "unknown_key",
     "unlisted",

@@ -1,9 +1,10 @@
-"""Units that a reader chose to see numbers in; what was not chosen has its usual one."""
+"""Units in which numbers are to be seen: a reader's choice, else the file's own; what has neither has its usual one."""
 
 from collections import Counter
 from collections.abc import Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from typing import NamedTuple
 
 from cranktrain.errors import Problem, refuse
 from cranktrain.grouping import grouped
@@ -24,10 +25,33 @@ _OF_OTHER_SYSTEMS = frozenset(
         *("kgf", "tf", "kgf·m", "at", "ati", "atm", "PS"),
     }
 )
-_COUNTED_FROM = {"ati": "at", "psig": "psi"}
+_BY_SIZE = {Dimension.FORCE, Dimension.TORQUE, Dimension.POWER, Dimension.ENERGY, Dimension.VOLUME}
+"""What is shown in N or kN, in W or kW, by its size: of a file's own units those of other systems alone count."""
+_NOT_BY_FILE = {Dimension.RATIO, Dimension.ANGLE}
+"""What no habit of a file changes: angles are in degrees, even beside throws that are given in turns."""
+_USUAL = {"mm", "cm²", "rpm", "m/s", "m/s²", "rad/s²", "bar", "kg", "kg·m²", "N·m/rad", "K"}
+"""Units that are shown anyhow."""
+_COUNTED_FROM = {"ati": "at", "psig": "psi", "barg": "bar"}
 """Gauge units, and those of pressures that count from nothing."""
 
+
+class FileUnits(NamedTuple):
+    """Units in which a machine is shown unless its reader chooses others.
+
+    Attributes
+    ----------
+    said : UnitChoice
+        What its table [units] asks for, also of what is written to files.
+    written : UnitChoice
+        In which most of its numbers stand, for the screen and pictures.
+    """
+
+    said: UnitChoice = {}  # noqa: RUF012 - nobody changes a choice
+    written: UnitChoice = {}  # noqa: RUF012
+
+
 _chosen: ContextVar[UnitChoice] = ContextVar("chosen units", default={})  # noqa: B039 - nobody changes a choice
+_of_file: ContextVar[FileUnits] = ContextVar("units of the file", default=FileUnits())  # noqa: B039
 
 
 @contextmanager
@@ -40,6 +64,16 @@ def shown_by(choice: UnitChoice) -> Generator[None]:
         _chosen.reset(token)
 
 
+@contextmanager
+def shown_as_in(file: FileUnits) -> Generator[None]:
+    """Show numbers for a while in the units of a machine's file, as far as its reader chose no others."""
+    token = _of_file.set(file)
+    try:
+        yield
+    finally:
+        _of_file.reset(token)
+
+
 def chosen_unit(usual: str) -> str | None:
     """Unit chosen for what is usually shown in one, in any of its spellings; None where none was.
 
@@ -49,15 +83,37 @@ def chosen_unit(usual: str) -> str | None:
     ...     chosen_unit("bar"), chosen_unit("mm"), chosen_unit("kW")
     ('psi', 'in', None)
     """
-    choice = _chosen.get()
+    return _unit_in({**_of_file.get().written, **_of_file.get().said, **_chosen.get()}, usual)
+
+
+def asked_unit(usual: str) -> str | None:
+    """Unit that a reader or a table [units] asks for, as `chosen_unit`: data do not follow a file's habit.
+
+    Examples
+    --------
+    >>> with shown_as_in(FileUnits(written=own_units(["4 in"]))):
+    ...     chosen_unit("mm"), asked_unit("m")
+    ('in', None)
+    """
+    return _unit_in(units_asked(), usual)
+
+
+def units_asked() -> UnitChoice:
+    """Units that were asked for, by what they measure."""
+    return {**_of_file.get().said, **_chosen.get()}
+
+
+def _unit_in(choice: UnitChoice, usual: str) -> str | None:
     if not choice:
         return None
     key = plain(usual)
     return next((unit for dimension, unit in choice.items() if key in spellings(dimension)), None)
 
 
-def units_by_dimension(names: Sequence[str]) -> UnitChoice:
+def units_by_dimension(names: Sequence[str], path: str = "--units") -> UnitChoice:
     """Give the units of some names, as typed after --units, by what they measure; one of two things stands for both.
+
+    What is wrong stands at a path.
 
     Raises
     ------
@@ -72,27 +128,59 @@ def units_by_dimension(names: Sequence[str]) -> UnitChoice:
         if not own:
             close = nearest(name, [unit for dimension in SHOWN for unit in unit_names(dimension)])
             repair = _("did you mean {name}?").format(name=close) if close else None
-            problems.append(Problem("--units", name, _("must be units with commas between, such as bar,kW,in"), repair))
+            problems.append(Problem(path, name, _("must be units with commas between, such as bar,kW,in"), repair))
+        elif counted_from(name) is not None:
+            problems.append(gauge_problem(path, name))
         elif twice is not None:
             allowed = _("must not stand beside {other}, of the same").format(other=twice)
-            problems.append(Problem("--units", name, allowed))
+            problems.append(Problem(path, name, allowed))
         found |= own
     refuse(problems)
     return found
 
 
-def own_units(texts: Iterable[str]) -> UnitChoice:
-    """Units of other systems in which most that is written of a quantity stands: a file in inches is shown in inches.
+def counted_from(unit: str) -> str | None:
+    """Unit that counts from nothing where one counts from the atmosphere; None for all others.
 
     Examples
     --------
-    >>> list(own_units(["4 in", "7 1/2 in", "20 mm", "60 psig", "2 bar", "0.9 bar"]).values())
+    >>> counted_from("psig"), counted_from("psi")
+    ('psi', None)
+    """
+    name = next(iter(_measured_in(unit).values()), "")
+    return _COUNTED_FROM.get(name)
+
+
+def gauge_problem(path: str, unit: str) -> Problem:
+    """Refuse to show all pressures in a gauge unit: mean pressures, and rises, count from nothing."""
+    allowed = _("counts from the atmosphere, which mean pressures do not")
+    return Problem(path, unit, allowed, _("write {unit}").format(unit=counted_from(unit)))
+
+
+def own_units(texts: Iterable[str]) -> UnitChoice:
+    """Units in which most that is written of a quantity stands: a file in inches is shown in inches, one in kPa in kPa.
+
+    The usual unit wins a tie. Of what is shown by its size, in N or kN, only units of other systems are a file's own.
+
+    Examples
+    --------
+    >>> list(own_units(["4 in", "7 1/2 in", "20 mm", "60 psig", "2 bar", "0.9 bar", "25 kN"]).values())
     ['in']
     """
     units = [parts.unit for text in texts if (parts := measured(text)) is not None and parts.unit]
     written = grouped(one for unit in units for one in _measured_in(unit).items())
-    most = {dimension: Counter(names).most_common(1)[0][0] for dimension, names in written.items()}
-    return {dimension: _COUNTED_FROM.get(unit, unit) for dimension, unit in most.items() if unit in _OF_OTHER_SYSTEMS}
+    found = {dimension: _most_frequent(names) for dimension, names in written.items() if dimension not in _NOT_BY_FILE}
+    return {
+        dimension: unit
+        for dimension, unit in found.items()
+        if unit not in _USUAL and (dimension not in _BY_SIZE or unit in _OF_OTHER_SYSTEMS)
+    }
+
+
+def _most_frequent(names: Iterable[str]) -> str:
+    """The most frequent of some units; of gauge pressures as of those that count from nothing."""
+    counts = Counter(_COUNTED_FROM.get(name, name) for name in names)
+    return max(counts, key=lambda unit: (counts[unit], unit in _USUAL))
 
 
 def _measured_in(unit: str) -> UnitChoice:

@@ -199,7 +199,7 @@ def _refuse_members(members: Mapping[str, object], dimensions: Sequence[str]) ->
 def _panel_of(result: Result, entry: Entry, design: int, members: Mapping[str, "str | Sequence[str]"]) -> CurvePanel:
     """Curves of some members of one machine."""
     curves = _curves(result, entry, design, members)
-    shown = shown_in(entry.unit, np.concatenate([values for _name, values in curves]))
+    shown = shown_in(entry.shown, np.concatenate([values for _name, values in curves]))
     colour = COLOURS[_LETTERS.get(entry.unit, "F")]
     lines = (
         CurveLine(_closed_angle(result), shown.of(_closed(values)), name, LOOKS[i % len(LOOKS)], colour)
@@ -213,7 +213,7 @@ def _panel_of_both(comparison: Comparison, entry: Entry) -> CurvePanel:
     found = [
         (_curves(result, entry, 0, {})[0] if entry.name in result.catalogue else None) for result in comparison.results
     ]
-    shown = shown_in(entry.unit, np.concatenate([one[1] for one in found if one is not None]))
+    shown = shown_in(entry.shown, np.concatenate([one[1] for one in found if one is not None]))
     end = max(_closed_angle(result)[-1] for result in comparison.results)
     colours = (COLOURS[_LETTERS.get(entry.unit, "F")], INK)
     lines: list[CurveLine] = []

@@ -1,27 +1,128 @@
-"""Numbers as pictures write them."""
+"""Numbers as pictures write them: four figures, a true minus, no powers of ten."""
+
+from collections.abc import Sequence
+from decimal import Decimal
 
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.scales import Scale
+from cranktrain.wording import ABSENT, decimals_for, signless
+
+_DIGITS, _MOST_DECIMALS = 4, 8
+_NOTHING = 1e-9
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def figure(value: float) -> str:
-    """Write a number with five figures, and a true minus."""
-    digits = max(0, 4 - int(np.floor(np.log10(abs(value))))) if abs(value) > 1e-9 else 0
-    return _with_true_minus(f"{value:.{min(digits, 7)}f}")
+    """Write a number with four figures, and a true minus.
+
+    Examples
+    --------
+    >>> figure(-0.012345), figure(180.0), figure(20994.0), figure(float("nan"))
+    ('−0.01235', '180.0', '20990', '–')
+    """
+    return _written(value, decimals_for(abs(value), _DIGITS))
+
+
+def column(values: Sequence[float], scale: Scale) -> list[str]:
+    """Write SI values of a column in a unit: with four figures each, but at most a decimal more than the largest has.
+
+    Examples
+    --------
+    >>> column([47780.0, 9318.0, 82.61, 0.0], Scale("kN"))
+    ['47.78', '9.318', '0.083', '0']
+    """
+    shown = [float(scale.of(value)) for value in values]
+    finest = 1 + decimals_for(max((abs(value) for value in shown if np.isfinite(value)), default=0.0), _DIGITS)
+    return [_written(value, min(decimals_for(abs(value), _DIGITS), finest)) for value in shown]
 
 
 def aligned(values: Array) -> list[str]:
-    """Write numbers of a column with as many decimals as give the largest five figures, and a true minus."""
+    """Write numbers of a column with as many decimals as give the largest four figures, and a true minus."""
     most = float(np.nanmax(np.abs(values), initial=0.0))
-    digits = max(0, 4 - int(np.floor(np.log10(most)))) if most > 1e-9 else 0
-    return [_with_true_minus(f"{value:.{min(digits, 7)}f}") for value in values.tolist()]
+    decimals = decimals_for(most if most > _NOTHING else 0.0, _DIGITS)
+    return [_written(value, decimals, nothing=0.0) for value in values.tolist()]
 
 
 def rounded(value: float) -> str:
-    """Write a number with two decimals, and a true minus."""
-    return _with_true_minus(f"{value:.2f}")
+    """Write a number with two decimals, or with fewer so that it has four figures; and a true minus.
+
+    Examples
+    --------
+    >>> rounded(3.109), rounded(-110.28), rounded(-0.001)
+    ('3.11', '−110.3', '0.00')
+    """
+    return _written(value, min(2, decimals_for(abs(value), _DIGITS)) if abs(value) >= 1.0 else 2, nothing=0.0)
 
 
-def _with_true_minus(text: str) -> str:
-    return text.replace("-", "−") if float(text) != 0.0 else text.lstrip("-")
+def degrees(value: float) -> str:
+    """Write an angle in degrees with two decimals, and a true minus."""
+    return _written(value, 2, nothing=0.0)
+
+
+def with_unit(value: float, scale: Scale) -> str:
+    """Write an SI value with its unit.
+
+    Examples
+    --------
+    >>> with_unit(-1234.5, Scale("N"))
+    '−1234 N'
+    """
+    return f"{figure(float(scale.of(value)))} {scale.label}".rstrip()
+
+
+def written_apart(values: Array) -> list[str]:
+    """Write numbers with four figures, and with as many more as tell the smallest from the largest by two.
+
+    Examples
+    --------
+    >>> written_apart(np.array([1502.8, 1497.5])), written_apart(np.array([1500.04, 1499.97]))
+    (['1502.8', '1497.5'], ['1500.040', '1499.970'])
+    """
+    decimals = max(0, decimals_for(float(np.max(np.abs(values))), _DIGITS))
+    differs = float(np.ptp(values))
+    if differs > 0.0:
+        decimals = min(max(decimals, 1 - int(np.floor(np.log10(differs)))), _MOST_DECIMALS)
+    return [_written(value, decimals) for value in values.tolist()]
+
+
+def plain(value: float) -> str:
+    """Write a round number as it is, and one that is not with four figures.
+
+    Examples
+    --------
+    >>> plain(0.00005), plain(25.0), plain(0.196850394)
+    ('0.00005', '25', '0.1969')
+    """
+    exact = Decimal(f"{value:.6g}")
+    short = Decimal(f"{value:.{_DIGITS}g}")
+    return true_minus(f"{(exact if len(exact.normalize().as_tuple().digits) < _DIGITS else short).normalize():f}")
+
+
+def power_of_ten(value: float) -> str:
+    """Write a very small number by its power of ten.
+
+    Examples
+    --------
+    >>> power_of_ten(3.24e-16), power_of_ten(0.0)
+    ('3.2·10⁻¹⁶', '0')
+    """
+    if value == 0.0:
+        return "0"
+    mantissa, _e, exponent = f"{value:.1e}".partition("e")
+    return f"{true_minus(mantissa)}·10{str(int(exponent)).translate(_RAISED)}"
+
+
+def _written(value: float, decimals: int, nothing: float = _NOTHING) -> str:
+    """Write a number with some decimals, or tens; what is nothing is a bare 0."""
+    if not np.isfinite(value):
+        return ABSENT
+    if abs(value) < nothing:
+        return "0"
+    return true_minus(signless(f"{round(value, decimals):.{max(0, decimals)}f}"))
+
+
+def true_minus(text: str) -> str:
+    """Write the minus of a number as it is printed."""
+    return text.replace("-", "−")

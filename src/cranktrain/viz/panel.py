@@ -7,8 +7,8 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.motion import Array
-from cranktrain.quantities import chosen_unit, shown
 from cranktrain.record import record
+from cranktrain.scales import scale_for
 
 # fmt: off
 Role: TypeAlias = Literal[
@@ -26,7 +26,7 @@ class Curve:
     Attributes
     ----------
     values : Array, shape (n,)
-        In the panel's unit; NaN where links cannot close.
+        In SI until the panel is as it is shown, then in its unit; NaN where links cannot close.
     role : Role
     letter : str
         Of the quantity whose colour it has.
@@ -51,6 +51,7 @@ class Panel:
     ----------
     title : str
     unit : str
+        Of the catalogue; once it is as it is shown, what is written.
     across : Array, shape (n,), or (n_curves, n) where each curve has its own
         Crank angles from 0 to the end of the turn or the cycle, both included [deg], unless the title says of what.
     curves : tuple of Curve
@@ -70,14 +71,11 @@ class Panel:
         return np.stack([curve.values for curve in self.curves])
 
 
-def in_chosen_unit(panel: Panel) -> Panel:
-    """Give a panel in the unit that a reader chose for what it shows; as it is where none was."""
-    chosen = chosen_unit(panel.unit)
-    if chosen is None:
-        return panel
-    one = shown(1.0, panel.unit)
-    curves = tuple(replace(curve, values=shown(curve.values / one, chosen)) for curve in panel.curves)
-    return replace(panel, unit=chosen, curves=curves)
+def as_shown(panel: Panel) -> Panel:
+    """Give a panel with its values in the unit in which they are shown, and the label of that."""
+    scale = scale_for(panel.unit, float(np.nanmax(np.abs(panel.values), initial=0.0)))
+    curves = tuple(replace(curve, values=scale.of(curve.values)) for curve in panel.curves)
+    return replace(panel, unit=scale.label, curves=curves)
 
 
 class OneDesign(NamedTuple):

@@ -11,7 +11,7 @@ from cranktrain.language import _
 from cranktrain.record import record
 
 if TYPE_CHECKING:
-    from cranktrain.analysis import Result
+    from cranktrain.machine import Machine
 
 
 @record
@@ -53,18 +53,21 @@ class Picture:
 
     @property
     def function(self) -> Callable[..., Any]:
-        """What draws it; first it looks whether the result has what is needed."""
+        """What draws it, in the machine's units; first it looks whether the result has what is needed."""
         module, _colon, name = self.home.partition(":")
         draw: Callable[..., Any] = getattr(import_module(module), name)
-        if not self.needs:
-            return draw
 
         @wraps(draw)
-        def drawn(result: "Result", **options: Any) -> Any:
+        def drawn(of: Any, *arguments: Any, **options: Any) -> Any:
+            from cranktrain.io.description import units_of
+            from cranktrain.quantities import shown_as_in
+
+            machine: Machine = of if self.over == "angles" else of.machines[0]
             for quantity, sentence in self.needs.items():
-                if quantity not in result.catalogue:
-                    needs = ", ".join(result.needs_of(quantity))
+                if quantity not in of.catalogue:
+                    needs = ", ".join(of.needs_of(quantity))
                     raise InputError([Problem("", None, _(sentence).format(needs=needs))])
-            return draw(result, **options)
+            with shown_as_in(units_of(machine)):
+                return draw(of, *arguments, **options)
 
         return drawn

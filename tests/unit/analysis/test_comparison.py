@@ -139,7 +139,7 @@ def test_files_are_called_without_their_folder(tmp_path):
     assert str(ct.compare(first, second)).split()[:2] == ["long_name…", "b"]
 
 
-def test_machines_of_one_name_are_told_apart():
+def test_machines_of_one_name_are_written_apart():
     heads = str(ct.compare(SMALL, SMALL.with_({"shaft.main.speed": "1 rpm"}))).splitlines()[0]
     assert heads.split()[:2] == ["first", "second"]
 

@@ -73,8 +73,8 @@ def told(**machine: Any) -> list[str]:
             ["[evenness.motor] is not used: [evenness] flywheel or flywheel_moment is missing."],
         ),
         (
-            {"masses": PISTON, "evenness": {"load": "quadratic"}},
-            ["[evenness] load is not used: [evenness] flywheel or flywheel_moment is missing."],
+            {"masses": PISTON, "load": {"screw": {"on": "main", "scale": "balanced", "exponent": 2}}},
+            ["[load.screw] is not used: [evenness] is missing."],
         ),
         (
             {"cylinder": {"compression_ratio": 8, "firing_order": "1", "mechanical_efficiency": 0.9}},

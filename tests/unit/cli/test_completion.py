@@ -9,7 +9,7 @@ import sys
 import pytest
 
 from cranktrain.cli.app import commands
-from cranktrain.cli.completing import making
+from cranktrain.cli.completing import making, names
 from cranktrain.cli.completing.candidates import candidates
 from cranktrain.cli.completing.names import LIST, example_names
 from cranktrain.cli.completing.shells import SCRIPTS
@@ -22,6 +22,13 @@ def completed(*typed):
 
 def test_list_of_names_is_as_the_program_has_them():
     assert LIST.read_text(encoding="utf-8") == making.text(), "python -m cranktrain.cli.completing.making"
+
+
+@pytest.mark.parametrize("command", ["run", "plot", "compare"])
+def test_units_are_completed(monkeypatch, command):
+    monkeypatch.setattr(names, "names", making.made)
+    assert {"bar", "kPa", "psi", "ft·lbf"} <= set(completed(command, "3d12", "--units", ""))
+    assert "psi,kW" in completed(command, "3d12", "--units", "psi,k")
 
 
 def test_examples_are_those_of_the_program():

@@ -22,6 +22,7 @@ from tests.sentences import (
 import cranktrain as ct
 from cranktrain.cli.plot import PlotRequest, understood
 from cranktrain.plans.positions import source_angles
+from cranktrain.quantities import units_by_dimension
 from cranktrain.viz.sheets import PICTURES
 
 NAMES = {kind: ", ".join(one.name for one in PICTURES if one.kind == kind) for kind in ("plan", "sheet")}
@@ -148,11 +149,11 @@ def test_crank_angles_as_typed(plan, at, output, angles):
         (["3d12", "-o", "a.svg", "--at", ""], [f"--at = \"\": {BETWEEN_COMMAS}, "
                                                "such as 30,60"]),
         (
-            ["pumping_unit_c57", "-o", "a.svg", "--running-speed"],
+            ["mud_pump_12p160", "-o", "a.svg", "--running-speed"],
             [RUNNING_SPEED_NEEDS],
         ),
         (
-            ["pumping_unit_c57", "-o", "a.svg", "--plan", "accelerations", "--running-speed"],
+            ["mud_pump_12p160", "-o", "a.svg", "--plan", "accelerations", "--running-speed"],
             [RUNNING_SPEED_NEEDS],
         ),
         (
@@ -261,3 +262,21 @@ def test_how_many_angles_a_scale_and_the_permissible_angle_as_typed():
     press = {"kind": "slider_crank", "stroke": "160 mm", "rod_length": "270 mm"}
     angles = source_angles(ct.Machine(mechanism=press), permissible=30.0)
     assert angles == (0, 30, 60, 90, 120, 150, 180, 210, 240, 270, 300, 330)
+
+
+@pytest.mark.parametrize(
+    ("units", "said"),
+    [
+        ("bqr", "--units = bqr: must be units with commas between, such as bar,kW,in; did you mean bar?"),
+        ("psi,bar", "--units = bar: must not stand beside psi, of the same"),
+        ("psig", "--units = psig: counts from the atmosphere, which mean pressures do not; write psi"),
+    ],
+)
+def test_units_as_run_takes_them(typed, units, said):
+    for command in (("plot", "3d12", "-o", "a.svg"), ("run", "3d12")):
+        assert said in typed(*command, "--units", units).errors
+    assert "--plan = positons" in typed("plot", "3d12", "-o", "a.svg", "--plan", "positons", "--units", units).errors
+
+
+def test_units_asked_for_are_understood():
+    assert understood(PlotRequest("3d12", output="a.svg", units="psi, in")).units == units_by_dimension(["psi", "in"])

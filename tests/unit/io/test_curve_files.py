@@ -41,9 +41,18 @@ def test_degree_sign_of_western_code_pages(tmp_path):
 
 def test_file_is_relative_to_the_machine_file(tmp_path):
     written(tmp_path, TEXT.encode())
-    data = {"name": "x", "gas": GAS, "evenness": {"load": "constant", "load_curve": {"file": "traces/a.csv"}}}
-    filled = {"load": "constant", "load_curve": {"file": "traces/a.csv", "text": TEXT}}
-    assert with_curves(data, tmp_path) == ({"name": "x", "gas": GAS | {"text": TEXT}, "evenness": filled}, ())
+    data = {"name": "x", "gas": GAS, "load": {"saw": {"on": "main", "file": "traces/a.csv"}}}
+    filled = {"saw": {"on": "main", "file": "traces/a.csv", "text": TEXT}}
+    assert with_curves(data, tmp_path) == ({"name": "x", "gas": GAS | {"text": TEXT}, "load": filled}, ())
+
+
+def test_files_of_loads_of_banks_and_pistons(tmp_path):
+    written(tmp_path, TEXT.encode())
+    load = {"load": {"x": {"file": "traces/a.csv"}, "y": {"force": "1 N"}}}
+    filled = {"load": {"x": {"file": "traces/a.csv", "text": TEXT}, "y": {"force": "1 N"}}}
+    data = {"bank": {"A": {**load, "exhaust": load}, "B": {"angle": 3, "load": {"on": "rod"}}}}
+    expected = {"bank": {"A": {**filled, "exhaust": filled}, "B": data["bank"]["B"]}}
+    assert with_curves(data, tmp_path) == (expected, ())
 
 
 @pytest.mark.parametrize(
@@ -55,8 +64,9 @@ def test_file_is_relative_to_the_machine_file(tmp_path):
         {"gas": GAS | {"text": "0;1"}},
         {"gas": GAS | {"file": 3}},
         {"evenness": {}},
-        {"evenness": {"load_curve": "constant"}},
-        {"evenness": {"load_curve": {"file": "none.csv", "text": "0;1"}}},
+        {"load": "constant"},
+        {"load": {"x": "constant"}},
+        {"load": {"x": {"file": "none.csv", "text": "0;1"}}},
     ],
 )
 def test_nothing_else_is_read(data, tmp_path):
@@ -90,8 +100,8 @@ def test_a_folder_is_no_diagram(tmp_path):
 
 
 def test_all_files_that_are_missing_are_told(tmp_path):
-    data = {"gas": GAS, "evenness": {"load_curve": {"file": "b.csv"}}}
-    assert [problem.path for problem in with_curves(data, tmp_path)[1]] == ["gas.file", "evenness.load_curve.file"]
+    data = {"gas": GAS, "load": {"x": {"file": "b.csv"}}}
+    assert [problem.path for problem in with_curves(data, tmp_path)[1]] == ["gas.file", "load.x.file"]
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names on this system")
@@ -99,7 +109,7 @@ def test_all_files_that_are_missing_are_told(tmp_path):
     ("data", "noun"),
     [
         ({"gas": {"kind": "indicator", "file": "pipe"}}, "an indicator diagram"),
-        ({"evenness": {"load_curve": {"file": "pipe"}}}, "a load curve"),
+        ({"load": {"x": {"file": "pipe"}}}, "the file of a load"),
     ],
 )
 def test_a_pipe_into_which_nobody_writes_is_refused_at_once(data, noun, tmp_path):

@@ -131,7 +131,7 @@ def test_opposed_pistons(name):
     polygons = force_polygons(engine, [40.0])
     assert [polygon.numbers for polygon in polygons] == [(3, 4), (2,), (6, 7), (5,)]
     assert max(polygon.gap for polygon in polygons) < 1e-12
-    loads = [force.value for polygon in polygons for force in polygon.forces if force.cause == "load"]
+    loads = [force.value for polygon in polygons for force in polygon.forces if force.cause == "gas"]
     assert np.sum(loads, axis=0) == pytest.approx((0.0, 0.0), abs=1e-6)
     mechanisms = list(dict.fromkeys(polygon.mechanism for polygon in polygons))
     result = ct.run(engine, step_degrees=10.0, quantities=("mechanism_torque",))

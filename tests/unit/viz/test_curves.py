@@ -114,7 +114,7 @@ class TestTwo:
         np.testing.assert_allclose(first.get_ydata(), travel(np.deg2rad(first.get_xdata())), atol=1e-9)
         np.testing.assert_allclose(second.get_ydata(), 1.2 * first.get_ydata(), atol=1e-9)  # similar machines
 
-    def test_they_are_told_apart_in_grey(self):
+    def test_they_are_written_apart_in_grey(self):
         figure = ct.compare(SMALL, LARGE).plot()
         for axes in figure.axes:
             first, second = curves(axes)

@@ -58,7 +58,7 @@ def test_curves_are_the_results(result):
     for panel, values in ((velocity, result.piston_velocity), (acceleration, result.piston_acceleration)):
         scale = np.max(np.abs(values))
         np.testing.assert_allclose(panel.curves[0].values, values[0, :361], rtol=0, atol=1e-12 * scale)
-    np.testing.assert_allclose(travel.curves[0].values, 1e3 * result.piston_displacement[0, :361], atol=1e-12)
+    np.testing.assert_allclose(travel.curves[0].values, result.piston_displacement[0, :361], atol=1e-15)
     three = ct.run(ENGINE, speed=varying(np.radians(result.crank_angle / 2), 500.0))
     assert panels(three)[1].curves[0].values[360] == pytest.approx(three.piston_velocity[0, 360], rel=1e-12)
 
@@ -88,7 +88,7 @@ def test_table_of_positions_is_of_the_speed():
     pump = ct.Machine(**SLIDER_CRANK)
     speed = varying(np.radians(np.arange(360.0)))
     words = [text for text, _box in words_of(plan_positions(pump, [90.0], speed=speed))]
-    assert f"{0.05 * speed[90]:.4f}" in words
+    assert f"{0.05 * speed[90]:.4g}" in words
 
 
 def test_dxf_says_its_speed(tmp_path):

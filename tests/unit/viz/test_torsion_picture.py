@@ -55,14 +55,14 @@ def test_sheet_is_readable(result, size):
     frequencies = result.natural_frequency / (2 * np.pi)
     for mode, frequency in enumerate(frequencies[:4], start=1):
         (said,) = (text for text in words if text.startswith(f"mode {mode}, "))
-        assert f"{frequency:.2f} Hz" in said
+        assert f"{frequency:#.4g} Hz".replace(". ", " ") in said
 
 
 def test_table_has_the_critical_speeds_in_sight():
     result = ct.run(ct.load("inline_six"), step_degrees=90)
     words = [text for text, _box in words_of(sheet_torsion(result))]
-    assert f"{result.natural_frequency[0] / 6 * 30 / np.pi:.1f}" in words
-    assert f"{result.mode_vector_sum[0, 11]:.3f}" in words
+    assert f"{result.natural_frequency[0] / 6 * 30 / np.pi:.4g}" in words
+    assert f"{result.mode_vector_sum[0, 11]:#.4g}" in words
 
 
 def test_a_machine_too_slow_for_any_is_said_to_be():

@@ -80,13 +80,16 @@ def _arguments(taking: dict[str, Any], before: Sequence[str]) -> list[str]:
 
 
 def _of_option(option: Any, before: Sequence[str], begun: str) -> Iterator[str]:
-    """Give values of an option: paths of the machine that is named, results with commas between, or words."""
+    """Give values of an option: paths of the machine that is named, results or units with commas between, or words."""
     if "--set" in option.opts:
         files = [word for word in before[1:] if not word.startswith("-") and "=" not in word]
         yield from (f"{path}=" for path in setting_paths(files[0] if files else None))
     elif "--quantities" in option.opts:
         done, comma, _last = begun.rpartition(",")
         yield from (f"{done}{comma}{name}" for name in results())
+    elif "--units" in option.opts:
+        done, comma, _last = begun.rpartition(",")
+        yield from (f"{done}{comma}{name}" for name in words("units"))
     elif "--output" in option.opts:
         stem = begun.partition(".")[0]
         yield from (f"{stem}{ending}" for ending in _ENDINGS.get(before[0], ()) if stem)

@@ -9,11 +9,12 @@ from cranktrain.analysis import STAGES
 from cranktrain.catalogue import entries
 from cranktrain.cli.completing.names import LIST
 from cranktrain.machine import Machine
+from cranktrain.quantities import SHOWN, unit_names
 from cranktrain.spec import Spec, bare
 
 
 def made() -> dict[str, Any]:
-    """Give the list: names of results and kinds, and the keys of tables by the patterns of their paths."""
+    """Give the list: names of results, kinds and units, and the keys of tables by the patterns of their paths."""
     keys = dict(_tables(Machine, ()))
     for home in (("mechanism",), ("bank", "*", "mechanism")):
         for kind in mechanisms.KINDS:
@@ -25,6 +26,7 @@ def made() -> dict[str, Any]:
     return {
         "results": list(dict.fromkeys(entry.name for stage in STAGES for entry in entries(stage.gives))),
         "kinds": [kind.name for kind in mechanisms.KINDS],
+        "units": list(dict.fromkeys(unit for dimension in SHOWN for unit in unit_names(dimension))),
         "keys": {".".join(pattern): names for pattern, names in keys.items() if names},
     }
 

@@ -14,7 +14,7 @@ LIST = Path(__file__).parent / "names.json"
 
 @cache
 def names() -> dict[str, Any]:
-    """Read the list: `results`, `kinds`, and `keys` of the tables of a machine file by their paths."""
+    """Read the list: `results`, `kinds`, `units`, and `keys` of the tables of a machine file by their paths."""
     return json.loads(LIST.read_text(encoding="utf-8"))
 
 

@@ -10,17 +10,18 @@ import numpy as np
 from cranktrain.cli.screen.text import KEPT
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.quantities import chosen_unit
 from cranktrain.rows import Amount, Extent, Piece
 from cranktrain.scales import scale_for
-from cranktrain.wording import ABSENT, decimals_for, signless
+from cranktrain.wording import ABSENT, decimals_for, in_print, signless
 
 _FIGURES = 4
 _MOST_DECIMALS = 8
 _ROUNDING = 1e-9
 """Of the largest value; what is less is nothing beside it."""
 
-_DECIMALS = {"rad": 2, "position": 1, "off": 0}
-"""Of these, whatever their size."""
+_DECIMALS = {"rad": 2, "deg": 2, "position": 1, "off": 0, "number": 0}
+"""Of these, whatever their size, unless another unit is chosen."""
 
 _FEW_FIGURES = {"error": 2}
 """Of errors, that say how far off something is."""
@@ -63,10 +64,11 @@ def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.
 def _decimals_of(sized: Sequence[float], most: float, unit: str, *, apart: bool) -> list[int]:
     """How many decimals each of some values has, the largest of which is `most`; what is rounding beside it has its."""
     figures = _FEW_FIGURES.get(unit, _FIGURES)
-    usual = _DECIMALS.get(unit, decimals_for(most, figures))
+    fixed = None if unit == "rad" and chosen_unit("°") else _DECIMALS.get(unit)
+    usual = fixed if fixed is not None else decimals_for(most, figures)
     differs = float(np.ptp(sized)) if apart else 0.0
     needed = max(usual, 1 - floor(log10(differs))) if differs > 0 else usual
-    if unit in _DECIMALS:
+    if fixed is not None:
         return [needed] * len(sized)
     own = [decimals_for(abs(one), figures) if abs(one) > _ROUNDING * most else usual for one in sized]
     return [min(max(needed, min(one, usual + 1)), _MOST_DECIMALS) for one in own]
@@ -97,8 +99,12 @@ def _piece(piece: Piece, beside: Mapping[str, float]) -> str:
     if piece.positions is None:
         return _("{least} to {most}").format(least=found.texts[0], most=last)
     at = written(np.array(piece.positions), "position")
-    low, high = map(at.whole, at.texts)
-    return _("{least} at {low} to {most} at {high}").format(least=found.texts[0], low=low, most=last, high=high)
+    ends = (found.texts[0], last)
+    placed = [
+        _("{value} at {angle}").format(value=end, angle=at.whole(text)) if np.isfinite(angle) else end
+        for end, text, angle in zip(ends, at.texts, piece.positions, strict=True)
+    ]
+    return _("{least} to {most}").format(least=placed[0], most=placed[1])
 
 
 def _text(value: float, decimals: int, sign: str) -> str:
@@ -116,6 +122,7 @@ def typeset(sentence: str) -> str:
     >>> typeset("at -4.50 deg, 3 N*m").replace(KEPT, " ")
     'at −4.50°, 3 N·m'
     """
+    sentence = in_print(sentence)
     for pattern, instead in _TYPESET:
         sentence = re.sub(pattern, instead, sentence)
     return sentence
@@ -123,10 +130,6 @@ def typeset(sentence: str) -> str:
 
 _TYPESET = (
     (r"(?<=\d) deg\b", "°"),
-    (r"(?<![\w.)-])-(?=\d)", "−"),
-    (r"\bN\*m\b", "N·m"),
-    (r"\bkg\*m\^2\b", "kg·m²"),
-    (r"/s\^2\b", "/s²"),
     (r"(?<=\d) (?=%|[a-zA-Z]+[/·²³]|[kM]?[NWJ]\b|bar\b|mm\b|m\b|L\b|rpm\b)", KEPT),
 )
 """Patterns of how sentences write units and signs, and what they are here."""

@@ -90,7 +90,7 @@ def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
         if entry.is_fact:
             continue
         value, at, member = _refined(result, entry) or _in_steps(result, entry)
-        shown = figures(np.array([value]), entry.unit)
+        shown = figures(np.array([value]), entry.shown)
         members = [", ".join(labels) for labels in itertools.product(*result.labels_of(entry).values())]
         whose = members[member] if len(members) > 1 else ""
         words = (ABSENT, "", "", "") if np.isnan(value) else (shown.texts[0], shown.unit, at, whose)
@@ -129,8 +129,12 @@ def _checks(console: Console, result: Result) -> Iterator[Text]:
             yield from paragraph(console, f"– {check.verdict()}: {check.sentence}", "")
             continue
         mark, style = ("✓", "") if check.passed[0] else ("✗", "red")
-        said = _("{mark} {verdict} (residual {residual:.1e}, limit {limit:.0e}): {sentence}").format(
-            mark=mark, verdict=check.verdict(), residual=residual, limit=check.limit, sentence=check.sentence
+        said = _("{mark} {verdict} (residual {residual}, limit {limit:.0e}): {sentence}").format(
+            mark=mark,
+            verdict=check.verdict(),
+            residual=f"{residual:.1e}" if residual else "0",
+            limit=check.limit,
+            sentence=check.sentence,
         )
         yield from paragraph(console, said, style)
 

@@ -1,14 +1,17 @@
 """Which machine this is: in one line, or in two with what it is made of."""
 
+from collections.abc import Iterator
+
 from cranktrain.analysis import Result
 from cranktrain.cli.screen.text import folded
 from cranktrain.grouping import places_of_equal
 from cranktrain.io.description import counted_parts, kind_words, layout_words
 from cranktrain.language import _
+from cranktrain.layout.specs import ShaftSpec
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.questions.cylinders.firing import Firing
-from cranktrain.wording import ranged
+from cranktrain.wording import as_given, ranged
 
 _BETWEEN = " · "
 
@@ -19,7 +22,7 @@ def title(machine: Machine) -> str:
     if len(machine.shafts) > 1:
         parts.append(_shafts(machine))
     shaft = machine.main_shaft
-    parts += [given.text for given in (shaft.speed, shaft.acceleration) if given is not None]
+    parts += _speeds(shaft)
     senses = {
         "clockwise": _("clockwise"),
         "anticlockwise": _("anticlockwise"),
@@ -72,11 +75,18 @@ def _cycle(result: Result) -> str:
     return "" if given is None or result.get(Firing) is None else words[given]
 
 
+def _speeds(shaft: ShaftSpec) -> Iterator[str]:
+    """Speed and acceleration as given, or in the units that are chosen."""
+    for given, usual in ((shaft.speed, "rpm"), (shaft.acceleration, "rad/s²")):
+        if given is not None:
+            yield as_given(given, usual)
+
+
 def _turning(machine: Machine) -> str:
     """Say how fast and in which sense it turns."""
     shaft = machine.main_shaft
     senses = {"clockwise": _("clockwise"), "anticlockwise": _("anticlockwise")}
-    said = [given.text for given in (shaft.speed, shaft.acceleration) if given is not None]
+    said = list(_speeds(shaft))
     said.append(senses[machine.rotation])
     if machine.running == "astern":
         said.append(_("running astern"))

@@ -13,11 +13,11 @@ KIND = ideal_fluid(
     example="""\
 [gas]
 kind = "diesel"
-start_pressure = "110 kPa"        # absolute, as all pressures here; barg, ati and psig are gauge
+start_pressure = "1.10 bar"       # absolute, as all pressures here; barg, ati and psig are gauge
 compression_exponent = 1.36
 expansion_exponent = 1.26
 cut_off_ratio = 2.1               # V3/V2
-# inlet_pressure = "110 kPa"      # on the inlet stroke
-# exhaust_pressure = "115 kPa"    # on the exhaust stroke
+# inlet_pressure = "1.10 bar"     # on the inlet stroke
+# exhaust_pressure = "1.15 bar"   # on the exhaust stroke
 """,
 )

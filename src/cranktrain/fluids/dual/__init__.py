@@ -14,12 +14,12 @@ KIND = ideal_fluid(
     example="""\
 [gas]
 kind = "dual"
-start_pressure = "120 kPa"        # absolute, as all pressures here; barg, ati and psig are gauge
+start_pressure = "1.20 bar"       # absolute, as all pressures here; barg, ati and psig are gauge
 compression_exponent = 1.36
 expansion_exponent = 1.25
 pressure_ratio = 1.55             # p3/p2, heat at constant volume
 cut_off_ratio = 1.45              # V3/V2, heat at constant pressure
-# inlet_pressure = "120 kPa"      # on the inlet stroke
-# exhaust_pressure = "110 kPa"    # on the exhaust stroke
+# inlet_pressure = "1.20 bar"     # on the inlet stroke
+# exhaust_pressure = "1.10 bar"   # on the exhaust stroke
 """,
 )

@@ -13,11 +13,11 @@ KIND = ideal_fluid(
     example="""\
 [gas]
 kind = "otto"
-start_pressure = "95 kPa"         # absolute, as all pressures here; barg, ati and psig are gauge
+start_pressure = "0.95 bar"       # absolute, as all pressures here; barg, ati and psig are gauge
 compression_exponent = 1.34
 expansion_exponent = 1.27
 pressure_ratio = 3.6              # p3/p2
-# inlet_pressure = "95 kPa"       # on the inlet stroke
-# exhaust_pressure = "108 kPa"    # on the exhaust stroke
+# inlet_pressure = "0.95 bar"     # on the inlet stroke
+# exhaust_pressure = "1.08 bar"   # on the exhaust stroke
 """,
 )

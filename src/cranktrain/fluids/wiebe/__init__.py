@@ -20,14 +20,14 @@ KIND = Fluid(
     example="""\
 [gas]
 kind = "wiebe"
-start_pressure = "100 kPa"        # absolute, as all pressures here; barg, ati and psig are gauge
+start_pressure = "1.00 bar"       # absolute, as all pressures here; barg, ati and psig are gauge
 heat = "1000 J"                   # that one cylinder gets in a cycle
 heat_start = "-15 deg"            # from the firing dead centre
 heat_duration = "50 deg"
 form_factor = 2.0                 # m
 # efficiency_factor = 5.0         # a; 6.908 burns 99.9 % of the heat
 heat_capacity_ratio = 1.33
-# inlet_pressure = "95 kPa"       # on the inlet stroke
-# exhaust_pressure = "108 kPa"    # on the exhaust stroke
+# inlet_pressure = "0.95 bar"     # on the inlet stroke
+# exhaust_pressure = "1.08 bar"   # on the exhaust stroke
 """,
 )

@@ -154,7 +154,7 @@ def rolling_moment(
     """
     centre = running_axes(centres.value, clockwise=frames.clockwise)[..., np.newaxis]
     drive = Drive(*(part[:, 0] for part in loaded.speed.drive(crank_angle.angle)))
-    without = torques.driving_torque
+    without = torques.from_mechanisms
     if running is not None:
         without = without + _roll_of_masses(running, centre)
     elif frame is not None:

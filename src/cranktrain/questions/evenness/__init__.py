@@ -1,17 +1,19 @@
 """Evenness: the speed over the cycle, and the flywheel that keeps it even."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from cranktrain.language import N_
-from cranktrain.layout.design import Designs
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
+from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import bodies_given
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, TableFile, Use
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.shaft_loads import on_shafts
 from cranktrain.layout.uses import inner_table, keys, table
 from cranktrain.questions.evenness import (
     applied_torque,
     flywheel,
     flywheel_moment,
-    load_curve,
+    load_torque,
     rows,
     running_speed,
     shaft_work,
@@ -25,14 +27,27 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
         yield from spec.evenness_parts(table, designs)
 
 
+def _problems(design: Design) -> Iterator[Problem]:
+    table = design.table(spec.EvennessSpec)
+    if table is not None and table.motor is not None:
+        allowed = _("must not stand beside [evenness.motor], which balances the machine")
+        balanced = (name for name, load in on_shafts(design).items() if load.is_balanced)
+        yield from (Problem(f"load.{name}.scale", "balanced", allowed) for name in balanced)
+
+
+def _balanced_loads(design: Design) -> Sequence[str]:
+    return [f"[load.{name}]" for name, spec in on_shafts(design).items() if spec.is_balanced]
+
+
 QUESTION = Question(
     "evenness",
     tables={"evenness": spec.EvennessSpec},
+    problems=_problems,
     parts=_parts,
     stages=(
         Stage(flywheel_moment.flywheel_moment, applies=bodies_given),
         Stage(applied_torque.applied_torque, applies=applied_torque.of_steady_running),
-        Stage(load_curve.load_torque),
+        Stage(load_torque.load_torque, applies=load_torque.are_on_shafts),
         Stage(shaft_work.shaft_work),
         Stage(running_speed.running_speed),
         Stage(running_speed.for_second_run),
@@ -55,11 +70,10 @@ QUESTION = Question(
     },
     uses=(
         Use(table("evenness"), (shaft_work.ShaftWork,)),
-        Use(keys("evenness", "load", "flywheel", "flywheel_moment"), (running_speed.RunningSpeed,)),
+        Use(keys("evenness", "flywheel", "flywheel_moment"), (running_speed.RunningSpeed,)),
         Use(inner_table("evenness", "motor"), (running_speed.RunningSpeed,)),
-        Use(inner_table("evenness", "load_curve"), (load_curve.LoadTorque,)),
+        Use(_balanced_loads, (load_torque.LoadTorque,)),
         Use(keys("evenness", "coefficient"), (flywheel.FlywheelSize,)),
         Use(inner_table("evenness", "rim"), (flywheel.RimSize,)),
     ),
-    files=(TableFile(("evenness", "load_curve"), None, N_("a load curve")),),
 )

@@ -18,7 +18,7 @@ from cranktrain.numerics.periodic import (
     spline_curve,
     spline_integral,
 )
-from cranktrain.questions.evenness.spec import ShaftLoad
+from cranktrain.questions.evenness.spec import Balancing
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.record import record
@@ -58,11 +58,11 @@ def _smooth_work(work: Array, _slope: Array, cycle: float) -> PeriodicCurve:
     return fourier_curve(work, cycle)
 
 
-def of_steady_running(load: ShaftLoad | None, speed: Speed | None) -> bool | str:
+def of_steady_running(balancing: Balancing | None, speed: Speed | None) -> bool | str:
     """Whether the machine has a load and runs on as it does; what is asked for at one moment has no load."""
     if speed is not None and speed.curve is not None and speed.curve.moment is not None:
         return N_("steady running, without [shaft.main] acceleration,")
-    return ShaftLoad.needs if load is None else True
+    return Balancing.needs if balancing is None else True
 
 
 def applied_torque(torques: MechanismTorques, loaded: LoadedMachine, crank_angle: CrankAngle) -> AppliedTorque:
@@ -74,7 +74,7 @@ def applied_torque(torques: MechanismTorques, loaded: LoadedMachine, crank_angle
     docs/theory/evenness, eq. (17.16).
     """
     drive = loaded.speed.drive(crank_angle.angle)
-    equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), torques.driving_torque)
+    equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), torques.from_mechanisms)
     applied = torque_by_work(equation, Drive(drive.speed[:, 0], drive.acceleration[:, 0]))
     by = (
         Interpolations(fourier_curve, fourier_integral, _smooth_work)

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from cranktrain.motion import Array
+from cranktrain.motion import ONE, Array
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.periodic import PeriodicCurve, combined, curve_extremes
 
@@ -49,19 +49,17 @@ def excess_of(work: PeriodicCurve, mean: Array) -> ExcessWork:
     return ExcessWork(work, mean, *curve_extremes(work))
 
 
-def excess_against(driving: ExcessWork, load_work: PeriodicCurve, factor: Array, mean: Array) -> ExcessWork:
-    """Excess work of a driving torque against a load curve.
+def excess_against(driving: ExcessWork, load_work: PeriodicCurve | None, mean: Array) -> ExcessWork:
+    """Excess work of a driving torque against loads.
 
     Parameters
     ----------
     driving : ExcessWork
         Of the driving torque alone.
-    load_work : PeriodicCurve
-        Of the load less its mean, on the same grid. [J]
-    factor : Array, shape (...)
-        What the load is multiplied by. [1]
+    load_work : PeriodicCurve or None
+        Of the loads less their mean, on the same grid; None where they are constant. [J]
     mean : Array, shape (...)
-        Of the load so multiplied. [N·m]
+        Of the loads. [N·m]
 
     Returns
     -------
@@ -71,4 +69,7 @@ def excess_against(driving: ExcessWork, load_work: PeriodicCurve, factor: Array,
     -----
     docs/theory/evenness, eq. (17.17).
     """
-    return excess_of(combined(driving.work, -factor, load_work), driving.mean_excess - mean)
+    left = driving.mean_excess - mean
+    if load_work is None:
+        return driving._replace(mean_excess=left)
+    return excess_of(combined(driving.work, -ONE, load_work), left)

@@ -10,10 +10,11 @@ from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.questions.evenness.flywheel_inertia import METHODS, Flywheel, flywheels_by_method
+from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.rim import rim, rim_speed
 from cranktrain.questions.evenness.running_speed import RunningSpeed
 from cranktrain.questions.evenness.shaft_work import ShaftWork
-from cranktrain.questions.evenness.spec import DeclaredRim, GivenFlywheel, ShaftLoad, WantedCoefficient
+from cranktrain.questions.evenness.spec import Balancing, DeclaredRim, GivenFlywheel, WantedCoefficient
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 from cranktrain.wording import Names, number
@@ -75,14 +76,16 @@ class FlywheelSize(StageResult):
         )
 
 
-def flywheel_size(load: ShaftLoad, coefficient: WantedCoefficient, work: ShaftWork, speed: Speed) -> FlywheelSize:
+def flywheel_size(
+    balancing: Balancing, coefficient: WantedCoefficient, given: LoadTorque | None, work: ShaftWork, speed: Speed
+) -> FlywheelSize:
     """Flywheel by each method.
 
     Notes
     -----
     docs/theory/evenness, eqs. (17.7) to (17.10).
     """
-    found = flywheels_by_method(work.excess, work.inertia, speed.value[:, 0, 0], coefficient.value, load.mean)
+    found = flywheels_by_method(work.excess, work.inertia, speed.value[:, 0, 0], coefficient.value, balancing.mean)
     return FlywheelSize(
         exact=found.exact,
         wanted=coefficient.value,
@@ -91,13 +94,14 @@ def flywheel_size(load: ShaftLoad, coefficient: WantedCoefficient, work: ShaftWo
         flywheel_inertia_error=found.error,
         flywheel_fluctuation=found.fluctuation,
         labels={_METHOD: METHODS},
-        flags=tuple(_size_flags(load)),
+        flags=tuple(_size_flags(balancing, given)),
     )
 
 
-def _size_flags(load: ShaftLoad) -> Iterator[str]:
+def _size_flags(balancing: Balancing, given: LoadTorque | None) -> Iterator[str]:
     """Flag a load for which another flywheel would do."""
-    if load.motor is not None or load.is_quadratic:
+    depends = given is not None and (given.powers or given.shape is not None)
+    if balancing.motor is not None or depends:
         yield _(
             "The flywheel wanted is for a load that does not depend on the speed;"
             " one that rises with it evens it out more."

@@ -1,18 +1,21 @@
-"""Load for a wanted mean speed, where it rises with the speed squared."""
+"""What balances a machine at a wanted mean speed, where torques depend on the speed."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.motion import Array
+from cranktrain.motion import ONE, ZERO, Array
 from cranktrain.numerics import bracketed_roots
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.questions.evenness.speed_law import TorqueLaw, energy_under_law, speed_under_law
+from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, energy_under_law, speed_under_law
 from cranktrain.questions.evenness.speed_over_cycle import Mean, grid_mean
 
 _NO_MEAN, _NO_WORK = 1e-9, 1e-14
 """A mean torque of less than this part of the peak, or of the energy that it would change, is rounding."""
-_SPREAD = 4.0
-"""By how much, at most, the squares of two means of a speed are thought to differ."""
+_SPREADS = (1.02, 1.3, 4.0)
+"""By how much a torque at the mean speed may differ from its mean: first as little as in most machines, as too light a
+shaft stops where that is much."""
+_NOTHING = 1e-12
+"""Of the largest load that may be: a load of less is none."""
 
 
 def has_mean(driving: Array, inertia: Array, mean_speed: Array) -> NDArray[np.bool_]:
@@ -36,15 +39,19 @@ def has_mean(driving: Array, inertia: Array, mean_speed: Array) -> NDArray[np.bo
     return np.asarray(~(np.abs(np.mean(driving, axis=-1)) <= least))
 
 
-def quadratic_coefficient(
-    driving: Array, inertia: Array, mean_speed: Array, cycle: float = TURN, mean: Mean = "time"
+def balancing_coefficient(
+    law: TorqueLaw, shape: Power | None, inertia: Array, mean_speed: Array, cycle: float = TURN, mean: Mean = "time"
 ) -> Array:
-    """Coefficient k of a load kω² with which a driving torque gives a mean speed.
+    """Coefficient k with which a load of a shape balances all other torques, at a mean speed.
 
     Parameters
     ----------
-    driving, inertia : Array, shape (..., n)
-        On the grid of a cycle. [N·m, kg·m²]
+    law : TorqueLaw
+        Of all other torques, on the grid of a cycle; it, or the shape, has to depend on the speed.
+    shape : Power or None
+        Torque that resists, for k = 1; None for a constant one, 1 N·m.
+    inertia : Array, shape (..., n)
+        [kg·m²]
     mean_speed : Array, shape (...)
         [rad/s]
     cycle : float
@@ -55,22 +62,44 @@ def quadratic_coefficient(
     Returns
     -------
     Array, shape (...)
-        [N·m·s²]; NaN where there is none: of a torque that drives nothing, and of one without a mean.
+        NaN where there is none: where a load that rises with the speed would have to drive, or nothing has a mean.
 
     Notes
     -----
-    The mean of ω² over the angle is M̄_d/k exactly, so k lies near M̄_d/ω². docs/theory/evenness, eq. (17.11).
+    The mean of kωᵖ over the angle is that of the other torques exactly, so k lies near what it is at an even speed.
+    docs/theory/evenness, eq. (17.11).
     """
     wanted = np.asarray(mean_speed, dtype=float)[..., np.newaxis]
-    near = np.mean(driving, axis=-1, keepdims=True) / wanted**2
-    near = np.where(has_mean(driving, inertia, wanted[..., 0])[..., np.newaxis] & (near > 0), near, np.nan)
+    free = np.mean(law.free, axis=-1, keepdims=True) + 0.0 * wanted
+    braked = -(law._replace(free=ZERO)).torque(wanted)
+    unit = ONE if shape is None else shape.torque(wanted)
+
+    def within(spread: float) -> tuple[Array, Array]:
+        """The least and the largest that it may be."""
+        each = (1 / spread, spread)
+        of_shape = (1.0,) if shape is None else each
+        ends = np.stack([(free - part * braked) / (unit * own) for part in each for own in of_shape])
+        low, high = np.min(ends, axis=0), np.max(ends, axis=0)
+        return (low, high) if shape is None else (np.where(high > 0, np.maximum(low, _NOTHING * high), np.nan), high)
 
     def missing(coefficient: Array) -> Array:
-        law = TorqueLaw(driving, quadratic=-coefficient)
+        whole = with_load(law, shape, coefficient)
         if mean == "extremes":
-            found = speed_under_law(law, inertia, cycle).speed.means.extremes
+            found = speed_under_law(whole, inertia, cycle).speed.means.extremes
         else:
-            found = grid_mean(2 * energy_under_law(law, inertia, cycle) / inertia, mean)
+            found = grid_mean(2 * energy_under_law(whole, inertia, cycle) / inertia, mean)
         return found[..., np.newaxis] - wanted
 
-    return bracketed_roots(missing, *np.broadcast_arrays(near / _SPREAD, near * _SPREAD))[..., 0]
+    found = np.full_like(free, np.nan)
+    for spread in _SPREADS:
+        if np.any(np.isnan(found)):
+            beyond = bracketed_roots(missing, *np.broadcast_arrays(*within(spread)))
+            found = np.where(np.isnan(found), beyond, found)
+    return found[..., 0]
+
+
+def with_load(law: TorqueLaw, shape: Power | None, coefficient: Array) -> TorqueLaw:
+    """A law with a load of a shape, shape (..., 1) of the coefficient."""
+    if shape is None:
+        return law._replace(free=law.free - coefficient)
+    return law._replace(powers=(*law.powers, Power(-coefficient * shape.coefficient, shape.exponent)))

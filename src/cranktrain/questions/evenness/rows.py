@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.questions.evenness.flywheel import FlywheelSize, RimSize
-from cranktrain.questions.evenness.load_curve import LoadTorque
+from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.running_speed import RunningSpeed
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.rows import Amount, AnswerLine, Extent, valued, worded
@@ -28,17 +28,17 @@ def running_rows(labels: Names, design: int, work: ShaftWork, running: RunningSp
 
 
 def load_rows(labels: Names, design: int, load: LoadTorque) -> Iterator[AnswerLine]:
-    """The given load, with its factor where it was fitted to the machine."""
-    factor = float(load.load_factor[design])
-    if not np.isfinite(factor):
+    """The loads on the shaft, with their factor where they were fitted to the machine."""
+    factor, most = float(load.load_factor[design]), float(load.largest_load_torque[design])
+    if not np.isfinite(factor * most):
         return
-    pieces = {"most": Amount(float(load.largest_load_torque[design]), "N*m")}
-    if load.balance == "factor":
+    pieces = {"most": Amount(most, "N*m")}
+    if load.is_scaled:
         said = _(", at most {most}: the given one times {factor}")
         pieces["factor"] = Amount(factor, "1")
     else:
         said = _(", at most {most}")
-    yield valued(_("load, on the mean"), load.mean[design], "N*m", words=said, **pieces)
+    yield valued(_("load, on the mean"), load.mean_torque[design], "N*m", words=said, **pieces)
 
 
 def flywheel_rows(labels: Names, design: int, found: FlywheelSize, rim: RimSize | None) -> Iterator[AnswerLine]:

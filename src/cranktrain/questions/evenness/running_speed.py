@@ -13,10 +13,10 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.periodic import plus
 from cranktrain.questions.evenness.applied_torque import AppliedTorque
-from cranktrain.questions.evenness.load_curve import LoadTorque
+from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.motion_check import motion_check
 from cranktrain.questions.evenness.shaft_work import ShaftWork
-from cranktrain.questions.evenness.spec import GivenFlywheel, ShaftLoad
+from cranktrain.questions.evenness.spec import Balancing, GivenFlywheel
 from cranktrain.questions.evenness.steady_running import SteadyRunning, steady_running
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.record import record
@@ -70,7 +70,7 @@ class RunningSpeed(StageResult):
 
 
 def running_speed(
-    load: ShaftLoad,
+    balancing: Balancing,
     flywheel: GivenFlywheel,
     applied: AppliedTorque,
     given: LoadTorque | None,
@@ -79,30 +79,30 @@ def running_speed(
     speed: Speed,
     crank_angle: CrankAngle,
 ) -> RunningSpeed:
-    """Speed over the cycle under the load, or of the motor, that the file gives.
+    """Speed over the cycle under the loads, and of the motor, that the file gives.
 
     Notes
     -----
     docs/theory/evenness, eqs. (17.4), (17.5) and (17.11).
     """
     inertia = plus(work.inertia, flywheel.inertia)
-    found = steady_running(load, applied, work, inertia, speed.value[:, 0, 0])
+    found = steady_running(balancing, given, applied, work, inertia, speed.value[:, 0, 0])
     slope = torques.reduced_inertia_slope
-    taken = 0.0 if given is None else given.load_torque
-    torque = applied.applied_torque - taken + found.balancing
+    even = 0.0 if given is None else given.even
+    torque = applied.applied_torque - even + found.besides
     running = found.speed
     return RunningSpeed(
-        load=_load_words(load, has_curve=given is not None, is_free=bool(np.all(found.is_free))),
+        load=_load_words(balancing, given, is_free=bool(np.all(found.is_free))),
         crank_speed=running.speed,
         crank_acceleration=(torque - slope * running.speed**2 / 2) / inertia.samples,
-        coefficient_of_fluctuation=running.fluctuation(load.mean),
+        coefficient_of_fluctuation=running.fluctuation(balancing.mean),
         mean_speed_over_time=running.means.time,
         mean_speed_over_angle=running.means.angle,
         mean_speed_of_extremes=running.means.extremes,
         largest_crank_speed=_shown(running.largest, crank_angle),
         smallest_crank_speed=_shown(running.smallest, crank_angle),
         checks=(motion_check(running.speed, inertia.samples, slope, found.work),),
-        flags=tuple(_flags(load, work, found)),
+        flags=tuple(_flags(balancing, given, work, found)),
     )
 
 
@@ -112,24 +112,18 @@ def _shown(found: Extreme, crank_angle: CrankAngle) -> Extreme:
     return Extreme(angle[:, 0, 0], found.value[:, 0])
 
 
-def _load_words(load: ShaftLoad, *, has_curve: bool, is_free: bool) -> str:
+def _load_words(balancing: Balancing, given: LoadTorque | None, *, is_free: bool) -> str:
     """Say what balances the machine, as a sentence begins."""
-    if load.motor is not None:
+    if balancing.motor is not None:
         return _("Driven by its motor")
-    if load.is_quadratic and not is_free:
-        return (
-            _("Against the load curve and a load that rises with the speed squared")
-            if has_curve
-            else _("Against a load that rises with the speed squared")
-        )
-    if has_curve:
-        return _("Against the load curve")
-    return _("Without a load") if is_free else _("Against a constant torque")
+    if is_free:
+        return _("Without a load")
+    return _("Against a constant torque") if given is None else _("Against the load on the shaft")
 
 
-def _flags(load: ShaftLoad, work: ShaftWork, found: SteadyRunning) -> Iterator[str]:
+def _flags(balancing: Balancing, given: LoadTorque | None, work: ShaftWork, found: SteadyRunning) -> Iterator[str]:
     """Flag a load that fixes no speed, a shaft that would stop, a load that nothing drives, and unstable running."""
-    speed = found.speed
+    speed, rises = found.speed, given is not None and given.shape is not None
     is_known = np.isfinite(work.largest_excess_work)
     if np.any(is_known & found.is_free):
         yield _(
@@ -137,15 +131,15 @@ def _flags(load: ShaftLoad, work: ShaftWork, found: SteadyRunning) -> Iterator[s
             " and the declared one is kept."
         )
     if np.any(is_known & ~np.isfinite(speed.means.time)):
-        if load.motor is not None:
+        if balancing.motor is not None:
             yield _(
                 "No steady running: the motor cannot carry the shaft through the cycle; a flywheel or a motor more."
             )
-        elif load.is_quadratic and np.any(~found.is_free & (work.excess.mean_excess <= 0)):
+        elif rises and np.any(~found.is_free & (work.excess.mean_excess <= 0)):
             yield _("No steady running: a load that rises with the speed is for a machine that gives work.")
         else:
             yield _("No steady running at this speed: flywheel and moving parts are too light to carry the shaft.")
-    if np.any(speed.fluctuation(load.mean) > _UNLIKELY):
+    if np.any(speed.fluctuation(balancing.mean) > _UNLIKELY):
         yield _("Within a cycle the speed changes by more than half of its mean: is the flywheel right?")
     if np.any(found.multiplier > 1):
         yield _("The running is not stable: a small departure from it grows.")

@@ -9,7 +9,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics.periodic import PeriodicCurve
 from cranktrain.questions.evenness.applied_torque import AppliedTorque
 from cranktrain.questions.evenness.excess_work import ExcessWork, excess_against, excess_of
-from cranktrain.questions.evenness.load_curve import LoadTorque
+from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
@@ -19,7 +19,7 @@ from cranktrain.wording import Names, number
 
 @record
 class ShaftWork:
-    """Work of the torque without inertia, less that of a load that is given as a curve.
+    """Work of the torque without inertia, less that of the loads on the shaft.
 
     Attributes
     ----------
@@ -32,7 +32,7 @@ class ShaftWork:
     excess: ExcessWork
     inertia: PeriodicCurve
     excess_work: Array = quantity(
-        "A", "J", ("crank_angle",), N_("Work of that torque, less that of a given load curve, less its mean"), _THEORY
+        "A", "J", ("crank_angle",), N_("Work of that torque, less that of loads on the shaft, less its mean"), _THEORY
     )
     largest_excess_work: Array = quantity(
         "ΔA", "J", (), N_("Largest excess work: from the least to the most that is stored within a cycle"), _THEORY
@@ -52,7 +52,7 @@ def shaft_work(
     torques: MechanismTorques,
     crank_angle: CrankAngle,
 ) -> ShaftWork:
-    """Work of what drives the shaft less what the load curve takes, over the cycle.
+    """Work of what drives the shaft less what its loads take, over the cycle.
 
     Notes
     -----
@@ -64,7 +64,7 @@ def shaft_work(
     slope = applied.applied_torque - mean[..., np.newaxis]
     excess = excess_of(applied.by.work(work, slope, crank_angle.cycle), mean)
     if given is not None:
-        excess = excess_against(excess, given.work, given.load_factor, given.mean)
+        excess = excess_against(excess, given.work, given.mean)
     return ShaftWork(
         excess=excess,
         inertia=applied.by.curve(torques.reduced_inertia, crank_angle.cycle),

@@ -7,10 +7,8 @@ from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
-from cranktrain.layout.cycle_table import given_curve
 from cranktrain.layout.design import Designs
 from cranktrain.motion import Array
-from cranktrain.numerics.polyline import Polyline
 from cranktrain.quantities import (
     Dimension,
     Given,
@@ -23,7 +21,6 @@ from cranktrain.quantities import (
     PositiveVelocity,
     Quantity,
 )
-from cranktrain.questions.evenness.load_table import LoadCurveSpec
 from cranktrain.questions.evenness.rim import RimDemand
 from cranktrain.questions.evenness.speed_over_cycle import Mean
 from cranktrain.record import record
@@ -69,19 +66,11 @@ class RimSpec(Spec, frozen=True):
 
 
 class EvennessSpec(Spec, frozen=True):
-    """How the machine is loaded or driven, its flywheel, and how evenly it is to run."""
+    """What drives the machine besides its loads, its flywheel, and how evenly it is to run."""
 
-    load: Literal["constant", "quadratic"] = Field(
-        default="constant",
-        description=N_(
-            "What balances the machine's mean torque: a constant torque, or one that rises with the speed squared."
-        ),
-    )
-    load_curve: LoadCurveSpec | None = Field(
-        default=None, description=N_("A load torque given over the crank angle; the rest of the mean is balanced.")
-    )
     motor: MotorSpec | None = Field(
-        default=None, description=N_("A motor that drives the machine instead; the mean speed comes out.")
+        default=None,
+        description=N_("A motor that drives the machine; the mean speed comes out. Without it a constant torque."),
     )
     flywheel: NonNegativeInertia | None = Field(
         default=None,
@@ -105,19 +94,10 @@ class EvennessSpec(Spec, frozen=True):
     rim: RimSpec | None = Field(default=None, description=N_("Rim of the flywheel, to be given its section."))
 
     def _problems(self) -> Iterator[Problem]:
-        """Find a flywheel given twice, a motor beside another load, and a rim without a flywheel."""
+        """Find a flywheel given twice, and a rim without a flywheel."""
         if self.flywheel is not None and self.flywheel_moment is not None:
             allowed = _("must not stand beside flywheel; GD² = 4 J says the same")
             yield Problem("flywheel_moment", None, allowed)
-        if self.motor is not None and "load" in self.model_fields_set:
-            allowed = _("must not stand beside [evenness.motor], which balances the machine")
-            yield Problem("load", None, allowed)
-        if self.load_curve is not None and self.load_curve.scale == "balanced":
-            allowed = _('leaves nothing to balance, so it must not stand beside {other}; write "given"')
-            rivals = {"motor": self.motor is not None, "load": self.load == "quadratic"}
-            yield from (
-                Problem("load_curve.scale", None, allowed.format(other=name)) for name, is_so in rivals.items() if is_so
-            )
         if self.rim is not None and self.inertia is None and self.coefficient is None:
             allowed = _("needs a flywheel: give flywheel or flywheel_moment, or coefficient for the one that it takes")
             yield Problem("rim", None, allowed)
@@ -139,25 +119,16 @@ class LinearMotor:
 
 
 @record
-class ShaftLoad:
-    """What balances the machine's own torque, and which mean its speed is."""
+class Balancing:
+    """What balances the mean of the machine and its loads, where no load does: a motor, or a constant torque.
+
+    mean says which mean its speed is.
+    """
 
     needs: ClassVar[str] = N_("[evenness]")
 
-    is_quadratic: bool
     motor: LinearMotor | None
     mean: Mean
-
-
-@record
-class LoadCurve:
-    """Load torque over the shown crank angle as the file has it, and whether it is scaled to balance the machine.
-
-    polylines: of every design, or one that all have.
-    """
-
-    polylines: tuple[Polyline, ...]
-    is_scaled: bool
 
 
 @record
@@ -198,12 +169,7 @@ def evenness_parts(spec: EvennessSpec, designs: Designs) -> Iterator[object]:
     if spec.motor is not None:
         torque, speed, free = spec.motor.torque.array, spec.motor.speed.array, spec.motor.no_load_speed.array
         motor = LinearMotor(each(free), each(torque / (free - speed)))
-    yield ShaftLoad(spec.load == "quadratic", motor, spec.mean)
-    tables = (design.table(EvennessSpec) for design in designs.each)
-    curves = [table.load_curve for table in tables if table is not None and table.load_curve is not None]
-    if curves:
-        different = curves if len(set(curves)) > 1 else curves[:1]
-        yield LoadCurve(tuple(map(given_curve, different)), curves[0].scale == "balanced")
+    yield Balancing(motor, spec.mean)
     if spec.inertia is not None:
         yield GivenFlywheel(each(spec.inertia))
     if spec.coefficient is not None:

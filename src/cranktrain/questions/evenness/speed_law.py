@@ -4,31 +4,59 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.motion import ZERO, Array
+from cranktrain.motion import ONE, ZERO, Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import Interpolation, fourier_curve, fourier_integral
 from cranktrain.questions.evenness.speed_over_cycle import SpeedOverCycle, speed_from_energy
 
 _MOST_STEPS = 60
+_CLOSE = 1e-6
+"""A step after which a start is near enough."""
 _SETTLED = 1e-12
 """A step of Newton's method after which the next one is less than rounding, in parts of the energy."""
 
 
+class Power(NamedTuple):
+    """Torque that goes with a power of the speed, coefficient·ω^exponent; shapes that broadcast to (..., n).
+
+    In [N·m·sᵖ], where p is the exponent, more than 0.
+    """
+
+    coefficient: Array
+    exponent: Array
+
+    def torque(self, speed: Array) -> Array:
+        """Torque at a speed. [N·m]"""
+        return self.coefficient * speed**self.exponent
+
+    def times(self, factor: Array) -> "Power":
+        """The same times a factor, shape (...)."""
+        return self._replace(coefficient=self.coefficient * factor[..., np.newaxis])
+
+
 class TorqueLaw(NamedTuple):
-    """Torque on the shaft by crank angle and speed, free + linear·ω + quadratic·ω²; arrays that broadcast to (..., n).
+    """Torque on the shaft by crank angle and speed: what is free of the speed, and powers of it.
 
     Driving torques count positive, loads negative; laws add by adding their parts. A motor of stiffness c and no-load
-    speed ω_s has free = c ω_s and linear = −c; a fan or a propeller quadratic = −k; a given load curve is part of free.
+    speed ω_s has free = c ω_s and the power −c ω; a fan or a propeller −k ω²; a load over the angle is part of free.
 
     Attributes
     ----------
-    free, linear, quadratic : Array
-        [N·m, N·m·s, N·m·s²]
+    free : Array, broadcastable to (..., n)
+        [N·m]
+    powers : tuple of Power
     """
 
     free: Array = ZERO
-    linear: Array = ZERO
-    quadratic: Array = ZERO
+    powers: tuple[Power, ...] = ()
+
+    def torque(self, speed: Array) -> Array:
+        """All of it at speeds on the grid, shape (..., n). [N·m]"""
+        return sum((one.torque(speed) for one in self.powers), self.free + 0.0 * speed)
+
+    def slope(self, speed: Array) -> Array:
+        """Derivative of that by the speed. [N·m·s]"""
+        return sum((c * p * speed ** (p - 1) for c, p in self.powers), 0.0 * speed)
 
 
 class SpeedUnderLaw(NamedTuple):
@@ -51,7 +79,7 @@ class SpeedUnderLaw(NamedTuple):
 
 def motor(no_load_speed: Array, stiffness: Array) -> TorqueLaw:
     """Linear motor, M = c (ω_s − ω): [rad/s], [N·m·s]."""
-    return TorqueLaw(stiffness * no_load_speed, -stiffness)
+    return TorqueLaw(stiffness * no_load_speed, (Power(-stiffness, ONE),))
 
 
 def speed_under_law(
@@ -80,14 +108,12 @@ def speed_under_law(
     The energy obeys T′ = τ(φ, ω). Newton's method, whose every step is a linear periodic equation that is solved as a
     whole by Fourier series: a load kω² alone needs one step. docs/theory/evenness, eqs. (17.11) to (17.13).
     """
-    free, linear, quadratic, carried = _on_one_grid(law, inertia)
+    law, carried = _on_one_grid(law, inertia)
     energy = energy_under_law(law, inertia, cycle)
     found = speed_from_energy(by(energy, cycle), by(carried, cycle))
     with np.errstate(all="ignore"):
-        speed = found.speed
-        slope = (linear + 2 * quadratic * speed) / (carried * speed)
-        torque = free + (linear + quadratic * speed) * speed
-        return SpeedUnderLaw(found, torque, np.exp(cycle * np.mean(slope, axis=-1)))
+        slope = law.slope(found.speed) / (carried * found.speed)
+        return SpeedUnderLaw(found, law.torque(found.speed), np.exp(cycle * np.mean(slope, axis=-1)))
 
 
 def energy_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> Array:
@@ -98,19 +124,20 @@ def energy_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> Arr
     Array, shape (..., n)
         [J]; NaN where there is none.
     """
-    free, linear, quadratic, carried = _on_one_grid(law, inertia)
+    law, carried = _on_one_grid(law, inertia)
     with np.errstate(all="ignore"):
-        energy = carried * _even_speed(free, linear, quadratic) ** 2 / 2
+        energy = carried * _even_speed(law) ** 2 / 2
         move = np.full(energy.shape, np.inf)
         for _ in range(_MOST_STEPS):
             speed = np.sqrt(2 * energy / carried)
-            slope = (linear + 2 * quadratic * speed) / (carried * speed)
-            torque = free + (linear + quadratic * speed) * speed
-            better = linear_periodic(-slope, torque - slope * energy, cycle)
+            slope = law.slope(speed) / (carried * speed)
+            better = linear_periodic(-slope, law.torque(speed) - slope * energy, cycle)
             # A step that would stop the shaft goes part of the way.
             better = np.maximum(better, energy / 4)
-            move = np.abs(better - energy) / energy
-            energy = better
+            # What has settled stays, however long others take.
+            goes_on = ~(np.max(move, axis=-1, keepdims=True) <= _SETTLED)
+            move = np.where(goes_on, np.abs(better - energy) / energy, move)
+            energy = np.where(goes_on, better, energy)
             if not np.any(move > _SETTLED):
                 break
         return np.where(np.max(move, axis=-1, keepdims=True) <= _SETTLED, energy, np.nan)
@@ -147,14 +174,36 @@ def linear_periodic(decay: Array, source: Array, cycle: float = TURN) -> Array:
     return np.fft.irfft(parts, n_points, axis=-1) / weight
 
 
-def _on_one_grid(law: TorqueLaw, inertia: Array) -> tuple[Array, Array, Array, Array]:
-    """Parts of the law, and the inertia, each of shape (..., n)."""
-    shape = np.broadcast_shapes(inertia.shape, *(np.shape(part) for part in law))
-    free, linear, quadratic, carried = (np.broadcast_to(part, shape) for part in (*law, inertia))
-    return free, linear, quadratic, carried
+def _on_one_grid(law: TorqueLaw, inertia: Array) -> tuple[TorqueLaw, Array]:
+    """The law with its part that is free of the speed, and the inertia, each of shape (..., n)."""
+    parts = (part for power in law.powers for part in power)
+    shape = np.broadcast_shapes(inertia.shape, np.shape(law.free), *map(np.shape, parts))
+    return law._replace(free=np.broadcast_to(law.free, shape)), np.broadcast_to(inertia, shape)
 
 
-def _even_speed(free: Array, linear: Array, quadratic: Array) -> Array:
-    """Speed at which the mean torques balance: where Newton's method starts, shape (..., 1)."""
-    a, b, c = (np.mean(part, axis=-1, keepdims=True) for part in (free, linear, quadratic))
-    return 2 * a / (-b + np.sqrt(b**2 - 4 * a * c))
+def _even_speed(law: TorqueLaw) -> Array:
+    """Speed at which the mean torques balance: where Newton's method starts, shape (..., 1).
+
+    By the logarithm of the speed the mean torque falls ever faster, so that Newton's steps from beyond do not pass by.
+    """
+    free = np.mean(law.free, axis=-1, keepdims=True)
+    speed = np.full_like(free, np.inf)
+    powers = [Power(*map(_grid_mean, one)) for one in law.powers]
+    for coefficient, exponent in powers:
+        alone = np.where(coefficient < 0, (free / -coefficient) ** (1 / exponent), np.inf)
+        speed = np.minimum(speed, alone)
+    goes_on = np.full(speed.shape, fill_value=True)
+    for _ in range(_MOST_STEPS):
+        terms = [one.torque(speed) for one in powers]
+        slopes = [one.exponent * term for one, term in zip(powers, terms, strict=True)]
+        step = np.where(goes_on, sum(terms, free) / sum(slopes, ZERO), 0.0)
+        speed = speed * np.exp(-step)
+        goes_on &= ~(np.abs(step) < _CLOSE)
+        if not np.any(goes_on):
+            break
+    return speed
+
+
+def _grid_mean(part: Array) -> Array:
+    """Mean over the grid, shape (..., 1), of what may be one number."""
+    return np.mean(part, axis=-1, keepdims=True) if np.ndim(part) else part

@@ -1,5 +1,6 @@
 """Steady running of a machine under its load: the speed over the cycle, and what balances the torque."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -10,29 +11,44 @@ from cranktrain.numerics import spectral_derivative
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import PeriodicCurve, combined
 from cranktrain.questions.evenness.applied_torque import AppliedTorque
-from cranktrain.questions.evenness.mean_speed import has_mean, quadratic_coefficient
+from cranktrain.questions.evenness.load_torque import LoadTorque
+from cranktrain.questions.evenness.mean_speed import balancing_coefficient, has_mean, with_load
 from cranktrain.questions.evenness.shaft_work import ShaftWork
-from cranktrain.questions.evenness.spec import ShaftLoad
-from cranktrain.questions.evenness.speed_law import TorqueLaw, motor, speed_under_law
+from cranktrain.questions.evenness.spec import Balancing
+from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, motor, speed_under_law
 from cranktrain.questions.evenness.speed_over_cycle import SpeedOverCycle, chosen_speed, steady_speed
 
 
 class SteadyRunning(NamedTuple):
-    """Speed; the torque that balances the machine, and the work of all torques [N·m, J]; what is left of a departure.
+    """Steady running of a machine.
 
-    A load that does not depend on the speed lets a small departure stay after a cycle: 1. is_free: whether a load was
-    to fix the speed and does not, shape (design,).
+    Attributes
+    ----------
+    speed : SpeedOverCycle
+    besides : Array, broadcastable to (design, n)
+        Torque of all but the machine and the loads that do not depend on the speed. [N·m]
+    work : PeriodicCurve
+        Of all torques. [J]
+    multiplier : Array, shape (design,)
+        What is left of a small departure after a cycle: 1 where no torque depends on the speed.
+    is_free : array of bool, shape (design,)
+        Whether a load was to fix the speed and does not.
     """
 
     speed: SpeedOverCycle
-    balancing: Array
+    besides: Array
     work: PeriodicCurve
     multiplier: Array
     is_free: NDArray[np.bool_]
 
 
 def steady_running(
-    load: ShaftLoad, applied: AppliedTorque, work: ShaftWork, inertia: PeriodicCurve, wanted: Array
+    balancing: Balancing,
+    given: LoadTorque | None,
+    applied: AppliedTorque,
+    work: ShaftWork,
+    inertia: PeriodicCurve,
+    wanted: Array,
 ) -> SteadyRunning:
     """Steady running, by the energy alone or under a law."""
     left = work.excess.mean_excess[:, np.newaxis]
@@ -41,26 +57,33 @@ def steady_running(
     torque = left + spectral_derivative(work.excess.work.samples) * (TURN / cycle)
     has_load = has_mean(torque, inertia.samples, wanted)
     torque = torque - np.where(has_load[:, np.newaxis], 0.0, left)
-    is_free = load.is_quadratic & ~has_load
-    if load.motor is None and (not load.is_quadratic or np.all(is_free)):
-        steady = steady_speed(work.excess, inertia, wanted, load.mean)
+    powers, shape = ((), None) if given is None else (given.powers, given.shape)
+    brakes, rises = _of_speed(powers, has_load), _of_speed(() if shape is None else (shape,), has_load)
+    is_free = rises & ~brakes & ~has_load
+    by_energy = is_free | ~(brakes | rises)
+    if balancing.motor is None and np.all(by_energy):
+        steady = steady_speed(work.excess, inertia, wanted, balancing.mean)
         return SteadyRunning(steady, -left, work.excess.work, np.ones(1), is_free)
-    law = _law(load, torque, inertia, wanted)
-    whole_law = law._replace(free=torque + law.free)
-    under = speed_under_law(whole_law, inertia.samples, cycle, applied.by.curve)
+    law = TorqueLaw(torque, tuple(one._replace(coefficient=-one.coefficient) for one in powers))
+    if balancing.motor is not None:
+        driven = motor(balancing.motor.no_load_speed[:, np.newaxis], balancing.motor.stiffness[:, np.newaxis])
+        law = TorqueLaw(law.free + driven.free, (*law.powers, *driven.powers))
+        by_energy = np.zeros_like(by_energy)
+    else:
+        size = balancing_coefficient(law, shape, inertia.samples, wanted, cycle, balancing.mean)
+        law = with_load(law, shape, size[:, np.newaxis])
+    under = speed_under_law(law, inertia.samples, cycle, applied.by.curve)
     speed, multiplier = under.speed, under.multiplier
-    balancing = under.torque - torque
-    if np.any(is_free):
-        # Of several designs some may have no mean: their energy is free, as under a constant load.
-        speed = chosen_speed(is_free, steady_speed(work.excess, inertia, wanted, load.mean), speed)
-        balancing, multiplier = np.where(is_free[:, np.newaxis], -left, balancing), np.where(is_free, 1.0, multiplier)
-    whole = combined(work.excess.work, np.ones(1), applied.by.integral(balancing, cycle))
-    return SteadyRunning(speed, balancing, whole, multiplier, is_free)
+    taken = under.torque - torque
+    if np.any(by_energy):
+        # Of several designs some may have no such load: their energy is free, as under a constant load.
+        speed = chosen_speed(by_energy, steady_speed(work.excess, inertia, wanted, balancing.mean), speed)
+        taken, multiplier = np.where(by_energy[:, np.newaxis], -left, taken), np.where(by_energy, 1.0, multiplier)
+    whole = combined(work.excess.work, np.ones(1), applied.by.integral(taken, cycle))
+    return SteadyRunning(speed, taken, whole, multiplier, is_free)
 
 
-def _law(load: ShaftLoad, torque: Array, inertia: PeriodicCurve, wanted: Array) -> TorqueLaw:
-    """What balances the machine's own torque, as it depends on the speed."""
-    if load.motor is not None:
-        return motor(load.motor.no_load_speed[:, np.newaxis], load.motor.stiffness[:, np.newaxis])
-    found = quadratic_coefficient(torque, inertia.samples, wanted, inertia.cycle, load.mean)
-    return TorqueLaw(quadratic=-found[:, np.newaxis])
+def _of_speed(powers: Sequence[Power], designs: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """In which designs one of these depends on the speed, shape (design,)."""
+    depend = (((one.coefficient != 0) & (one.exponent != 0))[:, 0] for one in powers)
+    return np.any([np.zeros_like(designs), *depend], axis=0)

@@ -71,7 +71,7 @@ def force_events(
             own[mechanism].append(turns[:, member])
     for load in () if loaded.loads is None else loaded.loads.each:
         if isinstance(load.law, ByAngle):
-            own[load.mechanism].append(load.law.angles + crank_angle.zero[..., 0])
+            own[load.mechanism].append(load.law.kinks(crank_angle.cycle) + crank_angle.zero[..., 0])
     each = [np.concatenate(parts, axis=-1) for parts in own.values()]
     shared = [
         np.concatenate([each[i] for i in np.flatnonzero(loaded.sharing == label)], axis=-1) for label in loaded.sharing

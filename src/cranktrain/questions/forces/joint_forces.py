@@ -8,7 +8,6 @@ from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.masses import Masses
 from cranktrain.layout.part_tables import part_name
 from cranktrain.mechanisms.dynamics import Reaction
 from cranktrain.motion import Array
@@ -70,7 +69,7 @@ def joint_forces(
         largest_joint_force=largest,
         labels={"joint": names},
         flags=(
-            *_flags(loaded.masses),
+            *_flags(loaded),
             *_moments_without_length(loaded, solved),
             *_wedged(loaded, solved),
             *one_sided([(_("largest force in"), largest)], names),
@@ -100,9 +99,10 @@ def _reactions(joints: Sequence[Member], solved: Sequence[SolvedBatch]) -> Array
     return parts_of(joints, solved, lambda batch, place: solved[batch].forces.joints[place])
 
 
-def _flags(masses: Masses) -> Iterator[str]:
+def _flags(loaded: LoadedMachine) -> Iterator[str]:
     """Flag what has no mass, and rods whose inertia is assumed."""
-    if (said := masses.without_mass()) is not None:
+    masses = loaded.masses
+    if (said := loaded.without_mass()) is not None:
         yield said
     if masses.doubtful:
         yield _(

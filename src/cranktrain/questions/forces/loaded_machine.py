@@ -17,7 +17,7 @@ from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added
 from cranktrain.linkage.forces.load import LoadWay
 from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import ZERO, Array, Coefficient
+from cranktrain.motion import ZERO, Array, Coefficient, Link
 from cranktrain.numerics import extremes, in_slots
 from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.carriers import MASTER, Carriers
@@ -28,12 +28,13 @@ from cranktrain.record import record
 class SolvedBatch(NamedTuple):
     """Forces of the mechanisms of one kind, arrays of shape (design, member, n).
 
-    motion; loads, those of the mechanism alone; conditions; and `Forces`, whose joints bear what slaves hand over as
-    well.
+    motion; loads, those of the mechanism alone, and of these what the gas presses; conditions; and `Forces`, whose
+    joints bear what slaves hand over as well.
     """
 
     motion: AnyMotion
     loads: tuple[Wrench, ...]
+    pressed: tuple[Wrench, ...]
     conditions: Conditions
     forces: Forces
 
@@ -63,6 +64,10 @@ class LoadedMachine:
     def jumps(self) -> bool:
         """Whether something makes its torque jump, or gives it kinks, besides the gas."""
         return self.masses.has_friction or self.loads is not None
+
+    def without_mass(self) -> str | None:
+        """Say what has no mass, and what alone acts then; None where all has."""
+        return self.masses.without_mass(has_gas=self.gas is not None, has_loads=self.loads is not None)
 
     def in_order(self, by_batch: Iterable[NDArray[Any]]) -> NDArray[Any]:
         """Values of every batch, broadcastable to (design, member, ...), in the machine's order of mechanisms."""
@@ -116,7 +121,8 @@ class LoadedMachine:
             motion = moving[place]
             made = self.masses.batches[place]
             drive = Drive(*(_own(part, batch.index) for part in drives))
-            loads = borne = self._loads(batch, motion, _own(angle, batch.index), drive.speed, toward)
+            pressed = dynamics.load(motion, size, self._pressing(batch.index, toward))
+            loads = borne = self._with_loads(pressed, batch, motion, _own(angle, batch.index), drive.speed)
             handed = _of_slaves(batch.index, on_rods) if batch.kind.name == MASTER else None
             if handed is not None:
                 on_crank, on_rod, on_piston = loads
@@ -127,7 +133,7 @@ class LoadedMachine:
             )
             conditions = Conditions(drive, made.gravity, friction)
             forces = dynamics.forces(motion, size, made.bodies, borne, conditions)
-            found[place] = SolvedBatch(motion, loads, conditions, forces)
+            found[place] = SolvedBatch(motion, loads, pressed, conditions, forces)
             if dynamics.on_master is not None and (knuckle := dynamics.joint("knuckle_pin")) is not None:
                 wrench = dynamics.on_master(motion, size, forces.joints[knuckle])
                 for member, mechanism in enumerate(batch.index.tolist()):
@@ -199,12 +205,16 @@ class LoadedMachine:
 
     def load_way(self, load: LinkLoad, angle: Array) -> LoadWay:
         """Along what a load goes, at φ [rad], shape (n,) or (design, 1, n); arrays of shape (design, 1, n)."""
+        return load.way(self.loaded_link(load, angle))
+
+    def loaded_link(self, load: LinkLoad, angle: Array) -> Link:
+        """On what a load acts, in its mechanism's axes; angle and arrays as of `load_way`."""
         for batch in self.mechanisms.batches:
             member = np.flatnonzero(batch.index == load.mechanism)
             if member.size:
                 motion = batch.kind.motion(angle + batch.members.phase, batch.members.geometry)
                 link = batch.kind.dynamics.links(motion, batch.members.geometry)[load.link]
-                return load.way(of_member(link, int(member[0])))
+                return of_member(link, int(member[0]))
         raise IndexError(load.mechanism)
 
     @cached_property
@@ -226,15 +236,14 @@ class LoadedMachine:
         parts = np.broadcast_arrays(angle - self.loads.zero, travel, load.counts * way.rate * speed)
         return load.value(LoadState(*parts))
 
-    def _loads(
-        self, batch: Batch, motion: AnyMotion, angle: Array, speed: Array, toward: Array | None
+    def _with_loads(
+        self, pressed: tuple[Wrench, ...], batch: Batch, motion: AnyMotion, angle: Array, speed: Array
     ) -> tuple[Wrench, ...]:
-        """What gas and the file's loads do to the links of one kind."""
-        dynamics, size = batch.kind.dynamics, batch.members.geometry
-        found = list(dynamics.load(motion, size, self._pressing(batch.index, toward)))
+        """What the file's loads do to the links of one kind, with what the gas does."""
         if self.loads is None:
-            return tuple(found)
-        links = dynamics.links(motion, size)
+            return pressed
+        found = list(pressed)
+        links = batch.kind.dynamics.links(motion, batch.members.geometry)
         for member, mechanism in enumerate(batch.index.tolist()):
             for load in self.loads.of(mechanism):
                 way = load.way(of_member(links[load.link], member))

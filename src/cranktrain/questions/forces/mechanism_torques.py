@@ -7,6 +7,8 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.shaft_loads import ShaftLoads
 from cranktrain.linkage.forces import torque_by_work
 from cranktrain.motion import Array
 from cranktrain.questions.forces.forces_times_arms import forces_times_arms
@@ -20,8 +22,13 @@ _TORQUES_LIMIT = 1e-12
 
 @record
 class MechanismTorques(StageResult):
-    """What every mechanism does to the shaft, and all together."""
+    """What every mechanism does to the shaft, and all together.
 
+    from_mechanisms, shape (design, n), is what must be applied for the mechanisms alone, without loads on the shaft.
+    [N·m]
+    """
+
+    from_mechanisms: Array
     mechanism_torque: Array = quantity(
         "M_i", "N*m", ("mechanism", "crank_angle"), N_("Torque of the mechanism on its shaft, by virtual work"), _THEORY
     )
@@ -36,7 +43,9 @@ class MechanismTorques(StageResult):
     )
 
 
-def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTorques:
+def mechanism_torques(
+    loaded: LoadedMachine, solved: SolvedCycle, on_shafts: ShaftLoads | None, crank_angle: CrankAngle
+) -> MechanismTorques:
     """Torques by virtual work and by reactions, which share little, and the reduced inertia."""
     by_reactions = driving_torques(loaded, solved.batches)
     shape = by_reactions.shape
@@ -49,11 +58,15 @@ def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTo
         by_work[:, batch.index] = torque_by_work(equation, one.conditions.drive) - one.forces.friction_torque
         inertia = inertia + np.sum(equation.inertia.value, axis=1)
         slope = slope + np.sum(equation.inertia.first, axis=1)
-    driving = np.sum(by_reactions, axis=1)
+    own = np.sum(by_reactions, axis=1)
+    speed = loaded.speed.drive(crank_angle.angle).speed
+    given = () if on_shafts is None else on_shafts.given
+    driving = own - sum(load.value(crank_angle.shown, speed)[:, 0] for load in given)
     # Where forces stand across the way of their pins there is no torque, but rounding of forces times arms.
     scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1) + np.sum(forces_times_arms(loaded, solved.batches), axis=1)
-    residual = np.max(np.abs(driving - np.sum(by_work, axis=1)), axis=-1) / np.where(scale > 0, scale, 1.0)
+    residual = np.max(np.abs(own - np.sum(by_work, axis=1)), axis=-1) / np.where(scale > 0, scale, 1.0)
     return MechanismTorques(
+        from_mechanisms=own,
         mechanism_torque=-by_work,
         driving_torque=driving,
         reduced_inertia=inertia,

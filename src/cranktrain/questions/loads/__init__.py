@@ -7,20 +7,28 @@ from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.layout.loads import load_problems, loads_of
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.question import ANY_NAME, Parts, Question, ResultDimension, Stage, TableFile, Use
+from cranktrain.layout.shaft_loads import shaft_load_problems, shaft_loads_of
 from cranktrain.questions.loads import load_work, rows
 
 
 def _problems(design: Design) -> Iterator[Problem]:
-    return load_problems(design.places, design.loads)
+    yield from load_problems(design)
+    yield from shaft_load_problems(design)
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
     yield loads_of(designs)
+    yield shaft_loads_of(designs)
 
 
 def _tables(design: Design) -> Sequence[str]:
-    return [f"[{path}.{name}]" for path, named in design.loads.items() for name in named]
+    loads = ((path, name, spec) for path, named in design.loads.items() for name, spec in named.items())
+    return [f"[{path}.{name}]" for path, name, spec in loads if not spec.is_balanced]
+
+
+_HOMES = ((), ("bank", ANY_NAME), ("bank", ANY_NAME, ANY_NAME))
+"""Where loads may stand: in the machine's tables, a bank's, or one piston's of two in a bank."""
 
 
 QUESTION = Question(
@@ -34,5 +42,6 @@ QUESTION = Question(
     title=N_("Loads"),
     rows=(rows.load_rows,),
     offers={"load_work": N_("what it works against")},
+    files=tuple(TableFile((*home, "load", ANY_NAME), None, N_("the file of a load")) for home in _HOMES),
     uses=(Use(_tables, (load_work.LoadWork,)),),
 )

@@ -1,14 +1,18 @@
 """Work and power of the loads of a machine file."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.load_laws import ByAngle
 from cranktrain.layout.loads import LinkLoad, Loads
+from cranktrain.layout.shaft_loads import ShaftLoads, TorqueOnShaft
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, subintervals
 from cranktrain.questions.forces.events import ForceEvents
@@ -23,19 +27,34 @@ _LOAD = ("load",)
 _CURVE = ("load", "crank_angle")
 _WIDEST = np.pi / 9
 """Of a piece of the quadrature. [rad]"""
+_ROUNDING = 1e-12
+"""Of what a load does there and back; a work of less is none."""
 
 
 @record
 class LoadWork(StageResult):
-    """What the loads do: less than 0 where the machine works against them."""
+    """What the loads do: less than 0 where the machine works against them; n_on_links are first, on the mechanisms."""
 
+    n_on_links: int
     load_torque_on_crank: Array = quantity(
         "Q_l", "N*m", _CURVE, N_("Torque of the load on the crank, by virtual work"), _THEORY
     )
     load_power: Array = quantity("P_l", "W", _CURVE, N_("Power of the load; less than 0 where it takes it"), _THEORY)
     load_work: Array = quantity("W_l", "J", _LOAD, N_("Work of the load over a cycle, by exact quadrature"), _THEORY)
+    mean_load_power: Array = quantity("P_l,m", "W", _LOAD, N_("Mean power of the load over the cycle"), _THEORY)
     largest_load_power: Peak = extreme(
         "P_l,max", "W", _LOAD, N_("Largest power of the load, of either sign"), N_("Crank angle of that power"), _THEORY
+    )
+    largest_load_force: Peak = extreme(
+        "F_l,max", "N", _LOAD, N_("Largest size of a load that is a force"), N_("Crank angle of that force"), _THEORY
+    )
+    largest_load_moment: Peak = extreme(
+        "C_l,max",
+        "N*m",
+        _LOAD,
+        N_("Largest size of a load that is a torque"),
+        N_("Crank angle of that torque"),
+        _THEORY,
     )
 
     def answer(self, names: Names, design: int) -> str:
@@ -45,44 +64,85 @@ class LoadWork(StageResult):
         return _("Work of the loads in a cycle {works}; largest power {most}.").format(works=works, most=most)
 
 
-def are_asked_for(loads: Loads | None, gas: DeclaredGas | None) -> bool:
+def are_asked_for(loads: Loads | None, on_shafts: ShaftLoads | None, gas: DeclaredGas | None) -> bool | str:
     """Whether there are loads, or may be missed: an engine or compressor works against its gas."""
-    return loads is not None or gas is None
+    if loads is not None or (on_shafts is not None and on_shafts.given):
+        return True
+    return Loads.needs if gas is None else False
 
 
-def load_work(loaded: LoadedMachine, loads: Loads, events: ForceEvents, crank_angle: CrankAngle) -> LoadWork:
+def load_work(
+    loaded: LoadedMachine,
+    loads: Loads | None,
+    on_shafts: ShaftLoads | None,
+    events: ForceEvents,
+    crank_angle: CrankAngle,
+) -> LoadWork:
     """Power over the cycle, and work by quadrature between the events of the loads.
 
     Notes
     -----
     Q = F u′ of a force along its way u, or of a torque along its link's angle. docs/theory/forces, eq. (13.6).
     """
+    links, shafts = () if loads is None else loads.each, () if on_shafts is None else on_shafts.given
 
-    def on_crank(angle: Array) -> Array:
-        return np.concatenate([_on_crank(loaded, load, angle) for load in loads.each], axis=1)
+    acting = partial(_acting, loaded, links, shafts, crank_angle)
 
     def size_of_power(angle: Array) -> Array:
-        return np.abs(on_crank(angle) * loaded.speed.drive(angle).speed)
+        return np.abs(acting(angle)[0] * loaded.speed.drive(angle).speed)
+
+    def size(angle: Array) -> Array:
+        return np.abs(acting(angle)[1])
 
     grid = crank_angle.angle
-    torque = on_crank(grid)
+    torque, sizes = acting(grid)
     power = torque * loaded.speed.drive(grid).speed
-    most = largest_of_machine(size_of_power, np.abs(power), events, crank_angle)
+    corners = (load.law.kinks(crank_angle.cycle) for load in shafts if isinstance(load.law, ByAngle))
+    at_shafts = [own + crank_angle.zero[:, 0] for own in corners]
+    whole = ForceEvents(events.angle, np.concatenate([events.whole, *at_shafts], axis=-1))
+    work = _works(lambda angle: acting(angle)[0], whole, crank_angle)
+    most = largest_of_machine(size_of_power, np.abs(power), whole, crank_angle)
+    largest = largest_of_machine(size, np.abs(sizes), whole, crank_angle)
+    is_torque = np.array([*(load.is_torque for load in links), *(True for _load in shafts)])
+    names = (*(load.name for load in links), *(load.name for load in shafts))
     return LoadWork(
+        n_on_links=len(links),
         load_torque_on_crank=torque,
         load_power=power,
-        load_work=_works(on_crank, events, crank_angle),
+        load_work=work,
+        mean_load_power=work * loaded.speed.mean[..., 0] / crank_angle.cycle,
         largest_load_power=most,
-        labels={"load": loads.names},
-        flags=tuple(one_sided([(_("largest power"), most)], loads.names)),
+        largest_load_force=_known(largest, ~is_torque),
+        largest_load_moment=_known(largest, is_torque),
+        labels={"load": names},
+        flags=tuple(one_sided([(_("largest power"), most), (_("largest size"), largest)], names)),
     )
 
 
-def _on_crank(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> Array:
-    """Torque of one load on the crank at φ, shape (design, 1, n). [N·m]"""
+def _acting(
+    loaded: LoadedMachine,
+    links: Sequence[LinkLoad],
+    shafts: Sequence[TorqueOnShaft],
+    crank_angle: CrankAngle,
+    angle: Array,
+) -> tuple[Array, Array]:
+    """Torque on the crank [N·m] and size [N or N·m] of every load at φ, each of shape (design, load, n)."""
     own = angle if angle.ndim == 3 else angle[np.newaxis, np.newaxis]
-    way = loaded.load_way(load, own)
-    return loaded.load_value(load, way, own, loaded.speed.drive(own).speed) * way.rate
+    speed = loaded.speed.drive(own).speed
+    on_crank: list[Array] = []
+    sizes: list[Array] = []
+    for load in links:
+        way = loaded.load_way(load, own)
+        sizes.append(loaded.load_value(load, way, own, speed))
+        on_crank.append(sizes[-1] * way.rate)
+    at_shafts = [load.value(own - crank_angle.zero, speed) for load in shafts]
+    return np.concatenate([*on_crank, *at_shafts], axis=1), np.concatenate([*sizes, *at_shafts], axis=1)
+
+
+def _known(peak: Peak, is_one: NDArray[np.bool_]) -> Peak:
+    """Peaks of those that are of a sort; of the others there is none."""
+    value, angle = (np.where(is_one, part, np.nan) for part in (peak.value, peak.angle))
+    return Peak(angle, value, np.where(is_one, peak.side, 0.0))
 
 
 def _works(on_crank: Callable[[Array], Array], events: ForceEvents, crank_angle: CrankAngle) -> Array:
@@ -93,4 +153,6 @@ def _works(on_crank: Callable[[Array], Array], events: ForceEvents, crank_angle:
     angle, weight = np.zeros((2, len(cuts), 1, longest))
     for design, cut in enumerate(cuts):
         angle[design, 0, : cut.angle.size], weight[design, 0, : cut.angle.size] = cut.angle, cut.weight
-    return np.sum(on_crank(angle + crank_angle.zero) * weight, axis=-1)
+    done = on_crank(angle + crank_angle.zero) * weight
+    work, gross = np.sum(done, axis=-1), np.sum(np.abs(done), axis=-1)
+    return np.where(np.abs(work) > _ROUNDING * gross, work, 0.0)

@@ -68,13 +68,17 @@ class ShaftTorques(StageResult):
         most, least = self.largest_torque, self.smallest_torque
         if self.is_none[design]:
             return _("Torque on the shaft: none.")
-        return _("Torque on the shaft: mean {mean}, from {least} at {low} to {most} at {high}.").format(
+        return _("Torque on the shaft: mean {mean}, from {least} to {most}.").format(
             mean=number(float(self.mean_torque[design]), "N*m"),
-            least=number(float(least.value[design]), "N*m"),
-            low=number(float(least.angle[design]), "deg"),
-            most=number(float(most.value[design]), "N*m"),
-            high=number(float(most.angle[design]), "deg"),
+            least=_placed(float(least.value[design]), float(least.angle[design])),
+            most=_placed(float(most.value[design]), float(most.angle[design])),
         )
+
+
+def _placed(torque: float, angle: float) -> str:
+    """Say a torque and where it stands; nothing stands nowhere."""
+    said = number(torque, "N*m")
+    return said if np.isnan(angle) else _("{value} at {angle}").format(value=said, angle=number(angle, "deg"))
 
 
 def shaft_torques(

@@ -44,9 +44,9 @@ def load_balance(
     crank_angle: CrankAngle,
 ) -> LoadBalance:
     """Work of the torque by the reactions against that of loads and gas; with friction there is no check."""
-    if loaded.masses.has_friction:
+    if loaded.masses.has_friction or loads.n_on_links == 0:
         return LoadBalance()
-    works = loads.load_work
+    works = loads.load_work[:, : loads.n_on_links]
     if pressures is not None:
         works = np.concatenate([works, pressures.indicated_work], axis=-1)
     done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent

@@ -13,6 +13,8 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.one_line import visible
 from cranktrain.plans.positions import rounded_scale, scale_words
+from cranktrain.scales import scale_for
+from cranktrain.viz.figures import plain
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
 from cranktrain.viz.paper.style import FILLS, HEADING, INK, MUTED, RULE, SETTINGS, SYMBOL, TEXT, pen_of
 
@@ -127,14 +129,16 @@ class Page:
 
     def scale_bar(self, x: float, y: float, scale: float) -> float:
         """Draw a bar of a round length of metal and say the scale; give where it ends. [mm]"""
-        size = rounded_down(40.0 * scale)
-        end = x + size / scale
+        length = scale_for("m", 0.0)
+        metal = 1e3 * length.one
+        size = rounded_down(40.0 * scale / metal)
+        end = x + size * metal / scale
         half = (x + end) / 2
         for start, stop, colour in ((x, half, INK), (half, end, "white")):
             self.paper.fill(
                 [start, stop, stop, start], [y, y, y + 1.1, y + 1.1], facecolor=colour, edgecolor=INK, linewidth=0.5
             )
-        words = _("{size:g} mm, scale {scale}").format(size=size, scale=scale_words(scale))
+        words = _("{size} {unit}, scale {scale}").format(size=plain(size), unit=length.label, scale=scale_words(scale))
         self.text(end + 2.0, y - 0.4, words)
         return end
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.viz.panel import Curve, Panel, Role, in_chosen_unit
+from cranktrain.viz.panel import Curve, Panel, Role, as_shown
 from cranktrain.viz.paper.page import Axes, Box, Page, formula
 from cranktrain.viz.paper.style import COLOURS, GRID, HEADING, INK, MUTED, SYMBOL, TEXT
 
@@ -96,7 +96,7 @@ def draw_panels(page: Page, panels: Sequence[Panel], box: Box, look: Look) -> No
     """Stack panels over one crank angle in a room."""
     each = min((box.height - _FOOT - look.head - look.gap * (len(panels) - 1)) / len(panels), look.tallest)
     low = box.bottom + box.height - look.head + look.gap
-    for place, panel in enumerate(map(in_chosen_unit, panels), start=1):
+    for place, panel in enumerate(map(as_shown, panels), start=1):
         low -= each + look.gap
         axes = axes_in(page, Box(box.left, low, box.width, each), look.beside)
         _draw_panel(axes, panel, look)
@@ -152,7 +152,7 @@ def _write_head(page: Page, panel: Panel, place: tuple[float, float, float], loo
     """Name a panel over its left end, with symbol and unit; over its right end the curves that have symbols."""
     left, right, y = place
     if look.is_unit_bold:
-        page.heading(left, y, f"{panel.title}, {panel.unit}")
+        page.heading(left, y, f"{panel.title}, {panel.unit}".removesuffix(", "))
     else:
         _start, end = page.ends(page.heading(left, y, panel.title))
         if panel.symbol:

@@ -11,7 +11,7 @@ import numpy as np
 
 from cranktrain.motion import Array
 
-Layer = Literal["LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "TEXT", "DIMENSIONS"]
+Layer = Literal["LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "LOADS", "TEXT", "DIMENSIONS"]
 Habit = Literal[
     "outline",
     "rod",
@@ -22,6 +22,7 @@ Habit = Literal[
     "axis",
     "arrow",
     "vector",
+    "load",
     "part",
     "chord",
     "construction",
@@ -30,7 +31,7 @@ Habit = Literal[
 Fill = Literal["none", "paper", "light", "dark", "ink"]
 Manner = Literal["symbol", "number", "name", "words"]
 
-LAYERS: tuple[Layer, ...] = ("LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "TEXT", "DIMENSIONS")
+LAYERS: tuple[Layer, ...] = ("LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "LOADS", "TEXT", "DIMENSIONS")
 
 
 class Line(NamedTuple):

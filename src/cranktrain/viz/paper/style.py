@@ -46,13 +46,14 @@ PENS: Mapping[Habit, Pen] = {
     "axis": Pen(0.45, MUTED, (14.0, 4.0, 2.0, 4.0)),
     "arrow": Pen(0.3, INK),
     "vector": Pen(1.0, INK),
+    "load": Pen(1.6, INK),
     "part": Pen(0.6, INK, (5.0, 2.5)),
     "chord": Pen(0.8, INK, (8.0, 2.0, 1.2, 2.0)),
     "construction": Pen(0.45, MUTED, (5.0, 2.5)),
     "none": Pen(0.0, "none"),
 }
 
-_COLOURED: Mapping[Layer, str] = {"PLAN_V": COLOURS["v"], "PLAN_A": COLOURS["j"]}
+_COLOURED: Mapping[Layer, str] = {"PLAN_V": COLOURS["v"], "PLAN_A": COLOURS["j"], "LOADS": COLOURS["T"]}
 
 SETTINGS: Mapping[str, object] = {
     "font.family": ["DejaVu Sans"],
@@ -69,6 +70,8 @@ SETTINGS: Mapping[str, object] = {
     "xtick.major.width": 0.5,
     "ytick.major.width": 0.5,
     "axes.unicode_minus": True,
+    "axes.formatter.limits": (-9, 12),
+    "axes.formatter.useoffset": False,
     "path.simplify": False,
     "svg.hashsalt": "cranktrain",
     "svg.fonttype": "path",
@@ -78,7 +81,7 @@ SETTINGS: Mapping[str, object] = {
 
 
 def pen_of(part: Line | Circle) -> Pen:
-    """Pen for a part of a sketch: vectors have the colour of their quantity."""
+    """Pen for a part of a sketch: vectors have the colour of their quantity, loads that of torque."""
     pen = PENS[part.habit]
-    is_coloured = part.layer in _COLOURED and part.habit in ("vector", "part", "arrow")
+    is_coloured = part.layer in _COLOURED and part.habit in ("vector", "load", "part", "arrow")
     return pen._replace(colour=_COLOURED[part.layer]) if is_coloured else pen

@@ -1,14 +1,11 @@
 """What a sheet says of its machine: speed, conventions, where the numbers are from."""
 
-from collections.abc import Iterator, Mapping
-from typing import Any, cast
-
-from cranktrain.io.description import counted_by_status
+from cranktrain.io.description import counted_by_status, given_numbers
 from cranktrain.language import _
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
-from cranktrain.quantities import Given, shown
-from cranktrain.spec import Spec
+from cranktrain.quantities import shown
+from cranktrain.wording import as_given
 
 
 def running_words(machine: Machine) -> str:
@@ -19,8 +16,9 @@ def running_words(machine: Machine) -> str:
         ("clockwise", "astern"): _("astern, anticlockwise"),
         ("anticlockwise", "astern"): _("astern, clockwise"),
     }
-    given = {"n": machine.main_shaft.speed, "ε": machine.main_shaft.acceleration}
-    said = [f"{symbol} = {number.text}" for symbol, number in given.items() if number is not None]
+    shaft = machine.main_shaft
+    given = (("n", shaft.speed, "rpm"), ("ε", shaft.acceleration, "rad/s²"))
+    said = [f"{symbol} = {as_given(one, usual)}" for symbol, one, usual in given if one is not None]
     return ", ".join([*said, senses[machine.rotation, machine.running]])
 
 
@@ -53,32 +51,4 @@ def zero_words(machine: Machine) -> str:
 
 def provenance_words(machine: Machine) -> str:
     """Count the numbers that a machine's file gives by where they are from."""
-    return _("Inputs: {counts}").format(counts=counted_by_status(_given(machine)))
-
-
-def _given(part: object, name: object = "") -> Iterator[Given]:
-    """Give the numbers that a file declares; what it leaves unsaid is none of them."""
-    if isinstance(part, Given):
-        yield part
-    for inner, item in _inside(part, name).items():
-        yield from _given(item, inner)
-
-
-def _inside(part: object, name: object) -> Mapping[Any, object]:
-    """What a part of a machine is made of, by name.
-
-    Of a bank's mechanisms, one for each angle, a field that is alike in all of them stands in the file once.
-    """
-    match part:
-        case tuple() if name == "mechanism":
-            each = cast("tuple[Spec, ...]", part)
-            fields = {field: tuple(getattr(one, field) for one in each) for field in each[0].model_fields_set}
-            return {field: one[0] if len(set(map(repr, one))) == 1 else one for field, one in fields.items()}
-        case Spec():
-            return {field: getattr(part, field) for field in part.model_fields_set}
-        case tuple():
-            return dict(enumerate(cast("tuple[object, ...]", part)))
-        case Mapping():
-            return cast("Mapping[str, object]", part)
-        case _:
-            return {}
+    return _("Inputs: {counts}").format(counts=counted_by_status(given_numbers(machine)))

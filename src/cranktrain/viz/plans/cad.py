@@ -18,7 +18,11 @@ from cranktrain.motion import Array
 from cranktrain.one_line import visible
 from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_polygons
 from cranktrain.plans.positions import PositionPlan, position_plan, rescaled, track
+from cranktrain.plans.shown_loads import shown_loads
+from cranktrain.plans.together import places_called
 from cranktrain.plans.vectors import pair
+from cranktrain.scales import scale_for
+from cranktrain.viz.figures import plain
 from cranktrain.viz.paper.sketch import LAYERS, Circle, Line, Sketch, bounds_of
 from cranktrain.viz.paper.words import speed_words
 from cranktrain.viz.plans.sketches import polygon_sketch, positions_sketch
@@ -40,7 +44,7 @@ _GAP = 40.0
 _TEXT = 3.0
 """Height of text. [mm of paper]"""
 
-_COLOURS = {"LINKS": 7, "GUIDES": 8, "PATHS": 9, "PLAN_V": 3, "PLAN_A": 30, "TEXT": 7, "DIMENSIONS": 5}
+_COLOURS = {"LINKS": 7, "GUIDES": 8, "PATHS": 9, "PLAN_V": 3, "PLAN_A": 30, "LOADS": 6, "TEXT": 7, "DIMENSIONS": 5}
 _LINE_TYPES = {"dotted": "DOT2", "axis": "DASHDOT2", "part": "DASHED2", "construction": "DASHED2"}
 
 
@@ -110,9 +114,11 @@ def _draw_all(
     for layer in LAYERS:
         document.layers.add(layer, color=_COLOURS[layer])
     space = document.modelspace()
-    drawn = position_plan(machine, 180, mechanism=mechanism, room=_ROOM).scale
+    loads = shown_loads(machine, places_called(machine, mechanism), curve or "constant")
+    beside = None if loads is None else loads.outline
+    drawn = position_plan(machine, 180, mechanism=mechanism, room=_ROOM, beside=beside).scale
     plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=_ROOM), drawn)
-    sketch = positions_sketch(plan, track(machine, drawn, mechanism=mechanism))
+    sketch = positions_sketch(plan, track(machine, drawn, mechanism=mechanism), loads=loads)
     scale = sketch.scale
     document.header["$LTSCALE"] = 4.0 * scale
     _draw(space, sketch, np.zeros(2))
@@ -155,7 +161,8 @@ def _polygon(space: Modelspace, polygon: Polygon, corner: Array, scale: float) -
     sketch = polygon_sketch(polygon)
     low, high = bounds_of(sketch.outline())
     _draw(space, sketch, corner - scale * np.array([low[0], high[1]]), scale)
-    words = f"φ = {polygon.angle:g}°: 1 mm = {polygon.scale / scale:.6g} {polygon.unit}"
+    shown = scale_for(polygon.unit, 0.0)
+    words = f"φ = {polygon.angle:g}°: 1 mm = {plain(float(shown.of(polygon.scale / scale)))} {shown.label}"
     _write(space, words, corner + scale * np.array([0.0, 6.0]), _TEXT * scale)
 
 

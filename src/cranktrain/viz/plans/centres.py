@@ -10,6 +10,7 @@ from cranktrain.motion import Array
 from cranktrain.plans.centres import Centre, InstantCentres, TurningBody, instant_centres
 from cranktrain.plans.positions import PositionPlan, fitting
 from cranktrain.plans.vectors import angle_of, spoken_name
+from cranktrain.scales import scale_for
 from cranktrain.textbook.crank_rocker import pin_velocity_ratio
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.labels import Wish, placed_labels
@@ -20,9 +21,9 @@ from cranktrain.viz.plans.sheet import (
     cells_of,
     centre_at_angle,
     few_angles,
+    length_scale,
     plan_page,
     refuse_more,
-    scale_of,
     write_scales,
 )
 from cranktrain.viz.plans.sketches import line_drawing, pin_wishes
@@ -82,7 +83,7 @@ def plan_centres(
             write_table(page, list(_centres_table(one)), (start + 0.49 * width, top, 0.51 * width), _COLUMNS),
         )
         page.notes(start, min(ends) - 1.0, _notes(one))
-    write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
+    write_scales(page, box, [length_scale(scale)], 1e3 * scale)
     return page.figure
 
 
@@ -157,12 +158,13 @@ def _bodies_table(found: InstantCentres) -> Iterator[tuple[str, ...]]:
 
 def _centres_table(found: InstantCentres) -> Iterator[tuple[str, ...]]:
     """Where the centres are; infinitely far ones by their direction."""
-    yield (_("centre"), _("in"), "X, mm", "Y, mm")
+    shown = scale_for("m", 0.0)
+    yield (_("centre"), _("in"), f"X, {shown.label}", f"Y, {shown.label}")
     positions = found.drawing.positions
     for one in _shown_centres(found):
         pins = [name for name, pin in positions.items() if one.is_joint and np.all(pin[:, 0] == one.place)]
         joint = mathematics(spoken_name(pins[0])) if pins else ""
-        where = tuple(map(figure, 1e3 * one.place)) if np.all(np.isfinite(one.place)) else ("–", "–")
+        where = tuple(map(figure, shown.of(one.place).tolist())) if np.all(np.isfinite(one.place)) else ("–", "–")
         if np.isfinite(one.direction):
             where = ("∞", f"∠ {np.degrees(one.direction) % 180.0:.2f}°")
         yield (mathematics(one.name), joint, *where)

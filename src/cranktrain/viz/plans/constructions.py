@@ -10,14 +10,22 @@ from cranktrain.plans.constructions import Construction, Method, construction
 from cranktrain.plans.placement import slider_crank_called
 from cranktrain.plans.positions import chosen_scale, scale_words
 from cranktrain.questions.cylinders.declared import cylinders_of
+from cranktrain.scales import scale_for
 from cranktrain.textbook.largest_errors import errors_by_ratio
 from cranktrain.textbook.percents import percent
-from cranktrain.viz.figures import figure, rounded
+from cranktrain.viz.figures import aligned, degrees, rounded, with_unit
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import ROW
 from cranktrain.viz.plans.construction_sketches import construction_sketch, scheme_sketch
-from cranktrain.viz.plans.sheet import centre, fitted_scale, plan_page, scale_of, write_beside, write_scales
+from cranktrain.viz.plans.sheet import (
+    centre,
+    fitted_scale,
+    length_scale,
+    plan_page,
+    write_beside,
+    write_scales,
+)
 
 _PARTS = 10
 """Into which the stroke is divided where a construction is read backwards."""
@@ -121,7 +129,7 @@ def _sheet(
     least = fitted_scale(lambda one: construction_sketch(found, one), (lower.width - 8.0, lower.height - 8.0))
     metal = 1e3 * chosen_scale(1e-3 * least, scale)
     centre(page, construction_sketch(found, metal), lower)
-    write_scales(page, box, [scale_of("l", 1e-3 * metal, "m")], metal)
+    write_scales(page, box, [length_scale(1e-3 * metal)], metal)
     rows = list((_backward_table if method == "brix_backward" else _forward_table)(found, 1e-3 * metal))
     notes = list(_notes(found))
     line = min(ROW, (box.height - LINE * len(notes) - 9.0) / len(rows))
@@ -138,21 +146,24 @@ def _bore(machine: Machine, found: Construction) -> float | None:
 
 def _forward_table(found: Construction, scale: float) -> Iterator[tuple[str, ...]]:
     """Displacements as constructed and as they are."""
-    yield (_("no."), "φ, °", _("paper, mm"), "S, mm", _("exact, mm"), "Δ, %")
-    for number, (angle, made, exact) in enumerate(
-        zip(found.angle, found.displacement, found.exact_displacement, strict=True)
-    ):
-        error = 100.0 * (made - exact) / found.stroke
-        cells = (rounded(made / scale), figure(1e3 * made), figure(1e3 * exact), rounded(error))
+    length = scale_for("m", 0.0)
+    exact_head = _("exact, {unit}").format(unit=length.label)
+    yield (_("no."), "φ, °", _("paper, mm"), f"S, {length.label}", exact_head, "Δ, %")
+    made, exact = found.displacement, found.exact_displacement
+    paper, errors = (map(rounded, one.tolist()) for one in (made / scale, 100.0 * (made - exact) / found.stroke))
+    written = (aligned(length.of(one)) for one in (made, exact))
+    for number, (angle, *cells) in enumerate(zip(found.angle, paper, *written, errors, strict=True)):
         yield (f"{number}", f"{np.rad2deg(angle):g}", *cells)
 
 
 def _backward_table(found: Construction, scale: float) -> Iterator[tuple[str, ...]]:
     """Crank angles on the way to the shaft, as constructed and as they are."""
-    yield (_("no."), "S, mm", _("paper, mm"), "φ, °", _("exact, °"), "Δ, °")
-    for number, (made, exact, way) in enumerate(zip(found.angle, found.exact_angle, found.displacement, strict=True)):
+    length = scale_for("m", 0.0)
+    yield (_("no."), f"S, {length.label}", _("paper, mm"), "φ, °", _("exact, °"), "Δ, °")
+    ways = zip(found.displacement, aligned(length.of(found.displacement)), strict=True)
+    for number, (made, exact, (way, said)) in enumerate(zip(found.angle, found.exact_angle, ways, strict=True)):
         angle, right = np.rad2deg([made, exact])
-        yield (f"{number}", figure(1e3 * way), *map(rounded, (way / scale, angle, right, angle - right)))
+        yield (f"{number}", said, rounded(way / scale), *map(degrees, (angle, right, angle - right)))
 
 
 def _notes(found: Construction) -> Iterator[str]:
@@ -164,7 +175,7 @@ def _notes(found: Construction) -> Iterator[str]:
     }
     yield from how.get(found.method, (_("Bars on the ruler: where the exact readings are."),))
     if found.method.startswith("brix"):
-        distance = f"OP = λR/2 = {figure(-1e3 * found.pole)} mm"
+        distance = f"OP = λR/2 = {with_unit(-found.pole, scale_for('m', 0.0))}"
         yield _("{distance}, away from the cylinder").format(distance=distance)
     yield from _range(found)
     yield _("φ from where the crank points along the cylinder, S from the top;")

@@ -10,7 +10,8 @@ from cranktrain.plans.force_polygons import ForcePolygon, rescaled
 from cranktrain.plans.force_sides import INITIAL
 from cranktrain.plans.positions import fitting, rounded_scale
 from cranktrain.plans.vectors import pair
-from cranktrain.viz.figures import figure
+from cranktrain.scales import scale_for
+from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper.labels import labelled_bounds
 from cranktrain.viz.paper.page import Box, Page, mathematics
 from cranktrain.viz.paper.sketch import Sketch
@@ -73,14 +74,15 @@ def fitting_polygons(
     if min(room) <= 0.0:
         return None
     outlines = [polygon.corners * polygon.scale for group in groups for polygon in group]
-    scale = fitting(outlines, room)
+    one = scale_for("N", 0.0).one
+    scale = fitting(outlines, room, one=one)
     largest = max(outlines, key=lambda outline: (outline.shape[1], float(np.max(np.ptp(outline, axis=1)))))
     coarsest = float(np.max(np.ptp(largest, axis=1))) / _SMALLEST
     while scale <= coarsest:
         found = [_rows([drawn_polygon(rescaled(one, scale)) for one in group], room) for group in groups]
         if all(rows for rows in found):
             return found
-        scale = rounded_scale(1.01 * scale)
+        scale = rounded_scale(1.01 * scale, one=one)
     return None
 
 
@@ -116,7 +118,8 @@ def _draw(page: Page, picture: DrawnPolygon, box: Box) -> None:
     top = box.bottom + box.height
     page.heading(box.left + 4.0, top - 4.0, group_words(picture.polygon))
     if picture.polygon.sort == INITIAL:
-        moment = f"{mathematics('M_b')} = {figure(picture.polygon.moment)} N·m"  # in the sense of rotation
+        size = picture.polygon.moment  # in the sense of rotation
+        moment = f"{mathematics('M_b')} = {with_unit(size, scale_for('N*m', abs(size)))}"
         page.text(box.left + 4.0, top - 9.0, moment)
     below = box._replace(height=box.height - picture.above)
     page.draw(picture.sketch, pair(below.middle - (picture.low + picture.high) / 2))

@@ -8,7 +8,8 @@ from cranktrain.one_line import short
 from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.vectors import spoken_name
-from cranktrain.viz.figures import figure
+from cranktrain.scales import Scale, scale_for
+from cranktrain.viz.figures import column, figure, rounded
 from cranktrain.viz.paper.page import Page, in_words, mathematics
 from cranktrain.viz.paper.tables import write_row
 from cranktrain.viz.paper.words import first_that_holds
@@ -39,11 +40,11 @@ class Row(NamedTuple):
     is_heading: bool = False
 
 
-def tables(polygons: Sequence[ForcePolygon], height: float, letters: Mapping[str, str]) -> list[list[Row]]:
-    """Divide the rows of all forces among tables that are as high as the room. [mm]"""
+def tables(polygons: Sequence[ForcePolygon], height: float, letters: Mapping[str, str], unit: Scale) -> list[list[Row]]:
+    """Divide the rows of all forces, in a unit, among tables that are as high as the room. [mm]"""
     room = int((height - _HEAD) / _LINE) - 1
     has_names = len({polygon.mechanism for polygon in polygons}) > 1
-    rows = (row for polygon in polygons for row in _rows(polygon, letters, has_names=has_names))
+    rows = (row for polygon in polygons for row in _rows(polygon, letters, unit, has_names=has_names))
     return packed(rows, lambda table: len(table) <= room - table[-1].is_heading)
 
 
@@ -57,10 +58,10 @@ def packed(items: Iterable[Item], fits: Callable[[Sequence[Item]], bool]) -> lis
     return rows
 
 
-def write_forces(page: Page, rows: Sequence[Row], place: tuple[float, float, float]) -> None:
-    """Write a table at a place on the sheet: left, top, width. [mm]"""
+def write_forces(page: Page, rows: Sequence[Row], unit: Scale, place: tuple[float, float, float]) -> None:
+    """Write a table, in a unit, at a place on the sheet: left, top, width. [mm]"""
     left, top, width = place
-    heads = Row(("", _("force"), _("joint"), "mm", "N"), is_heading=True)
+    heads = Row(("", _("force"), _("joint"), "mm", unit.label), is_heading=True)
     places = [(left + share * width, side) for share, side in zip(_ENDS, _SIDES, strict=True)]
     lines = [0.0, *(_HEAD + _LINE * number for number in range(len(rows)))]
     for row, line in zip((heads, *rows), lines, strict=True):
@@ -75,14 +76,28 @@ def group_words(polygon: ForcePolygon) -> str:
     return f"{numbers}: {sorts.get(polygon.sort) or _('group {sort}').format(sort=polygon.sort)}"
 
 
-def _rows(polygon: ForcePolygon, letters: Mapping[str, str], *, has_names: bool) -> Iterator[Row]:
-    """Every force of a group: its sides by their numbers, then whole reactions and those in inner joints."""
+def _rows(polygon: ForcePolygon, letters: Mapping[str, str], unit: Scale, *, has_names: bool) -> Iterator[Row]:
+    """Every force of a group: sides by their numbers, torques of loads, whole reactions and those in inner joints."""
     for line in _headings(polygon, has_names=has_names):
         yield Row((line,), is_heading=True)
-    for i, force in enumerate(polygon.forces):
-        yield _row(polygon, force, str(i + 1), letters)
-    for span in (*polygon.wholes, *polygon.chords):
-        yield _row(polygon, span.force, "", letters)
+    sides = [(str(i + 1), force) for i, force in enumerate(polygon.forces)]
+    others = [("", span.force) for span in (*polygon.wholes, *polygon.chords)]
+    sizes = column([force.size for _number, force in (*sides, *others)], unit)
+    rows = [
+        Row((number, mathematics(force.symbol), _said(force, letters), rounded(polygon.length(force)), size))
+        for (number, force), size in zip((*sides, *others), sizes, strict=True)
+    ]
+    yield from rows[: len(sides)]
+    for torque in polygon.torques:
+        newton_metres = scale_for("N*m", abs(torque.value))
+        size = figure(float(newton_metres.of(torque.value)))
+        yield Row(("", mathematics(torque.symbol), _name(torque.name), newton_metres.label, size))
+    yield from rows[len(sides) :]
+
+
+def _name(load: str) -> str:
+    """Name of a load, as far as there is room."""
+    return short(load.replace("_", " "), _LETTERS)
 
 
 def _headings(polygon: ForcePolygon, *, has_names: bool) -> list[str]:
@@ -94,16 +109,12 @@ def _headings(polygon: ForcePolygon, *, has_names: bool) -> list[str]:
     return [*(f"{', '.join(line)}," for line in lines), ", ".join(last)]
 
 
-def _row(polygon: ForcePolygon, force: PolygonForce, number: str, letters: Mapping[str, str]) -> Row:
-    said = _said(force, letters)
-    return Row((number, mathematics(force.symbol), said, f"{polygon.length(force):.2f}", figure(force.size)))
-
-
 def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
     """Cause of a force, how a part of a reaction lies, or the joint of a reaction."""
     pin = letters.get(force.about) or spoken_name(force.about).replace("_", " ")
     return first_that_holds(
-        (force.cause == "load", _("load")),
+        (force.cause == "gas", _("gas")),
+        (force.cause == "load", _name(force.name)),
         (force.cause == "weight", _("weight")),
         (force.cause == "inertia", _("inertia")),
         (bool(force.about), short(_("about {pin}").format(pin=in_words(pin)), _LETTERS)),

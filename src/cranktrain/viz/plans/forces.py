@@ -8,14 +8,25 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.plans.acting import symbols_together
 from cranktrain.plans.force_polygons import force_polygons
 from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.positions import single_plans
+from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.together import placed_together, places_called
+from cranktrain.scales import scale_for
 from cranktrain.viz.paper.page import Figure, drawing_settings
 from cranktrain.viz.plans.force_rooms import draw_rows, fitting_polygons
 from cranktrain.viz.plans.force_rows import TABLE, tables, write_forces
-from cranktrain.viz.plans.sheet import cells_of, centre_at_angle, few_angles, plan_page, scale_of, write_scales
+from cranktrain.viz.plans.sheet import (
+    cells_of,
+    centre_at_angle,
+    few_angles,
+    length_scale,
+    plan_page,
+    scale_of,
+    write_scales,
+)
 from cranktrain.viz.plans.sketches import positions_sketch
 
 _LEFT = 0.24
@@ -56,24 +67,30 @@ def plan_forces(
     curve = speed_over_cycle(machine, speed)
     polygons = force_polygons(machine, chosen, mechanism=mechanism, speed=curve or "constant")
     groups = [[polygon for polygon in polygons if polygon.angle == angle] for angle in chosen]
-    letters = pin_letters(placed_together(machine, places_called(machine, mechanism), np.zeros(1)))
+    places = places_called(machine, mechanism)
+    loads = shown_loads(machine, places, curve or "constant")
+    beside = None if loads is None else loads.outline
+    symbols = None if loads is None else symbols_together(loads.at(np.zeros(1)), places)
+    letters = pin_letters(placed_together(machine, places, np.zeros(1)))
+    unit = scale_for("N", max(force.size for polygon in polygons for force in polygon.forces))
     page, box = plan_page(machine, angles, size, _("Polygons of forces"), mechanism, curve=curve)
     cells = cells_of(box._replace(bottom=box.bottom + _FOOT, height=box.height - _FOOT), len(chosen))
     left, height = _LEFT * box.width, cells[0].height
-    middle = box.width - left - TABLE * max(len(tables(group, height, letters)) for group in groups)
+    middle = box.width - left - TABLE * max(len(tables(group, height, letters, unit)) for group in groups)
     drawn = fitting_polygons(groups, (middle, height))
     if drawn is None:
         raise InputError([Problem("", polygons[0].mechanism, too_many_words(len(chosen), size))])
-    plans = single_plans(machine, chosen, mechanism=mechanism, room=(left - 14.0, height - 20.0))
+    plans = single_plans(machine, chosen, mechanism=mechanism, room=(left - 14.0, height - 20.0), beside=beside)
     for plan, pictures, cell in zip(plans, drawn, cells, strict=True):
-        centre_at_angle(page, plan.angles[0], positions_sketch(plan), cell._replace(width=left))
+        sketch = positions_sketch(plan, loads=loads, said=symbols)
+        centre_at_angle(page, plan.angles[0], sketch, cell._replace(width=left))
         draw_rows(page, pictures, cell._replace(left=cell.left + left, width=middle))
         group = [picture.polygon for row in pictures for picture in row]
-        for number, rows in enumerate(tables(group, height, letters)):
+        for number, rows in enumerate(tables(group, height, letters, unit)):
             start = cell.left + left + middle + number * TABLE + 3.0
-            write_forces(page, rows, (start, cell.bottom + height, TABLE - 3.0))
+            write_forces(page, rows, unit, (start, cell.bottom + height, TABLE - 3.0))
     scale = drawn[0][0][0].polygon.scale
-    write_scales(page, box, [scale_of("l", plans[0].scale, "m"), scale_of("F", scale, "N")], None)
+    write_scales(page, box, [length_scale(plans[0].scale), scale_of("F", scale, unit)], None)
     notes = (
         _("Groups as they are solved, each closed head to tail from the ring. F₃₄: force of 3 on 4; dashed: inertia."),
         _("Thin: parts of a reaction; Fᵗ lies across the link, by moments about the pin named, Fⁿ along it."),

@@ -18,9 +18,11 @@ from cranktrain.plans.positions import (
     rescaled,
     single_plans,
 )
+from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.together import places_called
 from cranktrain.plans.vectors import PolygonVector
-from cranktrain.viz.figures import figure
+from cranktrain.scales import Scale, scale_for
+from cranktrain.viz.figures import column, figure, rounded
 from cranktrain.viz.paper.page import LINE, Box, Figure, Page, drawing_settings, mathematics
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW
 from cranktrain.viz.plans.position_rows import N_HEADS, position_rows
@@ -32,10 +34,10 @@ from cranktrain.viz.plans.sheet import (
     centre,
     centre_at_angle,
     few_angles,
+    length_scale,
     plan_page,
     row_height,
     scale_of,
-    unit_words,
     write_beside,
     write_scales,
 )
@@ -96,9 +98,9 @@ def _polygon_sheet(
     width = 0.38 * cell.width if has_table else cell.width
     room = (width - (22.0 if has_table else 16.0), cell.height - (18.0 if has_table else 16.0))
     polygons = polygons_of(machine, angles, mechanism=mechanism, room=room, is_lettered=True, speed=curve or "constant")
-    scales = [scale_of(polygons[0].quantity[0], polygons[0].scale, unit_words(polygons[0].unit))]
+    scales = [scale_of(polygons[0].quantity[0], polygons[0].scale, scale_for(polygons[0].unit, 0.0))]
     if has_table:
-        scales.append(_beside(page, machine, polygons, cells, mechanism))
+        scales.append(_beside(page, machine, polygons, cells, mechanism, curve))
     else:
         for number, (polygon, place) in enumerate(zip(polygons, cells, strict=True)):
             sketch = polygon_sketch(polygon, with_symbols=False, with_corners=n <= _NAMED)
@@ -109,14 +111,22 @@ def _polygon_sheet(
 
 
 def _beside(
-    page: Page, machine: Machine, polygons: Sequence[Polygon], cells: Sequence[Box], mechanism: str | None
+    page: Page,
+    machine: Machine,
+    polygons: Sequence[Polygon],
+    cells: Sequence[Box],
+    mechanism: str | None,
+    curve: SpeedCurve | None,
 ) -> str:
     """Draw mechanism, polygon and table side by side for each angle; say the mechanism's scale."""
     first = 0.30 * cells[0].width
     room = (first - 14.0, cells[0].height - 20.0)
-    plans = single_plans(machine, [polygon.angle for polygon in polygons], mechanism=mechanism, room=room)
+    loads = shown_loads(machine, places_called(machine, mechanism), curve or "constant")
+    beside = None if loads is None else loads.outline
+    angles = [polygon.angle for polygon in polygons]
+    plans = single_plans(machine, angles, mechanism=mechanism, room=room, beside=beside)
     for plan, polygon, cell in zip(plans, polygons, cells, strict=True):
-        centre_at_angle(page, polygon.angle, positions_sketch(plan), cell._replace(width=first))
+        centre_at_angle(page, polygon.angle, positions_sketch(plan, loads=loads), cell._replace(width=first))
         middle = Box(cell.left + first, cell.bottom, 0.38 * cell.width, cell.height - 2.0)
         centre(page, polygon_sketch(polygon), middle)
         rows, line = _fitting_rows(polygon, cell.height)
@@ -124,7 +134,7 @@ def _beside(
         notes = [_("without {n} vectors between pins").format(n=left_out)] if left_out else []
         start = middle.left + middle.width + 4.0
         write_beside(page, cell, start, rows, notes, shares=VECTOR_COLUMNS, line=line, gap=0.0)
-    return scale_of("l", plans[0].scale, "m")
+    return length_scale(plans[0].scale)
 
 
 def _strip(
@@ -146,13 +156,15 @@ def _strip(
     high = line * len(rows) + 8.0 + LINE * 3
     upper = Box(box.left, box.bottom + high, _STRIP, box.height - high)
     room = (upper.width - 18.0, upper.height - 18.0)
-    whole = position_plan(machine, 180, mechanism=mechanism, room=room).scale
+    loads = shown_loads(machine, places, curve or "constant")
+    beside = None if loads is None else loads.outline
+    whole = position_plan(machine, 180, mechanism=mechanism, room=room, beside=beside).scale
     plan = rescaled(position_plan(machine, angles.tolist(), mechanism=mechanism, room=room, is_lettered=True), whole)
-    draw_positions(page, machine, plan, mechanism, upper)
+    draw_positions(page, machine, plan, mechanism, upper, loads)
     notes = output_notes(machine, plan, places)
     lower = Box(box.left, box.bottom, _STRIP, high)
     write_beside(page, lower, box.left, rows, notes, line=line, n_heads=N_HEADS)
-    return scale_of("l", whole, "m")
+    return length_scale(whole)
 
 
 def _link_columns(polygons: Sequence[Polygon]) -> Iterator[PositionColumn]:
@@ -188,7 +200,7 @@ def plan_klein(
         write_beside(page, cell, cell.left + wide + 6.0, rows, _klein_notes(construction))
     metre = 1e-3 * scale
     rates = zip("va", _klein_rates(machine), strict=True)
-    scales = [scale_of("l", metre, "m"), *(scale_of(letter, rate * metre, unit) for letter, (rate, unit) in rates)]
+    scales = [length_scale(metre), *(scale_of(letter, rate * metre, unit) for letter, (rate, unit) in rates)]
     write_scales(page, box, scales, scale)
     return page.figure
 
@@ -207,22 +219,27 @@ def _fitting_rows(polygon: Polygon, height: float) -> tuple[list[tuple[str, ...]
 
 def _vectors_table(polygon: Polygon, vectors: Sequence[PolygonVector]) -> Iterator[tuple[str, ...]]:
     """Vectors: where each is, its length on paper and its size."""
-    yield (_("vector"), _("from, to"), "mm", unit_words(polygon.unit))
-    for vector in vectors:
+    shown = scale_for(polygon.unit, 0.0)
+    yield (_("vector"), _("from, to"), "mm", shown.label)
+    for vector, size in zip(vectors, column([vector.size for vector in vectors], shown), strict=True):
         ends = f"{mathematics(vector.start)} {mathematics(vector.end)}"
-        yield (mathematics(vector.symbol), ends, f"{polygon.length(vector):.2f}", figure(vector.size))
+        yield (mathematics(vector.symbol), ends, rounded(polygon.length(vector)), size)
 
 
-def _klein_rates(machine: Machine) -> tuple[tuple[float, str], tuple[float, str]]:
+def _klein_rates(machine: Machine) -> tuple[tuple[float, Scale], tuple[float, Scale]]:
     """What a metre of Klein's construction is of velocity, and of acceleration, each with its unit."""
     speed = machine.main_shaft.speed
-    return ((1.0, "m/rad"), (1.0, "m/rad²")) if speed is None else ((speed.si, "m/s"), (speed.si**2, "m/s²"))
+    rates = (1.0, 1.0) if speed is None else (speed.si, speed.si**2)
+    units = ("m/rad", "m/rad^2") if speed is None else ("m/s", "m/s^2")
+    velocity, acceleration = ((rate, scale_for(unit, 0.0)) for rate, unit in zip(rates, units, strict=True))
+    return velocity, acceleration
 
 
 def _klein_table(machine: Machine, construction: Klein) -> Iterator[tuple[str, ...]]:
     """What Klein's construction gives: lengths, and the velocities and accelerations that they are."""
     velocity, acceleration = _klein_rates(machine)
-    yield (_("line"), _("length, mm"), _("is"), _("size"), _("unit"))
+    drawn = scale_for("m", 0.0)
+    yield (_("line"), _("length, {unit}").format(unit=drawn.label), _("is"), _("size"), _("unit"))
     lines = (
         ("OA", "v_A", velocity),
         ("AC", "v_BA", velocity),
@@ -235,13 +252,14 @@ def _klein_table(machine: Machine, construction: Klein) -> Iterator[tuple[str, .
     for ends, symbol, (rate, unit) in lines:
         start, end = (construction.points[letter] for letter in ends)
         length = float(np.hypot(*(end - start)))
-        yield (ends, f"{1e3 * length:.3f}", mathematics(symbol), figure(rate * length), unit)
+        yield (ends, figure(float(drawn.of(length))), mathematics(symbol), figure(unit.of(rate * length)), unit.label)
 
 
 def _klein_notes(construction: Klein) -> Iterator[str]:
     """What else there is to say of Klein's construction."""
     yield _("Turned by 90° in the sense of running, OAC is the plan of velocities;")
     yield _("turned by 180°, OADN that of accelerations.")
-    x, y = 1e3 * construction.centre
-    if np.isfinite(x):
-        yield _("Instant centre of the rod: X = {x}, Y = {y} mm").format(x=figure(x), y=figure(y))
+    shown = scale_for("m", 0.0)
+    x, y = map(figure, shown.of(construction.centre).tolist())
+    if np.all(np.isfinite(construction.centre)):
+        yield _("Instant centre of the rod: X = {x}, Y = {y} {unit}").format(x=x, y=y, unit=shown.label)

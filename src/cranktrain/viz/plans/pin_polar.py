@@ -11,7 +11,8 @@ from cranktrain.motion import Array
 from cranktrain.plans.pin_loads import CrankpinLoad, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
 from cranktrain.plans.vectors import angle_of
-from cranktrain.viz.figures import rounded
+from cranktrain.scales import Scale, scale_for
+from cranktrain.viz.figures import aligned, figure, plain, with_unit
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics, rounded_down
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
@@ -74,6 +75,7 @@ def plan_polar(
         curve=curve,
     )
     width = (box.width - _TABLE) / 2
+    unit = scale_for("N", loads.largest)
     diagrams = (
         (
             (loads.on_pin, loads.on_pin_without),
@@ -92,12 +94,12 @@ def plan_polar(
         page.heading(cell.left, top - 4.0, head)
         page.notes(cell.left, top - 8.5, axes)
         outline = np.concatenate([*pair, np.zeros((2, 1))], axis=1)
-        scale = fitting([outline], (width - 26.0, box.height - 42.0), _STEPS)
-        rings = _("rings each {step:g} kN").format(step=ring_step(pair[0]) / 1e3)
-        page.text(cell.left, top - 17.2, f"{scale_of('F', scale / 1e3, _('kN'))}, {rings}")
-        centre(page, polar_sketch(loads, pair, scale), cell._replace(height=cell.height - 19.0))
+        scale = fitting([outline], (width - 26.0, box.height - 42.0), _STEPS, unit.one)
+        rings = _("rings each {step} {unit}").format(step=plain(ring_step(pair[0], unit)), unit=unit.label)
+        page.text(cell.left, top - 17.2, f"{scale_of('F', scale, unit)}, {rings}")
+        centre(page, polar_sketch(loads, pair, scale, unit), cell._replace(height=cell.height - 19.0))
     start = box.left + 2 * width + 4.0
-    write_beside(page, box, start, _table(loads, chosen), _notes(loads), shares=_COLUMNS)
+    write_beside(page, box, start, _table(loads, chosen, unit), _notes(loads, unit), shares=_COLUMNS)
     page.sample(box.left, box.left + 8.0, box.bottom + 0.5, color=INK, lw=1.0)
     page.text(box.left + 10.0, box.bottom - 0.4, _("with the rod's rotating mass"))
     if np.any(np.isfinite(loads.on_pin_without)):
@@ -107,8 +109,8 @@ def plan_polar(
     return page.figure
 
 
-def polar_sketch(loads: CrankpinLoad, pair: tuple[Array, Array], scale: float) -> Sketch:
-    """One diagram in drawing millimetres: axes, rings in kN, both loads, marks of the crank angle, the largest load."""
+def polar_sketch(loads: CrankpinLoad, pair: tuple[Array, Array], scale: float, unit: Scale) -> Sketch:
+    """One diagram in drawing millimetres: axes, rings in a unit, both loads, marks of the angle, the largest load."""
     full, without = (np.append(part, part[:, :1], axis=1) / scale for part in pair)
     every = np.concatenate([full, without, np.zeros((2, 1))], axis=1)
     low, high = np.nanmin(every, axis=1) - _BEYOND, np.nanmax(every, axis=1) + _BEYOND
@@ -116,7 +118,7 @@ def polar_sketch(loads: CrankpinLoad, pair: tuple[Array, Array], scale: float) -
     axes = [np.array([[low[0], high[0]], [0.0, 0.0]]), np.array([[0.0, 0.0], [low[1], high[1]]])]
     sketch.add(Line(axis, "LINKS", "thin", 1) for axis in axes)
     sketch.add([Line(without, "LINKS", "part", 3), Line(full, "LINKS", "vector", 4)])
-    step = ring_step(pair[0]) / scale
+    step = ring_step(pair[0], unit) * unit.one / scale
     radii = step * np.arange(1, int(max(np.max(np.abs(low)), np.max(high)) / step) + 1)
     rings = [_ring(radius, low, high) for radius in radii.tolist()]
     sketch.add(Line(ring, "LINKS", "dotted", 1) for ring in rings if np.any(np.isfinite(ring)))
@@ -126,7 +128,7 @@ def polar_sketch(loads: CrankpinLoad, pair: tuple[Array, Array], scale: float) -
     sketch.add([Circle(largest, 1.8, "LINKS", "outline", 7)])
     longer = -1.0 if -low[1] >= high[1] else 1.0
     wishes = [
-        Wish(np.array([0.0, longer * radius]), f"{radius * scale / 1e3:g}", -0.2, "number")
+        Wish(np.array([0.0, longer * radius]), plain(float(unit.of(radius * scale))), -0.2, "number")
         for radius in radii.tolist()
         if radius < max(-low[1], high[1]) - 2.0
     ]
@@ -137,9 +139,9 @@ def polar_sketch(loads: CrankpinLoad, pair: tuple[Array, Array], scale: float) -
     return sketch
 
 
-def ring_step(load: Array) -> float:
-    """Load from ring to ring, a round one of which the largest load has three or more. [N]"""
-    return rounded_down(float(np.nanmax(np.hypot(*load))) / _RINGS)
+def ring_step(load: Array, unit: Scale) -> float:
+    """Load from ring to ring in a unit, a round one of which the largest load has three or more."""
+    return rounded_down(float(unit.of(np.nanmax(np.hypot(*load)))) / _RINGS)
 
 
 def _ring(radius: float, low: Array, high: Array) -> Array:
@@ -149,24 +151,23 @@ def _ring(radius: float, low: Array, high: Array) -> Array:
     return np.where(inside, points, np.nan)
 
 
-def _table(loads: CrankpinLoad, angles: Array) -> Iterator[tuple[str, ...]]:
+def _table(loads: CrankpinLoad, angles: Array, unit: Scale) -> Iterator[tuple[str, ...]]:
     """Load at some crank angles: toward the shaft, in the sense of rotation, its size."""
-    yield ("φ, °", *(f"{mathematics(symbol)}, {_('kN')}" for symbol in ("K_R", "T_R", "R")))
+    yield ("φ, °", *(f"{mathematics(symbol)}, {unit.label}" for symbol in ("K_R", "T_R", "R")))
     closed = np.append(loads.angle, loads.cycle)
-    tangential, outward = (
-        1e-3 * np.interp(angles % loads.cycle, closed, np.append(part, part[:1])) for part in loads.on_pin
-    )
+    tangential, outward = (np.interp(angles % loads.cycle, closed, np.append(part, part[:1])) for part in loads.on_pin)
     size = np.sqrt(tangential**2 + outward**2)
-    for i in range(len(angles)):
-        yield (f"{angles[i]:g}", rounded(-float(outward[i])), rounded(float(tangential[i])), rounded(float(size[i])))
+    every = np.concatenate([unit.of(one) for one in (-outward, tangential, size)])
+    cells = np.reshape(np.array(aligned(every)), (3, -1)).tolist()
+    yield from ((f"{angle:g}", *row) for angle, *row in zip(angles.tolist(), *cells, strict=True))
 
 
-def _notes(loads: CrankpinLoad) -> Iterator[str]:
+def _notes(loads: CrankpinLoad, unit: Scale) -> Iterator[str]:
     """Say mean and largest load, and what the signs are."""
-    yield _("Mean load R: {mean} kN").format(mean=rounded(loads.mean / 1e3))
-    yield _("Largest: {largest} kN at {angle:g}°, ringed").format(
-        largest=rounded(loads.largest / 1e3), angle=round(loads.largest_at, 2)
+    yield _("Mean load R: {mean}").format(mean=with_unit(loads.mean, unit))
+    yield _("Largest: {largest} at {angle:g}°, ringed").format(
+        largest=with_unit(loads.largest, unit), angle=round(loads.largest_at, 2)
     )
-    yield _("Largest over mean: {ratio}").format(ratio=rounded(loads.largest / loads.mean))
+    yield _("Largest over mean: {ratio}").format(ratio=figure(loads.largest / loads.mean))
     yield _("K toward the shaft, T with rotation")
     yield _("Marks: crank angle, each 30°")

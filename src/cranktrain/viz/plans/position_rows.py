@@ -2,22 +2,25 @@
 
 from collections.abc import Iterator, Sequence
 
+import numpy as np
+
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.one_line import short
+from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.plans.position_table import PositionColumn, output_columns, point_columns
-from cranktrain.quantities import shown
+from cranktrain.scales import scale_for
 from cranktrain.viz.figures import aligned
 from cranktrain.viz.paper.page import INDICES
-from cranktrain.viz.plans.sheet import unit_words
+
+_LETTERS = 14
+"""Of a load's name at the head of its column."""
 
 N_HEADS = 2
 """Rows of the head of these tables: symbols, units."""
-
-_UNITS = {"m": ("mm", "mm"), "m/rad": ("mm/rad", "mm"), "m/rad^2": ("mm/rad²", "mm"), "rad": ("°", "deg")}
-"""How a column's unit is written, and what it is shown in; others are as they are."""
 
 
 def position_rows(
@@ -45,17 +48,26 @@ def point_tables(
         yield name, list(rows_of(angles, columns))
 
 
+def load_rows(angles: Array, loads: Sequence[ActingLoad]) -> list[tuple[str, ...]]:
+    """Table of loads: sizes of forces along their ways, of torques in the sense of rotation; less than 0 against it."""
+    columns = [
+        PositionColumn(short(load.name.replace("_", " "), _LETTERS), "N*m" if load.is_torque else "N", load.counted)
+        for load in loads
+    ]
+    return list(rows_of(angles, columns))
+
+
 def every(table: Sequence[tuple[str, ...]], step: int) -> list[tuple[str, ...]]:
     """Give the head of a table and every so manyth of its rows."""
     return [*table[:N_HEADS], *table[N_HEADS::step]]
 
 
 def rows_of(angles: Array, columns: Sequence[PositionColumn]) -> Iterator[tuple[str, ...]]:
-    """Two rows of a head, symbols and units, and rows: number, crank angle, columns in the units of drawings."""
+    """Two rows of a head, symbols and units, and rows: number, crank angle, columns as they are shown."""
+    scales = [scale_for(one.unit, float(np.max(np.abs(one.values)))) for one in columns]
     yield (_("no."), "φ", *(one.symbol for one in columns))
-    yield ("", "°", *(_UNITS.get(one.unit, (unit_words(one.unit),))[0] for one in columns))
-    factors = [shown(1.0, _UNITS[one.unit][1]) if one.unit in _UNITS else 1.0 for one in columns]
-    cells = [aligned(factor * one.values) for factor, one in zip(factors, columns, strict=True)]
+    yield ("", "°", *(scale.label for scale in scales))
+    cells = [aligned(scale.of(one.values)) for scale, one in zip(scales, columns, strict=True)]
     yield from (
         (f"{i}", f"{angle:g}", *row)
         for i, (angle, row) in enumerate(zip(angles, zip(*cells, strict=True), strict=True))

@@ -11,7 +11,8 @@ from cranktrain.plans.positions import plan_angles
 from cranktrain.plans.schemes import MarkedAngle, Scheme, scheme
 from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.quantities import shown
-from cranktrain.viz.figures import figure
+from cranktrain.scales import scale_for
+from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics
@@ -19,9 +20,9 @@ from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.plans.sheet import (
     centre,
     fitted_scale,
+    length_scale,
     plan_page,
     refuse_more,
-    scale_of,
     write_beside,
     write_scales,
 )
@@ -72,7 +73,7 @@ def plan_scheme(
     left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
     scale = fitted_scale(lambda one: scheme_sketch(found, one), (left.width - 6.0, left.height - 10.0))
     centre(page, scheme_sketch(found, scale), left)
-    write_scales(page, box, [scale_of("l", 1e-3 * scale, "m")], scale)
+    write_scales(page, box, [length_scale(1e-3 * scale)], scale)
     page.heading(box.left, box.bottom + box.height - 4.0, f"φ = {found.angle:g}°")
     notes = [_("Angles count in the sense in which the crank turns.")]
     if found.forces:
@@ -87,7 +88,7 @@ def _rows(found: Scheme) -> Iterator[tuple[str, ...]]:
     for one in found.angles:
         yield (mathematics(one.letter), _(one.words), f"{figure(shown(one.value, 'deg'))}°")
     for one in found.lengths:
-        yield (mathematics(one.letter), _(one.words), f"{figure(shown(one.value, 'mm'))} mm")
+        yield (mathematics(one.letter), _(one.words), with_unit(one.value, scale_for("m", 0.0)))
     for one in found.forces:
         yield (mathematics(one.letter), _(one.words), "" if one.letter == "Q" else f"{figure(one.value)} Q")
 

@@ -13,6 +13,9 @@ from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.positions import plan_angles, scale_words
 from cranktrain.plans.together import placed_together, places_called, together_name
 from cranktrain.plans.vectors import pair, spoken_name
+from cranktrain.quantities import chosen_unit
+from cranktrain.scales import Scale
+from cranktrain.viz.figures import plain
 from cranktrain.viz.paper.head import title_block
 from cranktrain.viz.paper.labels import labelled_bounds
 from cranktrain.viz.paper.page import LINE, MARGIN, Box, Page, fitting_scale, formula, paper
@@ -98,7 +101,10 @@ def centre(page: Page, sketch: Sketch, box: Box) -> tuple[float, float]:
 
 def origin_in(sketch: Sketch, box: Box) -> tuple[float, float]:
     """Where a sketch's origin is if it stands in the middle of a room. [mm]"""
-    low, high = (corner / sketch.scale for corner in bounds_of(sketch.outline()))
+    # Names of loads are long, and may reach farther than what is drawn.
+    has_loads = any(line.layer == "LOADS" for line in sketch.lines)
+    bounds = labelled_bounds(sketch) if has_loads else bounds_of(sketch.outline())
+    low, high = (corner / sketch.scale for corner in bounds)
     return pair(box.middle - (low + high) / 2)
 
 
@@ -146,10 +152,15 @@ def fitted_scale(drawn: Callable[[float], Sketch], room: tuple[float, float]) ->
     return scale
 
 
-def scale_of(letter: str, scale: float, unit: str) -> str:
-    """Write a scale factor."""
+def scale_of(letter: str, scale: float, shown: Scale) -> str:
+    """Write a scale factor, in a unit."""
     symbol = formula(rf"\mu_{letter}")
-    return f"{symbol} = {scale:.6g} {unit}/mm"
+    return f"{symbol} = {plain(float(shown.of(scale)))} {shown.label}/mm"
+
+
+def length_scale(metre: float) -> str:
+    """Write the scale factor of lengths: in metres, as the texts have it, unless other units are chosen for lengths."""
+    return scale_of("l", metre, Scale(chosen_unit("m") or "m"))
 
 
 def write_scales(page: Page, box: Box, scales: Sequence[str], metal: float | None) -> None:
@@ -161,8 +172,3 @@ def write_scales(page: Page, box: Box, scales: Sequence[str], metal: float | Non
     page.text(
         box.left + box.width, box.bottom - 0.4, _("1 mm is 1 mm on the sheet as printed"), ha="right", color=MUTED
     )
-
-
-def unit_words(unit: str) -> str:
-    """Write a unit with its squares as exponents."""
-    return unit.replace("^2", "²")

@@ -10,11 +10,13 @@ from cranktrain.motion import Array
 from cranktrain.plans.klein import Klein
 from cranktrain.plans.polygons import Polygon
 from cranktrain.plans.positions import PositionPlan
+from cranktrain.plans.shown_loads import ShownLoads
 from cranktrain.plans.vectors import POLE, Part, angle_of, spoken_name
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import INDICES
 from cranktrain.viz.paper.sketch import Circle, Habit, Layer, Line, Sketch
+from cranktrain.viz.plans.load_sketches import Wording, drawn_loads
 
 _ONE_PLACE = 0.4
 """Points nearer to each other have one place with all their names. [mm]"""
@@ -36,7 +38,13 @@ _MANY = 8
 
 
 def positions_sketch(
-    plan: PositionPlan, track: Drawing | None = None, *, hidden: Sequence[str] = (), is_lettered: bool = False
+    plan: PositionPlan,
+    track: Drawing | None = None,
+    *,
+    hidden: Sequence[str] = (),
+    is_lettered: bool = False,
+    loads: ShownLoads | None = None,
+    said: Wording | None = None,
 ) -> Sketch:
     """Mechanism in positions as line drawings, numbered from 0; in mm of metal.
 
@@ -49,6 +57,10 @@ def positions_sketch(
         Pins that have no words: a detail has them.
     is_lettered : bool
         Of several positions name the pins in the first one, and those that stand still.
+    loads : ShownLoads, optional
+        Of the machine file.
+    said : mapping of mechanism and name to symbol, optional
+        In one position symbols of loads instead of their names and sizes.
     """
     sketch, pins = line_drawing(plan, track)
     scale = sketch.scale
@@ -65,8 +77,10 @@ def positions_sketch(
         if is_lettered:
             rest = [one for one in pins if one not in (*numbered, *hidden, *plan.drawing.ends)]
             wishes += _still_names(plan.drawing, pins, rest)
+    acting = drawn_loads(loads, plan.angles, plan.drawing, pins, scale, said)
+    sketch.add(acting.lines)
     lines = [line.points for line in sketch.lines if line.habit != "dotted"]
-    sketch.add(placed_labels(wishes, lines, scale))
+    sketch.add(placed_labels([*wishes, *acting.wishes], lines, scale))
     return sketch
 
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from cranktrain.analysis import Result
+from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.motion import Array
 from cranktrain.plans.drawn_throws import drawn_throws
 from cranktrain.plans.vectors import pair
@@ -51,7 +52,8 @@ def animation(result: Result, *, n_frames: int = 36, design: int = 0, piston: st
 
     machine = result.machines[design]
     throws = drawn_throws(machine, piston)
-    scenes = [scene_of(machine, throw, is_alone=len(throws) == 1) for throw in throws]
+    speed = result.get(SpeedCurve) or "constant"
+    scenes = [scene_of(machine, throw, is_alone=len(throws) == 1, speed=speed) for throw in throws]
     tried = np.arange(n_frames) * (360.0 / n_frames)
     angles = [float(a) for a in tried if all(scene.closing_angle(float(a)) == a for scene in scenes)]
     bounds = [_bounds(scene, angles[::3]) for scene in scenes]

@@ -12,6 +12,7 @@ from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.throw.angle_marks import degree_ring, rotations
 from cranktrain.viz.throw.cylinders import common_cylinder, cylinder, skirt
 from cranktrain.viz.throw.followed import followed_points, point_names
+from cranktrain.viz.throw.loads import load_names, moving_lines, throw_loads
 from cranktrain.viz.throw.names import bank_angle, piston_names
 from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, DrawnMechanism, Scene
 
@@ -67,13 +68,18 @@ def mechanism_sketch(
     for member in scene.members:
         sketch.add(followed_points(scene, member, angle, scale))
         sketch.add(_links(scene, member, angle, scale))
-    if not is_plain:
+    marks = throw_loads(scene, angle)
+    if is_plain:
+        sketch.add(moving_lines(scene, marks))
+    else:
+        sketch.add(line for mark in marks for line in (*mark.held, *mark.lines))
         if has_ring:
             sketch.add(degree_ring(scene, _lines_of_links(scene, angle, dead), angle, scale))
             sketch.add(rotations(scene, scale))
         sketch.add(piston_names(scene, angle, sketch))
         sketch.add(point_names(scene, angle, sketch))
         sketch.add(bank_angle(scene, scale))
+        sketch.add(load_names(marks, sketch))
     return sketch
 
 

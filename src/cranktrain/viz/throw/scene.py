@@ -7,6 +7,7 @@ from itertools import combinations
 
 import numpy as np
 
+from cranktrain.analysis import SpeedWanted
 from cranktrain.errors import InputError, Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import _
@@ -16,6 +17,7 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array, Point
 from cranktrain.plans.placement import first_throw, placed, shaft_places
+from cranktrain.plans.shown_loads import ShownLoads, shown_loads
 from cranktrain.plans.vectors import angle_of
 from cranktrain.quantities import shown
 from cranktrain.questions.cylinders.declared import cylinders_of
@@ -128,6 +130,8 @@ class Scene:
         Shafts whose place the file does not give.
     is_alone : bool
         Whether no other throw is drawn beside it.
+    loads : ShownLoads or None
+        Of the machine file on its mechanisms.
     """
 
     machine: Machine
@@ -135,6 +139,7 @@ class Scene:
     ports: Mapping[str, Mapping[str, float]]
     assumed: tuple[str, ...]
     is_alone: bool = True
+    loads: ShownLoads | None = None
 
     @cached_property
     def leading(self) -> DrawnMechanism:
@@ -229,6 +234,12 @@ class Scene:
         return len(self.slaves) >= _STAR
 
     @cached_property
+    def size(self) -> float:
+        """The larger of width and height of all that its pins reach. [mm]"""
+        pins = np.concatenate([pin for member in self.members for pin in member.turn_pins.values()], axis=1)
+        return float(np.max(np.nanmax(pins, axis=1) - np.nanmin(pins, axis=1)))
+
+    @cached_property
     def clearance(self) -> float:
         """How far from the shaft the cylinders of neighbours would meet. [mm]"""
         found = [0.0]
@@ -239,8 +250,17 @@ class Scene:
         return max(found)
 
 
-def scene_of(machine: Machine, throw: tuple[PlacedMechanism, ...] | None = None, *, is_alone: bool = True) -> Scene:
-    """Collect what there is to draw of a throw, the first unless given, and of all that shares its cylinders."""
+def scene_of(
+    machine: Machine,
+    throw: tuple[PlacedMechanism, ...] | None = None,
+    *,
+    is_alone: bool = True,
+    speed: SpeedWanted = "constant",
+) -> Scene:
+    """Collect what there is to draw of a throw, the first unless given, and of all that shares its cylinders.
+
+    By the speed go some loads.
+    """
     places = first_throw(machine) if throw is None else throw
     pistons = [place for place in places if place.kind.output == "slider"]
     cylinders = cylinders_of(machine.cylinder, pistons)
@@ -260,7 +280,8 @@ def scene_of(machine: Machine, throw: tuple[PlacedMechanism, ...] | None = None,
         }
         for cylinder in cylinders
     }
-    return Scene(machine, _broken(tuple(members)), ports, shafts.assumed, is_alone)
+    loads = shown_loads(machine, places, speed, np.zeros(2))
+    return Scene(machine, _broken(tuple(members)), ports, shafts.assumed, is_alone, loads)
 
 
 def _standing(drawing: Drawing, centre: Array, cut: float) -> Drawing:

@@ -22,8 +22,8 @@ from cranktrain.questions.evenness.flywheel_inertia import (
     mertsalov_inertia,
     textbook_inertia,
 )
-from cranktrain.questions.evenness.mean_speed import quadratic_coefficient
-from cranktrain.questions.evenness.speed_law import TorqueLaw, linear_periodic, motor, speed_under_law
+from cranktrain.questions.evenness.mean_speed import balancing_coefficient, with_load
+from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, linear_periodic, motor, speed_under_law
 from cranktrain.questions.evenness.speed_over_cycle import steady_speed
 from cranktrain.textbook.flywheel_diagrams import mertsalov, wittenbauer
 
@@ -258,11 +258,20 @@ def beside(torque, law):
     return law._replace(free=law.free + torque)
 
 
+def plus_powers(law, *powers):
+    return law._replace(powers=(*law.powers, *powers))
+
+
+def squared(coefficient):
+    return Power(np.array(coefficient), np.array(2.0))
+
+
 def laws():
     return {
-        "fan": TorqueLaw(driving(PHI), quadratic=np.array(-1 / 36)),
+        "fan": TorqueLaw(driving(PHI), (squared(-1 / 36),)),
         "motor": beside(-driving(PHI), motor(np.array(62.0), np.array(50.0))),
-        "both": beside(driving(PHI) - 130, motor(np.array(61.0), np.array(3.0)))._replace(quadratic=np.array(-0.004)),
+        "both": plus_powers(beside(driving(PHI) - 130, motor(np.array(61.0), np.array(3.0))), squared(-0.004)),
+        "three": TorqueLaw(driving(PHI), (Power(np.array(-0.2), np.array(1.4)), Power(np.array(-3.0), np.array(0.5)))),
     }
 
 
@@ -271,11 +280,11 @@ def test_speed_under_a_law_by_stepping_through_the_cycle(name):
     law = laws()[name]
     found = speed_under_law(law, carried(PHI) + 1.2)
     source = fourier_curve(np.broadcast_to(law.free, (N,)))
-    linear, quadratic = float(law.linear), float(law.quadratic)
+    powers = [(float(coefficient), float(exponent)) for coefficient, exponent in law.powers]
 
     def rate(phi, energy):
         speed = np.sqrt(2 * energy / (carried(phi) + 1.2))
-        return source.value(np.array([phi]))[0] + linear * speed + quadratic * speed**2
+        return source.value(np.array([phi]))[0] + sum(c * speed**p for c, p in powers)
 
     energy = (carried(PHI) + 1.2) * found.speed.speed**2 / 2
     start = energy[0]
@@ -293,15 +302,15 @@ def test_means_of_law_torques_vanish():
 
 
 def test_designs_of_laws():
-    law = TorqueLaw(driving(PHI), quadratic=np.array([[-1 / 36], [-1 / 72]]))
+    law = TorqueLaw(driving(PHI), (squared([[-1 / 36], [-1 / 72]]),))
     found = speed_under_law(law, np.array([[1.2], [3.0]]) + carried(PHI))
     for row, (load, inertia) in enumerate(((1 / 36, 1.2), (1 / 72, 3.0))):
-        one = speed_under_law(TorqueLaw(driving(PHI), quadratic=np.array(-load)), inertia + carried(PHI))
+        one = speed_under_law(TorqueLaw(driving(PHI), (squared(-load),)), inertia + carried(PHI))
         np.testing.assert_allclose(found.speed.speed[row], one.speed.speed, rtol=1e-13)
 
 
 def test_no_balance_is_nan():
-    braked = TorqueLaw(-driving(PHI), quadratic=np.array(-0.1))
+    braked = TorqueLaw(-driving(PHI), (squared(-0.1),))
     assert np.isnan(speed_under_law(braked, carried(PHI) + 1).speed.means.time)
     free = TorqueLaw(driving(PHI) - 100)
     assert np.isnan(speed_under_law(free, carried(PHI) + 1).speed.means.time)
@@ -311,9 +320,22 @@ def test_no_balance_is_nan():
 def test_load_for_a_mean_speed(mean):
     inertia = carried(PHI) + np.array([[1.2], [4.0]])
     speeds = np.array([60.0, 30.0])
-    coefficient = quadratic_coefficient(driving(PHI), inertia, speeds, mean=mean)
-    law = TorqueLaw(driving(PHI), quadratic=-coefficient[:, np.newaxis])
+    shape = Power(np.array(1.0), np.array(2.0))
+    coefficient = balancing_coefficient(TorqueLaw(driving(PHI)), shape, inertia, speeds, mean=mean)
+    law = TorqueLaw(driving(PHI), (squared(-coefficient[:, np.newaxis]),))
     np.testing.assert_allclose(getattr(speed_under_law(law, inertia).speed.means, mean), speeds, rtol=1e-12)
+
+
+@pytest.mark.parametrize("mean", ["time", "extremes"])
+@pytest.mark.parametrize("shape", [None, Power(np.array(1.0), np.array(2.0)), Power(np.array(2.0), np.array(0.7))])
+def test_what_balances_beside_a_brake_gives_the_mean_speed(shape, mean):
+    """The mean of the whole law over the angle vanishes, however it depends on the speed."""
+    law = TorqueLaw(driving(PHI), (Power(np.array(-0.3), np.array(1.0)), squared(-0.001)))
+    speeds = np.array([60.0, 30.0])
+    coefficient = balancing_coefficient(law, shape, carried(PHI) + np.array([[1.2], [4.0]]), speeds, mean=mean)
+    found = speed_under_law(with_load(law, shape, coefficient[:, np.newaxis]), carried(PHI) + np.array([[1.2], [4.0]]))
+    np.testing.assert_allclose(getattr(found.speed.means, mean), speeds, rtol=1e-12)
+    np.testing.assert_allclose(np.mean(found.torque, axis=-1), 0.0, atol=1e-10)
 
 
 def test_mean_speed_of_a_motor():

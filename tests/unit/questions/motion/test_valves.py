@@ -26,11 +26,11 @@ def test_a_firing_order_names_the_cylinders_alone():
 
 
 def test_answers_part_valves_from_pistons():
-    """Strokes, dead centres and speeds are of pistons; a valve travels, and is farthest and nearest."""
+    """Strokes, dead centres and speeds are of pistons; a valve travels, and is farthest and nearest; all in inches."""
     said = ct.run(ct.load("great_northern")).summary().splitlines()
     assert said[0] == (
-        "Strokes: 762.00 mm. True top dead centres: 0.00 deg after the crank points along the cylinder. "
-        "Valve travel: 177.80 mm. Farthest from the shaft: -109.84 deg after the crank points along its line."
+        "Strokes: 30.00 in. True top dead centres: 0.00 deg after the crank points along the cylinder. "
+        "Valve travel: 7.000 in. Farthest from the shaft: −109.84 deg after the crank points along its line."
     )
     assert said[1].startswith("Mean piston speed 6.10 m/s, largest 9.65 m/s; ")
     assert " Mean valve speed 1.42 m/s, largest 2.23 m/s; " in said[1]

@@ -10,8 +10,9 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.plans.evenness_diagrams import mertsalov_diagram, wittenbauer_diagram
 from cranktrain.quantities import shown
+from cranktrain.scales import Scale, scale_for
 from cranktrain.textbook.flywheel_diagrams import Tangent
-from cranktrain.viz.panel import Curve, OneDesign, Panel, in_chosen_unit
+from cranktrain.viz.panel import Curve, OneDesign, Panel, as_shown
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import Axes, Box, Figure, Page, drawing_settings, formula, set_words
@@ -43,10 +44,12 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
     Figure
     """
     found = wittenbauer_diagram(result)
-    upper, lower = (Tangent(*(part[design] for part in one)) for one in (found.upper, found.lower))
-    tangents = {UPPER: upper, LOWER: lower}
-    origin = np.array([found.origin_inertia[design], found.origin_work[design]])
     panel = wittenbauer_panel(result, design)
+    energy = scale_for("J", float(np.max(np.abs(panel.values))))
+    panel = as_shown(panel)
+    upper, lower = (_in_unit(Tangent(*(part[design] for part in one)), energy) for one in (found.upper, found.lower))
+    tangents = {UPPER: upper, LOWER: lower}
+    origin = np.array([found.origin_inertia[design], energy.of(found.origin_work[design])])
     inertia, work = panel.across, panel.curves[0].values
     title = _("Wittenbauer's diagram: excess work over inertia of the moving parts")
     page, box = _page(result, size, design, title)
@@ -55,7 +58,7 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
     heights = np.append(work, np.mean(work[:-1]) + rise * np.array([-0.2, 0.2]))
     widths = np.append(inertia, np.mean(inertia[:-1]) + run * np.array([-0.05, 0.05]))
     across = _("Inertia of the moving parts {symbol}, kg·m²").format(symbol=formula("J_v"))
-    axes = _axes(page, box, across, _("Excess work {symbol}, J").format(symbol=formula("A")))
+    axes = _axes(page, box, across, _("Excess work {symbol}, {unit}").format(symbol=formula("A"), unit=panel.unit))
     axes.set(xlim=_wide(widths, 0.25), ylim=_wide(heights, 0.12))
     draw_curves(axes, panel)
     for dashes, tangent in tangents.items():
@@ -73,19 +76,27 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
 def plan_mertsalov(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
     """Draw Mertsalov's diagram of the flywheel; parameters as `plan_wittenbauer` takes them."""
     found = mertsalov_diagram(result)
-    upper, lower = mertsalov_panels(result, design)
+    panels = mertsalov_panels(result, design)
+    upper, lower = map(as_shown, panels)
+    energy = scale_for("J", float(np.max(np.abs(panels[1].values))))
     page, box = _page(result, size, design, _("Mertsalov's diagram: the energy that the flywheel takes up"))
     half = (box.height - 14.0) / 2
     _over_cycle(page, upper, Box(box.left, box.bottom + half + 14.0, box.width, half), 0.08)
     axes = _over_cycle(page, lower, Box(box.left, box.bottom, box.width, half), 0.12)
     page.text(box.left + box.width / 2, box.bottom - 8.5, _("Crank angle φ, °"), ha="center")
-    ends = [float(extreme.value[design, 0]) for extreme in (found.smallest, found.largest)]
+    ends = [float(energy.of(extreme.value[design, 0])) for extreme in (found.smallest, found.largest)]
     for extreme, value in zip((found.smallest, found.largest), ends, strict=True):
         axes.axhline(value, color=INK, linewidth=0.6, dashes=LOWER)
         _ring(axes, shown(float(extreme.angle[design, 0]), "deg") % lower.across[-1], value, clip_on=False)
     _dimension(page, page.place_of(axes, np.stack([np.full(2, lower.across[-1]), ends])))
     write_numbers(page, OneDesign(result, design), box.left + box.width + 10.0, box.bottom + box.height, ())
     return page.figure
+
+
+def _in_unit(tangent: Tangent, energy: Scale) -> Tangent:
+    """Give a tangent with work in a unit."""
+    slope, intercept, work = (energy.of(part) for part in (tangent.slope, tangent.intercept, tangent.work))
+    return tangent._replace(slope=slope, intercept=intercept, work=work)
 
 
 def _page(result: Result, size: str, design: int, title: str) -> tuple[Page, Box]:
@@ -96,7 +107,7 @@ def _page(result: Result, size: str, design: int, title: str) -> tuple[Page, Box
 
 def _over_cycle(page: Page, panel: Panel, box: Box, beside: float) -> Axes:
     """Draw a panel over the crank angle with its legend."""
-    panel, cycle = in_chosen_unit(panel), float(panel.across[-1])
+    cycle = float(panel.across[-1])
     axes = _axes(page, box, "", f"{panel.title}, {panel.unit}", every=cycle / 12)
     axes.set(xlim=(0.0, cycle), ylim=_wide(panel.values, beside))
     draw_curves(axes, panel)
@@ -160,7 +171,7 @@ def _draw_whole(
 ) -> None:
     """Draw the diagram small and whole, with the origin where the tangents meet."""
     drawn = np.stack([panel.across, panel.curves[0].values])
-    axes = _axes(page, room, f"{formula('J_v')}, kg·m²", f"{formula('A')}, J")
+    axes = _axes(page, room, f"{formula('J_v')}, kg·m²", f"{formula('A')}, {panel.unit}")
     widths, heights = np.column_stack([drawn, origin])
     axes.set(xlim=_wide(widths, 0.08), ylim=_wide(heights, 0.08))
     axes.plot(*drawn[:, :-1], color=COLOURS["v"], linewidth=1.2)

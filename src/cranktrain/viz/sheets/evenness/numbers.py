@@ -2,11 +2,14 @@
 
 from collections.abc import Iterator, Sequence
 
+import numpy as np
+
 from cranktrain.language import _
 from cranktrain.quantities import shown as in_unit
 from cranktrain.questions.evenness.flywheel import FlywheelSize
+from cranktrain.scales import scale_for
 from cranktrain.textbook.flywheel_diagrams import Tangent
-from cranktrain.viz.figures import figure
+from cranktrain.viz.figures import figure, plain, written_apart
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.page import Page
 from cranktrain.viz.paper.style import INK, MUTED
@@ -38,14 +41,19 @@ def _speeds(shown: OneDesign, tangents: Sequence[Tangent]) -> list[tuple[str, st
         float(part[shown.design])
         for part in (size.exact.largest_speed, size.exact.smallest_speed, size.exact.initial_energy)
     )
+    speed = scale_for("rpm", fastest)
+    speeds = written_apart(speed.of(np.array([fastest, slowest])))
+    largest = float(shown("largest_excess_work"))
+    works = [(one, scale_for("J", abs(one))) for one in (largest, energy)]
+    excess, start = ((scale.label, figure(float(scale.of(one)))) for one, scale in works)
     angles = (f"{float(in_unit(tangent.angle, 'deg')) % shown.cycle[-1]:.2f}" for tangent in tangents)
     return [
         (_("Wanted"), ""),
-        (_("Coefficient of fluctuation δ"), f"{float(size.wanted[shown.design]):.5g}"),
-        (_("Largest speed, rpm"), figure(in_unit(fastest, "rpm"))),
-        (_("Smallest speed, rpm"), figure(in_unit(slowest, "rpm"))),
-        (_("Largest excess work, J"), figure(float(shown("largest_excess_work")))),
-        (_("Energy at φ = 0, E₀, J"), figure(energy)),
+        (_("Coefficient of fluctuation δ"), plain(float(size.wanted[shown.design]))),
+        (_("Largest speed, {unit}").format(unit=speed.label), speeds[0]),
+        (_("Smallest speed, {unit}").format(unit=speed.label), speeds[1]),
+        (_("Largest excess work, {unit}").format(unit=excess[0]), excess[1]),
+        (_("Energy at φ = 0, E₀, {unit}").format(unit=start[0]), start[1]),
         *zip((_("Largest speed at φ, °"), _("Smallest speed at φ, °")), angles, strict=False),
     ]
 

@@ -61,8 +61,8 @@ def formula_error(shown: OneDesign, piston: str, error: str) -> float:
 
 
 def _force(shown: OneDesign, piston: str, name: str, method: str = _EXACT) -> Array:
-    """A force of a piston over the cycle. [kN]"""
-    return closed(shown(name)[shown.member("force_method", method), shown.member("piston", piston)]) / 1e3
+    """A force of a piston over the cycle. [N]"""
+    return closed(shown(name)[shown.member("force_method", method), shown.member("piston", piston)])
 
 
 def _at_piston(shown: OneDesign, piston: str) -> Panel:
@@ -76,7 +76,7 @@ def _at_piston(shown: OneDesign, piston: str) -> Panel:
         curves.append(Curve(_force(shown, piston, "side_force", _FORMULA), "formula", "N", "N_f"))
     is_valve = not next(one.kind.has_chambers for one in shown.result.machines[0].places if one.name == piston)
     title = _("Forces at valve {piston}") if is_valve else _("Forces at piston {piston}")
-    return Panel(title.format(piston=piston), "kN", shown.cycle, tuple(curves))
+    return Panel(title.format(piston=piston), "N", shown.cycle, tuple(curves))
 
 
 def _at_pin(shown: OneDesign, piston: str) -> Panel:
@@ -90,12 +90,12 @@ def _at_pin(shown: OneDesign, piston: str) -> Panel:
         curves.append(Curve(at_crank, "resultant", "F", "S_A"))
     if is_off(shown, piston, "tangential_force_formula_error"):
         curves.append(Curve(_force(shown, piston, "tangential_force", _FORMULA), "formula", "T", "T_f"))
-    return Panel(_("Forces at its crank pin"), "kN", shown.cycle, tuple(curves))
+    return Panel(_("Forces at its crank pin"), "N", shown.cycle, tuple(curves))
 
 
 def _share(shown: OneDesign, piston: str) -> Panel:
     """What a slave brings to the load of its master's crank pin."""
     place = shown.member("mechanism", piston)
-    along, toward = (closed(shown(f"crankpin_share_{part}")[place]) / 1e3 for part in ("tangential", "radial"))
+    along, toward = (closed(shown(f"crankpin_share_{part}")[place]) for part in ("tangential", "radial"))
     curves = Curve(along, "main", "T", "T_i"), Curve(toward, "radial", "K", "K_i")
-    return Panel(_("Its share of the crank pin's load"), "kN", shown.cycle, curves)
+    return Panel(_("Its share of the crank pin's load"), "N", shown.cycle, curves)

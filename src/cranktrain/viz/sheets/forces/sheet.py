@@ -9,6 +9,8 @@ from cranktrain.language import _
 from cranktrain.questions.forces.carriers import carriers_of
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.scales import scale_for
+from cranktrain.viz.figures import with_unit
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import LINE, MARGIN, Box, Figure, Page, drawing_settings, mathematics
@@ -17,7 +19,6 @@ from cranktrain.viz.paper.style import TEXT
 from cranktrain.viz.sheets.forces.panels import force_panels, formula_error, has_forces, is_off
 from cranktrain.viz.sheets.gas.panels import chambers_of, indicator_panel
 from cranktrain.viz.sheets.torque.orders import draw_orders, draw_stars
-from cranktrain.wording import number
 
 _LEFT = 0.55
 """Share of the curves over the crank angle in the width."""
@@ -106,7 +107,7 @@ def _means(shown: OneDesign, piston: str) -> Iterator[str]:
         said = _("{side} (thin): mean {mean}") if later else _("{side}: mean {mean}")
         words = said if len(chambers) > 1 else _("mean {mean}")
         side = shown.result.labels["chamber"][chamber].rpartition(".")[2]
-        yield words.format(side=side, mean=number(mean, "bar").replace("-", "−"))
+        yield words.format(side=side, mean=with_unit(mean, scale_for("Pa", abs(mean))))
 
 
 def _write_notes(page: Page, shown: OneDesign, piston: str | None, place: tuple[float, float, float]) -> None:
@@ -131,7 +132,9 @@ def _on_forces(shown: OneDesign, piston: str) -> Iterator[str]:
     yield _("P, S, N, K, T: by the reactions in the joints, K without the rod's rotating mass.")
     errors = {"N": "side_force_formula_error", "T": "tangential_force_formula_error"}
     said = [
-        _("{error} in {symbol}").format(error=number(formula_error(shown, piston, name), "%"), symbol=symbol)
+        _("{error} in {symbol}").format(
+            error=with_unit(formula_error(shown, piston, name), scale_for("%", 1.0)), symbol=symbol
+        )
         for symbol, name in errors.items()
         if is_off(shown, piston, name)
     ]
@@ -150,7 +153,7 @@ def _notes(shown: OneDesign, piston: str | None) -> Iterator[str]:
     masses = result[LoadedMachine].masses
     if masses.assumed:
         yield _("Rods without a given inertia have that of two masses at their ends.")
-    if (said := masses.without_mass()) is not None:
+    if (said := result[LoadedMachine].without_mass()) is not None:
         yield said
     gas = result.get(GasPressures)
     yield from () if gas is None else gas.flags

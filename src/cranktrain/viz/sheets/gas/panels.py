@@ -11,14 +11,14 @@ from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 def pressure_panel(shown: OneDesign, piston: str) -> Panel:
     """Absolute pressure in the chambers of a piston over the cycle."""
     curves = tuple(
-        Curve(closed(shown("gas_pressure")[chamber]) / 1e5, "chamber" if later else "main", "p", symbol)
+        Curve(closed(shown("gas_pressure")[chamber]), "chamber" if later else "main", "p", symbol)
         for later, (chamber, symbol) in enumerate(_symbols(shown.result, piston).items())
     )
-    return Panel(_("Gas pressure at piston {piston}, absolute").format(piston=piston), "bar", shown.cycle, curves)
+    return Panel(_("Gas pressure at piston {piston}, absolute").format(piston=piston), "Pa", shown.cycle, curves)
 
 
 def indicator_panel(shown: OneDesign, piston: str) -> Panel:
-    """Pressure over the volume of each of a piston's chambers."""
+    """Pressure over the volume of each of a piston's chambers, both as they are shown."""
     chambers = chambers_of(shown.result, piston)
     pressure = scale_for("Pa", 0.0)
     curves = tuple(

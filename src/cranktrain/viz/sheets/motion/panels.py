@@ -16,10 +16,8 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
 from cranktrain.plans.drawn_throws import drawn_places
 from cranktrain.plans.turning import turning
-from cranktrain.quantities import shown
 from cranktrain.viz.panel import Curve, OneDesign, Panel, Role
 
-_DEGREES = shown(1.0, "deg")
 _LETTERS = "svj"
 """Of travel, velocity and acceleration."""
 
@@ -37,13 +35,13 @@ _MOTIONS = {
 }
 """Results that are a motion's value and its two derivatives."""
 
-_SCALES = {
-    ("piston", True): (("s", "mm", 1e3), ("v", "m/s", 1.0), ("j", "m/s²", 1.0)),
-    ("piston", False): (("s", "mm", 1e3), ("s'", "mm/rad", 1e3), ("s''", "mm/rad²", 1e3)),
-    ("rocker", True): ((r"\theta", "°", _DEGREES), (r"\omega_3", "rad/s", 1.0), (r"\varepsilon_3", "rad/s²", 1.0)),
-    ("rocker", False): ((r"\theta", "°", _DEGREES), (r"\theta'", "rad/rad", 1.0), (r"\theta''", "rad/rad²", 1.0)),
+_UNITS = {
+    ("piston", True): (("s", "m"), ("v", "m/s"), ("j", "m/s^2")),
+    ("piston", False): (("s", "m"), ("s'", "m/rad"), ("s''", "m/rad^2")),
+    ("rocker", True): ((r"\theta", "rad"), (r"\omega_3", "rad/s"), (r"\varepsilon_3", "rad/s^2")),
+    ("rocker", False): ((r"\theta", "rad"), (r"\theta'", "rad/rad"), (r"\theta''", "rad/rad^2")),
 }
-"""Symbol, unit and factor to it of a motion and its derivatives, with and without a speed."""
+"""Symbol and unit of a motion and its derivatives, with and without a speed."""
 
 
 class _Turn(NamedTuple):
@@ -157,9 +155,9 @@ def _motion_panels(
     result, design, _mechanism = turn.shown
     has_speed = result.machines[design].main_shaft.speed is not None or result.get(SpeedCurve) is not None
     titles = _titles(turn.shown, dimension)
-    for order, (symbol, unit, factor) in enumerate(_SCALES[dimension, has_speed]):
+    for order, (symbol, unit) in enumerate(_UNITS[dimension, has_speed]):
         curves = (
-            Curve(factor * motion[order], role, _LETTERS[order], name=name)
+            Curve(motion[order], role, _LETTERS[order], name=name)
             for name, role, motion in zip((*names, *forms), roles, motions, strict=True)
         )
         yield Panel(titles[order], unit, turn.angle, tuple(curves), symbol)
@@ -187,12 +185,12 @@ def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
     travel, *rates = _motion_panels(turn, "piston", names)
     yield travel
     cylinder = next(p.cylinder for p in result.machines[design].places if p.name == names[0])
-    both = shown(1.0, "mm") * turn.curve("combined_displacement", turn.shown.member("cylinder", cylinder))
+    both = turn.curve("combined_displacement", turn.shown.member("cylinder", cylinder))
     title = _("Travel of both together, cylinder {cylinder}").format(cylinder=cylinder)
-    yield Panel(title, "mm", turn.angle, (Curve(both, "first", "s", name=cylinder),), r"x_\Sigma")
+    yield Panel(title, "m", turn.angle, (Curve(both, "first", "s", name=cylinder),), r"x_\Sigma")
     if turn.shown.has("chamber_volume") and cylinder in result.labels.get("chamber", ()):
-        volume = shown(1.0, "L") * turn.curve("chamber_volume", turn.shown.member("chamber", cylinder))
-        yield Panel(_("Volume between them"), "L", turn.angle, (Curve(volume, "first", "T", name=cylinder),), "V")
+        volume = turn.curve("chamber_volume", turn.shown.member("chamber", cylinder))
+        yield Panel(_("Volume between them"), "m^3", turn.angle, (Curve(volume, "first", "T", name=cylinder),), "V")
     yield from rates
 
 
@@ -221,7 +219,7 @@ def _error_panel(turn: _Turn, piston: str, form: int) -> Panel:
 
 def _load_panel(turn: _Turn, names: Sequence[str]) -> Panel:
     """Torque factor of rockers on which a load hangs."""
-    values = (1e3 * turn.curve("load_velocity_coefficient", turn.shown.member("rocker", name)) for name in names)
+    values = (turn.curve("load_velocity_coefficient", turn.shown.member("rocker", name)) for name in names)
     curves = (Curve(one, role, "T", name=name) for one, role, name in zip(values, _roles(names), names, strict=True))
     title = _("Torque factor: load velocity for each rad/s of the crank")
-    return Panel(title, "mm", turn.angle, tuple(curves), "x_Q'")
+    return Panel(title, "m", turn.angle, tuple(curves), "x_Q'")

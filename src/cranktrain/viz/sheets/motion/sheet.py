@@ -5,8 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from cranktrain.analysis import Result
+from cranktrain.analysis import Result, SpeedWanted
 from cranktrain.language import _
+from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.plans.drawn_throws import drawn_throws
 from cranktrain.plans.positions import chosen_scale
@@ -87,7 +88,7 @@ def sheet(
     machine = result.machines[design]
     page, box = result_page(result, design, size)
     ruler = ruler_of(result, design, piston)
-    throws = _throws(machine, ruler.marks, at, piston)
+    throws = _throws(machine, ruler.marks, at, piston, result.get(SpeedCurve) or "constant")
     foot = 6.0 + _NOTE * len(throws.notes)
     middle = 0.48 * box.width
     lower = box.bottom + (1.0 - _UPPER) * box.height
@@ -138,10 +139,10 @@ class _Throws:
         ]
 
 
-def _throws(machine: Machine, found: Sequence[Mark], at: float, piston: str | None) -> _Throws:
+def _throws(machine: Machine, found: Sequence[Mark], at: float, piston: str | None, speed: SpeedWanted) -> _Throws:
     """Collect the throws that are drawn."""
     throws = drawn_throws(machine, piston)
-    scenes = tuple(scene_of(machine, throw, is_alone=len(throws) == 1) for throw in throws)
+    scenes = tuple(scene_of(machine, throw, is_alone=len(throws) == 1, speed=speed) for throw in throws)
     for scene in scenes:
         at = scene.closing_angle(at)
     names = [[(member.place.name, member.place.cylinder) for member in scene.members] for scene in scenes]

@@ -4,6 +4,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.numerics.harmonics import ComplexArray
+from cranktrain.scales import scale_for
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.labels import together
 from cranktrain.viz.paper.page import Box, Page
@@ -47,10 +48,12 @@ def draw_orders(page: Page, shown: OneDesign, left: float, right: float, top: fl
     axes = axes_in(page, Box(left, top - 5.0 - height, right - left, height))
     colours = np.where(is_major, COLOURS["T"], "white").tolist()
     width = 0.7 * float(order[1] - order[0])
-    axes.bar(order, amplitude, width=width, color=colours, edgecolor=COLOURS["T"], linewidth=0.7)
+    scale = scale_for("N*m", float(np.max(amplitude)))
+    axes.bar(order, scale.of(amplitude), width=width, color=colours, edgecolor=COLOURS["T"], linewidth=0.7)
     axes.set(xlim=(0.0, last + 0.5), xticks=np.arange(1.0, last + 0.5), ylim=(0.0, None))
     axes.grid(visible=False, axis="x")
-    page.heading(left, top - 3.0, _("Amplitude of the torque's orders, N·m, over the order"))
+    heading = _("Amplitude of the torque's orders, {unit}, over the order").format(unit=scale.label)
+    page.heading(left, top - 3.0, heading)
     return top - 5.0 - height - 7.0
 
 

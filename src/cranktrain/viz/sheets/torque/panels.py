@@ -9,11 +9,9 @@ from cranktrain.language import _
 from cranktrain.layout.crank_angle import orders
 from cranktrain.motion import Array
 from cranktrain.questions.torque.stars import PhaseStars, phase_stars
+from cranktrain.scales import scale_for
 from cranktrain.viz.figures import figure
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
-
-_MANY = 20e3
-"""From here on newton metres are shown by the thousand."""
 
 STARS = 3
 """How many of the largest orders have a star."""
@@ -33,13 +31,14 @@ class OrderBars(NamedTuple):
 def torque_panel(shown: OneDesign) -> Panel:
     """Torque of all mechanisms together and its mean over the cycle, and of several mechanisms each one's."""
     torque = shown("machine_torque")
-    factor, unit = (1e3, "kN·m") if np.nanmax(np.abs(torque)) >= _MANY else (1.0, "N·m")
-    mean = float(shown("mean_torque")) / factor
-    each = [Curve(closed(values) / factor, "each", "T") for values in shown("mechanism_torque") if np.any(values)]
-    whole = Curve(closed(torque) / factor, "whole", "T", r"T_\Sigma")
+    mean = float(shown("mean_torque"))
+    each = [Curve(closed(values), "each", "T") for values in shown("mechanism_torque") if np.any(values)]
+    whole = Curve(closed(torque), "whole", "T", r"T_\Sigma")
     average = Curve(np.full_like(whole.values, mean), "mean", "F", "T_m")
-    title = _("Torque on the shaft, mean {mean}").format(mean=figure(mean))
-    return Panel(title, unit, shown.cycle, (*(each if len(each) > 1 else ()), whole, average))
+    curves = (*(each if len(each) > 1 else ()), whole, average)
+    scale = scale_for("N*m", float(np.nanmax([np.max(np.abs(curve.values)) for curve in curves])))
+    title = _("Torque on the shaft, mean {mean}").format(mean=figure(float(scale.of(mean))))
+    return Panel(title, "N*m", shown.cycle, curves)
 
 
 def order_bars(shown: OneDesign) -> OrderBars:

@@ -3,7 +3,8 @@
 import numpy as np
 
 from cranktrain.language import _
-from cranktrain.quantities import shown
+from cranktrain.scales import Scale, scale_for
+from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.page import Axes, Box, Page, formula, set_words
 from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED, SYMBOL
@@ -32,21 +33,22 @@ def draw_campbell(page: Page, of: Campbell, n_cylinders: int, box: Box) -> None:
     box : Box
     """
     height = 0.54 * box.height
-    page.heading(box.left, (box.bottom + box.height) - 3.0, _("Campbell's diagram: frequency in Hz over speed in rpm"))
+    page.heading(box.left, (box.bottom + box.height) - 3.0, _heading(of))
     room = Box(box.left + 2.0, (box.bottom + box.height) - 9.5 - height, box.width - 12.0, height)
     axes = axes_in(page, room)
-    end, high = float(shown(of.largest_speed, "rpm")), _hertz(of.highest_frequency)
+    speed = _speed(of)
+    end, high = float(speed.of(of.largest_speed)), _hertz(of.highest_frequency)
     axes.set(xlim=(0.0, end), ylim=(0.0, high))
     for order in of.order.tolist():
-        reach = min(end, 60.0 * high / order)
+        reach = min(end, float(speed.of(of.highest_frequency)) / order)
         width = _WHOLE if order == int(order) else _HALF
-        axes.plot([0.0, reach], [0.0, order * reach / 60.0], color=MUTED, linewidth=width)
+        axes.plot([0.0, reach], [0.0, _hertz(order * reach * speed.one)], color=MUTED, linewidth=width)
     _number_rays(page, of, room)
     if of.speed is not None:
-        axes.axvline(float(shown(of.speed, "rpm")), color=COLOURS["T"], linewidth=0.9, dashes=(6.0, 3.0))
+        axes.axvline(float(speed.of(of.speed)), color=COLOURS["T"], linewidth=0.9, dashes=(6.0, 3.0))
     _draw_levels(axes, of, room)
     for one in of.crossings:
-        place = [shown(one.speed, "rpm")], [_hertz(one.frequency)]
+        place = [speed.of(one.speed)], [_hertz(one.frequency)]
         axes.plot(*place, "o", ms=_mark(one, n_cylinders), color=INK, mew=0, zorder=6)
     _write_speeds(page, of, box.left, room.bottom - 9.0, box.width)
 
@@ -90,6 +92,15 @@ def _number_rays(page: Page, of: Campbell, room: Box) -> None:
         page.text(x if order > steepest else x + 1.0, y + 0.6 * (order > steepest), f"{order:g}", color=MUTED, **manner)
 
 
+def _speed(of: Campbell) -> Scale:
+    """The unit of speeds."""
+    return scale_for("rpm", of.largest_speed)
+
+
+def _heading(of: Campbell) -> str:
+    return _("Campbell's diagram: frequency in Hz over speed in {unit}").format(unit=_speed(of).label)
+
+
 def _hertz(speed: float) -> float:
     return speed / (2 * np.pi)
 
@@ -110,13 +121,18 @@ def _write_speeds(page: Page, of: Campbell, left: float, top: float, width: floa
     has_sums = bool(np.isfinite(of.crossings[0].weight))
     chosen = sorted(of.crossings, key=lambda one: -one.weight if has_sums else one.order)[:_ROWS]
     page.heading(left, top, _("Critical speeds with the largest marks") if has_sums else _("Critical speeds"))
-    head = [_("mode"), _("order"), _("speed, rpm"), *([_("vector sum")] if has_sums else [])]
+    head = [
+        _("mode"),
+        _("order"),
+        _("speed, {unit}").format(unit=_speed(of).label),
+        *([_("vector sum")] if has_sums else []),
+    ]
     rows = [
         [
             f"{one.mode}",
             f"{one.order:g}",
-            f"{shown(one.speed, 'rpm'):.1f}",
-            *([f"{one.vector_sum:.3f}"] if has_sums else []),
+            figure(float(_speed(of).of(one.speed))),
+            *([figure(one.vector_sum)] if has_sums else []),
         ]
         for one in sorted(chosen, key=lambda one: one.speed)
     ]

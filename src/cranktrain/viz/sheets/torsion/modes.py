@@ -6,11 +6,12 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.one_line import short
+from cranktrain.scales import scale_for
+from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper.page import Axes, Box, Page
 from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED
 from cranktrain.viz.sheets.torsion.panels import ModeShape
-from cranktrain.wording import number
 
 _MODES = 4
 """Modes that have a drawing."""
@@ -52,7 +53,9 @@ def draw_modes(page: Page, shapes: Sequence[ModeShape], discs: Sequence[str], bo
         room = Box(box.left + _SCALE, bottom + 1.5, box.width - _SCALE, height - _WORDS)
         _draw_mode(axes_in(page, room), shape)
         words = _("mode {n}, {frequency}; amplitude 1 at {disc}").format(
-            n=shape.mode, frequency=number(shape.frequency, "Hz"), disc=_called(short(shape.unit, _LONGEST))
+            n=shape.mode,
+            frequency=with_unit(shape.frequency, scale_for("Hz", shape.frequency)),
+            disc=_called(short(shape.unit, _LONGEST)),
         )
         page.text(box.left + _SCALE, bottom + height - 3.8, words)
 

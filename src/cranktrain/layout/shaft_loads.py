@@ -1,0 +1,110 @@
+"""Loads of a machine file on a shaft: torques of given size, or of one found so that it balances the machine."""
+
+from collections.abc import Iterator, Mapping
+from functools import partial
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
+from cranktrain.layout.design import Design, Designs
+from cranktrain.layout.load_designs import tables_together
+from cranktrain.layout.load_laws import ByAngle, Law, LoadState
+from cranktrain.layout.load_tables import LoadSpec
+from cranktrain.layout.loads import LOAD, is_on_shaft, law_of, refuse_more_turns
+from cranktrain.motion import ZERO, Array
+from cranktrain.numerics.nested import by_design
+from cranktrain.numerics.polyline import polyline_mean
+from cranktrain.record import record
+
+
+class TorqueOnShaft(NamedTuple):
+    """One load on one shaft.
+
+    Attributes
+    ----------
+    name : str
+        Of the load.
+    sense : float
+        In which its size counts as the shaft runs: −1 where it resists.
+    law : Law
+        Of its size. [N·m] One that balances the machine has its shape here: 1 at 1 rad/s, or the torques as given.
+    is_balanced : bool
+    """
+
+    name: str
+    sense: float
+    law: Law
+    is_balanced: bool
+
+    def value(self, shown: Array, speed: Array) -> Array:
+        """Torque as the shaft runs, at crank angles as they are shown and speeds, shape (design, 1, n). [N·m]"""
+        return self.sense * self.law.value(LoadState(*np.broadcast_arrays(shown, ZERO, speed)))
+
+
+@record
+class ShaftLoads:
+    """Loads on the shafts of a machine, which all turn alike fast: their torques add up at the crank."""
+
+    needs: ClassVar[str] = N_('[load.NAME] on = "main"')
+
+    each: tuple[TorqueOnShaft, ...]
+
+    @property
+    def given(self) -> tuple[TorqueOnShaft, ...]:
+        """Those whose sizes are known."""
+        return tuple(load for load in self.each if not load.is_balanced)
+
+    @property
+    def balanced(self) -> TorqueOnShaft | None:
+        """The one whose size is found."""
+        return next((load for load in self.each if load.is_balanced), None)
+
+
+def shaft_loads_of(designs: Designs) -> ShaftLoads | None:
+    """Put the loads of the file to the shafts; None where it has none."""
+    together = designs.together
+    found = [
+        TorqueOnShaft(
+            name,
+            -1.0 if spec.sense == "resisting" else -1.0 if together.orientation.is_astern else 1.0,
+            law_of(designs.by_design, spec),
+            spec.is_balanced,
+        )
+        for name, spec in tables_together(designs).get(LOAD, {}).items()
+        if is_on_shaft(LOAD, spec, together.shafts)
+    ]
+    for load in found:
+        refuse_more_turns(designs, f"{LOAD}.{load.name}", load.law)
+    return ShaftLoads(tuple(found)) if found else None
+
+
+def on_shafts(design: Design) -> Mapping[str, LoadSpec]:
+    """Loads of the file that are on a shaft: torques of the machine's own table, on a shaft's name."""
+    own = design.loads.get(LOAD, {})
+    return {name: spec for name, spec in own.items() if is_on_shaft(LOAD, spec, design.shafts)}
+
+
+def _mean(spec: LoadSpec) -> float:
+    """Mean of a load's sizes over the crank angles. [N·m]"""
+    law = law_of(partial(by_design, n_designs=1), spec)
+    assert isinstance(law, ByAngle)
+    return polyline_mean(law.polylines[0])
+
+
+def shaft_load_problems(design: Design) -> Iterator[Problem]:
+    """Find what a shaft has not, and two loads that would both balance the machine."""
+    balanced = ""
+    for name, spec in on_shafts(design).items():
+        where = f"{LOAD}.{name}"
+        allowed = _("is for what goes to and fro, and a shaft turns all round; list the sizes over crank_angles")
+        given = {"swing": spec.swing, "torque_back": spec.torque_back, "counts": spec.counts == "against" or None}
+        yield from (Problem(f"{where}.{key}", None, allowed) for key, one in given.items() if one is not None)
+        if spec.is_balanced and balanced:
+            allowed = _("must not stand beside [load.{other}], which balances the machine").format(other=balanced)
+            yield Problem(f"{where}.scale", spec.scale, allowed)
+        if spec.is_balanced and spec.crank_angles is not None and _mean(spec) <= 0:
+            allowed = _('must have a mean of more than 0, or no factor makes them a load; or write scale = "given"')
+            yield Problem(f"{where}.torque", None, allowed)
+        balanced = name if spec.is_balanced else balanced

@@ -1,0 +1,94 @@
+"""Loads of the machine file for a picture: those on some mechanisms at any crank angle, and the largest of a turn."""
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+
+import numpy as np
+
+from cranktrain.analysis import SpeedWanted
+from cranktrain.layout.places import PlacedMechanism
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.plans.acting import made_ready
+from cranktrain.plans.acting_loads import ActingLoad, acting_loads
+from cranktrain.plans.placement import shaft_places
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.record import record
+
+_TURN = np.arange(0.0, 360.0, 2.0)
+"""Crank angles at which the largest load is looked for. [deg]"""
+
+
+@record
+class ShownLoads:
+    """Loads on mechanisms that stand together.
+
+    Attributes
+    ----------
+    machine : Machine
+    loaded : LoadedMachine
+    places : tuple of PlacedMechanism
+    origin : Array, shape (2,)
+        From where they are drawn, from the main shaft. [m]
+    """
+
+    machine: Machine
+    loaded: LoadedMachine
+    places: tuple[PlacedMechanism, ...]
+    origin: Array
+
+    def at(self, angles: Array) -> tuple[ActingLoad, ...]:
+        """Loads at crank angles as the machine shows them [deg]; their places count from the origin."""
+        return tuple(self._at(angles))
+
+    def _at(self, angles: Array) -> Iterator[ActingLoad]:
+        """Loads of each mechanism in turn, where its shaft stands."""
+        phi = np.deg2rad(angles) + self.machine.zero
+        centres = shaft_places(self.machine).centres
+        for place in self.places:
+            away = (centres.get(place.shaft, np.zeros(2)) - self.origin).reshape(2, 1)
+            for load in acting_loads(self.machine, self.loaded, place, phi):
+                yield load.moved(away)
+
+    @cached_property
+    def outline(self) -> Array:
+        """Where forces act over a turn, shape (2, n); empty where there is none. [m]"""
+        places = [load.place for load in self.at(_TURN) if not load.is_torque]
+        return np.concatenate(places, axis=1) if places else np.empty((2, 0))
+
+    @cached_property
+    def largest(self) -> dict[bool, float]:
+        """Largest size over a turn, of torques and of forces: by whether it is a torque. [N·m or N]"""
+        found = {True: 0.0, False: 0.0}
+        for load in self.at(_TURN):
+            found[load.is_torque] = max(found[load.is_torque], float(np.nanmax(np.abs(load.size))))
+        return found
+
+
+def shown_loads(
+    machine: Machine,
+    places: Sequence[PlacedMechanism],
+    speed: SpeedWanted = "constant",
+    origin: Array | None = None,
+) -> ShownLoads | None:
+    """Loads of the file on mechanisms that a picture shows.
+
+    Parameters
+    ----------
+    machine : Machine
+    places : sequence of PlacedMechanism
+    speed : SpeedWanted
+        As `cranktrain.run` takes it.
+    origin : Array, shape (2,), optional
+        From where they are drawn, from the main shaft; the first one's shaft unless given. [m]
+
+    Returns
+    -------
+    ShownLoads or None
+        None where the file has no loads, says no speed, or its links cannot close all round: then there are no forces.
+    """
+    main = machine.main_shaft
+    if not machine.loads or (main.speed is None and main.speed_curve is None) or machine.closing_problems:
+        return None
+    centre = shaft_places(machine).centres.get(places[0].shaft, np.zeros(2))
+    return ShownLoads(machine, made_ready(machine, speed), tuple(places), centre if origin is None else origin)

@@ -1,0 +1,1 @@
+"""What the bearings of a crankshaft carry."""

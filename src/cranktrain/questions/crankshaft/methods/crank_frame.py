@@ -1,0 +1,81 @@
+"""The shaft as it is built, of journals, webs and pins that bend and twist: on rigid bearings, and on elastic ones."""
+
+import numpy as np
+
+from cranktrain.language import N_
+from cranktrain.motion import Array
+from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, bearing_loads
+from cranktrain.questions.crankshaft.bearing_method import BearingMethod
+from cranktrain.questions.crankshaft.blocks import product, transposed, turned_by
+from cranktrain.questions.crankshaft.designs_alike import Alike
+from cranktrain.questions.crankshaft.frame_spans import frame_spans
+from cranktrain.questions.crankshaft.shaft import Crankshaft
+from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, on_axis
+from cranktrain.questions.crankshaft.spans import CutShaft, cut_shaft
+from cranktrain.questions.crankshaft.support_moments import Bearings, support_moments
+
+
+def rigid_frame(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> BearingLoads:
+    """Bearing loads of a crank frame on rigid bearings; docs/theory/crankshaft, eqs. (24.8) and (24.14) to (24.19)."""
+    return _frame(shaft, loads, alike, gives=False)
+
+
+def elastic_frame(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> BearingLoads:
+    """Bearing loads of a crank frame on elastic bearings; docs/theory/crankshaft, eqs. (24.8) to (24.20).
+
+    Where bearings do not give alike in all directions, the shaft turns against them: a band system for every angle.
+    """
+    return _frame(shaft, loads, alike, gives=True)
+
+
+def _frame(shaft: Crankshaft, loads: ShaftLoads, alike: Alike, *, gives: bool) -> BearingLoads:
+    supports, turned = shaft.supports, loads.turned
+    cut = cut_shaft(supports.place, alike.loads, on_axis(loads))
+    settlement = supports.settlement[..., np.newaxis]
+    compliance = supports.compliance[..., np.newaxis] if gives else None
+    turning = Bearings(
+        supports.place,
+        settlements_in_turning_axes(settlement, turned),
+        None if compliance is None else in_turning_axes(compliance, turned, is_isotropic=alike.is_isotropic),
+    )
+    moment = support_moments(turning, frame_spans(shaft, loads, alike), cut_in_turning_axes(cut, turned))
+    return bearing_loads(supports.place, cut, turned_by(moment, -turned), settlement=settlement, compliance=compliance)
+
+
+def cut_in_turning_axes(cut: CutShaft, turned: Array) -> CutShaft:
+    """A cut shaft in axes that turn with it."""
+    return CutShaft(*(turned_by(values, turned) for values in cut))
+
+
+def settlements_in_turning_axes(settlement: Array, turned: Array) -> Array:
+    """Settlements of shape (design, bearing, 2, 1) in axes that turn with the shaft, for every angle."""
+    return turned_by(np.broadcast_to(settlement, (*settlement.shape[:-1], turned.shape[-1])), turned)
+
+
+def in_turning_axes(compliance: Array, turned: Array, *, is_isotropic: bool) -> Array:
+    """Compliance of bearings, (design, bearing, 2, 2, 1), in axes that turn with the shaft: for every angle, or alike.
+
+    Notes
+    -----
+    docs/theory/crankshaft, eq. (24.20).
+    """
+    if is_isotropic:
+        return compliance
+    cos, sin = np.cos(turned), np.sin(turned)
+    turning = np.stack([np.stack([cos, sin], axis=1), np.stack([-sin, cos], axis=1)], axis=1)[:, np.newaxis]
+    return product(product(turning, compliance), transposed(turning))
+
+
+RIGID_FRAME = BearingMethod(
+    "frame_rigid",
+    rigid_frame,
+    "docs/theory/crankshaft",
+    N_("journals, webs and pins that bend and twist, on rigid bearings"),
+)
+
+ELASTIC_FRAME = BearingMethod(
+    "frame_elastic",
+    elastic_frame,
+    "docs/theory/crankshaft",
+    N_("journals, webs and pins that bend and twist, on elastic bearings"),
+)
