@@ -1,9 +1,10 @@
 """Slips of a new user: each is answered with what is wrong and what to type, and nothing is written."""
 
 import pytest
+from tests.sentences import NO_FILE
 
 SLIPS = (
-    (("textbook", "eratta"), "eratta  there is no such file; did you mean errata?"),
+    (("textbook", "eratta"), f"eratta  {NO_FILE}; did you mean errata?"),
     (("run", "slider-crank"), "is written by: cranktrain new slider_crank -o mine.toml"),
     (("new", "slider_crank", "-o", "n.csv"), '-o = n.csv: must end in .toml: it is a machine file; write "n.toml"'),
     (
