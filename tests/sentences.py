@@ -9,6 +9,9 @@ AN_INERTIA = "must be a moment of inertia in kg·m², such as 0.5 kg·m²"
 AS_AT_THE_START = "must be as at the start of the turn"
 AT_MOST_TO_A_SHEET = "at most 24 to a sheet"
 A_LENGTH = "must be a length in mm, cm, m, in, ft, such as 90 mm"
+A_ROD, A_SPACING, A_SMALL_LENGTH = (
+    A_LENGTH.replace("90 mm", own) for own in ("180 mm", "120 mm", "5 mm")
+)  # what suits the key
 A_NUMBER = "must be a number without a unit or in %"
 A_RATIO = "must be a number without a unit or in %, such as 0.25"
 BETWEEN_COMMAS = "must be crank angles in degrees with commas between"

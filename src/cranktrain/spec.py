@@ -4,27 +4,45 @@ import re
 import types
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Annotated, ClassVar, Literal, NamedTuple, Self, TypeVar, Union, cast, get_args, get_origin
+from typing import (
+    Annotated,
+    ClassVar,
+    Literal,
+    NamedTuple,
+    Self,
+    TypeVar,
+    Union,
+    cast,
+    get_args,
+    get_origin,
+)
 
 from pydantic import BaseModel, ConfigDict, Discriminator, Tag, ValidationError, model_validator
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, core_schema
 
+from cranktrain.allowed import ALLOWED, OTHERWISE
 from cranktrain.brief import BriefSignature, brief_fields
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
-from cranktrain.language import N_, _
+from cranktrain.language import _
 from cranktrain.paths import path_text, value_at
 from cranktrain.quantities import Given, Quantity, nearest, one_of, unknown_key, unlisted, written
+from cranktrain.spec_class import SpecClass
 
 
-class Spec(BaseModel, frozen=True):
+class Spec(BaseModel, frozen=True, metaclass=SpecClass):
     """A table of the machine file: frozen, no unknown keys, nothing coerced; its lists become tuples."""
 
     model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, defer_build=True)
 
     of_file: ClassVar[frozenset[str]] = frozenset()
     """Fields that say where a curve's numbers are and how they are read: as numbers, they may differ among designs."""
+
+    unlisted: ClassVar[frozenset[str]] = frozenset(
+        {"master_field", "of_file", "others", "reading", "unlisted", "words"}
+    )
+    """Names that the program needs, and nobody who has a spec in hand."""
 
     others: ClassVar[str | None] = None
     """Field that holds, by name, the tables that stand in the file under keys of the user's own."""
@@ -35,6 +53,10 @@ class Spec(BaseModel, frozen=True):
         return brief_fields(type(self).__name__, given)
 
     __str__ = __repr__
+
+    def __dir__(self) -> list[str]:
+        """Fields, and what is the specs' own."""
+        return sorted({*type(self).model_fields, *dir(type(self))})
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_options: object) -> None:
@@ -302,9 +324,21 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
     elif kind in get_args(core_schema.ErrorType):
         if kind in ("int_type", "float_type", "bool_type") and isinstance(detail["input"], str):
             given = f'"{given}"'  # the quotes are what is wrong with "5"
-        yield Problem(where.path, given, _(_ALLOWED.get(kind, _OTHERWISE)).format(**context))
+        allowed = _(ALLOWED.get(kind, OTHERWISE)).format(**context)
+        yield Problem(where.path, given, allowed + _example_of_list(where) if kind == "tuple_type" else allowed)
     else:  # a validator's own PydanticCustomError
         yield Problem(where.path, given, detail["msg"])
+
+
+def _example_of_list(where: _Location) -> str:
+    """Say how a list of quantities is written, with the example that suits the key."""
+    items = get_args(bare(where.annotation).annotation)
+    quantity = quantity_of(items[0]) if items else None
+    if quantity is None:
+        return ""
+    key = where.path.rpartition(".")[2].partition("[")[0]
+    example = quantity.of_field(key).example or quantity.dimension.example
+    return _(', such as ["{example}", …]').format(example=example)
 
 
 def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:
@@ -358,34 +392,3 @@ def with_tuples(data: object) -> object:
     if isinstance(data, dict):
         return {key: with_tuples(value) for key, value in cast("dict[str, object]", data).items()}
     return data
-
-
-_TABLE, _LIST = N_("must be a table"), N_("must be a list in [ ]")
-_WHOLE, _NUMBER, _TRUTH = N_("must be a whole number"), N_("must be a number"), N_("must be true or false")
-_OTHERWISE = N_("is not allowed here")
-_ALLOWED = {
-    "model_type": _TABLE,
-    "model_attributes_type": _TABLE,
-    "dict_type": _TABLE,
-    "mapping_type": _TABLE,
-    "tuple_type": _LIST,
-    "list_type": _LIST,
-    "int_type": _WHOLE,
-    "int_from_float": _WHOLE,
-    "float_type": _NUMBER,
-    "finite_number": N_("must be a finite number"),
-    "bool_type": _TRUTH,
-    "string_type": N_("must be text in quotes"),
-    "string_too_short": N_("must have at least {min_length} characters"),
-    "string_too_long": N_("must have at most {max_length} characters"),
-    "string_pattern_mismatch": N_("must match {pattern}"),
-    "too_short": N_("must have at least {min_length} items"),
-    "too_long": N_("must have at most {max_length} items"),
-    "greater_than": N_("must be more than {gt}"),
-    "greater_than_equal": N_("must be at least {ge}"),
-    "less_than": N_("must be less than {lt}"),
-    "less_than_equal": N_("must be at most {le}"),
-    "multiple_of": N_("must be a multiple of {multiple_of}"),
-    "none_required": N_("must be left out"),
-    "frozen_instance": N_("must not be changed; make a new one"),
-}

@@ -9,10 +9,21 @@ import tomllib
 import numpy as np
 import pytest
 from tests.machines import slider
-from tests.sentences import A_LENGTH, NO_FILE, NOT_A_KEY, SET_TWICE
+from tests.sentences import A_ROD, NO_FILE, NOT_A_KEY, SET_TWICE
 
 import cranktrain as ct
 from cranktrain.catalogue import entries
+from cranktrain.plans.centres import instant_centres
+from cranktrain.plans.constructions import construction
+from cranktrain.plans.force_polygons import force_polygons
+from cranktrain.plans.force_table import force_table
+from cranktrain.plans.klein import klein
+from cranktrain.plans.pin_loads import pin_loads
+from cranktrain.plans.polygons import velocity_polygons
+from cranktrain.plans.positions import position_plan
+from cranktrain.plans.schemes import scheme
+from cranktrain.plans.zhukovsky import zhukovsky_lever
+from cranktrain.synthesis.slider_crank import slider_crank_from_stroke
 
 TABLES = {"name": "small", "mechanism": slider(), "shaft": {"main": {"speed": "1500 rpm"}}}
 FILE = """
@@ -112,7 +123,7 @@ class TestSet:
     @pytest.mark.parametrize(
         ("values", "path", "said"),
         [
-            ({"bank.L.mechanism.rod_length": 320}, "bank.L.mechanism.rod_length", A_LENGTH),
+            ({"bank.L.mechanism.rod_length": 320}, "bank.L.mechanism.rod_length", A_ROD),
             ({"bank.L.mechanism.rod_lenght": "320 mm"}, "bank.L.mechanism.rod_lenght", NOT_A_KEY),
             ({"shaft.main": {}, "shaft.main.speed": "1 rpm"}, "shaft.main.speed", SET_TWICE),
         ],
@@ -220,6 +231,19 @@ class TestModule:
         assert [name for name in of_results if f"result.{name}" not in shown and f").{name}" not in shown] == []
         assert len(shown.splitlines()) < 100
 
+    def test_help_shows_nothing_of_the_libraries_behind(self):
+        """Below its first page, too, and in what completion offers of a machine and of its tables."""
+        shown = pydoc.plain(pydoc.render_doc(ct))
+        assert [line for line in shown.splitlines() if "model_" in line or "__pydantic" in line] == []
+        assert "with_(self, values" in shown
+        machine = ct.load("3d12")
+        for spec in (machine, machine.bank["L"], machine.bank["L"].mechanism[0]):
+            fields = type(spec).model_fields
+            assert set(fields) <= set(dir(spec))
+            assert not {"copy", "dict", "json", "schema", "model_fields", "model_dump"} & set(dir(spec))
+        assert {"with_", "places", "shafts", "cycle"} <= set(dir(machine)) & set(dir(ct.Machine))
+        assert not {"arranged", "declared", "design", "table_problems"} & set(dir(machine))
+
     @pytest.mark.parametrize(
         "shown",
         [ct.run, ct.load, ct.compare, ct.Machine, ct.Machine.with_, ct.Result.plot, ct.Result.sheet, ct.Result.summary],
@@ -261,6 +285,20 @@ class TestLines:
         long = [type(one).__name__ for one in held if len(repr(one)) > 200 or "\n" in repr(one)]
         assert long == []
         assert len(str(machine)) < 200
+
+    def test_plans_and_proposals_are_short(self):
+        masses = {"piston": {"mass": "0.4 kg"}, "rod": {"big_end": "0.5 kg", "small_end": "0.2 kg"}}
+        machine = ct.load("vaz_21213", set={"masses": masses})
+        proposal = slider_crank_from_stroke(0.16, 0.5)
+        made = (
+            *(position_plan(machine), scheme(machine), instant_centres(machine, 30.0), klein(machine, 30.0)),
+            *(*velocity_polygons(machine, [30.0]), *force_polygons(machine, [30.0]), zhukovsky_lever(machine, 30.0)),
+            *(construction(machine, "brix"), pin_loads(machine), (table := force_table(machine)), *table.columns),
+            *(proposal, *proposal.alternatives, *proposal.numbers),
+        )
+        long = [type(one).__name__ for one in made if len(repr(one)) > 200 or "\n" in repr(one)]
+        assert long == []
+        assert repr(proposal) == "<Proposal: Slider-crank of 160.00 mm stroke: 8 numbers, alternatives: 1>"
 
     def test_given_numbers_are_their_text(self):
         machine = ct.Machine(mechanism=slider(rod_length={"value": "180 mm", "status": "published"}))

@@ -5,7 +5,17 @@ from typing import Annotated, Literal, TypeAlias
 import pytest
 from pydantic import AfterValidator, BaseModel, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
-from tests.sentences import A_LENGTH, AN_ANGLE, NOT_A_KEY, NOT_POSITIVE, TEXT_IN_QUOTES, TRUE_OR_FALSE, WHOLE_NUMBER
+from tests.sentences import (
+    A_LENGTH,
+    A_ROD,
+    A_SPACING,
+    AN_ANGLE,
+    NOT_A_KEY,
+    NOT_POSITIVE,
+    TEXT_IN_QUOTES,
+    TRUE_OR_FALSE,
+    WHOLE_NUMBER,
+)
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.quantities import Angle, Given, Length, PositiveLength, PositiveRatio
@@ -214,14 +224,14 @@ def test_specs_are_made_in_python_too() -> None:
             {"bank": {"R": {"angle": ["3 deg", "3"], "mechanism": SLIDER}}},
             ("bank.R.angle[1]", "3", AN_ANGLE, 'write "3 deg"'),
         ),
-        ({"spacing": "Auto"}, ("spacing", "Auto", f"must be one of: auto, or {A_LENGTH}", 'write "auto"')),
+        ({"spacing": "Auto"}, ("spacing", "Auto", f"must be one of: auto, or {A_SPACING}", 'write "auto"')),
         ({"spacing": ["180 mm", "-1 mm"]}, ("spacing[1]", "-1 mm", f"{NOT_POSITIVE} mm", None)),
-        ({"plain": {**SLIDER, "rod_length": 1}}, ("plain.rod_length", "1", A_LENGTH, 'write "1 m" or "1 mm"')),
+        ({"plain": {**SLIDER, "rod_length": 1}}, ("plain.rod_length", "1", A_ROD, 'write "1 m" or "1 mm"')),
         ({"plain": [{**SLAVE, "slave": 1}]}, ("plain[0].slave", "1", AN_ANGLE, 'write "1 deg"')),
         ({"plain": [{"kind": "slave"}]}, ("plain[0].slave", None, f"is missing; {AN_ANGLE}", None)),
         (
             {"plain": {"kind": "slider", "crank_radius": "1 m"}},
-            ("plain.rod_length", None, f"is missing; {A_LENGTH}", None),
+            ("plain.rod_length", None, f"is missing; {A_ROD}", None),
         ),
         # our own checks across fields
         (

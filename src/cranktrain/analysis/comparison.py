@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from cranktrain.analysis.fact_values import FactValues, OneMachine, fact_values, headline_names
 from cranktrain.analysis.figures import difference, percent, shown_in, significant
 from cranktrain.analysis.result import Result
-from cranktrain.analysis.rows import AnswerRow, OneMachine, answer_rows, headline_names
 from cranktrain.errors import Problem, refuse
 from cranktrain.faces import face
 from cranktrain.grouping import grouped
@@ -95,9 +95,9 @@ class Comparison:
     asked: tuple[str, ...] | None = None
 
     @cached_property
-    def _rows(self) -> tuple[AnswerRow, ...]:
+    def _rows(self) -> tuple[FactValues, ...]:
         names = headline_names(self.results) if self.asked is None else self.asked
-        return tuple(answer_rows([OneMachine(result) for result in self.results], names))
+        return tuple(fact_values([OneMachine(result) for result in self.results], names))
 
     @property
     def rows(self) -> tuple[ComparedRow, ...]:
@@ -213,14 +213,14 @@ def _absence(name: str, results: tuple[Result, Result]) -> Problem:
     return Problem("quantities", name, allowed)
 
 
-def _compared(row: AnswerRow) -> ComparedRow:
+def _compared(row: FactValues) -> ComparedRow:
     first, second = row.values
     return ComparedRow(
         row.question, row.entry.name, row.of, row.entry.unit, first, second, second - first, _percent(row)
     )
 
 
-def _percent(row: AnswerRow) -> float:
+def _percent(row: FactValues) -> float:
     """By how much the second is more, in percent of the first; none of places, nor of 0."""
     first, second = row.values
     is_place = row.entry.unit == "deg" and row.entry.name.endswith(_POSITIONS)
@@ -231,7 +231,7 @@ def _percent(row: AnswerRow) -> float:
     return 100.0 * (second - first) / abs(first)
 
 
-def _texts(row: AnswerRow) -> tuple[str, ...]:
+def _texts(row: FactValues) -> tuple[str, ...]:
     """Both values, their unit, their difference in it, and in percent."""
     shown = shown_in(row.entry.shown, np.array(row.values))
     first, second = (float(shown.of(value)) for value in row.values)

@@ -4,8 +4,8 @@ from collections.abc import Iterable, Iterator
 from html import escape
 
 from cranktrain.analysis.designs_summary import summary_of_designs
+from cranktrain.analysis.fact_values import FactValues, OneMachine, fact_values, headline_names
 from cranktrain.analysis.result import Result
-from cranktrain.analysis.rows import AnswerRow, OneMachine, answer_rows, headline_names
 from cranktrain.analysis.unused import sentences
 from cranktrain.faces import face
 from cranktrain.grouping import grouped
@@ -52,13 +52,13 @@ def result_html(result: Result) -> str:
     if result.has_designs:
         parts.append(f"<ul>{''.join(f'<li>{escape(line)}</li>' for line in summary_of_designs(result))}</ul>")
     else:
-        rows = answer_rows([OneMachine(result)], headline_names([result]))
+        rows = fact_values([OneMachine(result)], headline_names([result]))
         parts += ["<table><tbody>", *_table(rows), "</tbody></table>"]
         parts.append(_folded(_("In words"), result.answers()))
-        if result.missing:
+        if worth_asking := result.worth_asking:
             lacking = (
                 _("{needs}: gives {results}").format(needs=_(" and ").join(one.needs), results=", ".join(one.results))
-                for one in result.missing
+                for one in worth_asking
             )
             parts.append(_folded(_("To learn more"), lacking))
     parts.append(_paragraph(" · ".join([*_trust(result), _("result.plot(), result.sheet(), result.dataset")])))
@@ -90,7 +90,7 @@ def _trust(result: Result) -> Iterator[str]:
             yield one if n == 1 else more.format(n=n)
 
 
-def _table(rows: Iterable[AnswerRow]) -> Iterator[str]:
+def _table(rows: Iterable[FactValues]) -> Iterator[str]:
     """Rows of a table, question by question."""
     for question, of_question in grouped((row.question, row) for row in rows).items():
         yield f'<tr><th colspan="3" style="text-align:left">{escape(question.capitalize())}</th></tr>'

@@ -125,6 +125,12 @@ class Result:
             raise KeyError(self._absence(kind.__name__, needs, (type(outcome).__name__ for outcome in self.outcomes)))
         return found
 
+    @property
+    def worth_asking(self) -> tuple[Missing, ...]:
+        """Of what is missing, that which makes sense for this machine: a press is not asked when it fires."""
+        design = self.machines[0].design
+        return tuple(one for one in self.missing if all(question.is_for(one.needs, design) for question in QUESTIONS))
+
     def needs_of(self, *quantities: str) -> tuple[str, ...]:
         """What the machine file would have to say for quantities that are missing; nothing of others."""
         return next((one.needs for one in self.missing if not set(quantities).isdisjoint(one.results)), ())

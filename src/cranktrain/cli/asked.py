@@ -19,16 +19,22 @@ _TABLE = "shaft.main.speed_curve"
 
 @record
 class Asked:
-    """What `run` and `plot` have in common."""
+    """What the commands that compute have in common."""
 
     file: str
     settings: tuple[str, ...] = ()
     is_partial: bool = False
-    is_at_running_speed: bool = False
-    speed_curve: str | None = None
     output: str | None = None
     force: bool = False
     units: str | None = None
+
+
+@record
+class AskedAtSpeed(Asked):
+    """What `run` and `plot` have in common."""
+
+    is_at_running_speed: bool = False
+    speed_curve: str | None = None
 
     @property
     def speed(self) -> str:

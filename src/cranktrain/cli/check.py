@@ -23,7 +23,7 @@ def show_check(source: str) -> None:
         if entries(type(outcome))
     )
     print(_("can compute {n} results: {groups}").format(n=len(result.catalogue), groups=groups))
-    for missing in result.missing:
+    for missing in result.worth_asking:
         print(
             _("missing for {results}: {needs}").format(
                 results=", ".join(missing.results), needs=_(" and ").join(missing.needs)

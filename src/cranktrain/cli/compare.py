@@ -7,7 +7,7 @@ from rich.text import Text
 
 from cranktrain.analysis import Result, sentences
 from cranktrain.analysis.comparison import Comparison, compared
-from cranktrain.cli.asked import units_asked_for
+from cranktrain.cli.asked import Asked, units_asked_for
 from cranktrain.cli.screen.text import page
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
@@ -21,17 +21,11 @@ from cranktrain.record import record
 
 
 @record
-class CompareRequest:
+class CompareRequest(Asked):
     """What is asked of `compare`, as typed; `quantities` is None for the headlines."""
 
-    first: str
     second: str | None = None
-    settings: tuple[str, ...] = ()
     quantities: tuple[str, ...] | None = None
-    is_partial: bool = False
-    output: str | None = None
-    force: bool = False
-    units: str | None = None
 
 
 def show_comparison(request: CompareRequest) -> None:
@@ -99,10 +93,10 @@ def _check(request: CompareRequest) -> None:
     if request.second is None and not request.settings:
         allowed = _("must be compared with something: another machine, or itself with --set PATH=VALUE")
         repair = _("write cranktrain compare {first} kamaz_740, or --set shaft.main.speed=1500rpm").format(
-            first=request.first
+            first=request.file
         )
-        raise InputError([Problem("compare", request.first, allowed, repair)])
-    if request.second is not None and _is_same(request.first, request.second):
+        raise InputError([Problem("compare", request.file, allowed, repair)])
+    if request.second is not None and _is_same(request.file, request.second):
         allowed = _("is named twice, and differs in nothing from itself")
         repair = _("name another, or name it once and set a value: --set PATH=VALUE")
         raise InputError([Problem("compare", request.second, allowed, repair)])
@@ -118,8 +112,8 @@ def _is_same(first: str, second: str) -> bool:
 def _read(request: CompareRequest) -> tuple[MachineFile, MachineFile]:
     """Read both machines; what is wrong with either is told."""
     asked = (
-        (request.first, () if request.second is None else request.settings),
-        (request.first if request.second is None else request.second, request.settings),
+        (request.file, () if request.second is None else request.settings),
+        (request.file if request.second is None else request.second, request.settings),
     )
     found: list[MachineFile] = []
     problems: list[Problem] = []
@@ -142,5 +136,5 @@ def _names(request: CompareRequest) -> tuple[str, str]:
     """Name both machines as they were typed; of one with other values, these."""
     if request.second is None:
         values = ", ".join(setting.replace("=", " = ", 1) for setting in request.settings)
-        return request.first, _("{name} with {values}").format(name=request.first, values=values)
-    return request.first, request.second
+        return request.file, _("{name} with {values}").format(name=request.file, values=values)
+    return request.file, request.second

@@ -49,7 +49,7 @@ def add_compare(app: typer.Typer) -> None:
 
         names = None if quantities is None else listed(quantities)
         request = CompareRequest(
-            first=file,
+            file=file,
             second=other,
             settings=tuple(settings or ()),
             quantities=names,

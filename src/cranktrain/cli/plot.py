@@ -8,7 +8,7 @@ from math import inf
 from pathlib import PurePath
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, Asked, at_running_speed, units_asked_for
+from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, AskedAtSpeed, at_running_speed, units_asked_for
 from cranktrain.errors import InputError, Position, Problem, problems_as
 from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile
@@ -42,7 +42,7 @@ _DIGITS = 9
 
 
 @record
-class PlotRequest(Asked):
+class PlotRequest(AskedAtSpeed):
     """What is asked of `plot`, as typed."""
 
     plan: str | None = None
@@ -240,7 +240,7 @@ def _degrees(words: str, option: str, text: str) -> list[float]:
             angles.append(round(shown(read(quantity, Dimension.ANGLE), "deg"), _DIGITS))
         except QuantityError:
             allowed = _("must be crank angles in degrees with commas between, such as 30,60")
-            raise InputError([Problem(option, text, allowed)]) from None
+            raise InputError([Problem(option, text if text.strip() else '""', allowed)]) from None
     return angles
 
 

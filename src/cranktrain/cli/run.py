@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from rich.text import Text
 
 from cranktrain.analysis import Result
-from cranktrain.cli.asked import Asked, at_running_speed, units_asked_for
+from cranktrain.cli.asked import AskedAtSpeed, at_running_speed, units_asked_for
 from cranktrain.cli.screen.text import page, show_lines
 from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.io.description import units_of
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 @record
-class RunRequest(Asked):
+class RunRequest(AskedAtSpeed):
     """What is asked of `run`, as typed; `quantities` is None for all."""
 
     quantities: tuple[str, ...] | None = None

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from cranktrain.errors import InputError
-from cranktrain.io.output import write_whole
+from cranktrain.io.output import write_machine_file, write_whole
 from cranktrain.language import _
 from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.kind import AnyKind
@@ -59,7 +59,7 @@ _SHAFT = _("""
 
 def write_new(kind: str, output: str | None, *, full: bool = False, force: bool) -> None:
     """Write a machine file to start from, to the standard output unless a file is named."""
-    write_whole(output or "-", starting_file(_kind_called(kind), full=full), force=force)
+    write_machine_file(output or "-", starting_file(_kind_called(kind), full=full), force=force)
 
 
 def write_schema(output: str | None, *, force: bool) -> None:

@@ -13,6 +13,7 @@ from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
+from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.paths import PathParts, parts_of, path_text, quantity_path, with_values
 from cranktrain.quantities import Given
@@ -163,10 +164,16 @@ def document_of(source: "str | os.PathLike[str]") -> Document:
     try:
         return Document.read(source)
     except InputError as error:
+        kind = name.casefold().replace("-", "_")
         close = example_near(name)
-        if close is None:
+        if kind in (one.name for one in KINDS):
+            repair = _("a file of that kind is written by: {command}").format(
+                command=f"cranktrain new {kind} -o mine.toml"
+            )
+        elif close is None:
             raise
-        repair = _("is it the example {name}? `cranktrain list` names all").format(name=close)
+        else:
+            repair = _("is it the example {name}? `cranktrain list` names all").format(name=close)
         raise InputError(replace(problem, repair=problem.repair or repair) for problem in error.problems) from None
 
 

@@ -9,11 +9,13 @@ from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
-from cranktrain.errors import InputError
+from cranktrain.errors import InputError, Problem
 from cranktrain.io.files import refusal
 from cranktrain.language import N_, _
+from cranktrain.one_line import one_line
 
 STANDARD_OUTPUT = ("-", "/dev/stdout")
+_MACHINE_FILE = ".toml"
 
 _FAILURES = {
     errno.ENOENT: (N_("the folder is not there"), N_("make it first, or name another")),
@@ -27,6 +29,16 @@ _FAILURES = {
     errno.EFBIG: (N_("does not fit: it would be larger than files may be here"), N_("raise the limit (ulimit -f)")),
     errno.ELOOP: (N_("is a link that leads back to itself"), N_("choose another name")),
 }
+
+
+def write_machine_file(path: str, text: str, *, force: bool) -> None:
+    """Write a machine file as `write_whole` does; refuse a name by which it would be taken for something else."""
+    stem, suffix = os.path.splitext(path)  # noqa: PTH122 - takes a NUL byte
+    if suffix and suffix.lower() != _MACHINE_FILE and path not in STANDARD_OUTPUT:
+        allowed = _("must end in {suffix}: it is a machine file").format(suffix=_MACHINE_FILE)
+        repair = _('write "{text}"').format(text=one_line(stem + _MACHINE_FILE))
+        raise InputError([Problem("-o", one_line(path), allowed, repair)])
+    write_whole(path, text, force=force)
 
 
 def write_whole(path: "str | os.PathLike[str]", chunks: str | Iterable[str | bytes], *, force: bool) -> None:

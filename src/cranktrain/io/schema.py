@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Annotated, Any, Literal, cast, get_args, get_origin
 
 from pydantic import BeforeValidator, TypeAdapter
@@ -15,8 +16,7 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.spec import MechanismSpec
 from cranktrain.quantities import Given, Quantity
-from cranktrain.quantities.examples import EXAMPLES
-from cranktrain.spec import Spec, bare, words_of
+from cranktrain.spec import Spec, bare, quantity_of, words_of
 
 _ONCE = ("kind", "points", "output", "fixed", "crank", "part")
 """Keys of a mechanism that are the same for all angles of a bank."""
@@ -76,7 +76,7 @@ class _Writer:
             allowed: Schema = by_word("kind", tables, described(MechanismSpec, "kind"))
         else:
             allowed = self.of(Annotated[field.annotation, *field.metadata] if field.metadata else field.annotation)
-        schema: Schema = {"description": described(spec, name), **allowed, **_example(field.alias or name, allowed)}
+        schema: Schema = {"description": described(spec, name), **allowed, **_example(spec, name, allowed)}
         default = _default(field)
         return schema if default is None else schema | {"default": default}
 
@@ -85,7 +85,7 @@ class _Writer:
         inner, marks, alternatives = bare(annotation)
         quantity = next((mark for mark in marks if isinstance(mark, Quantity)), None)
         if quantity is not None:
-            return self._reference(_quantity_name(quantity), quantity.schema())
+            return self._reference(_quantity_name(quantity), replace(quantity, example=None).schema())
         origin, arguments = get_origin(inner), get_args(inner)
         if alternatives:
             specs = [spec for part in alternatives if (spec := _spec(part)) is not None]
@@ -150,9 +150,12 @@ def _word(spec: type[Spec], key: str) -> str:
     return str(words[0]) if len(words) == 1 else ""
 
 
-def _example(key: str, allowed: Schema) -> Schema:
+def _example(spec: type[Spec], name: str, allowed: Schema) -> Schema:
     """Give the example that suits a key better than that of its dimension."""
-    return {"examples": [EXAMPLES[key]]} if key in EXAMPLES and "$ref" in allowed else {}
+    field = spec.model_fields[name]
+    quantity = quantity_of(Annotated[field.annotation, field])
+    example = None if quantity is None else quantity.of_field(field.alias or name).example
+    return {} if example is None or "$ref" not in allowed else {"examples": [example]}
 
 
 def _quantity_name(quantity: Quantity) -> str:

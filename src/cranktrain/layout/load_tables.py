@@ -27,7 +27,7 @@ from cranktrain.quantities import (
 from cranktrain.spec import Spec
 
 Torque = Annotated[Given, Quantity(Dimension.TORQUE)]
-Exponent = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=10.0)]
+Exponent = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=10.0, example="2")]
 
 AT_POINT = ("along", "across")
 """Keys of where on a link a force acts."""

@@ -20,6 +20,11 @@ def _nothing(_of: Any, _known: object = None) -> tuple[()]:
     return ()
 
 
+def _always(_needs: object, _design: object) -> bool:
+    """Of a question that may be asked of any machine."""
+    return True
+
+
 _NO_NEEDS = ("return", "labels", "design")
 """What is returned, and which of a result is asked for."""
 
@@ -167,6 +172,8 @@ class Question:
         as stages ask for them.
     offers : mapping of str to str
         Of quantities that people ask for next what they are, in words.
+    is_for : callable (needs, design) → bool
+        Whether it makes sense to ask a machine's file for what some results lack, as far as its own tables go.
     uses : tuple of Use
         What may stand in a file without being used.
     files : tuple of TableFile
@@ -183,5 +190,6 @@ class Question:
     title: str = ""
     rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
     offers: Mapping[str, str] = field(default_factory=dict[str, str])
+    is_for: Callable[[Sequence[str], Design], bool] = _always
     uses: tuple[Use, ...] = ()
     files: tuple[TableFile, ...] = ()

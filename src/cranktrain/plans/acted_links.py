@@ -4,19 +4,19 @@ All axes are the machine's, X right and Y up, seen from the free end.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics, Reaction
 from cranktrain.motion import Array
 from cranktrain.plans.acting import MASTER_ROD, LoadedMechanism, known_forces, link_numbers, member_of, pair_symbol
 from cranktrain.plans.force_sides import PolygonForce
 from cranktrain.plans.vectors import pair
+from cranktrain.record import record
 
 _CRANK, _ROD, _MASTER = "crank", "rod", "master_"
 """What a master calls its crank and rod; before what its slaves call its rod and slider."""
 
 
-@dataclass(frozen=True)
+@record
 class Seen:
     """A mechanism as a sheet numbers it.
 

@@ -4,7 +4,6 @@ All axes are the machine's, X right and Y up, seen from the free end.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -26,6 +25,7 @@ from cranktrain.plans.force_sides import Cause, PolygonForce
 from cranktrain.plans.placement import frame
 from cranktrain.plans.vectors import pair
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
+from cranktrain.record import record
 
 _STEP = 10.0
 """Of the grid on which a machine is made ready; the forces themselves are asked for at any angle. [deg]"""
@@ -34,7 +34,7 @@ MASTER_ROD = "master_rod"
 """What a slave calls its master's rod."""
 
 
-@dataclass(frozen=True)
+@record
 class LoadedMechanism:
     """One mechanism of a loaded machine at one crank angle φ; all arrays have shape (1,).
 

@@ -1,7 +1,6 @@
 """Instant centres of a mechanism's bodies, two by two, from the velocities of its pins."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 from typing import Literal, NamedTuple
 
@@ -14,6 +13,7 @@ from cranktrain.plans.lettering import lettered
 from cranktrain.plans.placement import place_called, placed
 from cranktrain.plans.positions import closed_angles
 from cranktrain.plans.vectors import angle_of, cross, in_plane, spoken_name, turned_left
+from cranktrain.record import record
 
 _Sort = Literal["frame", "link", "slider", "block"]
 
@@ -54,7 +54,7 @@ class Centre(NamedTuple):
         return f"P_{self.first}{self.second}" if self.second < 10 else f"P_{self.first},{self.second}"
 
 
-@dataclass(frozen=True)
+@record
 class InstantCentres:
     """All instant centres at one crank angle.
 

@@ -5,7 +5,6 @@ from where the crank points along x, and displacements from the top toward the s
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -18,6 +17,7 @@ from cranktrain.mechanisms.slider_crank import SliderCrank, slider_crank
 from cranktrain.motion import Array
 from cranktrain.plans.placement import frame, slider_crank_called
 from cranktrain.plans.positions import plan_angles
+from cranktrain.record import record
 from cranktrain.textbook.ranges import RANGES, Range
 from cranktrain.textbook.steam_engine import brix, infinite_rod, largest_difference
 
@@ -27,7 +27,7 @@ _RANGES = {"projection": "infinite_rod", "brix": "brix", "brix_backward": "brix"
 """Methods of `cranktrain.textbook.ranges` whose range a construction has; the arc has none."""
 
 
-@dataclass(frozen=True)
+@record
 class Readings:
     """What is read off a construction, and what it draws.
 
@@ -50,7 +50,7 @@ class Readings:
     piston: Array
 
 
-@dataclass(frozen=True)
+@record
 class Construction(Readings):
     """A construction of one mechanism in several positions.
 

@@ -8,9 +8,6 @@ from cranktrain.numerics.nested import leaves
 from cranktrain.plans.placement import first_throw, place_called, shaft_places, throw_of
 from cranktrain.questions.cylinders.declared import cylinders_of
 
-MOST = 4
-"""Throws that a sheet has room for."""
-
 _DIGITS = 12
 
 Throw = tuple[PlacedMechanism, ...]
@@ -47,7 +44,7 @@ def drawn_throws(machine: Machine, mechanism: str | None = None) -> tuple[Throw,
     seen, sorts = {place.name for place in first}, {_sort(machine, first)}
     centres = shaft_places(machine).centres
     for place in machine.places:
-        if place.name in seen or place.shaft not in centres or len(found) == MOST:
+        if place.name in seen or place.shaft not in centres:
             continue
         throw = throw_of(machine, place)
         seen |= {one.name for one in throw}

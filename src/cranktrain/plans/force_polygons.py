@@ -4,7 +4,7 @@ One drawing millimetre is μ_F newtons. All axes are the machine's: X right, Y u
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,10 +18,11 @@ from cranktrain.plans.assur_groups import group_forces
 from cranktrain.plans.force_sides import GroupForces, PolygonForce, Span
 from cranktrain.plans.positions import ROOM, closed_angles, fitting
 from cranktrain.plans.together import numbered_pin, places_called, together_name
+from cranktrain.record import record
 from cranktrain.scales import scale_for
 
 
-@dataclass(frozen=True)
+@record
 class ForcePolygon(GroupForces):
     """Forces on an Assur group, or on the crank, drawn to scale.
 

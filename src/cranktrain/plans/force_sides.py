@@ -1,9 +1,10 @@
 """Sides of a polygon of forces, and the forces between its corners."""
 
-from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
+
+from cranktrain.record import record
 
 Cause = Literal["gas", "load", "weight", "inertia", "reaction"]
 
@@ -56,7 +57,7 @@ class Span(NamedTuple):
     end: int
 
 
-@dataclass(frozen=True)
+@record
 class GroupForces:
     """All forces on an Assur group, or on the crank, at one crank angle, head to tail.
 

@@ -1,7 +1,6 @@
 """Tables of a piston's forces at round crank angles: exact, by the textbook's formula, and how far this is off."""
 
-from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +16,7 @@ from cranktrain.quantities import Dimension, shown, unlisted
 from cranktrain.quantities.dimensions import plain, spellings
 from cranktrain.questions.cylinders.declared import cylinders_of
 from cranktrain.questions.forces.carriers import carriers_of
+from cranktrain.record import record
 
 STEPS = (10.0, 15.0, 30.0)
 """Steps of the crank angle in which tables of forces are made. [deg]"""
@@ -28,7 +28,8 @@ _SHARES = {"K_i": "crankpin_share_radial", "T_i": "crankpin_share_tangential"}
 _QUANTITIES = (*_AT_PISTON.values(), *_KNUCKLED.values(), *_AT_PIN.values(), *_SHARES.values())
 
 
-class ForceColumn(NamedTuple):
+@record
+class ForceColumn:
     """A force, or the torque M, at the angles of a table, in the column's unit, by the joints' reactions and otherwise.
 
     By the textbook's formula and by that with two harmonics of inertia; NaN of a slave, for which there is none. Their
@@ -44,7 +45,7 @@ class ForceColumn(NamedTuple):
     two_harmonics_error: Array
 
 
-@dataclass(frozen=True)
+@record
 class ForceTable:
     """Forces of a piston at round crank angles.
 

@@ -1,7 +1,6 @@
 """Klein's construction for the slider-crank, and the instant centre of its rod, as points of the plan."""
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 import numpy as np
 
@@ -12,9 +11,11 @@ from cranktrain.motion import Array
 from cranktrain.plans.placement import frame, placed, slider_crank_called
 from cranktrain.plans.positions import closed_angles
 from cranktrain.plans.vectors import turned_left
+from cranktrain.record import record
 
 
-class Klein(NamedTuple):
+@record
+class Klein:
     """Klein's construction at one crank angle: points (X, Y) by their letters, from the shaft centre O. [m]
 
     A crank pin, B piston pin; C where the rod's line meets the perpendicular to the line of stroke through O; K, L

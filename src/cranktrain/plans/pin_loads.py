@@ -1,7 +1,5 @@
 """Load of a crank pin as data: in the crank's axes and in the rod's, with the rod's rotating mass and without."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from cranktrain.analysis import SpeedWanted, run
@@ -12,6 +10,7 @@ from cranktrain.mechanisms.dynamics import AnyDynamics
 from cranktrain.motion import Array
 from cranktrain.plans.acting import refuse_idle
 from cranktrain.plans.placement import place_called
+from cranktrain.record import record
 
 _QUANTITIES = (
     "crankpin_load_radial",
@@ -24,7 +23,7 @@ _QUANTITIES = (
 _ROD = "rod"
 
 
-@dataclass(frozen=True)
+@record
 class CrankpinLoad:
     """Load of a crank pin over the cycle, each of shape (2, n): across and along an axis. [N]
 

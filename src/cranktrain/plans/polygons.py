@@ -4,7 +4,6 @@ One drawing millimetre is μ_v m/s or μ_a m/s². All axes are the machine's: X 
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -19,10 +18,11 @@ from cranktrain.plans.positions import ROOM, closed_angles, fitting
 from cranktrain.plans.together import placed_together, places_called, together_name
 from cranktrain.plans.turning import turning
 from cranktrain.plans.vectors import POLE, PolygonVector, Quantity, plan_vectors
+from cranktrain.record import record
 from cranktrain.scales import scale_for
 
 
-@dataclass(frozen=True)
+@record
 class Polygon:
     """A polygon of velocities or accelerations at one crank angle.
 

@@ -4,7 +4,7 @@ One drawing millimetre is μ_l metres; docs/pictures says how the plans are draw
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,10 +13,12 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing
+from cranktrain.mechanisms.slider_crank import SliderCrankSpec
 from cranktrain.motion import Array
 from cranktrain.plans.lettering import lettered
 from cranktrain.plans.placement import slider_crank_called
 from cranktrain.plans.together import placed_together, places_called, together_name
+from cranktrain.record import record
 
 ROOM = (80.0, 80.0)
 """Width and height for which a scale is chosen, unless given. [mm]"""
@@ -30,7 +32,7 @@ DRAWING_STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
 """Scale factors of a drawing within a power of ten."""
 
 
-@dataclass(frozen=True)
+@record
 class PositionPlan:
     """A mechanism in several positions.
 
@@ -173,7 +175,8 @@ def source_angles(
     is_shown : bool
         Count as the machine shows crank angles; else from where the crank points along the cylinder.
     permissible : float, optional
-        The pressure angle that was permitted; the largest that the mechanism has, unless given. [deg]
+        The pressure angle that was permitted; unless given, what the machine says is, else the largest that the
+        mechanism has. [deg]
 
     Returns
     -------
@@ -190,8 +193,9 @@ def source_angles(
     """
     place = slider_crank_called(machine, mechanism)
     geometry = place.geometry
-    largest = np.rad2deg(np.arcsin((geometry.crank_radius + abs(geometry.offset)) / geometry.rod_length))
-    pressure = largest if permissible is None else permissible
+    largest = np.arcsin((geometry.crank_radius + abs(geometry.offset)) / geometry.rod_length)
+    declared = place.spec.permissible_pressure_angle if isinstance(place.spec, SliderCrankSpec) else None
+    pressure = np.rad2deg(largest if declared is None else declared.si) if permissible is None else permissible
     half = np.array([0.0, pressure, (pressure + 90.0) / 2, 90.0, 120.0, 150.0])
     start = np.rad2deg(-place.phase - machine.zero) if is_shown else 0.0
     turn = (np.concatenate([half, half + 180.0]) + start) % 360.0

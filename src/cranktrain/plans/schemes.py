@@ -1,7 +1,6 @@
 """Schemes of mechanisms with the letters of the sources' figures, as data."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +17,7 @@ from cranktrain.plans.placement import frame, output_motion
 from cranktrain.plans.positions import closed_angles
 from cranktrain.plans.together import placed_together, places_called, together_name
 from cranktrain.plans.vectors import angle_of, cross
+from cranktrain.record import record
 
 
 class MarkedAngle(NamedTuple):
@@ -50,7 +50,7 @@ class MarkedForce(NamedTuple):
     value: float
 
 
-@dataclass(frozen=True)
+@record
 class Scheme:
     """A mechanism at one crank angle with the letters of a source's figure.
 
@@ -211,7 +211,7 @@ def _slider_crank(view: _View) -> _Marks:
 
 
 def _opposed(view: _View) -> _Marks:
-    """Fig. 1.3 of [bolotin]: exhaust and scavenge piston, the exhaust crank ahead by Δ."""
+    """Fig. 1.3 of [bolotin]: exhaust and scavenge piston (indices в and п), the exhaust crank ahead by Δ."""
     ends = [place.name.rpartition(".")[2] for place in view.places]
     letters: dict[str, str] = {}
     angles: list[MarkedAngle] = []
@@ -220,7 +220,7 @@ def _opposed(view: _View) -> _Marks:
     turns = {end: _turn(view, place) for end, place in zip(ends, view.places, strict=True)}
     lead = float((turns["exhaust"] - turns["scavenge"] + np.pi) % (2 * np.pi) - np.pi)
     for i, (end, place) in enumerate(zip(ends, view.places, strict=True)):
-        number, mark = (str(i + 1) if i else ""), end[0]
+        number, mark = (str(i + 1) if i else ""), _INDICES[end]
         letters |= {f"{pin}{number}": f"{pin}_{mark}" for pin in "OAB"}
         shaft, along = f"O{number}", view.along(place)
         if end == "exhaust":
@@ -237,6 +237,10 @@ def _opposed(view: _View) -> _Marks:
         lengths.append(view.length(f"R_{mark}", _crank_words(end), shaft, f"A{number}"))
         lengths.append(view.length(f"L_{mark}", _rod_words(end), f"A{number}", f"B{number}"))
     return _Marks(letters, tuple(angles), tuple(lengths), thin=tuple(thin))
+
+
+_INDICES = {"exhaust": "в", "scavenge": "п"}
+"""The text's own letters of the two pistons: выпускной, продувочный."""
 
 
 def _crank_words(end: str) -> str:

@@ -1,7 +1,6 @@
 """Loads of the machine file for a picture: on some mechanisms at any crank angle, and the largest of the cycle."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -15,12 +14,13 @@ from cranktrain.plans.acting_loads import ActingLoad, acting_loads
 from cranktrain.plans.placement import shaft_places
 from cranktrain.quantities import shown
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.record import record
 
 _STEP = 2.0
 """Of crank angles at which the largest load is looked for. [deg]"""
 
 
-@dataclass(frozen=True)
+@record
 class ShownLoads:
     """Loads on mechanisms that stand together.
 

@@ -1,7 +1,6 @@
 """Vectors of a plan: velocity and acceleration of every pin, whole, about another pin, and along a slot."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -10,6 +9,7 @@ from cranktrain.layout.speed import rates
 from cranktrain.linkage.forces import Drive
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array, Coefficient, Point
+from cranktrain.record import record
 
 Quantity = Literal["velocity", "acceleration"]
 Part = Literal["absolute", "relative", "normal", "tangential", "coriolis"]
@@ -57,7 +57,7 @@ class _Leg(NamedTuple):
     slot_turning: float | None = None
 
 
-@dataclass(frozen=True)
+@record
 class _Plan:
     """What a polygon is drawn from: motions by pin, letters of their ends by pin, fixed pins, the quantity."""
 

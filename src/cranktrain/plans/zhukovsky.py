@@ -4,7 +4,6 @@ The plan is turned by 90° clockwise, so that a force's moment about the pole, a
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -27,6 +26,7 @@ from cranktrain.plans.placement import place_called
 from cranktrain.plans.positions import closed_angles
 from cranktrain.plans.rubbing import Rubbing, friction_on_links
 from cranktrain.plans.vectors import pair
+from cranktrain.record import record
 
 
 class LeverForce(NamedTuple):
@@ -43,7 +43,7 @@ class LeverForce(NamedTuple):
     moment: float
 
 
-@dataclass(frozen=True)
+@record
 class ZhukovskyLever:
     """Zhukovsky's lever of a mechanism at one crank angle.
 

@@ -2,14 +2,15 @@
 
 import textwrap
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
+from cranktrain.brief import brief_fields
 from cranktrain.language import _
 from cranktrain.paths import quoted
 from cranktrain.quantities import Dimension, Status, read, shown
+from cranktrain.record import record
 
 _DIMENSIONS = {"mm": Dimension.LENGTH, "deg": Dimension.ANGLE, "rpm": Dimension.SPEED}
 _MOST_DIGITS = 17
@@ -34,6 +35,10 @@ class Alternative(NamedTuple):
     label: str
     numbers: tuple[Number, ...]
 
+    def __repr__(self) -> str:
+        """Show it in a line."""
+        return brief_fields("Alternative", self._asdict().items())
+
 
 class ProposedTable(NamedTuple):
     """A table of a machine file: its head, and each key with its value as TOML text."""
@@ -42,7 +47,7 @@ class ProposedTable(NamedTuple):
     keys: Mapping[str, str]
 
 
-@dataclass(frozen=True)
+@record
 class Proposal:
     """Dimensions that give what was wanted.
 
@@ -62,6 +67,12 @@ class Proposal:
     alternatives: tuple[Alternative, ...]
     remarks: tuple[str, ...]
     tables: tuple[ProposedTable, ...]
+
+    def __repr__(self) -> str:
+        """Show what it is of, and how much there is, in a line."""
+        return _("<Proposal: {title}: {n} numbers, alternatives: {others}>").format(
+            title=self.title, n=len(self.numbers), others=len(self.alternatives)
+        )
 
     def value(self, name: str) -> float:
         """Give a number by its name, in SI.

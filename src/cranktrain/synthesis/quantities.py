@@ -9,8 +9,12 @@ Length: TypeAlias = Annotated[float, Quantity(Dimension.LENGTH)]
 Angle: TypeAlias = Annotated[float, Quantity(Dimension.ANGLE)]
 Ratio: TypeAlias = Annotated[float, Quantity(Dimension.RATIO)]
 Velocity: TypeAlias = Annotated[float, Quantity(Dimension.VELOCITY)]
-Count: TypeAlias = Annotated[int, Quantity(Dimension.RATIO)]
-TimeRatio: TypeAlias = Annotated[Ratio, N_("Time of the slow stroke over that of the quick one.")]
+Count: TypeAlias = Annotated[int, Quantity(Dimension.RATIO, example="9")]
+TimeRatio: TypeAlias = Annotated[
+    float,
+    Quantity(Dimension.RATIO, example="1.2"),
+    N_("Time of the slow stroke over that of the quick one."),
+]
 Bore: TypeAlias = Annotated[float, Quantity(Dimension.LENGTH, above=0.0), N_("For the machine file.")]
 Speed: TypeAlias = Annotated[float, Quantity(Dimension.SPEED, above=0.0), N_("Of the crank.")]
 Friction: TypeAlias = Annotated[

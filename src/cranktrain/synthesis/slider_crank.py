@@ -116,7 +116,7 @@ def slider_crank_from_stroke(
         remarks=(*_remarks(lengths, working_stroke), friction_remark(_by_stroke(lengths, working_stroke)[0], friction)),
         tables=(
             *shaft_table(omega, None if mean_speed is None else _("π v/S")),
-            _mechanism(lengths, rod_length, offset),
+            _mechanism(lengths, rod_length, offset, None if pressure_angle is None else (working, back)),
         ),
     )
 
@@ -286,8 +286,10 @@ def _remarks(lengths: Lengths, working_stroke: Stroke) -> tuple[str, ...]:
     )
 
 
-def _mechanism(lengths: Lengths, rod_length: float | None, offset: float | None) -> ProposedTable:
-    """The mechanism's table."""
+def _mechanism(
+    lengths: Lengths, rod_length: float | None, offset: float | None, limits: tuple[float, float] | None
+) -> ProposedTable:
+    """The mechanism's table, with the limit that holds all round the turn: of two the wider, if an offset uses both."""
     how_offset = _("shortest rod within the limits") if rod_length is None else _("least pressure angle")
     how_crank = _("from the stroke, rod and offset") if lengths.offset else _("S/2")
     keys = {
@@ -299,4 +301,6 @@ def _mechanism(lengths: Lengths, rod_length: float | None, offset: float | None)
     }
     if lengths.offset:
         keys["offset"] = found(lengths.offset, "mm", how_offset) if offset is None else wanted(lengths.offset, "mm")
+    if limits is not None:
+        keys["permissible_pressure_angle"] = wanted(max(limits) if lengths.offset else min(limits), "deg")
     return ProposedTable("mechanism", keys)

@@ -34,7 +34,7 @@ from cranktrain.textbook.ranges import RANGES, Range
 from cranktrain.textbook.steam_engine import brix, infinite_rod, two_harmonics
 from cranktrain.wording import ABSENT, Names, ranged
 
-_FACT = ("method", "piston")
+_FACT = ("motion_method", "piston")
 _THEORY = "docs/theory/textbook-forms"
 
 Curve = Callable[[Array], Coefficient]
@@ -84,7 +84,7 @@ class TextbookMotion(StageResult):
     displacement_by_method: Coefficient = coefficients(
         "x",
         "m",
-        ("method", "piston", "crank_angle"),
+        ("motion_method", "piston", "crank_angle"),
         N_("Piston displacement by each method, from the method's own top"),
         N_("Piston velocity for each rad/s of the crank, by each method"),
         N_("Piston acceleration for each (rad/s)² of the crank, by each method"),
@@ -117,6 +117,7 @@ class TextbookMotion(StageResult):
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say how far the forms that textbooks use most are off."""
+        methods = names["motion_method"]
         said = [
             _("{form} is off by up to {x} of the stroke, {v} in velocity, {j} in acceleration").format(
                 form=form,
@@ -128,7 +129,7 @@ class TextbookMotion(StageResult):
                 ("two_harmonics", _("two harmonics (333)–(337)")),
                 ("reconstructed", _("(I.13), reconstructed,")),
             )
-            if not np.all(np.isnan(self.displacement_error.value[design, (index := names["method"].index(method))]))
+            if np.any(np.isfinite(self.displacement_error.value[design, (index := methods.index(method))]))
         ]
         return _("Textbook: {forms}.").format(forms="; ".join(said)) if said else None
 
@@ -175,7 +176,7 @@ def textbook_motion(
     return TextbookMotion(
         Coefficient(*curves.reshape(3, n_designs, n_methods, n_pistons, n_angles)),
         *(Extreme(*one) for one in zip(angles, errors, strict=True)),
-        labels={"method": ("exact", *FORMS)},
+        labels={"motion_method": ("exact", *FORMS)},
         flags=(*_flags(pistons), *(lead_flags(cylinders.names, opposed.lead) if cylinders and opposed else ())),
     )
 

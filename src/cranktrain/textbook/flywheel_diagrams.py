@@ -9,6 +9,7 @@ from cranktrain.numerics import Extreme
 from cranktrain.numerics.periodic import PeriodicCurve, combined, curve_extremes
 from cranktrain.questions.evenness.excess_work import ExcessWork
 from cranktrain.questions.evenness.flywheel_inertia import Flywheel
+from cranktrain.record import record
 
 
 class Tangent(NamedTuple):
@@ -31,7 +32,8 @@ class Tangent(NamedTuple):
     work: Array
 
 
-class Wittenbauer(NamedTuple):
+@record
+class Wittenbauer:
     """Energy–mass diagram: A over J_v through the cycle, and the two tangents that meet in its origin.
 
     Attributes
@@ -52,7 +54,8 @@ class Wittenbauer(NamedTuple):
     origin_work: Array
 
 
-class Mertsalov(NamedTuple):
+@record
+class Mertsalov:
     """Mertsalov's diagram: the energy that the flywheel has to take up.
 
     Attributes

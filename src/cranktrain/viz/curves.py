@@ -1,6 +1,6 @@
 """Curves of results by name over the crank angle, of one machine or of two, and sheets by name."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +9,7 @@ from cranktrain.analysis import Result
 from cranktrain.analysis.comparison import Comparison
 from cranktrain.analysis.figures import shown_in
 from cranktrain.catalogue import Entry
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -104,6 +104,8 @@ def plot_comparison(comparison: Comparison, *quantities: str) -> Figure:
         for name in comparison.asked or ()
         if any(name in one.catalogue and not one.catalogue[name].is_fact for one in results)
     ]
+    if not quantities and not asked:
+        _refuse_facts(comparison.asked or ())
     names = quantities or asked or _main_names(results)
     panels = [_panel_of_both(comparison, _curve_called(name, results)) for name in names]
     keys = (
@@ -141,11 +143,17 @@ def sheet_called(result: Result, name: str = "machine", *, size: str = "A4", des
     return in_notebook(sheets[name].function(result, size=size, design=design))
 
 
+def _refuse_facts(asked: Iterable[str]) -> None:
+    """Refuse to draw what was asked for, if none of it is a curve."""
+    refuse(Problem("quantities", name, _("has one value for the whole cycle, and no curve")) for name in asked)
+
+
 def _main_names(results: Sequence[Result]) -> tuple[str, ...]:
     """Curves that say most and that one of the machines has."""
     found = [name for one in results for name in one.asked or () if not one.catalogue[name].is_fact]
     if found:
         return tuple(dict.fromkeys(found))
+    _refuse_facts(dict.fromkeys(name for one in results for name in one.asked or ()))
     for alternatives in _MAIN:
         for result in results:
             first = next((name for name in alternatives if name in result.catalogue), None)

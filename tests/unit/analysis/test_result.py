@@ -1,10 +1,14 @@
 """The result: units, read-only arrays, facts, what is missing, the dataset."""
 
+import inspect
+
 import numpy as np
 import pytest
+import xarray
 from tests.machines import V12, slider, throws
 
 import cranktrain as ct
+from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.questions.evenness.flywheel import FlywheelSize
 from cranktrain.questions.motion.pistons import PistonSpeeds
 from cranktrain.questions.motion.rockers import RockerMotion
@@ -77,8 +81,8 @@ def test_what_a_stage_did_not_give_names_what_it_needs(v12):
 
 def test_labels(v12):
     entry = v12.catalogue["displacement_error"]
-    assert list(v12.labels_of(entry)) == ["method", "piston"]
-    assert v12.labels_of(entry)["method"][0] == "exact"
+    assert list(v12.labels_of(entry)) == ["motion_method", "piston"]
+    assert v12.labels_of(entry)["motion_method"][0] == "exact"
 
 
 def test_dataset(v12):
@@ -95,6 +99,16 @@ def test_dataset(v12):
     }
     assert data["crank_angle"].attrs["units"] == "deg"
     assert "design" not in data.dims
+
+
+def test_every_dimension_can_be_selected_by_its_name(v12):
+    """What xarray itself takes by name when it selects (method, tolerance, drop, …) would select nothing."""
+    for container in (xarray.Dataset, xarray.DataArray):
+        for select in ("sel", "isel", "interp", "reindex", "drop_sel", "drop_isel"):
+            assert not set(inspect.signature(getattr(container, select)).parameters) & set(DIMENSIONS)
+    errors = v12.dataset["displacement_error"]
+    assert list(errors["motion_method"].values)[:2] == ["exact", "infinite_rod"]
+    assert float(errors.sel(motion_method="infinite_rod", piston="1L")) == v12.displacement_error[1, 0] != 0
 
 
 def test_numbers_are_numbers_in_the_dataset(v12):

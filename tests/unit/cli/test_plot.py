@@ -146,7 +146,7 @@ def test_crank_angles_as_typed(plan, at, output, angles):
             ["textbook_78x78", "-o", "a.svg", "--plan", "positions", "--at", "source 95"],
             ["--at = source 95: must be `source` with one angle from 0 to 90°: source 30"],
         ),
-        (["3d12", "-o", "a.svg", "--at", ""], [f"--at = : {BETWEEN_COMMAS}, "
+        (["3d12", "-o", "a.svg", "--at", ""], [f"--at = \"\": {BETWEEN_COMMAS}, "
                                                "such as 30,60"]),
         (
             ["mud_pump_12p160", "-o", "a.svg", "--running-speed"],

@@ -68,6 +68,20 @@ def test_no_engine_is_spoken_of_where_there_is_none(typed, name, options):
         assert re.findall(OF_PISTONS, said) == []
 
 
+@pytest.mark.parametrize("name", [*WITHOUT_CYLINDERS, *ROCKERS])
+def test_what_has_no_cylinder_is_not_asked_when_it_fires(typed, name):
+    """A slider might get a bore, and with it all that cylinders have, but not one that works against a load."""
+    file = file_of(typed, name)
+    machine, asked = ct.load(file), re.findall(r"\[cylinder\] \w+", typed("run", file, "--missing").output)
+    may = any(place.kind.output == "slider" for place in machine.places) and not any(machine.loads.values())
+    assert asked == (["[cylinder] bore"] if may else [])
+    pressed = {"load": {"die": {"on": "piston", "force": "5 kN"}}}
+    ram = ct.Machine(mechanism={"kind": "slider_crank", "stroke": "80 mm", "rod_length": "136 mm"}, **pressed)
+    result = ct.run(ram)
+    assert not any("[cylinder]" in need for one in result.worth_asking for need in one.needs)
+    assert "[cylinder] bore" in result.needs_of("gas_pressure")  # whoever asks is told
+
+
 def test_every_example_is_an_engine_or_none():
     """A new example of a press or pump has to be named here."""
     with_firing = {name for name in EXAMPLES if ct.load(name).cylinder.cycle or "locomotive" in ct.load(name).name}
@@ -146,6 +160,16 @@ def test_what_comes_next_is_of_this_machine(typed, written):
     assert "[gas] pressures and power" in following("textbook_78x78")
     still = '[mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "136 mm"\n'
     assert following(str(written(still))).startswith("[shaft.main] speed speeds and accelerations")
+
+
+def test_room_is_said_as_the_file_says_it(typed):
+    """15 % of the swept volume is a ratio of 1 + 1/0.15 = 7.667; the other of the two is behind --full."""
+    answer = typed("run", "gas_compressor", "--step", "5").output
+    assert re.search(r"(?m)^  clearance +15\.00 %$", answer)
+    assert "compression ratio" not in answer
+    assert re.search(r"(?m)^ +compression_ratio .* 7\.667 ", typed("run", "gas_compressor", "--full").output)
+    assert "clearance" not in typed("run", "3d12", "--step", "5").output
+    assert "Clearance 15.00 %." in ct.run("gas_compressor").answers()
 
 
 def test_a_table_is_quoted_where_a_file_has_blanks(typed, written):

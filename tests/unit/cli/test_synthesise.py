@@ -7,7 +7,15 @@ import tomllib
 
 import numpy as np
 import pytest
-from tests.sentences import A_LENGTH, A_RATIO, AN_ANGLE, BEYOND_ANY_SIZE, NOT_POSITIVE, WHOLE_NUMBER
+from tests.sentences import (
+    A_LENGTH,
+    A_NUMBER,
+    A_SMALL_LENGTH,
+    AN_ANGLE,
+    BEYOND_ANY_SIZE,
+    NOT_POSITIVE,
+    WHOLE_NUMBER,
+)
 
 from cranktrain.cli.synthesis import requirements
 
@@ -110,14 +118,14 @@ def test_the_source_and_its_errors(typed):
                 f'--stroke = 1,6 m: {A_LENGTH}; write "1.6 m"',
                 f"--pressure-angle = 30 mm: mm measures a length; {AN_ANGLE}",
                 '--working-stroke = towards: must be one of: toward, away; write "toward"',
-                f"--offset = fre: {A_LENGTH}",
+                f"--offset = fre: {A_SMALL_LENGTH}",
             ],
         ),
         (
             ["quick-return"],
             [
                 f"--stroke: is missing; {A_LENGTH}",
-                f"--time-ratio: is missing; {A_RATIO}",
+                f"--time-ratio: is missing; {A_NUMBER}, such as 1.2",
             ],
         ),
         (

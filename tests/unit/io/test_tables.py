@@ -56,7 +56,7 @@ def test_csv_by_method_names_both(example):
     if "displacement_by_method" not in result.catalogue:
         pytest.skip("no textbook form for this machine")
     _comments, columns = table_of("".join(csv_text(result, file.document.data, ["displacement_by_method"])))
-    methods, pistons = result.labels["method"], result.labels["piston"]
+    methods, pistons = result.labels["motion_method"], result.labels["piston"]
     assert len(columns) == 1 + len(methods) * len(pistons)
     for i, method in enumerate(methods):
         column = columns[f"displacement_by_method({method} {pistons[-1]}) [m]"]

@@ -6,6 +6,7 @@ import pytest
 import cranktrain as ct
 from cranktrain.errors import InputError
 from cranktrain.plans.schemes import scheme
+from cranktrain.viz.paper.page import mathematics
 
 FOUR_BAR = {
     "kind": "crank_rocker",
@@ -81,6 +82,9 @@ def test_opposed_pistons_have_the_letters_of_figure_1_3(name, lead):
     marks = values(found)
     assert (found.source, found.figure) == ("bolotin", "1.3")
     assert np.degrees(marks["Δ"]) == pytest.approx(lead, abs=1e-9)
+    assert set(found.letters.values()) == {"O_в", "A_в", "B_в", "O_п", "A_п", "B_п"}
+    assert {one.letter: one.words for one in found.lengths}["L_п"] == "scavenge rod"
+    assert mathematics("R_в") != "R_в"  # is set as mathematics, with an index
     assert marks["α"] - marks["α − Δ"] == pytest.approx(marks["Δ"], abs=1e-9)
     pins = {pin: place[:, 0] for pin, place in found.drawing.positions.items()}
     for one in found.angles:  # α and α − Δ end at their cranks

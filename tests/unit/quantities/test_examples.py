@@ -5,11 +5,13 @@ from typing import Annotated, get_args
 import pytest
 from tests.sentences import A_NUMBER
 
+from cranktrain import fluids
 from cranktrain.errors import InputError
+from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.machine import Machine
 from cranktrain.quantities import Quantity
 from cranktrain.quantities.examples import EXAMPLES
-from cranktrain.spec import Spec, validated
+from cranktrain.spec import Spec, quantity_of, validated
 
 SLIDER = {"kind": "slider_crank", "crank_radius": "40 mm", "rod_length": "136 mm"}
 
@@ -48,6 +50,62 @@ def test_every_number_without_a_unit_has_an_example_of_its_own():
     ratios = {key for key, quantity in FIELDS if not quantity.dimension.needs_unit}
     assert ratios <= set(EXAMPLES)
     assert set(EXAMPLES) <= {key for key, _quantity in FIELDS}
+
+
+GENERAL = (
+    *("acceleration", "angle", "backward", "bore", "crank_zero", "density", "fixed", "flywheel", "flywheel_moment"),
+    *("forward", "inertia", "length", "mass", "near", "no_load_speed", "permissible_pressure_angle", "phase", "place"),
+    *("planes", "shift", "speed", "stiffness", "stroke", "z"),
+)
+"""Keys that the example of their dimension suits: 90 mm for a bore, 1500 rpm for a speed."""
+
+
+def test_no_key_has_an_example_that_only_its_dimension_explains():
+    """A new key gets an example of its own in EXAMPLES, or is looked at and named here."""
+    assert {key for key, quantity in FIELDS if quantity.of_field(key).example is None} == set(GENERAL)
+
+
+def from_examples(spec, *keys):
+    """A table in which every number that it may have, or each of some, is the example that messages give."""
+    found = dict(quantities(spec, set()))
+    return {key: found[key].of_field(key).example or found[key].dimension.example for key in keys or found}
+
+
+@pytest.mark.parametrize("fluid", fluids.KINDS, ids=lambda fluid: fluid.name)
+def test_examples_of_a_fluid_make_one(fluid):
+    """Together they are a table that may stand in a file, of a machine as they are built."""
+    told = from_examples(fluid.spec)
+    text = {"file": "card.csv"} if fluid.name == "indicator" else {}
+    own = {key for key, field in fluid.spec.model_fields.items() if quantity_of(Annotated[field.annotation, field])}
+    table = {key: value for key, value in told.items() if key in own}
+    made = validated(fluid.spec, {"kind": fluid.name, **table, **text})
+    exponents = [getattr(made, key).si for key in table if key.endswith("exponent")]
+    assert all(1.2 < exponent < 1.4 for exponent in exponents)
+    if fluid.name == "compressor":
+        assert made.discharge_pressure.si > made.suction_pressure.si
+    elif fluid.name != "indicator":
+        assert made.exhaust_pressure.si > made.inlet_pressure.si
+
+
+@pytest.mark.parametrize(
+    ("tables", "keys"),
+    [
+        ({"on": "piston"}, ("force", "at_speed", "exponent")),
+        ({"on": "rod", "sense": "active"}, ("force", "along", "across", "direction")),
+        ({"on": "crank"}, ("torque", "at_turning", "exponent")),
+    ],
+)
+def test_examples_of_a_load_make_one(tables, keys):
+    told = from_examples(LoadSpec, *keys)
+    assert told.get("exponent", "2") == "2"  # a fan's, no gas's
+    validated(LoadSpec, tables | told)
+
+
+def test_a_list_is_shown_how_it_is_written():
+    found = refused(mechanism=SLIDER, load={"die": {"on": "piston", "force": ["1 kN"], "force_back": "1 kN"}})
+    assert found["load.die.force_back"].allowed == 'must be a list in [ ], such as ["500 N", …]'
+    found = refused(mechanism=SLIDER, shaft={"main": {"throws": "120"}})
+    assert found["shaft.main.throws"].allowed == 'must be a list in [ ], such as ["120 deg", …]'
 
 
 def refused(**tables):

@@ -120,7 +120,7 @@ def test_exact_has_no_error():
         assert np.all(of(getattr(result, name), "exact") == 0)
         assert np.all(np.isnan(of(getattr(result, f"{name}_at"), "exact")))
     np.testing.assert_array_equal(of(result.displacement_by_method, "exact"), result.piston_displacement)
-    assert result.labels["method"] == FORMS
+    assert result.labels["motion_method"] == FORMS
 
 
 def methods_flagged(result):

@@ -88,7 +88,7 @@ def test_what_was_asked_for_is_drawn():
     asked = ct.run(SMALL, quantities=["piston_velocity", "stroke"])
     assert len(asked.plot().axes) == 1
     (problem,) = problems(lambda: ct.run(SMALL, quantities="stroke").plot())
-    assert "needs a result with curves" in str(problem)
+    assert "quantities = stroke: has one value for the whole cycle, and no curve" in str(problem)
     (problem,) = problems(asked.sheet)
     assert "without `quantities`" in str(problem)
 

@@ -321,3 +321,23 @@ def test_a_panel_in_the_units_that_a_reader_chose():
         found = as_shown(panel)
     assert found.unit == "psi"
     assert found.values[0] == pytest.approx([14.503773773, 29.007547546], rel=1e-9)
+
+
+def test_a_double_acting_machine_says_which_chamber():
+    """Its legend would else have the same letter twice; the cards of both sides have their mean pressures."""
+    tables = {
+        "shaft": {"main": {"speed": "500 rpm"}},
+        "cylinder": {"bore": "300 mm", "clearance": "10 %", "chambers": ["head", "crank"], "piston_rod": "60 mm"},
+        "gas": {
+            "kind": "compressor",
+            "suction_pressure": "1 bar",
+            "discharge_pressure": "4 bar",
+            "compression_exponent": 1.3,
+        },
+        "masses": {"piston": {"mass": "20 kg"}, "rod": {"big_end": "20 kg", "small_end": "10 kg"}},
+    }
+    drawn = sheet_forces(ct.run(ct.Machine(mechanism=slider(), **tables)))
+    assert_words_are_readable(drawn)
+    words = " ".join(text for text, _box in words_of(drawn))
+    for said in (r"p_\mathrm{head}", r"p_\mathrm{crank}", "head: mean", "crank (thin): mean"):
+        assert said in words

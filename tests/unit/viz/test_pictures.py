@@ -391,7 +391,7 @@ def test_curves_are_the_results(results):
     np.testing.assert_allclose(exact["1L"][:360], result.piston_velocity[left, :360], rtol=1e-14, atol=1e-13)
     assert exact["1L"][360] == exact["1L"][0]
     worst = max(np.max(np.abs(curve.values)) for curve in error.curves)
-    form = result.labels["method"].index("two_harmonics")
+    form = result.labels["motion_method"].index("two_harmonics")
     assert worst == pytest.approx(100 * result.acceleration_error[form, 0], rel=1e-3)
 
 

@@ -46,7 +46,7 @@ def foot_lines(file: MachineFile, result: Result, name: str, width: int) -> Iter
     yield from _with_end(f"{_checks(result)} · {_inputs(file)}", "--checks --inputs", width)
     label = _("Next: ")
     offers = ""
-    for offer in _offers(file, result.missing):
+    for offer in _offers(file, result.worth_asking):
         longer = f"{offers}{_BETWEEN if offers else ''}{offer}"
         offers = longer if cell_len(label + longer) <= width else offers
     surfaces = _BETWEEN.join(
@@ -73,7 +73,7 @@ def _textbook(result: Result) -> str:
     errors = found.acceleration_error.value[0]
     said: list[str] = []
     for method, words in (("two_harmonics", _("up to {off} off")), ("reconstructed", _("of slaves {off}"))):
-        own = errors[result.labels["method"].index(method)]
+        own = errors[result.labels["motion_method"].index(method)]
         if np.any(np.isfinite(own)):
             said.append(filled(words, {"off": Amount(float(np.nanmax(own)), "error")}))
     return _("Textbook forms: {forms}").format(forms=", ".join(said)) if said else ""

@@ -81,7 +81,7 @@ def show_inputs(console: Console, file: MachineFile) -> None:
 
 def show_missing(console: Console, result: Result) -> None:
     """Show what the file could say, and what that would give."""
-    section(console, _("To learn more"), map(_missing, result.missing))
+    section(console, _("To learn more"), map(_missing, result.worth_asking))
 
 
 def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:

@@ -12,7 +12,7 @@ from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_errors_of
 from cranktrain.grouping import grouped
-from cranktrain.io.output import STANDARD_OUTPUT, write_whole
+from cranktrain.io.output import STANDARD_OUTPUT, write_machine_file
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.synthesis.proposal import Number, Proposal
@@ -40,7 +40,7 @@ def give_proposal(problem: str, typed: Typed, output: str | None, *, force: bool
     """
     proposal = proposed(problem, SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed)
     if output is not None:
-        write_whole(output, proposal.machine_file(), force=force)
+        write_machine_file(output, proposal.machine_file(), force=force)
     if output in STANDARD_OUTPUT:
         return
     with page(one_line(proposal.title)) as console:

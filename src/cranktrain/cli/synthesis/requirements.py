@@ -77,7 +77,8 @@ def proposed(problem: str, typed: Typed) -> Proposal:
             if given is not None:
                 requirements[requirement.name] = _value(requirement, given)
             elif requirement.default is Parameter.empty:
-                problems.append(Problem(option_of(requirement.name), None, missing(requirement.annotation)))
+                allowed = missing(requirement.annotation, requirement.name)
+                problems.append(Problem(option_of(requirement.name), None, allowed))
         except InputError as error:
             problems += [replace(one, path=option_of(requirement.name)) for one in error.problems]
     refuse(problems)
@@ -102,7 +103,7 @@ def _value(requirement: Parameter, given: str | bool) -> object:
         return chosen
     if _can_be_free(requirement) and given.strip().casefold() == _FREE:
         return None
-    value = quantity.given(given).si
+    value = quantity.of_field(requirement.name).given(given).si
     if int in parts_of(requirement.annotation):
         if value != round(value) or value > _MOST_CYLINDERS:
             raise QuantityError(given, _("must be a whole number up to {most}").format(most=_MOST_CYLINDERS))

@@ -27,6 +27,7 @@ from cranktrain.io.examples import example_names
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
+from cranktrain.quantities import nearest
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.texts import Text, text_called, text_named
 
@@ -71,7 +72,15 @@ def show_textbook(
             allowed = _("is a text, and no machine file is called so")
             repair = _("such as: {example}").format(example=f"cranktrain textbook --source {file}")
             raise InputError([Problem("", None, allowed, repair, Position(file))])
+        _refuse_misspelt(file)
         _show_machine(file, settings, text, with_table=with_table, with_errata=with_errata)
+
+
+def _refuse_misspelt(file: str) -> None:
+    """Refuse what is no file, and nearly the word for the errors."""
+    if not os.path.exists(file) and nearest(file, [_ERRATA, *example_names()]) == _ERRATA:  # noqa: PTH110 - NUL bytes
+        allowed, repair = _("there is no such file"), _("did you mean {name}?").format(name=_ERRATA)
+        raise InputError([Problem("", None, allowed, repair, Position(one_line(file)))])
 
 
 def _without_machine(settings: Sequence[str], *, with_table: bool) -> Iterator[Problem]:

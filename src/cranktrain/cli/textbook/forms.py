@@ -83,7 +83,7 @@ def _inside(one: Range, place: PlacedMechanism) -> str:
 
 def _errors(result: Result, method: str, piston: str) -> Iterator[str]:
     """Largest error of each order and where it is, as text."""
-    row, place = result.labels["method"].index(method), result.labels["piston"].index(piston)
+    row, place = result.labels["motion_method"].index(method), result.labels["piston"].index(piston)
     zero = result.top_dead_centre[place] - result.top_shift[place]
     for name in _ERRORS.values():
         angle = around_turn(np.deg2rad(getattr(result, f"{name}_at")[row, place] - zero))
@@ -102,7 +102,11 @@ def _show_motion(console: Console, result: Result, places: Sequence[PlacedMechan
         entry = result.catalogue[name]
         curves = getattr(result, name)[:, piston][:, turn]
         columns = [
-            Column(method, unit, tuple(figure(value, "mm") for value in curves[result.labels["method"].index(method)]))
+            Column(
+                method,
+                unit,
+                tuple(figure(value, "mm") for value in curves[result.labels["motion_method"].index(method)]),
+            )
             for method in methods
         ]
         heading = _("{symbol} of piston {piston} by the crank angle").format(symbol=entry.symbol, piston=first.name)

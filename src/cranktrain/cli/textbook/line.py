@@ -40,7 +40,7 @@ def textbook_line(result: Result, file: str, design: int = 0) -> str | None:
     if motion is None:
         return None
     names = result.labels["piston"]
-    rows = [result.labels["method"].index(method) for method in _USUAL]
+    rows = [result.labels["motion_method"].index(method) for method in _USUAL]
     every = np.stack(
         [
             one.value[design, rows]

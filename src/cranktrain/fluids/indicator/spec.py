@@ -21,6 +21,7 @@ from cranktrain.quantities import Dimension, Given, PositivePressure, Quantity, 
 from cranktrain.spec import Spec
 
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=2.0)]
+KnownAngle = Annotated[Given, Quantity(Dimension.ANGLE, example="-180 deg")]
 Width = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, at_most=pi / 12)]
 
 
@@ -30,7 +31,7 @@ class PegSpec(Spec, frozen=True):
     pressure: PositivePressure | None = Field(
         default=None, description=N_("Known absolute pressure at `angle`, such as the inlet manifold's at the bottom.")
     )
-    angle: TurnedAngle = Field(
+    angle: KnownAngle = Field(
         default=Given(-pi, "-180 deg"), description=N_("Where that pressure is known, from the firing dead centre.")
     )
     exponent: Exponent | None = Field(

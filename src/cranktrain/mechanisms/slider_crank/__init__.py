@@ -44,6 +44,7 @@ kind = "slider_crank"
 crank_radius = "40 mm"            # or stroke = "80 mm"
 rod_length = "136 mm"             # or crank_to_rod_ratio = 0.294, or rod_to_crank_ratio = 3.4
 # offset = "0 mm"                 # > 0: the line of stroke lies toward +y
+# permissible_pressure_angle = "20 deg"  # of the rod; only said where it is more
 
 # [mechanism.points.balance]      # a point on the rod to follow
 # link = "rod"

@@ -1,8 +1,8 @@
 """The slider-crank's table of the machine file."""
 
 from collections.abc import Iterator
-from math import sqrt
-from typing import Literal
+from math import pi, sqrt
+from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import Field
@@ -12,11 +12,12 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array, chosen, single
-from cranktrain.quantities import Given, Length, PositiveLength, PositiveRatio
+from cranktrain.quantities import Dimension, Given, Length, PositiveLength, PositiveRatio, Quantity
 from cranktrain.wording import precise
 
 _CRANKS = ("crank_radius", "stroke")
 _RODS = ("rod_length", "crank_to_rod_ratio", "rod_to_crank_ratio")
+_PressureAngle = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, below=pi / 2)]
 
 
 class SliderCrankSpec(MechanismSpec, frozen=True):
@@ -40,6 +41,12 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
         default=Given(0.0, "0 mm"),
         description=N_(
             "Of the line of stroke from the shaft, positive toward +y: 90° ahead of the stroke's direction."
+        ),
+    )
+    permissible_pressure_angle: _PressureAngle | None = Field(
+        default=None,
+        description=N_(
+            "Largest angle between rod and line of stroke that is permitted: what is over it is flagged, no more."
         ),
     )
 

@@ -1,9 +1,9 @@
 """Cylinders: how their pistons make room, what that holds, their ports, and when they fire."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from cranktrain.language import N_
-from cranktrain.layout.design import Designs
+from cranktrain.language import N_, _
+from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.uses import keys
 from cranktrain.questions.cylinders import firing, opposed, ports, rows, spec, travel, volumes
@@ -15,6 +15,15 @@ def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     yield from parts(designs, known)
     declared = designs.each[0].table(spec.CylindersSpec)  # together they say every field
     yield InCylinders() if declared is not None and declared.model_fields_set else None
+
+
+def _is_for(needs: Sequence[str], design: Design) -> bool:
+    """A machine without cylinders may get its first by a bore, but one that works against loads is none with any."""
+    declared = design.table(spec.CylindersSpec)
+    if declared is not None and declared.model_fields_set:
+        return True
+    own = [need for need in needs if need.startswith("[cylinder]")]
+    return not own or (list(needs) == [_(volumes.Chambers.needs)] and not any(design.loads.values()))
 
 
 QUESTION = Question(
@@ -49,6 +58,7 @@ QUESTION = Question(
     offers={
         "compression_ratio": N_("volumes"),
     },
+    is_for=_is_for,
     uses=(
         Use(keys("cylinder", "compression_ratio", "clearance"), (volumes.ChamberVolumes,)),
         Use(keys("cylinder", "chambers", "piston_rod"), (volumes.SweptVolumes,)),

@@ -130,6 +130,7 @@ def compression_ratios_of(cylinders: Sequence[Cylinder], n_designs: int) -> Comp
     return CompressionRatios(
         value=np.where((cylinder == cylinder[leader]) | ~is_head | has_own, ratio[:, cylinder], np.nan),
         leader=np.where(is_head, leader, np.arange(len(cylinder))),
+        is_clearance=cylinders[int(cylinder[leader])].paths["compression_ratio"].endswith(".clearance"),
     )
 
 

@@ -1,6 +1,6 @@
 """What cylinders say in the answer: volumes, ratios, ports, opposed pistons, and in which order they fire."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -23,7 +23,7 @@ def volume_rows(
     chambers: ChamberVolumes | None,
     effective: EffectiveCompression | None,
 ) -> Iterator[AnswerLine]:
-    """Swept volume, by bank or in all, and the compression ratios."""
+    """Swept volume, by bank or in all, and the compression ratios or clearances."""
     total = Amount(float(swept.displacement[design]), "m^3")
     each = alike(swept.swept_volume[design], "m^3")
     name = _("swept volume")
@@ -34,16 +34,22 @@ def volume_rows(
     else:
         yield valued(name, swept.swept_volume[design], "m^3", labels["chamber"])
     if chambers is not None:
-        last = None if effective is None else alike(effective.effective_compression_ratio[design], "1")
-        words, pieces = (
-            ("", dict[str, Piece]()) if last is None else (_("; {last} from the last port on"), {"last": last})
-        )
-        yield valued(
-            _("compression ratio"), chambers.compression_ratio[design], "1", labels["chamber"], words, **pieces
-        )
-    if effective is not None and alike(effective.effective_compression_ratio[design], "1") is None:
-        ratio = effective.effective_compression_ratio[design]
-        yield valued(_("ratio from the last port"), ratio, "1", labels["chamber"])
+        yield from _room_rows(labels["chamber"], design, chambers, effective)
+
+
+def _room_rows(
+    names: Sequence[str], design: int, chambers: ChamberVolumes, effective: EffectiveCompression | None
+) -> Iterator[AnswerLine]:
+    """Compression ratios, or clearances where the file speaks of these; and the ratio from the last port on."""
+    ratio = np.empty(0) if effective is None else effective.effective_compression_ratio[design]
+    last = None if chambers.is_clearance else alike(ratio, "1")
+    words, pieces = ("", dict[str, Piece]()) if last is None else (_("; {last} from the last port on"), {"last": last})
+    if chambers.is_clearance:
+        yield valued(_("clearance"), chambers.clearance[design], "%", names)
+    else:
+        yield valued(_("compression ratio"), chambers.compression_ratio[design], "1", names, words, **pieces)
+    if ratio.size and last is None:
+        yield valued(_("ratio from the last port"), ratio, "1", names)
 
 
 def opposed_rows(labels: Names, design: int, found: VolumetricDeadCentres) -> Iterator[AnswerLine]:

@@ -115,12 +115,15 @@ class CompressionRatios:
 
     leader : array of int, shape (chamber,)
         The chamber whose clearance height a chamber without a ratio of its own shares; itself on the crank's side.
+    is_clearance : bool
+        Whether the file says the first one by its clearance.
     """
 
     needs: ClassVar[str] = N_("[cylinder] compression_ratio or clearance")
 
     value: Array
     leader: NDArray[np.intp]
+    is_clearance: bool = False
 
 
 # Compressors have a clearance of 3 % of the swept volume and more: 1 + 1/0.03 = 34.
@@ -162,7 +165,13 @@ def swept_volumes(chambers: Chambers, travel: CylinderTravel) -> SweptVolumes:
 
 @record
 class ChamberVolumes(StageResult):
-    """Volume of every chamber, and what is left of it at its smallest."""
+    """Volume of every chamber, and what is left of it at its smallest.
+
+    Attributes
+    ----------
+    is_clearance : bool
+        Whether the file speaks of clearance, the smallest volume over the swept one, and not of compression ratios.
+    """
 
     chamber_volume: Array = quantity("V", "m^3", ("chamber", "crank_angle"), N_("Volume of the chamber"), _THEORY)
     clearance_volume: Array = quantity("V_c", "m^3", _CHAMBER, N_("Smallest volume of the chamber"), _THEORY)
@@ -170,8 +179,17 @@ class ChamberVolumes(StageResult):
         "ε", "1", _CHAMBER, N_("Geometric compression ratio, largest volume over smallest"), _THEORY
     )
 
+    is_clearance: bool = False
+
+    @property
+    def clearance(self) -> Array:
+        """Smallest volume over the swept one, 1/(ε − 1), shape (design, chamber)."""
+        return 1 / (self.compression_ratio - 1)
+
     def answer(self, names: Names, design: int) -> str:
-        """Say the compression ratios."""
+        """Say the compression ratios, or the clearances."""
+        if self.is_clearance:
+            return _("Clearance {clearances}.").format(clearances=shared(names["chamber"], self.clearance[design], "%"))
         return _("Compression ratio {ratios}.").format(
             ratios=shared(names["chamber"], self.compression_ratio[design], "1")
         )
@@ -203,6 +221,7 @@ def chamber_volumes(
         chamber_volume=volume,
         clearance_volume=clearance,
         compression_ratio=ratio,
+        is_clearance=ratios.is_clearance,
         flags=(*_flags(chambers, clearance), *flagged(RATIO, ratio)),
     )
 

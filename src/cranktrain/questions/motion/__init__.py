@@ -11,6 +11,7 @@ from cranktrain.questions.motion import (
     couplers,
     dead_centres,
     followed,
+    permissible,
     pistons,
     points,
     rocker_load,
@@ -25,6 +26,7 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
     yield followed.followed_of(followed.FollowedLinks, designs.places)
     yield followed.followed_of(followed.FollowedSliders, designs.places)
     yield rocker_load.load_radius_of(designs)
+    yield permissible.permissible_angles_of(designs)
 
 
 QUESTION = Question(

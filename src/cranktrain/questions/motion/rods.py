@@ -3,6 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import coefficients, extreme, quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -11,6 +12,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, turning_points
 from cranktrain.numerics.tops import chosen
 from cranktrain.questions.motion.dead_centres import PistonGrid, PistonTurn, slider_and_rod
+from cranktrain.questions.motion.permissible import PermissibleAngles, exceeding
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
 
@@ -20,7 +22,7 @@ _GROUPS = "docs/theory/groups"
 
 
 @record
-class RodMotion:
+class RodMotion(StageResult):
     """Motion of every piston's rod by the crank angle alone; NaN for a piston that hangs on none."""
 
     rod_angle: Coefficient = coefficients(
@@ -55,8 +57,10 @@ def on_rods(pistons: Pistons) -> bool:
     return bool(np.any(pistons.has_rod))
 
 
-def rod_motion(grid: PistonGrid, crank_angle: CrankAngle, turn: PistonTurn) -> RodMotion:
-    """Rod angles, their derivatives and extremes."""
+def rod_motion(
+    grid: PistonGrid, crank_angle: CrankAngle, turn: PistonTurn, permissible: PermissibleAngles | None
+) -> RodMotion:
+    """Rod angles, their derivatives and extremes; what exceeds the permissible pressure angle is flagged."""
     different = turn.distinct
     opposite, usual = turning_points(
         lambda alpha: Coefficient(*(-part for part in slider_and_rod(different.mechanisms, alpha).rod)),
@@ -68,10 +72,12 @@ def rod_motion(grid: PistonGrid, crank_angle: CrankAngle, turn: PistonTurn) -> R
     )
     # Without an offset both are alike but for rounding, which must not choose.
     is_usual = usual.value >= -opposite.value * (1 - 1e-12)
+    largest = chosen(is_usual, usual, opposite)
     return RodMotion(
         grid.value.rod,
-        largest_pressure_angle=chosen(is_usual, usual, opposite),
+        largest_pressure_angle=largest,
         opposite_pressure_angle=chosen(is_usual, opposite, usual),
+        flags=() if permissible is None else tuple(exceeding(permissible, largest)),
     )
 
 

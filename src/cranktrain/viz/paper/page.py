@@ -42,8 +42,12 @@ _NUMBERED = re.compile(r"([^\W\d_])(\d+)('*)")
 _FORMULA = "\ue000"
 """Stands on both sides of a formula; what comes from a file has no such sign, see `visible`."""
 
-_SETTABLE = re.compile(r"[A-Za-z0-9\u0370-\u03ff][A-Za-z0-9\u0370-\u03ff,.'′_-]*(?:\^[A-Za-z0-9\u0370-\u03ff]+)?")
-"""What can be set as a symbol."""
+_SETTABLE = re.compile(
+    r"[A-Za-z0-9\u0370-\u03ff][A-Za-z0-9\u0370-\u03ff,.'′_-]*(?:\^[A-Za-z0-9\u0370-\u03ff]+)?|[A-Z]_[а-я]"
+)
+"""What can be set as a symbol; one letter of a Russian text as an index, too."""
+
+_RUSSIAN = re.compile(r"[а-я]")
 
 INDICES = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 """Figures as indices, in plain text."""
@@ -255,10 +259,13 @@ def mathematics(symbol: str) -> str:
 
 
 def _letters_or_word(name: str) -> str:
-    """Leave letters as they are; set a word upright. A prime's own sign is larger than what ' becomes."""
+    """Leave letters as they are; set a word upright, and a Russian letter, which slanted looks like a Latin one.
+
+    A prime's own sign is larger than what ' becomes.
+    """
     bare = name.rstrip("'")
     primes = "′" * (len(name) - len(bare))
-    if len(bare.replace("'", "")) <= _LETTERS and "_" not in bare:
+    if len(bare.replace("'", "")) <= _LETTERS and "_" not in bare and not _RUSSIAN.fullmatch(bare):
         return bare.replace("'", "′") + primes
     return rf"\mathrm{{{bare.replace('_', chr(92) + '_')}}}{primes}"
 

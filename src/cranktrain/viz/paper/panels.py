@@ -45,6 +45,9 @@ class Look(NamedTuple):
     is_unit_bold: bool
 
 
+_SPACE = 1.5
+"""Between a legend's line and its symbol, at least. [mm]"""
+
 MOTION = Look(7.0, 7.0, np.inf, 1.9, 15.0, (10.5, 3.5), 0.09, 0.5, has_zero=False, is_unit_bold=False)
 FORCES = Look(5.2, 9.0, 60.0, 2.2, 18.0, (14.0, 6.5), 0.08, 0.6, has_zero=True, is_unit_bold=True)
 
@@ -156,8 +159,11 @@ def _write_head(page: Page, panel: Panel, place: tuple[float, float, float], loo
             words, colour = formula(panel.symbol.replace("'", "′")), COLOURS[panel.curves[0].letter]
             _start, end = page.ends(page.text(end + 1.5, y, words, color=colour, fontsize=SYMBOL))
         page.text(end, y, f", {panel.unit}", fontsize=HEADING)
-    for number, curve in enumerate(reversed([curve for curve in panel.curves if curve.symbol])):
-        x = right - look.reach * number
-        page.text(x, y, formula(curve.symbol), ha="right", color=COLOURS[curve.letter], fontsize=SYMBOL)
-        start, end = look.sample
-        page.sample(x - start, x - end, y + 0.9, **line_of(curve))
+    x = right
+    for curve in reversed([curve for curve in panel.curves if curve.symbol]):
+        words = page.text(x, y, formula(curve.symbol), ha="right", color=COLOURS[curve.letter], fontsize=SYMBOL)
+        begin, end = look.sample
+        # A symbol with a word as its index is longer than the room that letters have.
+        longer = max(0.0, x - end + _SPACE - page.ends(words)[0])
+        page.sample(x - longer - begin, x - longer - end, y + 0.9, **line_of(curve))
+        x -= look.reach + longer

@@ -1,10 +1,10 @@
 """Throws that are drawn beside each other: one sketch of several, each about its own shaft."""
 
 from collections.abc import Callable, Iterator, Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.plans.vectors import pair
@@ -35,7 +35,7 @@ class Beside(NamedTuple):
 
 
 def fitted(drawn: Callable[[float], Sequence[Sketch]], rough: float, room: tuple[float, float]) -> Beside:
-    """Put throws in a row or in a column, whichever may be drawn larger, to a round scale that fits a room.
+    """Put throws in as many rows as let them be drawn largest, to a round scale that fits a room.
 
     Parameters
     ----------
@@ -48,34 +48,46 @@ def fitted(drawn: Callable[[float], Sequence[Sketch]], rough: float, room: tuple
     """
     scale = rough
     for _pass in range(_PASSES):
-        scale = min(needed for needed, _found in _both_ways(drawn(scale), scale, room))
+        scale = min(needed for needed, _found in _all_ways(drawn(scale), scale, room))
     return at_scale(drawn, scale, room)
 
 
 def at_scale(drawn: Callable[[float], Sequence[Sketch]], scale: float, room: tuple[float, float]) -> Beside:
     """Put throws beside each other to a scale, as `fitted` does."""
-    return min(_both_ways(drawn(scale), scale, room), key=lambda way: way[0])[1]
+    return min(_all_ways(drawn(scale), scale, room), key=lambda way: way[0])[1]
 
 
-def _both_ways(sketches: Sequence[Sketch], scale: float, room: tuple[float, float]) -> Iterator[tuple[float, Beside]]:
-    """Throws in a row and in a column, each with the scale that would fit the room."""
-    bounds = [Bounds(*labelled_bounds(sketch)) for sketch in sketches]
-    for is_row in (True, False):
-        places, (low, high) = arranged(bounds, _GAP * scale, is_row=is_row)
+def _all_ways(sketches: Sequence[Sketch], scale: float, room: tuple[float, float]) -> Iterator[tuple[float, Beside]]:
+    """Throws in one row, in more, in a column, each with the scale that would fit the room."""
+    for places, (low, high) in arrangements([Bounds(*labelled_bounds(one)) for one in sketches], _GAP * scale):
         yield fitting_scale(*pair(high - low), room), Beside(together(sketches, places), scale, places)
 
 
-def arranged(bounds: Sequence[Bounds], gap: float, *, is_row: bool) -> tuple[tuple[Array, ...], Bounds]:
-    """Give where the shafts go so that throws stand in a row or a column, and the bounds of all; the first stays."""
-    axis = 0 if is_row else 1
-    places = [np.zeros(2)]
-    for before, own in pairwise(bounds):
-        step = np.zeros(2)
-        step[axis] = before.high[axis] - own.low[axis] + gap if is_row else before.low[axis] - own.high[axis] - gap
-        places.append(places[-1] + step)
-    low = np.min([place + own.low for place, own in zip(places, bounds, strict=True)], axis=0)
-    high = np.max([place + own.high for place, own in zip(places, bounds, strict=True)], axis=0)
-    return tuple(places), Bounds(low, high)
+def arrangements(bounds: Sequence[Bounds], gap: float) -> Iterator[tuple[tuple[Array, ...], Bounds]]:
+    """Give where the shafts go so that throws stand in one row, in more, in a column; and the bounds of all.
+
+    Each arrangement has its shafts in line, down and across; the first one stays where it is.
+    """
+    sizes = dict.fromkeys(-(-len(bounds) // n_rows) for n_rows in range(1, len(bounds) + 1))
+    return (_arranged(bounds, gap, n_columns) for n_columns in sizes)
+
+
+def _arranged(bounds: Sequence[Bounds], gap: float, n_columns: int) -> tuple[tuple[Array, ...], Bounds]:
+    """Arrange throws in rows of so many, each column as wide and each row as high as needed."""
+    number = np.arange(len(bounds))
+    lows, highs = (np.array(corners) for corners in zip(*bounds, strict=True))
+    across = _steps(lows[:, 0], highs[:, 0], number % n_columns, gap)
+    down = _steps(-highs[:, 1], -lows[:, 1], number // n_columns, gap)
+    places = np.stack([across, -down], axis=1)
+    return tuple(places), Bounds(np.min(places + lows, axis=0), np.max(places + highs, axis=0))
+
+
+def _steps(lows: Array, highs: Array, line: NDArray[np.intp], gap: float) -> Array:
+    """Where the lines go in which throws stand so that none touches the next; the first line at 0."""
+    n_lines = int(np.max(line)) + 1
+    ends = np.array([np.max(highs[line == k]) for k in range(n_lines)])
+    begins = np.array([np.min(lows[line == k]) for k in range(n_lines)])
+    return np.concatenate([[0.0], np.cumsum(ends[:-1] - begins[1:] + gap)])[line]
 
 
 def together(sketches: Sequence[Sketch], places: Sequence[Array]) -> Sketch:

@@ -14,7 +14,7 @@ from cranktrain.plans.drawn_throws import drawn_throws
 from cranktrain.plans.vectors import pair
 from cranktrain.viz.paper.page import Page, drawing_settings, fitting_scale
 from cranktrain.viz.paper.sketch import Sketch, bounds_of
-from cranktrain.viz.throw.beside import Bounds, arranged, together
+from cranktrain.viz.throw.beside import Bounds, arrangements, together
 from cranktrain.viz.throw.mechanism import mechanism_sketch
 from cranktrain.viz.throw.scene import Scene, scene_of
 
@@ -59,8 +59,7 @@ def animation(result: Result, *, n_frames: int = 36, design: int = 0, piston: st
     bounds = [_bounds(scene, angles[::3]) for scene in scenes]
     gap = 0.15 * float(np.max([one.high - one.low for one in bounds]))
     fits: list[tuple[float, tuple[Array, ...], Bounds]] = []
-    for is_row in (True, False):
-        places, (low, high) = arranged(bounds, gap, is_row=is_row)
+    for places, (low, high) in arrangements(bounds, gap):
         fits.append((fitting_scale(*pair(high - low), (_SIDE - 8.0, _SIDE - 8.0)), places, Bounds(low, high)))
     scale, places, (low, high) = min(fits, key=lambda fit: fit[0])
     size = pair((high - low) / scale + np.array([8.0, 8.0 + _HEAD]))

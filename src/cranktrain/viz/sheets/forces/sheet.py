@@ -94,10 +94,20 @@ def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tup
     draw_curves(axes, panel)
     page.heading(left, top - 3.0, panel.title)
     if shown.has("indicated_mean_pressure"):
-        mean = float(shown("indicated_mean_pressure")[chambers_of(shown.result, piston)[0]])
-        words = _("mean {mean}").format(mean=with_unit(mean, scale_for("Pa", abs(mean))))
+        words = "\n".join(_means(shown, piston))
         axes.text(0.98, 0.9, words, ha="right", va="top", transform=axes.transAxes, fontsize=TEXT)
     return top - 5.0 - height - 7.0
+
+
+def _means(shown: OneDesign, piston: str) -> Iterator[str]:
+    """Mean pressure of each of a piston's chambers; where there are two, whose, and that the second's card is thin."""
+    chambers = chambers_of(shown.result, piston)
+    for later, chamber in enumerate(chambers):
+        mean = float(shown("indicated_mean_pressure")[chamber])
+        said = _("{side} (thin): mean {mean}") if later else _("{side}: mean {mean}")
+        words = said if len(chambers) > 1 else _("mean {mean}")
+        side = shown.result.labels["chamber"][chamber].rpartition(".")[2]
+        yield words.format(side=side, mean=with_unit(mean, scale_for("Pa", abs(mean))))
 
 
 def _write_notes(page: Page, shown: OneDesign, piston: str | None, place: tuple[float, float, float]) -> None:

@@ -11,8 +11,8 @@ from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 def pressure_panel(shown: OneDesign, piston: str) -> Panel:
     """Absolute pressure in the chambers of a piston over the cycle."""
     curves = tuple(
-        Curve(closed(shown("gas_pressure")[chamber]), "chamber" if later else "main", "p", "p")
-        for later, chamber in enumerate(chambers_of(shown.result, piston))
+        Curve(closed(shown("gas_pressure")[chamber]), "chamber" if later else "main", "p", symbol)
+        for later, (chamber, symbol) in enumerate(_symbols(shown.result, piston).items())
     )
     return Panel(_("Gas pressure at piston {piston}, absolute").format(piston=piston), "Pa", shown.cycle, curves)
 
@@ -30,6 +30,15 @@ def indicator_panel(shown: OneDesign, piston: str) -> Panel:
     title = _("Indicator diagram, pressure in {pressure} over volume in {volume}")
     said = title.format(pressure=pressure.label, volume=volume.label)
     return Panel(said, pressure.label, volume.of(volumes), curves)
+
+
+def _symbols(result: Result, piston: str) -> dict[int, str]:
+    """Chambers of a piston, and what each one's pressure is called: where there are two, by its side."""
+    chambers = chambers_of(result, piston)
+    if len(chambers) == 1:
+        return dict.fromkeys(chambers, "p")
+    sides = (result.labels["chamber"][chamber].rpartition(".")[2] for chamber in chambers)
+    return {chamber: rf"p_\mathrm{{{side}}}" for chamber, side in zip(chambers, sides, strict=True)}
 
 
 def chambers_of(result: Result, piston: str) -> list[int]:

@@ -130,5 +130,5 @@ def _textbook_words(shown: OneDesign) -> str:
     """Name the textbook's forms that stand beside the first throw's pistons; nothing where there are none."""
     words = {"two_harmonics": _("two harmonics (333)–(337)"), "reconstructed": _("(I.13) reconstructed")}
     drawn = drawn_forms(shown)
-    forms = [words[shown.result.labels["method"][form]] for form in dict.fromkeys(drawn.values())]
+    forms = [words[shown.result.labels["motion_method"][form]] for form in dict.fromkeys(drawn.values())]
     return ", ".join([*forms, *(drawn if len(drawn_names(shown, "piston")) > FEW else ())])

@@ -121,7 +121,7 @@ def _forms(shown: OneDesign) -> dict[str, int]:
         return {}
     kinds = {place.name: place.kind.name for place in shown.result.machines[shown.design].places}
     forms = {
-        name: shown.member("method", _FORMS[kinds[name]])
+        name: shown.member("motion_method", _FORMS[kinds[name]])
         for name in drawn_names(shown, "piston")
         if kinds[name] in _FORMS
     }

@@ -1,4 +1,4 @@
-"""The answer as rows: of each fact the values of one machine or of several, for what stands alike in all of them."""
+"""Values of facts of one machine or of several side by side: a row for what stands alike in all of them."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from cranktrain.record import record
 
 
 @record
-class AnswerRow:
+class FactValues:
     """A fact of one machine or several.
 
     Attributes
@@ -76,7 +76,7 @@ def question_of(name: str) -> str:
     )
 
 
-def answer_rows(machines: Sequence[OneMachine], names: Sequence[str]) -> Iterator[AnswerRow]:
+def fact_values(machines: Sequence[OneMachine], names: Sequence[str]) -> Iterator[FactValues]:
     """Give the rows of some quantities.
 
     Parameters
@@ -87,7 +87,7 @@ def answer_rows(machines: Sequence[OneMachine], names: Sequence[str]) -> Iterato
 
     Yields
     ------
-    AnswerRow
+    FactValues
         In the order of the questions. Where machines have the same members, those that are equal in all of them share a
         row; where they have others, or many that differ, the smallest and the largest stand beside each other.
     """
@@ -98,7 +98,7 @@ def answer_rows(machines: Sequence[OneMachine], names: Sequence[str]) -> Iterato
             found = [one.fact(name) for one in machines]
             entry = next((one.result.catalogue[name] for one in machines if name in one.result.catalogue), None)
             if entry is not None:
-                rows = (AnswerRow(question, entry, of, values) for of, values in rows_of(entry, found))
+                rows = (FactValues(question, entry, of, values) for of, values in rows_of(entry, found))
                 yield from (row for row in rows if np.any(np.isfinite(row.values)))
 
 

@@ -1,0 +1,33 @@
+"""What is allowed where pydantic refuses a value, by the type of its error."""
+
+from cranktrain.language import N_
+
+_TABLE, _LIST = N_("must be a table"), N_("must be a list in [ ]")
+_WHOLE, _NUMBER, _TRUTH = N_("must be a whole number"), N_("must be a number"), N_("must be true or false")
+OTHERWISE = N_("is not allowed here")
+ALLOWED = {
+    "model_type": _TABLE,
+    "model_attributes_type": _TABLE,
+    "dict_type": _TABLE,
+    "mapping_type": _TABLE,
+    "tuple_type": _LIST,
+    "list_type": _LIST,
+    "int_type": _WHOLE,
+    "int_from_float": _WHOLE,
+    "float_type": _NUMBER,
+    "finite_number": N_("must be a finite number"),
+    "bool_type": _TRUTH,
+    "string_type": N_("must be text in quotes"),
+    "string_too_short": N_("must have at least {min_length} characters"),
+    "string_too_long": N_("must have at most {max_length} characters"),
+    "string_pattern_mismatch": N_("must match {pattern}"),
+    "too_short": N_("must have at least {min_length} items"),
+    "too_long": N_("must have at most {max_length} items"),
+    "greater_than": N_("must be more than {gt}"),
+    "greater_than_equal": N_("must be at least {ge}"),
+    "less_than": N_("must be less than {lt}"),
+    "less_than_equal": N_("must be at most {le}"),
+    "multiple_of": N_("must be a multiple of {multiple_of}"),
+    "none_required": N_("must be left out"),
+    "frozen_instance": N_("must not be changed; make a new one"),
+}

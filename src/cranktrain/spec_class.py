@@ -1,0 +1,24 @@
+"""The class that specs have: what completion and `help` list of a spec is its own."""
+
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from pydantic import BaseModel
+
+if TYPE_CHECKING:
+    # A checker sees the class that models have anyway, by which it knows their fields.
+    from pydantic._internal._model_construction import ModelMetaclass as SpecClass  # pyright: ignore[reportPrivateUsage]
+else:
+
+    class SpecClass(type(BaseModel)):
+        """Class of specs: lists what users need, not the hundred names that pydantic brings."""
+
+        def __dir__(cls) -> list[str]:
+            """Public names of the specs' own; what is found once and kept is for the program."""
+            mine = [base for base in cls.__mro__ if issubclass(base, BaseModel) and base is not BaseModel]
+            own = {name: part for base in mine for name, part in vars(base).items()}
+            kept = {name for name, part in own.items() if isinstance(part, cached_property)}
+            return sorted(name for name in own.keys() - kept - cls.unlisted if not name.startswith(("_", "model_")))
+
+
+__all__ = ["SpecClass"]
