@@ -138,9 +138,7 @@ class Machine(Spec, frozen=True):
     evenness: EvennessSpec | None = Field(
         default=None, description=N_("What balances the machine, its flywheel, and how evenly it is to run.")
     )
-    crankshaft: CrankshaftSpec | None = Field(
-        default=None, description=N_("Sections of the crankshaft, and the bearings that it rests on.")
-    )
+    crankshaft: CrankshaftSpec | None = Field(default=None, description=N_("The crankshaft's sections and bearings."))
     torsion: TorsionSpec | None = Field(
         default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
     )

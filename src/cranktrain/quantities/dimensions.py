@@ -131,6 +131,7 @@ class Dimension(Enum):
             _unit("kPa", "кПа", si=1000),
             _unit("Pa", "Па"),
             _unit("MPa", "МПа", si=10**6),
+            _unit("GPa", "ГПа", si=10**9),
             _unit("bar", "бар", si=10**5),
             _unit("barg", "бари", si=10**5, offset=_AMBIENT),
             _unit("at", "ат", "kgf/cm²", "кгс/см²", si=_TECHNICAL_ATMOSPHERE),
@@ -173,7 +174,7 @@ class Dimension(Enum):
     STIFFNESS = (
         N_("a stiffness"),
         "250 N/mm",
-        (_unit("N/mm", "Н/мм", si=1000), _unit("kN/mm", "кН/мм", si="1e6"), _unit("N/m", "Н/м")),
+        (_unit("N/mm", "Н/мм", si=1000), _unit("kN/mm", "кН/мм", si=10**6), _unit("N/m", "Н/м")),
     )
     TORSIONAL_STIFFNESS = (
         N_("a torsional stiffness"),

@@ -12,7 +12,8 @@ from cranktrain.layout.frames import Frames
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
-from cranktrain.questions.balance.rotating_weights import RotatingWeights
+from cranktrain.numerics.harmonics import phasor
+from cranktrain.questions.balance.rotating_weights import RotatingWeights, on_crank
 from cranktrain.questions.balance.weights import BalanceWeights
 from cranktrain.questions.crankshaft.acting import (
     LoadedShaft,
@@ -80,7 +81,8 @@ def _on_crankshaft(balance: BalanceWeights | None, centres: Array) -> tuple[Rota
     if balance is not None:
         every = balance.weights
         is_own = np.all((every.ratio == 1.0) & (every.place == 0.0), axis=0)
-        own = RotatingWeights(*(part[:, is_own] for part in every))
+        angle, z = every.angle[:, is_own], every.position[:, is_own]
+        own = on_crank(every.moment[:, is_own] * phasor(angle), z)
         if np.any(is_own) and np.all(np.isfinite(own.position)):
             return own, nearest_throw(centres, own.position)
     return None, np.empty(0, dtype=np.intp)
