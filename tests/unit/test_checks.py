@@ -8,7 +8,9 @@ import pytest
 from tests.machines import banks, slider, throws
 
 import cranktrain as ct
+from cranktrain.analysis.parts import parts_of
 from cranktrain.checks import Check
+from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Coefficient
 from cranktrain.numerics import derivatives_residual
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
@@ -120,14 +122,15 @@ def test_what_a_check_says():
 @pytest.mark.parametrize("joint", range(2))
 def test_reactions_that_are_a_little_wrong_are_found(mechanism, masses, joint):
     """A driving torque by 10⁻⁹ of force times arm off is seen, also where there is no torque."""
-    result = ct.run(ct.Machine(mechanism=mechanism, shaft=SPEED, masses=masses))
+    machine = ct.Machine(mechanism=mechanism, shaft=SPEED, masses=masses)
+    result, angle = ct.run(machine), parts_of([machine], step=np.radians(1))[CrankAngle]
     loaded = result[LoadedMachine]
     solved = result[SolvedCycle]
     (group,) = solved.batches
     force = np.max(np.hypot(result.joint_force_x, result.joint_force_y))
     arm = 0.05 if joint else 0.6
     wrong = group.forces._replace(driving_torque=group.forces.driving_torque + 1e-9 * force * arm)
-    (check,) = mechanism_torques(loaded, SolvedCycle((group._replace(forces=wrong),))).checks
+    (check,) = mechanism_torques(loaded, SolvedCycle((group._replace(forces=wrong),)), None, angle).checks
     assert check.verdict() == "does not hold"
 
 

@@ -22,6 +22,8 @@ class BearingMethod:
     ----------
     name : str
         How users call it.
+    title : str
+        How answers call it, not yet translated.
     kernel : callable (Crankshaft, ShaftLoads, Alike) → BearingLoads
     source : str
         Where its equations stand.
@@ -30,6 +32,7 @@ class BearingMethod:
     """
 
     name: str
+    title: str
     kernel: Kernel
     source: str
     range: str

@@ -96,8 +96,8 @@ def _shaft(declared: DeclaredCrankshaft, planes: Array, radius: Array, angle: Ar
     def each(value: Array, n: int) -> Array:
         return np.repeat(value[:, np.newaxis], n, axis=1)
 
-    journal, hollow = (each(value, n_throws + 1) for value in declared.journal)
-    pin, drilled = (each(value, n_throws) for value in declared.pin)
+    journal, hollow = (each(value, n_throws + 1) for value in declared.journal.T)
+    pin, drilled = (each(value, n_throws) for value in declared.pin.T)
     width, thickness = (
         np.repeat(each(value, n_throws)[..., np.newaxis], 2, axis=2)
         for value in (declared.web_width, declared.web_thickness)

@@ -4,8 +4,6 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import ClassVar
 
-import numpy as np
-
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.axial import throw_positions
@@ -28,7 +26,7 @@ class DeclaredCrankshaft:
         z of the throws from the first. [m]
     bearings : Array, shape (design, throw + 1)
         z of the main bearings. [m]
-    journal, pin : Array, shape (2, design)
+    journal, pin : Array, shape (design, 2)
         Diameter and bore. [m]
     pin_length, web_thickness, web_width : Array
         [m]
@@ -76,8 +74,8 @@ def declared_crankshaft(designs: Designs) -> DeclaredCrankshaft | None:
     return DeclaredCrankshaft(
         centres=designs.by_design(centres),
         bearings=designs.by_design([centres[0] - beyond, *middles, centres[-1] + beyond]),
-        journal=np.stack([each(spec.journal_diameter.array), each(spec.journal_bore.array)]),
-        pin=np.stack([each(spec.pin_diameter.array), each(spec.pin_bore.array)]),
+        journal=designs.by_design([spec.journal_diameter.array, spec.journal_bore.array]),
+        pin=designs.by_design([spec.pin_diameter.array, spec.pin_bore.array]),
         pin_length=each(spec.pin_length.array),
         web_thickness=each(spec.web_thickness.array),
         web_width=each(spec.web_width.array),

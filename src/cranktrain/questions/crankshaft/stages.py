@@ -54,7 +54,9 @@ class MainBearingLoads(StageResult):
             return None
         found = (
             _("{method} {load} in bearing {bearing}").format(
-                method=_(method), load=number(float(np.max(own)), "kN"), bearing=names["bearing"][int(np.argmax(own))]
+                method=title_of(method),
+                load=number(float(np.max(own)), "kN"),
+                bearing=names["bearing"][int(np.argmax(own))],
             )
             for method, own in zip(names["bearing_method"], most, strict=True)
         )
@@ -99,6 +101,11 @@ def main_bearing_loads(
         checks=(_check(loaded, acting, found),),
         flags=tuple(one_sided([(_("largest load of a main bearing"), most)], named)),
     )
+
+
+def title_of(name: str) -> str:
+    """How answers call a method."""
+    return next(_(method.title) for method in BEARING_METHODS if method.name == name)
 
 
 def methods_for(declared: DeclaredCrankshaft) -> tuple[BearingMethod, ...]:

@@ -93,7 +93,8 @@ def plan_zhukovsky(
     polygons = polygons_in(room)
     longest = max(_longest(lever, polygon) for lever, polygon in zip(levers, polygons, strict=True))
     unit = scale_for("N", longest)
-    newton = rounded_scale(longest / (_LONGEST * min(middle, height)), one=unit.one)
+    # Where nothing acts any scale will do.
+    newton = rounded_scale((longest or 1.0) / (_LONGEST * min(middle, height)), one=unit.one)
     polygons = _with_room(levers, polygons, newton, polygons_in, (room, (middle, height - 4.0)))
     room = (left - 14.0, height - 20.0 - _NOTES)
     plans = single_plans(machine, chosen, mechanism=mechanism, room=room, beside=beside)

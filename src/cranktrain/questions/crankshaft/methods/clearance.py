@@ -120,6 +120,7 @@ def _resistance(bearings: Bearings, spans: SpanFlexibility, n_angles: int) -> Ar
 
 CLEARANCE = BearingMethod(
     "clearance",
+    N_("frame, with clearance"),
     clearance,
     "docs/theory/crankshaft",
     N_("journals, webs and pins that bend and twist, in bearings with clearance"),

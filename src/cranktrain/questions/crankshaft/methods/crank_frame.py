@@ -68,6 +68,7 @@ def in_turning_axes(compliance: Array, turned: Array, *, is_isotropic: bool) -> 
 
 RIGID_FRAME = BearingMethod(
     "frame_rigid",
+    N_("frame, rigid"),
     rigid_frame,
     "docs/theory/crankshaft",
     N_("journals, webs and pins that bend and twist, on rigid bearings"),
@@ -75,6 +76,7 @@ RIGID_FRAME = BearingMethod(
 
 ELASTIC_FRAME = BearingMethod(
     "frame_elastic",
+    N_("frame, elastic"),
     elastic_frame,
     "docs/theory/crankshaft",
     N_("journals, webs and pins that bend and twist, on elastic bearings"),

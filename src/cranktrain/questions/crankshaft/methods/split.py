@@ -23,6 +23,7 @@ def split(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> BearingLoads:
 
 SPLIT = BearingMethod(
     "split",
+    N_("split shaft"),
     split,
     "docs/theory/crankshaft",
     N_("a hinge at every bearing: each span carries its own loads, whatever the stiffness"),

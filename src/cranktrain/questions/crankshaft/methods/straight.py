@@ -36,6 +36,7 @@ def _continuous(shaft: Crankshaft, loads: ShaftLoads, alike: Alike, *, gives: bo
 
 THREE_MOMENT = BearingMethod(
     "three_moment",
+    N_("three moments"),
     three_moment,
     "docs/theory/crankshaft",
     N_("a straight beam of one stiffness in each span, on rigid bearings"),
@@ -43,6 +44,7 @@ THREE_MOMENT = BearingMethod(
 
 FIVE_MOMENT = BearingMethod(
     "five_moment",
+    N_("five moments"),
     five_moment,
     "docs/theory/crankshaft",
     N_("a straight beam of one stiffness in each span, on elastic bearings"),
