@@ -50,7 +50,9 @@ class LoadSpec(Spec, frozen=True):
 
     on: str = Field(
         min_length=1,
-        description=N_("What it acts on: a part of a mechanism, as [masses] names them; or of a torque a shaft, main."),
+        description=N_(
+            "What it acts on: a part of a mechanism, as [masses] names them, or a point on one; a torque also on a shaft."
+        ),
     )
     force: OneOrMany[Force] | None = Field(
         default=None, description=N_("Size of a force, or a list of sizes over angles or travel; or give a torque.")

@@ -12,7 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.load_designs import tables_together
 from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadState
-from cranktrain.layout.load_tables import AT_POINT, LoadSpec, LoadTables
+from cranktrain.layout.load_tables import AT_POINT, LoadSpec, LoadTables, with_lists
 from cranktrain.layout.part_tables import SLIDER, part_name, table_paths
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off_arc, pushing, turning, with_motion
@@ -144,7 +144,15 @@ def _named_loads(place: PlacedMechanism, tables: LoadTables) -> dict[str, LoadSp
     found: dict[str, LoadSpec] = {}
     for path in reversed(table_paths(place, LOAD)):
         found |= tables.get(path, {})
-    return found
+    return {name: _at_point(place, spec) for name, spec in found.items()}
+
+
+def _at_point(place: PlacedMechanism, spec: LoadSpec) -> LoadSpec:
+    """A load on a point that the mechanism follows, as one on its link there; any other as it is."""
+    point = place.spec.points.get(spec.on)
+    if point is None or _link_of(place, spec.on) is not None:
+        return spec
+    return with_lists(spec, {"on": part_name(point.link), "along": point.along, "across": point.across})
 
 
 def _link_of(place: PlacedMechanism, on: str) -> int | None:
@@ -229,9 +237,16 @@ def load_problems(design: Design) -> Iterator[Problem]:
             where = f"{path}.{name}"
             if is_on_shaft(path, spec, design.shafts):
                 continue
-            if spec.on not in parts:
-                yield _no_part(where, spec, parts, design.shafts if path == LOAD else ())
+            followed = next((place for place in own if spec.on in place.spec.points), None)
+            if spec.on not in parts and followed is None:
+                yield _no_part(where, spec, parts, own, design.shafts if path == LOAD else ())
                 continue
+            if spec.on not in parts:
+                beside = _("is for a link; on a point a force acts, and the point says where")
+                given = [key for key in ("torque", "radius", *AT_POINT) if getattr(spec, key) is not None]
+                yield from (Problem(f"{where}.{key}", None, beside) for key in given)
+                if given:
+                    continue
             if spec.is_balanced:
                 yield Problem(f"{where}.scale", spec.scale, _("is for a torque on a shaft, such as main"))
                 continue
@@ -239,22 +254,28 @@ def load_problems(design: Design) -> Iterator[Problem]:
             yield from (spec.in_file(problem, where) for problem in _way_problems(where, spec, own))
 
 
-def _no_part(where: str, spec: LoadSpec, parts: Collection[str], shafts: Collection[str]) -> Problem:
+def _no_part(
+    where: str, spec: LoadSpec, parts: Collection[str], own: Sequence[PlacedMechanism], shafts: Collection[str]
+) -> Problem:
     """Say on what a load may be."""
     if spec.on in shafts:
         allowed = _("is a shaft, on which a torque acts; a force acts on a part that moves: {parts}")
         return Problem(f"{where}.on", spec.on, allowed.format(parts=", ".join(parts)))
-    close = nearest(spec.on, (*parts, *shafts))
-    allowed = _("must be a part that moves: {parts}")
+    points = dict.fromkeys(name for place in own for name in place.spec.points)
+    close = nearest(spec.on, (*parts, *points, *shafts))
+    said = [_("must be a part that moves: {parts}").format(parts=", ".join(parts))]
+    if points:
+        said.append(_("or a point on one: {points}").format(points=", ".join(points)))
     if shafts:
-        allowed = _("must be a part that moves: {parts}; or of a torque a shaft: {shafts}")
+        said.append(_("or of a torque a shaft: {shafts}").format(shafts=", ".join(shafts)))
     repair = None if close is None else _("did you mean {name}?").format(name=close)
-    return Problem(f"{where}.on", spec.on, allowed.format(parts=", ".join(parts), shafts=", ".join(shafts)), repair)
+    return Problem(f"{where}.on", spec.on, "; ".join(said), repair)
 
 
 def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
     """Find what does not suit a slider, or what turns, and a travel that is not covered."""
-    place = next(place for place in places if _link_of(place, spec.on) is not None)
+    place = next(place for place in places if _link_of(place, _at_point(place, spec).on) is not None)
+    spec = _at_point(place, spec)
     index = _link_of(place, spec.on) or 0
     if _slides(place, place.kind.dynamics.moving[index]):
         slides = _("is for what turns, and this slides")

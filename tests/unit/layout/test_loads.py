@@ -1,5 +1,6 @@
 """What is wrong with loads of a machine file, each said at its path."""
 
+import numpy as np
 import pytest
 
 import cranktrain as ct
@@ -114,3 +115,25 @@ def test_loads_on_one_part_add_up():
     one, other = {"on": "piston", "force": "30 N"}, {"on": "piston", "force": "-20 N", "sense": "active"}
     both = torque(one=one, other=other)
     assert abs(both - torque(one=one) - torque(other=other)).max() < 1e-12
+
+
+def test_a_load_on_a_point_is_one_at_its_place():
+    place = {"along": "150 mm", "across": "30 mm"}
+    force = {"force": "900 N", "direction": "35 deg"}
+    rocker = {**ROCKER, "points": {"jaw": {"link": "rod", **place}}}
+    machine = {"mechanism": rocker, "shaft": {"main": {"speed": "120 rpm"}}}
+    named, placed = (
+        ct.run(ct.Machine(**machine, load={"x": {**on, **force}})) for on in ({"on": "jaw"}, {"on": "rod", **place})
+    )
+    np.testing.assert_array_equal(named.driving_torque, placed.driving_torque)
+    np.testing.assert_array_equal(named.joint_force_x, placed.joint_force_x)
+    for wrong, path, said in (
+        ({"on": "jaw", "torque": "3 N*m"}, "load.x.torque", "on a point a force acts"),
+        ({"on": "jaw", **force, "along": "1 mm"}, "load.x.along", "the point says where"),
+        ({"on": "jav", **force}, "load.x.on", "or a point on one: jaw"),
+    ):
+        with pytest.raises(ct.InputError) as caught:
+            ct.run(ct.Machine(**machine, load={"x": wrong}))
+        (problem,) = caught.value.problems
+        assert problem.path == path
+        assert said in problem.allowed
