@@ -51,7 +51,7 @@ class LoadSpec(Spec, frozen=True):
     on: str = Field(
         min_length=1,
         description=N_(
-            "What it acts on: a part of a mechanism, as [masses] names them, or a point on one; a torque also on a shaft."
+            "What it acts on: a part of a mechanism as [masses] names it, or a point on one; a torque also on a shaft."
         ),
     )
     force: OneOrMany[Force] | None = Field(
