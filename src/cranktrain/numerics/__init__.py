@@ -12,7 +12,7 @@ from cranktrain.numerics.series import (
     turn_grid,
     unwrapped,
 )
-from cranktrain.numerics.subintervals import Subintervals, integral_to, subintervals
+from cranktrain.numerics.subintervals import Subintervals, integral_to, points_together, subintervals
 from cranktrain.numerics.tops import Extreme
 
 __all__ = [
@@ -33,6 +33,7 @@ __all__ = [
     "largest",
     "largest_between",
     "near_roots",
+    "points_together",
     "smallest",
     "spectral_derivative",
     "subintervals",

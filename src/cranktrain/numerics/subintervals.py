@@ -72,6 +72,34 @@ def subintervals(breaks: Array, widest: float, period: float) -> Subintervals:
     return Subintervals(start, width, first, size, angle, weight)
 
 
+def points_together(breaks: Array, widest: float, period: float) -> tuple[Array, Array]:
+    """Gauss's points of several designs and their weights, laid side by side; beyond a design's own the weight is 0.
+
+    Parameters
+    ----------
+    breaks : Array, shape (design, n)
+        Where each design's curves may have kinks or jump; NaN for none. [rad]
+    widest, period : float
+        As `subintervals` takes them. [rad]
+
+    Returns
+    -------
+    angle, weight : Array, shape (design, 1, point)
+        [rad]
+
+    Examples
+    --------
+    >>> angle, weight = points_together(np.array([[0.5], [np.nan]]), 1.0, 6.0)
+    >>> np.round(np.sum(np.abs(angle - 3.0) * weight, axis=-1), 9).tolist()
+    [[9.0], [9.0]]
+    """
+    cuts = [subintervals(own, widest, period) for own in breaks]
+    angle, weight = np.zeros((2, len(cuts), 1, max(cut.angle.size for cut in cuts)))
+    for design, cut in enumerate(cuts):
+        angle[design, 0, : cut.angle.size], weight[design, 0, : cut.angle.size] = cut.angle, cut.weight
+    return angle, weight
+
+
 def integral_to(of: Subintervals, values: Array, angle: Array) -> Array:
     """Integral of a periodic curve from the first edge of the panels to some angles.
 

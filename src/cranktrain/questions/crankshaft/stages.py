@@ -10,7 +10,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
-from cranktrain.numerics import Peak, subintervals
+from cranktrain.numerics import Peak, points_together
 from cranktrain.questions.crankshaft.acting import LoadedShaft
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, residuals
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
@@ -121,11 +121,7 @@ def _means(
     loaded: LoadedShaft, methods: Sequence[BearingMethod], events: ForceEvents, crank_angle: CrankAngle
 ) -> Array:
     """Mean sizes over the cycle, shape (design, method · bearing). [N]"""
-    cuts = [subintervals(own, _WIDEST, crank_angle.cycle) for own in events.whole - crank_angle.zero[:, 0]]
-    longest = max(cut.angle.size for cut in cuts)
-    angle, weight = np.zeros((2, len(cuts), 1, longest))
-    for design, cut in enumerate(cuts):
-        angle[design, 0, : cut.angle.size], weight[design, 0, : cut.angle.size] = cut.angle, cut.weight
+    angle, weight = points_together(events.whole - crank_angle.zero[:, 0], _WIDEST, crank_angle.cycle)
     acting = loaded.loads(angle + crank_angle.zero)
     each = [np.hypot(*np.moveaxis(method.loads(loaded.shaft, acting).load, 2, 0)) for method in methods]
     return np.sum(np.concatenate(each, axis=1) * weight, axis=-1) / crank_angle.cycle

@@ -14,7 +14,7 @@ from cranktrain.layout.load_laws import ByAngle
 from cranktrain.layout.loads import LinkLoad, Loads
 from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
 from cranktrain.motion import Array
-from cranktrain.numerics import Peak, subintervals
+from cranktrain.numerics import Peak, points_together
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.peaks import largest_of_machine, one_sided
@@ -149,12 +149,7 @@ def _known(peak: Peak, is_one: NDArray[np.bool_]) -> Peak:
 
 def _works(on_crank: Callable[[Array], Array], events: ForceEvents, crank_angle: CrankAngle) -> Array:
     """Work of every load over a cycle, shape (design, load). [J]"""
-    breaks = events.whole - crank_angle.zero[:, 0]
-    cuts = [subintervals(own, _WIDEST, crank_angle.cycle) for own in breaks]
-    longest = max(cut.angle.size for cut in cuts)
-    angle, weight = np.zeros((2, len(cuts), 1, longest))
-    for design, cut in enumerate(cuts):
-        angle[design, 0, : cut.angle.size], weight[design, 0, : cut.angle.size] = cut.angle, cut.weight
+    angle, weight = points_together(events.whole - crank_angle.zero[:, 0], _WIDEST, crank_angle.cycle)
     done = on_crank(angle + crank_angle.zero) * weight
     work, gross = np.sum(done, axis=-1), np.sum(np.abs(done), axis=-1)
     return np.where(np.abs(work) > _ROUNDING * gross, work, 0.0)
