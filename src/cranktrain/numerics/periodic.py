@@ -148,14 +148,14 @@ def times(one: PeriodicCurve, factor: Array) -> PeriodicCurve:
 
 
 def side_by_side(curves: Sequence[PeriodicCurve]) -> PeriodicCurve:
-    """Curves of samples (n,) as one of samples (curve, n), at angles (k,) or (curve, k); one alone as it is."""
+    """Curves of samples (n,) as one of samples (curve, n), at angles (k,) or (..., curve, k); one alone as it is."""
     if len(curves) == 1:
         return curves[0]
 
     def motion(angle: Array) -> Coefficient:
-        own = np.broadcast_to(angle, (len(curves), angle.shape[-1]))
-        found = [curve.motion(one) for curve, one in zip(curves, own, strict=True)]
-        return Coefficient(*(np.stack(parts) for parts in zip(*found, strict=True)))
+        own = np.broadcast_to(angle, np.broadcast_shapes(angle.shape, (len(curves), 1)))
+        found = [curve.motion(own[..., i, :]) for i, curve in enumerate(curves)]
+        return Coefficient(*(np.stack(parts, axis=-2) for parts in zip(*found, strict=True)))
 
     return PeriodicCurve(curves[0].cycle, np.stack([curve.samples for curve in curves]), motion)
 

@@ -352,7 +352,7 @@ def test_designs_may_have_curves_of_their_own(machine, scale, balance):
         ct.Machine(
             **machine,
             load={"saw": {"on": "main", "file": f"{n}.csv", "scale": scale, **curve}},
-            evenness={"flywheel": f"{4 + n} kg·m²", **balance},
+            evenness={"flywheel": f"{4 + n} kg·m²", "coefficient": 0.03, **balance},
         )
         for n, curve in enumerate(CURVES)
     ]
