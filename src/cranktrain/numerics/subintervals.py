@@ -90,8 +90,8 @@ def points_together(breaks: Array, widest: float, period: float) -> tuple[Array,
     Examples
     --------
     >>> angle, weight = points_together(np.array([[0.5], [np.nan]]), 1.0, 6.0)
-    >>> np.round(np.sum(np.abs(angle - 3.0) * weight, axis=-1), 9).tolist()
-    [[9.0], [9.0]]
+    >>> np.round(np.sum(np.cos(2 * np.pi * angle / 6.0) ** 2 * weight, axis=-1), 9).tolist()
+    [[3.0], [3.0]]
     """
     cuts = [subintervals(own, widest, period) for own in breaks]
     angle, weight = np.zeros((2, len(cuts), 1, max(cut.angle.size for cut in cuts)))
