@@ -1,8 +1,9 @@
 """What is wrong with an input, as data: where, what was given, what is allowed, how to mend it."""
 
-from collections.abc import Callable, Generator, Iterable, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import islice
 
 from cranktrain.language import _
 from cranktrain.one_line import one_line, short
@@ -10,6 +11,8 @@ from cranktrain.one_line import one_line, short
 MOST_TOLD = 50
 """So many problems of one input are told; nobody mends more at once."""
 
+_MOST_OF_A_KIND = 10
+"""Problems of one kind that are told; a file of another sort has one in every line."""
 _LONGEST_PATH = 120
 """Characters of a path in a message."""
 
@@ -75,6 +78,14 @@ class InputError(ValueError):
         if len(self.problems) > MOST_TOLD:
             lines.append(_("and {n} more").format(n=len(self.problems) - MOST_TOLD))
         super().__init__("\n".join(lines))
+
+
+def first_of(problems: Iterable[Problem], more: Callable[[int], Problem]) -> Iterator[Problem]:
+    """Keep the first problems of a kind; `more` tells how many others there are."""
+    each = iter(problems)
+    yield from islice(each, _MOST_OF_A_KIND)
+    if n_others := sum(1 for _problem in each):
+        yield more(n_others)
 
 
 def refuse(problems: Iterable[Problem]) -> None:

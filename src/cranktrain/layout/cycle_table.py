@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, NamedTuple
 import numpy as np
 from pydantic import Field
 
-from cranktrain.errors import InputError, Position, Problem, refuse
+from cranktrain.errors import InputError, Position, Problem, first_of, refuse
 from cranktrain.fluids.indicator.reading import unit_in
 from cranktrain.fluids.indicator.table import NumberTable, held_text, read_table
 from cranktrain.language import N_, _
@@ -21,7 +21,6 @@ _SAME = 1e-6
 """Spans closer than this are one. [rad]"""
 _CLOSED = 0.01
 """First and last value of a closed curve differ by less, in parts of the largest."""
-_MOST_PROBLEMS = 10
 
 
 class Words(NamedTuple):
@@ -107,7 +106,9 @@ def given_curve(spec: CycleFileSpec) -> Polyline:
     labels = table.labels or ("",) * numbers.shape[1]
     angle_unit = unit_in(labels[where], Dimension.ANGLE) or "deg"
     angles, values = numbers[:, where] * read(f"1 {angle_unit}", Dimension.ANGLE), numbers[:, level]
-    problems = [*_order_problems(table, where)] or [*_span_problems(spec, table, angles, values, where)]
+    problems = [*_few_of(_order_problems(table, where), table.name)] or [
+        *_span_problems(spec, table, angles, values, where)
+    ]
     unit = spec.unit or unit_in(labels[level], words.dimension)
     if unit is None and spec.needs_unit:
         allowed, repair = map(_, words.without_unit)
@@ -139,19 +140,21 @@ def _columns(spec: CycleFileSpec, table: NumberTable) -> tuple[int, int]:
     return spec.columns[0] - 1, spec.columns[1] - 1
 
 
+def _few_of(problems: Iterator[Problem], name: str) -> Iterator[Problem]:
+    """Keep the first problems, and count the others."""
+    return first_of(problems, lambda n: Problem("file", name, _("{n} more angles like these").format(n=n)))
+
+
 def _order_problems(table: NumberTable, where: int) -> Iterator[Problem]:
     """Find angles that are given twice or go back, each at its place."""
     angles = table.rows[:, where]
-    wrong = np.flatnonzero(np.diff(angles) <= 0) + 1
-    for row in wrong[:_MOST_PROBLEMS].tolist():
+    for row in (np.flatnonzero(np.diff(angles) <= 0) + 1).tolist():
         before, own = float(angles[row - 1]), float(angles[row])
         allowed = _("must be more than the angle in line {line}, {before:g}").format(
             line=int(table.lines[row - 1]), before=before
         )
         repair = _("for a jump, give two angles a little apart") if own == before else None
         yield Problem("", f"{own:g}", allowed, repair, table.position(row, where))
-    if wrong.size > _MOST_PROBLEMS:
-        yield Problem("file", table.name, _("{n} more angles like these").format(n=wrong.size - _MOST_PROBLEMS))
 
 
 def _span_problems(

@@ -47,12 +47,11 @@ class ByAngle(NamedTuple):
 
     angles: Array
     values: Array
-    period: float = TURN
 
     @property
     def polylines(self) -> tuple[Polyline, ...]:
         """The lines of each design."""
-        return tuple(_round(*rows, self.period) for rows in zip(self.angles, self.values, strict=True))
+        return tuple(_round(*rows) for rows in zip(self.angles, self.values, strict=True))
 
     def value(self, state: LoadState) -> Array:
         """Size, shape (design, 1, n)."""
@@ -60,8 +59,8 @@ class ByAngle(NamedTuple):
         return np.stack([polyline_value(*rows) for rows in zip(self.polylines, shown, strict=True)])
 
     def kinks(self, cycle: float) -> Array:
-        """Crank angles as they are shown at which it has kinks within a cycle, shape (design, kink). [rad]"""
-        turns = np.arange(0.0, cycle - self.period / 2, self.period)
+        """Crank angles as they are shown at which it may have kinks within a cycle, shape (design, kink). [rad]"""
+        turns = np.arange(0.0, cycle - TURN / 2, TURN)
         return (self.angles[:, np.newaxis] + turns[:, np.newaxis]).reshape(len(self.angles), -1)
 
 
@@ -87,8 +86,14 @@ def _between(at: Array, places: Array, values: Array) -> Array:
     return np.asarray(np.interp(at, places, values), dtype=np.float64)
 
 
-def _round(angles: Array, values: Array, period: float) -> Polyline:
-    """Lines round the period, in whose last angle the first one may stand again."""
+def is_over_two_turns(first: float, last: float) -> bool:
+    """Whether rising crank angles reach farther than a turn: then they go round two. [rad]"""
+    return last - first > TURN + _SAME
+
+
+def _round(angles: Array, values: Array) -> Polyline:
+    """Lines round a turn or two, in whose last angle the first one may stand again."""
+    period = 2 * TURN if is_over_two_turns(float(angles[0]), float(angles[-1])) else TURN
     turned, kept = np.unique(np.mod(angles + _SAME, period) - _SAME, return_index=True)
     is_new = np.diff(turned, append=np.inf) > _SAME
     return Polyline(turned[is_new], values[kept][is_new], period)

@@ -35,7 +35,9 @@ _OVER = ("crank_angles", "travel", "swing")
 _OF_FORCES = (*AT_POINT, "radius", "direction", "at_speed", "travel", "force_back")
 _OF_TORQUES = ("at_turning", "swing", "torque_back")
 _SIZES = ("force", "torque", "force_back", "torque_back")
-_OF_LAWS = (*_SIZES, *_OVER, "at_speed", "at_turning", "exponent")
+OF_LISTS = (*_SIZES, *_OVER)
+"""Keys of sizes, and of what they are listed over."""
+_OF_LAWS = (*OF_LISTS, "at_speed", "at_turning", "exponent")
 """What a file says instead."""
 
 

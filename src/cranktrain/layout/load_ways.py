@@ -1,19 +1,16 @@
 """Rows of a load's file over a travel or a swing: which of them go out, and which come back."""
 
-from collections.abc import Iterator, Sequence
-from itertools import islice
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.errors import Problem, refuse
+from cranktrain.errors import Problem, first_of, refuse
 from cranktrain.fluids.indicator.table import NumberTable
 from cranktrain.language import _
 from cranktrain.layout.load_heads import LoadHeads
 from cranktrain.motion import Array
-
-_MOST_PROBLEMS = 10
 
 
 class BothWays(NamedTuple):
@@ -26,7 +23,7 @@ class BothWays(NamedTuple):
 def side_by_side(table: NumberTable, heads: LoadHeads) -> BothWays:
     """Rows of both ways, where each has its column: all, from the least travel on."""
     rows = np.arange(len(table.lines))
-    refuse(_first_of(_falling(table, heads.where, rows), table.name))
+    refuse(_few_of(_falling(table, heads.where, rows), table.name))
     return BothWays(rows, rows)
 
 
@@ -45,7 +42,7 @@ def round_trip(table: NumberTable, heads: LoadHeads) -> BothWays:
     out, back = rows[: top + 1], np.append(rows[leaves_top : ends[0] if ends else n_rows], rows[ends[0] if ends else 0])
     beyond = rows[ends[0] :] if ends else rows[:0]
     refuse(
-        _first_of(
+        _few_of(
             (
                 *_falling(table, heads.where, out),
                 *_rising(table, heads.where, back),
@@ -99,10 +96,6 @@ def _against(table: NumberTable, where: int, rows: NDArray[np.intp], sign: float
         yield Problem("", f"{table.rows[own, where]:g}", allowed, None, table.position(own, where))
 
 
-def _first_of(problems: Iterator[Problem] | Sequence[Problem], name: str) -> Iterator[Problem]:
+def _few_of(problems: Iterable[Problem], name: str) -> Iterator[Problem]:
     """Keep the first problems, and count the others."""
-    each = iter(problems)
-    yield from islice(each, _MOST_PROBLEMS)
-    n_more = sum(1 for _problem in each)
-    if n_more:
-        yield Problem("file", name, _("{n} more places like these").format(n=n_more))
+    return first_of(problems, lambda n: Problem("file", name, _("{n} more places like these").format(n=n)))

@@ -7,10 +7,9 @@ from typing import ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.load_designs import tables_together
 from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadState
 from cranktrain.layout.load_tables import AT_POINT, LoadSpec, LoadTables, with_lists
 from cranktrain.layout.part_tables import SLIDER, part_name, table_paths
@@ -19,7 +18,6 @@ from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off
 from cranktrain.linkage.vectors import Vector, rotated
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import extremes
-from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.nested import by_design, mapped
 from cranktrain.quantities import Given, nearest
 from cranktrain.record import record
@@ -116,12 +114,12 @@ class Loads:
         return [load for load in self.each if load.mechanism == mechanism]
 
 
-def loads_of(designs: Designs) -> Loads | None:
-    """Put the loads of the file to the mechanisms; None where it has none."""
+def loads_of(designs: Designs, together: LoadTables) -> Loads | None:
+    """Put the loads of all designs, as `tables_together` gives them, to the mechanisms; None where there is none."""
     shafts = designs.together.shafts
     tables = {
         path: {name: spec for name, spec in named.items() if not is_on_shaft(path, spec, shafts)}
-        for path, named in tables_together(designs).items()
+        for path, named in together.items()
     }
     found = [
         _link_load(designs.by_design, name if len(designs.places) == 1 else f"{place.name}.{name}", spec, i, place)
@@ -129,8 +127,6 @@ def loads_of(designs: Designs) -> Loads | None:
         for name, spec in _named_loads(place, tables).items()
         if _link_of(place, spec.on) is not None
     ]
-    for load in found:
-        refuse_more_turns(designs, f"{LOAD}.{load.name}", load.law)
     return Loads(tuple(found), designs.crank_angle.zero) if found else None
 
 
@@ -190,13 +186,6 @@ def _link_load(laid: Laid, name: str, spec: LoadSpec, mechanism: int, place: Pla
     )
 
 
-def refuse_more_turns(designs: Designs, where: str, law: Law) -> None:
-    """Refuse sizes over two turns of a machine whose cycle is one."""
-    if isinstance(law, ByAngle) and law.period > designs.crank_angle.cycle * 1.5:
-        allowed = _("goes on over two turns, and the cycle of this machine is one")
-        raise InputError([Problem(f"{where}.crank_angles", None, allowed)])
-
-
 def law_of(laid: Laid, spec: LoadSpec, sign: float = 1.0) -> Law:
     """How large a load is, its sizes with a sign; of one whose size is found at 1 rad/s the size 1."""
 
@@ -205,8 +194,7 @@ def law_of(laid: Laid, spec: LoadSpec, sign: float = 1.0) -> Law:
 
     size = sign * (each(spec.sizes) if spec.sizes else laid([ONE]))
     if spec.crank_angles is not None:
-        angles = each(spec.crank_angles)
-        return ByAngle(angles, size, 2 * TURN if float(np.ptp(angles[0])) > TURN * (1 + _COVERED) else TURN)
+        return ByAngle(each(spec.crank_angles), size)
     if (travel := spec.travel or spec.swing) is not None:
         return ByTravel(each(travel), size, size if spec.back is None else sign * each(spec.back))
     at = spec.at_speed or spec.at_turning

@@ -9,10 +9,9 @@ import numpy as np
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.load_designs import tables_together
 from cranktrain.layout.load_laws import ByAngle, Law, LoadState
-from cranktrain.layout.load_tables import LoadSpec
-from cranktrain.layout.loads import LOAD, is_on_shaft, law_of, refuse_more_turns
+from cranktrain.layout.load_tables import LoadSpec, LoadTables
+from cranktrain.layout.loads import LOAD, is_on_shaft, law_of
 from cranktrain.motion import ZERO, Array
 from cranktrain.numerics.nested import by_design
 from cranktrain.numerics.polyline import polyline_mean
@@ -62,21 +61,19 @@ class LoadsOnShafts:
         return next((load for load in self.each if load.is_balanced), None)
 
 
-def shaft_loads_of(designs: Designs) -> LoadsOnShafts | None:
-    """Put the loads of the file to the shafts; None where it has none."""
-    together = designs.together
+def shaft_loads_of(designs: Designs, together: LoadTables) -> LoadsOnShafts | None:
+    """Put the loads of all designs, as `tables_together` gives them, to the shafts; None where there is none."""
+    is_against = designs.together.orientation.is_astern
     found = [
         TorqueOnShaft(
             name,
-            -1.0 if spec.sense == "resisting" else -1.0 if together.orientation.is_astern else 1.0,
+            -1.0 if spec.sense == "resisting" or is_against else 1.0,
             law_of(designs.by_design, spec),
             spec.is_balanced,
         )
-        for name, spec in tables_together(designs).get(LOAD, {}).items()
-        if is_on_shaft(LOAD, spec, together.shafts)
+        for name, spec in together.get(LOAD, {}).items()
+        if is_on_shaft(LOAD, spec, designs.together.shafts)
     ]
-    for load in found:
-        refuse_more_turns(designs, f"{LOAD}.{load.name}", load.law)
     return LoadsOnShafts(tuple(found)) if found else None
 
 

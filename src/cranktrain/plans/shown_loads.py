@@ -51,22 +51,21 @@ class ShownLoads:
             for load in acting_loads(self.machine, self.loaded, place, phi):
                 yield load.moved(away)
 
-    @property
-    def _cycle(self) -> Array:
-        """Crank angles of the cycle. [deg]"""
-        return np.arange(0.0, shown(self.machine.cycle, "deg"), _STEP)
+    @cached_property
+    def _over_cycle(self) -> tuple[ActingLoad, ...]:
+        return self.at(np.arange(0.0, shown(self.machine.cycle, "deg"), _STEP))
 
     @cached_property
     def outline(self) -> Array:
         """Where forces act over the cycle, shape (2, n); empty where there is none. [m]"""
-        places = [load.place for load in self.at(self._cycle) if not load.is_torque]
+        places = [load.place for load in self._over_cycle if not load.is_torque]
         return np.concatenate(places, axis=1) if places else np.empty((2, 0))
 
     @cached_property
     def largest(self) -> dict[bool, float]:
         """Largest size over the cycle, of torques and of forces: by whether it is a torque. [N·m or N]"""
         found = {True: 0.0, False: 0.0}
-        for load in self.at(self._cycle):
+        for load in self._over_cycle:
             found[load.is_torque] = max(found[load.is_torque], float(np.nanmax(np.abs(load.size))))
         return found
 

@@ -137,3 +137,17 @@ def test_a_load_on_a_point_is_one_at_its_place():
         (problem,) = caught.value.problems
         assert problem.path == path
         assert said in problem.allowed
+
+
+def test_two_turns_are_for_a_four_stroke_wherever_the_load_stands():
+    """The path is that of the table, whichever mechanism bears it."""
+    law = {"on": "rod", "torque": ["1 N*m", "2 N*m"], "crank_angles": ["0 deg", "700 deg"], "sense": "active"}
+    slider = {"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "200 mm"}
+    banks = {name: {"angle": f"{angle} deg", "mechanism": slider} for name, angle in (("A", 0), ("B", 60))}
+    shaft = {"main": {"speed": "120 rpm"}}
+    common = ct.Machine(bank=banks, shaft=shaft, load={"x": law})
+    own = ct.Machine(bank={**banks, "B": {**banks["B"], "load": {"x": law}}}, shaft=shaft)
+    for machine, path in ((common, "load.x.crank_angles"), (own, "bank.B.load.x.crank_angles")):
+        with pytest.raises(ct.InputError) as caught:
+            ct.run(machine)
+        assert [problem.path for problem in caught.value.problems] == [path]

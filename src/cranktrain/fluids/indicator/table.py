@@ -3,12 +3,12 @@
 import csv
 import re
 from collections.abc import Iterator, Sequence
-from itertools import accumulate, islice, pairwise
+from itertools import accumulate, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.errors import InputError, Position, Problem, first_of
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.record import record
@@ -19,8 +19,6 @@ _COMMENT = re.compile(r"\s*(?:#|%|//)\s*")
 _LARGEST = 1e30
 _MOST_LINES = 40_000
 """A cycle of 720° in steps of 0.02° has 36 000."""
-_MOST_PROBLEMS = 10
-"""Problems told of one file; a file of another kind has one in every line."""
 
 
 @record
@@ -103,7 +101,7 @@ def read_table(text: str, name: str) -> NumberTable:
     _refuse_two_commas(texts, labels, separator, Position(name, int(numbers[0])))
     rows = _numbers(texts, separator, n_columns)
     if rows is None:
-        raise InputError(_first_of(_problems(body, separator, name), name))
+        raise InputError(_few_of(_problems(body, separator, name), name))
     return NumberTable(name, labels, rows, numbers, texts, separator)
 
 
@@ -212,9 +210,6 @@ def _problems(body: Sequence[tuple[int, str]], separator: str, name: str) -> Ite
                     yield Problem("", cell or '""', allowed, None, Position(name, number, column))
 
 
-def _first_of(problems: Iterator[Problem], name: str) -> Iterator[Problem]:
+def _few_of(problems: Iterator[Problem], name: str) -> Iterator[Problem]:
     """Keep the first problems, and count the others."""
-    yield from islice(problems, _MOST_PROBLEMS)
-    n_more = sum(1 for _problem in problems)
-    if n_more:
-        yield Problem("file", name, _("{n} more lines or values like these").format(n=n_more))
+    return first_of(problems, lambda n: Problem("file", name, _("{n} more lines or values like these").format(n=n)))

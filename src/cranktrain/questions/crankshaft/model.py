@@ -81,10 +81,9 @@ def _on_crankshaft(balance: BalanceWeights | None, centres: Array) -> tuple[Rota
     if balance is not None:
         every = balance.weights
         is_own = np.all((every.ratio == 1.0) & (every.place == 0.0), axis=0)
-        angle, z = every.angle[:, is_own], every.position[:, is_own]
-        own = on_crank(every.moment[:, is_own] * phasor(angle), z)
-        if np.any(is_own) and np.all(np.isfinite(own.position)):
-            return own, nearest_throw(centres, own.position)
+        if np.any(is_own):
+            moment, angle, z = (part[:, is_own] for part in (every.moment, every.angle, every.position))
+            return on_crank(moment * phasor(angle), z), nearest_throw(centres, z)
     return None, np.empty(0, dtype=np.intp)
 
 

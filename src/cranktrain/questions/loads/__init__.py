@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
+from cranktrain.layout.load_designs import tables_together
 from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.layout.loads import load_problems, loads_of
 from cranktrain.layout.question import ANY_NAME, Parts, Question, ResultDimension, Stage, TableFile, Use
@@ -18,8 +19,9 @@ def _problems(design: Design) -> Iterator[Problem]:
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
-    yield loads_of(designs)
-    yield shaft_loads_of(designs)
+    together = tables_together(designs)
+    yield loads_of(designs, together)
+    yield shaft_loads_of(designs, together)
 
 
 def _tables(design: Design) -> Sequence[str]:
