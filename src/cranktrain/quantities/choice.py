@@ -47,11 +47,11 @@ class FileUnits(NamedTuple):
     """
 
     said: UnitChoice = {}  # noqa: RUF012 - nobody changes a choice
-    written: UnitChoice = {}  # noqa: RUF012
+    written: UnitChoice = {}  # noqa: RUF012 - nobody changes a choice
 
 
 _chosen: ContextVar[UnitChoice] = ContextVar("chosen units", default={})  # noqa: B039 - nobody changes a choice
-_of_file: ContextVar[FileUnits] = ContextVar("units of the file", default=FileUnits())  # noqa: B039
+_of_file: ContextVar[FileUnits] = ContextVar("units of the file", default=FileUnits())  # noqa: B039 - frozen
 
 
 @contextmanager
