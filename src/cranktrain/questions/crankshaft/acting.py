@@ -93,7 +93,7 @@ def direction(vector: ComplexArray, turn: float) -> Array:
 
 
 def of_mechanisms(loaded: LoadedMachine, frames: Frames, solved: Sequence[SolvedBatch]) -> _OfMechanisms:
-    """What all mechanisms do to their cranks, by the reactions of their joints; docs/theory/crankshaft, eq. (24.1)."""
+    """What all mechanisms do to their cranks, by the reactions of their joints."""
     shape = (len(loaded.speed.value), len(loaded.mechanisms.names), solved[0].forces.driving_torque.shape[-1])
     found = _OfMechanisms(*np.zeros((3, *shape), dtype=np.complex128))
     for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
