@@ -8,10 +8,15 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.uses import table
 from cranktrain.questions.crankshaft import rows
+from cranktrain.questions.crankshaft.cycle_points import cycle_points
+from cranktrain.questions.crankshaft.journal_loads import journal_loads, journal_wear
 from cranktrain.questions.crankshaft.model import loaded_shaft, of_one_shaft
 from cranktrain.questions.crankshaft.parts import crankshaft_problems, declared_crankshaft
+from cranktrain.questions.crankshaft.pin_wear import crank_pin_wear
+from cranktrain.questions.crankshaft.section_torques import section_torques
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec
 from cranktrain.questions.crankshaft.stages import MainBearingLoads, main_bearing_loads
+from cranktrain.questions.forces.crank_pins import have_crank_pins
 
 
 def _problems(design: Design) -> Iterator[Problem]:
@@ -29,8 +34,21 @@ QUESTION = Question(
     tables={"crankshaft": CrankshaftSpec},
     problems=_problems,
     parts=_parts,
-    stages=(Stage(loaded_shaft, applies=of_one_shaft), Stage(main_bearing_loads)),
-    dimensions=(ResultDimension("bearing_method", N_("bearing method")), ResultDimension("bearing", N_("bearing"))),
+    stages=(
+        Stage(cycle_points, applies=have_crank_pins),
+        Stage(crank_pin_wear),
+        Stage(loaded_shaft, applies=of_one_shaft),
+        Stage(main_bearing_loads),
+        Stage(journal_loads),
+        Stage(journal_wear),
+        Stage(section_torques),
+    ),
+    dimensions=(
+        ResultDimension("bearing_method", N_("bearing method")),
+        ResultDimension("bearing", N_("bearing")),
+        ResultDimension("section", N_("section")),
+        ResultDimension("ray", N_("ray"), is_number=True),
+    ),
     headline=("largest_bearing_load",),
     title=N_("Main bearings"),
     rows=(rows.bearing_rows,),

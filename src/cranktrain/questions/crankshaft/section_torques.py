@@ -1,0 +1,147 @@
+"""Torque in every journal and crank pin over the cycle, by each method, with its range."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import StageResult
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.motion import Array
+from cranktrain.numerics import Curve, Peak
+from cranktrain.questions.crankshaft.acting import LoadedShaft
+from cranktrain.questions.crankshaft.bearing_method import BearingMethod
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft
+from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.stages import MainBearingLoads, methods_for
+from cranktrain.questions.crankshaft.torque_along import torque_along
+from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.peaks import largest_of_machine
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
+from cranktrain.record import record
+from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
+from cranktrain.wording import Names, number
+
+_FACT = ("bearing_method", "section")
+_CURVE = (*_FACT, "crank_angle")
+
+
+@record
+class SectionTorques(StageResult):
+    """Torque that journals and crank pins hand on toward the flywheel; in journals it is the same by every method."""
+
+    section_torque: Array = quantity(
+        "M",
+        "N*m",
+        _CURVE,
+        N_("Torque in the journal or crank pin about its own axis, in the sense of rotation"),
+        _THEORY,
+    )
+    largest_section_torque: Peak = extreme(
+        "M_max",
+        "N*m",
+        _FACT,
+        N_("Largest torque in the journal or crank pin"),
+        N_("Crank angle of the largest torque in the journal or crank pin"),
+        _THEORY,
+    )
+    least_section_torque: Peak = extreme(
+        "M_min",
+        "N*m",
+        _FACT,
+        N_("Least torque in the journal or crank pin"),
+        N_("Crank angle of the least torque in the journal or crank pin"),
+        _THEORY,
+    )
+    section_torque_range: Array = quantity(
+        "ΔM", "N*m", _FACT, N_("Range of the torque in the journal or crank pin, largest less least"), _THEORY
+    )
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say which journal and which pin have the widest range, by the first method."""
+        ranges, sections = self.section_torque_range[design, 0], names["section"]
+        if not np.all(np.isfinite(ranges)):
+            return None
+        widest = {
+            kind: max((i for i, name in enumerate(sections) if kind in name), key=lambda i: float(ranges[i]))
+            for kind in SECTIONS
+        }
+        said = (
+            _("{range} in {section}").format(range=number(float(ranges[i]), "N*m"), section=sections[i])
+            for i in widest.values()
+        )
+        return _("Widest range of the shaft's torque: {found}.").format(found=", ".join(said))
+
+
+SECTIONS = ("journal", "pin")
+"""How names of sections begin, by whether a piece lies on the shaft's axis."""
+
+
+def section_torques(
+    loaded: LoadedShaft,
+    declared: DeclaredCrankshaft,
+    bearings: MainBearingLoads,
+    solved: SolvedCycle,
+    events: ForceEvents,
+    crank_angle: CrankAngle,
+) -> SectionTorques:
+    """Torque along the shaft over the cycle; largest and least refined on the machine itself.
+
+    Notes
+    -----
+    docs/theory/crankshaft, eqs. (24.37) and (24.38).
+    """
+    pieces = loaded.shaft.pieces
+    on_axis = np.all(pieces.radius == 0.0, axis=0)
+    acting = loaded.loads(crank_angle.angle, solved.batches)
+    load = np.stack([bearings.main_bearing_load_x, bearings.main_bearing_load_y], axis=3)
+    methods = methods_for(declared)
+    curves = np.stack([_along(loaded, acting, load[:, place]) for place in range(len(methods))], axis=1)
+    ends = Peak(*np.empty((3, 2, *curves.shape[:3])))
+
+    def peaks(place: int, which: NDArray[np.bool_], curve: Curve) -> None:
+        """Find largest and least of some sections, by a method."""
+        own = curves[:, place, which]
+        both = largest_of_machine(
+            lambda angle: _both_ways(curve(angle)[:, which]), _both_ways(own), events, crank_angle
+        )
+        for whole, part in zip(ends, both, strict=True):
+            whole[:, :, place, which] = np.moveaxis(part.reshape(len(part), 2, -1), 1, 0)
+
+    def by(method: BearingMethod) -> Curve:
+        def curve(angle: Array) -> Array:
+            own = loaded.loads(angle)
+            return _along(loaded, own, method.loads(loaded.shaft, own).load)
+
+        return curve
+
+    for place, method in enumerate(methods):
+        peaks(place, ~on_axis, by(method))
+    peaks(0, on_axis, lambda angle: _along(loaded, loaded.loads(angle), np.zeros((1, 0, 2, 1))))
+    for whole in ends:
+        whole[:, :, :, on_axis] = whole[:, :, :1, on_axis]
+    most, least = (Peak(*(part[way] for part in ends)) for way in range(2))
+    least = least._replace(value=-least.value)
+    return SectionTorques(
+        section_torque=curves,
+        largest_section_torque=most,
+        least_section_torque=least,
+        section_torque_range=most.value - least.value,
+        labels={"section": _names(on_axis)},
+    )
+
+
+def _both_ways(torque: Array) -> Array:
+    """Torque of sections, and the same against the rotation, shape (design, 2 · section, n)."""
+    return np.concatenate([torque, -torque], axis=1)
+
+
+def _along(loaded: LoadedShaft, acting: ShaftLoads, borne: Array) -> Array:
+    """Torque of every section in the sense of rotation, shape (design, section, n). [N·m]"""
+    return loaded.turn * torque_along(loaded.shaft, acting, borne).begin
+
+
+def _names(on_axis: NDArray[np.bool_]) -> tuple[str, ...]:
+    """Names of sections, journals and pins each counted from the free end."""
+    number = np.where(on_axis, np.cumsum(on_axis), np.cumsum(~on_axis)).tolist()
+    return tuple(f"{SECTIONS[0 if own else 1]} {n}" for own, n in zip(on_axis.tolist(), number, strict=True))
