@@ -86,8 +86,8 @@ def size_by_sector(of: Subintervals, x: Array, y: Array, n_sectors: int) -> Sect
 
     Notes
     -----
-    To some 1e-9 of the whole where a direction crosses edges; where it turns back within a fortieth of a panel beyond
-    one, that is left to the sector beside it, 1e-5 of the whole at most.
+    To some 1e-9 of the whole; to 1e-5 where a vector comes near to zero, or where its direction turns back within a
+    fortieth of a panel beyond an edge.
 
     Examples
     --------

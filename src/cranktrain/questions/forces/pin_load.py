@@ -21,7 +21,7 @@ class RodBearingLoad(NamedTuple):
 
 
 def rod_bearing_load(crank_pin: Wrench, rod: Link) -> RodBearingLoad:
-    """Load of the rod's bearing from the joint's reaction, the crank's on the rod; docs/theory/crankshaft, eq. (24.45)."""
+    """Load of the rod's bearing: the joint's reaction, the crank's on the rod; docs/theory/crankshaft, eq. (24.45)."""
     return RodBearingLoad(crank_pin.x * rod.cos + crank_pin.y * rod.sin, crank_pin.y * rod.cos - crank_pin.x * rod.sin)
 
 
