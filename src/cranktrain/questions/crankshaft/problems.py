@@ -1,6 +1,6 @@
 """What is wrong with crankshafts and gears that only the whole machine shows."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -12,7 +12,7 @@ from cranktrain.layout.design import Design
 from cranktrain.layout.specs import MAIN
 from cranktrain.quantities import Given, one_of
 from cranktrain.questions.crankshaft.line import LinePin, ShaftLine, line_pins, path_of, resting, shaft_line, table_of
-from cranktrain.questions.crankshaft.spec import NEEDED, CrankshaftSpec, CrankshaftTable
+from cranktrain.questions.crankshaft.spec import NEEDED, CrankshaftSpec, CrankshaftTable, GearSpec
 from cranktrain.record import record
 from cranktrain.wording import precise
 
@@ -170,6 +170,19 @@ class _OneShaft:
         for name, pull in self.table.pull.items():
             if not _on_journal(line, pull.z.si):
                 yield self.problem(f"pull.{name}.z", pull.z.text, _("must be on a journal, clear of webs and pins"))
+        yield from self._gears(line)
+
+    def _gears(self, line: ShaftLine) -> Iterator[Problem]:
+        """Find gears on this shaft that sit in a throw."""
+        gears: Mapping[str, GearSpec] = self.design.tables.get("gear", {})
+        for name, gear in gears.items():
+            if self.name in gear.shafts:
+                number = min(gear.shafts.index(self.name), len(gear.z) - 1)
+                z = gear.z[number]
+                if not _on_journal(line, z.si):
+                    allowed = _("must be on a journal of the shaft {shaft}, clear of webs and pins")
+                    key = f"z[{number}]" if len(gear.z) > 1 else "z"
+                    yield Problem(f"gear.{name}.{key}", z.text, allowed.format(shaft=self.name))
 
     def _rods(self, line: ShaftLine) -> Iterator[Problem]:
         """Find rods for which there is no place on their pin."""
