@@ -8,13 +8,17 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.uses import table
 from cranktrain.questions.crankshaft import rows
+from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.cycle_points import cycle_points
+from cranktrain.questions.crankshaft.gears import declared_gears, gear_problems
 from cranktrain.questions.crankshaft.journal_loads import journal_loads, journal_wear
-from cranktrain.questions.crankshaft.model import loaded_shaft, of_one_shaft
-from cranktrain.questions.crankshaft.parts import crankshaft_problems, declared_crankshaft
+from cranktrain.questions.crankshaft.laid import laid_crankshafts, with_rods
+from cranktrain.questions.crankshaft.model import loaded_shafts
+from cranktrain.questions.crankshaft.parts import declared_crankshafts
 from cranktrain.questions.crankshaft.pin_wear import crank_pin_wear
+from cranktrain.questions.crankshaft.problems import crankshaft_problems
 from cranktrain.questions.crankshaft.section_torques import section_torques
-from cranktrain.questions.crankshaft.spec import CrankshaftSpec
+from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
 from cranktrain.questions.crankshaft.stages import MainBearingLoads, main_bearing_loads
 from cranktrain.questions.forces.crank_pins import have_crank_pins
 
@@ -23,21 +27,24 @@ def _problems(design: Design) -> Iterator[Problem]:
     spec = design.table(CrankshaftSpec)
     if spec is not None:
         yield from crankshaft_problems(spec, design)
+    yield from gear_problems(design.tables.get("gear", {}), design)
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
-    yield declared_crankshaft(designs)
+    yield declared_crankshafts(designs)
+    yield declared_gears(designs)
 
 
 QUESTION = Question(
     "crankshaft",
-    tables={"crankshaft": CrankshaftSpec},
+    tables={"crankshaft": CrankshaftSpec, "gear": GearSpec},
     problems=_problems,
     parts=_parts,
     stages=(
         Stage(cycle_points, applies=have_crank_pins),
         Stage(crank_pin_wear),
-        Stage(loaded_shaft, applies=of_one_shaft),
+        Stage(laid_crankshafts, applies=with_rods),
+        Stage(loaded_shafts),
         Stage(main_bearing_loads),
         Stage(journal_loads),
         Stage(journal_wear),
@@ -53,5 +60,5 @@ QUESTION = Question(
     title=N_("Main bearings"),
     rows=(rows.bearing_rows,),
     offers={"main_bearing_load_x": N_("loads of main bearings")},
-    uses=(Use(table("crankshaft"), (MainBearingLoads,)),),
+    uses=(Use(table("crankshaft"), (MainBearingLoads,)), Use(table("gear"), (LoadedShafts,))),
 )

@@ -1,5 +1,7 @@
 """Main journals in axes that turn with the shaft: their loads, wear of journals and bearings, places for oil holes."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from cranktrain.catalogue import quantity
@@ -7,9 +9,10 @@ from cranktrain.checks import StageResult
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.acting import LoadedShaft
+from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
 from cranktrain.questions.crankshaft.cycle_points import CyclePoints
-from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
+from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
 from cranktrain.questions.crankshaft.stages import MainBearingLoads, methods_for
 from cranktrain.questions.crankshaft.turning_axes import in_turning_axes
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
@@ -67,21 +70,20 @@ class JournalWear(StageResult):
 
 
 def journal_loads(
-    loaded: LoadedShaft, bearings: MainBearingLoads, solved: SolvedCycle, crank_angle: CrankAngle
+    loaded: LoadedShafts, bearings: MainBearingLoads, solved: SolvedCycle, crank_angle: CrankAngle
 ) -> JournalLoads:
-    """Turn the loads of the main bearings into axes of the shaft.
+    """Turn the loads of the main bearings into axes of their shafts.
 
     Notes
     -----
     docs/theory/crankshaft, eq. (24.44).
     """
-    direction = _first_throw(loaded, loaded.loads(crank_angle.angle, solved.batches).turned)
-    return JournalLoads(
-        *in_turning_axes(bearings.main_bearing_load_x, bearings.main_bearing_load_y, direction, loaded.turn)
-    )
+    directions, senses = _axes(loaded, loaded.loads(crank_angle.angle, solved.batches))
+    x, y = bearings.main_bearing_load_x, bearings.main_bearing_load_y
+    return JournalLoads(*in_turning_axes(x, y, directions, senses))
 
 
-def journal_wear(loaded: LoadedShaft, declared: DeclaredCrankshaft, points: CyclePoints) -> JournalWear:
+def journal_wear(loaded: LoadedShafts, declared: DeclaredCrankshafts, points: CyclePoints) -> JournalWear:
     """Wear of journals and bearings by quadrature between events.
 
     Notes
@@ -89,14 +91,30 @@ def journal_wear(loaded: LoadedShaft, declared: DeclaredCrankshaft, points: Cycl
     docs/theory/crankshaft, eqs. (24.46) and (24.47).
     """
     acting = loaded.loads(points.angle, points.solved)
-    found = [method.loads(loaded.shaft, acting).load for method in methods_for(declared)]
+    found = [
+        np.concatenate(
+            [method.loads(one.shaft, own).load for one, own in zip(loaded.each, acting, strict=True)], axis=1
+        )
+        for method in methods_for(declared)
+    ]
     x, y = np.moveaxis(np.stack(found, axis=1), 3, 0)
-    journal = points.wear(*in_turning_axes(x, y, _first_throw(loaded, acting.turned), loaded.turn))
-    bearing = points.wear(y, loaded.turn * -x)
+    directions, senses = _axes(loaded, acting)
+    journal = points.wear(*in_turning_axes(x, y, directions, senses))
+    bearing = points.wear(y, -senses * x)
     return JournalWear(*journal, *bearing)
 
 
-def _first_throw(loaded: LoadedShaft, turned: Array) -> Array:
-    """Direction of the crank of throw 1, from X toward Y, shape (design, 1, 1, n). [rad]"""
-    own = loaded.shaft.pieces.angle[:, 1, np.newaxis] + turned
-    return own[:, np.newaxis, np.newaxis]
+def _axes(loaded: LoadedShafts, acting: Sequence[ShaftLoads]) -> tuple[Array, Array]:
+    """Of every bearing's shaft the direction of throw 1's crank [rad], and its sense: (design, 1, bearing, n or 1)."""
+    directions = [
+        np.repeat(first_throw(one, own)[:, np.newaxis], one.shaft.supports.place.shape[1], axis=1)
+        for one, own in zip(loaded.each, acting, strict=True)
+    ]
+    senses = [np.full(one.shaft.supports.place.shape[1], one.laid.turn) for one in loaded.each]
+    return np.concatenate(directions, axis=1)[:, np.newaxis], np.concatenate(senses)[:, np.newaxis]
+
+
+def first_throw(one: LoadedShaft, acting: ShaftLoads) -> Array:
+    """Direction of the crank of a shaft's throw 1, from X toward Y, shape (design, n). [rad]"""
+    piece = one.laid.pins[np.argmin(one.laid.declared.throw)]
+    return one.shaft.pieces.angle[:, piece, np.newaxis] + acting.turned

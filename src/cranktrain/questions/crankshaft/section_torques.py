@@ -1,5 +1,8 @@
 """Torque in every journal and crank pin over the cycle, by each method, with its range."""
 
+from collections.abc import Sequence
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -7,11 +10,12 @@ from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics import Curve, Peak
-from cranktrain.questions.crankshaft.acting import LoadedShaft
+from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
-from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
 from cranktrain.questions.crankshaft.stages import MainBearingLoads, methods_for
 from cranktrain.questions.crankshaft.torque_along import torque_along
@@ -78,21 +82,20 @@ SECTIONS = ("journal", "pin")
 
 
 def section_torques(
-    loaded: LoadedShaft,
-    declared: DeclaredCrankshaft,
+    loaded: LoadedShafts,
+    declared: DeclaredCrankshafts,
     bearings: MainBearingLoads,
     solved: SolvedCycle,
     events: ForceEvents,
     crank_angle: CrankAngle,
 ) -> SectionTorques:
-    """Torque along the shaft over the cycle; largest and least refined on the machine itself.
+    """Torque along all shafts over the cycle; largest and least refined on the machine itself.
 
     Notes
     -----
     docs/theory/crankshaft, eqs. (24.37) and (24.38).
     """
-    pieces = loaded.shaft.pieces
-    on_axis = np.all(pieces.radius == 0.0, axis=0)
+    on_axis = np.concatenate([_on_axis(one) for one in loaded.each])
     acting = loaded.loads(crank_angle.angle, solved.batches)
     load = np.stack([bearings.main_bearing_load_x, bearings.main_bearing_load_y], axis=3)
     methods = methods_for(declared)
@@ -101,23 +104,15 @@ def section_torques(
 
     def peaks(place: int, which: NDArray[np.bool_], curve: Curve) -> None:
         """Find largest and least of some sections, by a method."""
-        own = curves[:, place, which]
-        both = largest_of_machine(
-            lambda angle: _both_ways(curve(angle)[:, which]), _both_ways(own), events, crank_angle
-        )
+        own = _both_ways(curves[:, place, which])
+        both = largest_of_machine(lambda angle: _both_ways(curve(angle)[:, which]), own, events, crank_angle)
         for whole, part in zip(ends, both, strict=True):
             whole[:, :, place, which] = np.moveaxis(part.reshape(len(part), 2, -1), 1, 0)
 
-    def by(method: BearingMethod) -> Curve:
-        def curve(angle: Array) -> Array:
-            own = loaded.loads(angle)
-            return _along(loaded, own, method.loads(loaded.shaft, own).load)
-
-        return curve
-
     for place, method in enumerate(methods):
-        peaks(place, ~on_axis, by(method))
-    peaks(0, on_axis, lambda angle: _along(loaded, loaded.loads(angle), np.zeros((1, 0, 2, 1))))
+        peaks(place, ~on_axis, partial(_by_method, loaded, method))
+    # In journals no method matters.
+    peaks(0, on_axis, partial(_by_method, loaded, None))
     for whole in ends:
         whole[:, :, :, on_axis] = whole[:, :, :1, on_axis]
     most, least = (Peak(*(part[way] for part in ends)) for way in range(2))
@@ -127,7 +122,7 @@ def section_torques(
         largest_section_torque=most,
         least_section_torque=least,
         section_torque_range=most.value - least.value,
-        labels={"section": _names(on_axis)},
+        labels={"section": tuple(name for one in loaded.each for name in _names(one, loaded.shafts))},
     )
 
 
@@ -136,12 +131,41 @@ def _both_ways(torque: Array) -> Array:
     return np.concatenate([torque, -torque], axis=1)
 
 
-def _along(loaded: LoadedShaft, acting: ShaftLoads, borne: Array) -> Array:
-    """Torque of every section in the sense of rotation, shape (design, section, n). [N·m]"""
-    return loaded.turn * torque_along(loaded.shaft, acting, borne).begin
+def _by_method(loaded: LoadedShafts, method: BearingMethod | None, angle: Array) -> Array:
+    """Torque of every section at φ, shape (design, section, n); with no method it is right in journals alone. [N·m]"""
+    acting = loaded.loads(angle)
+    if method is None:
+        n_bearings = sum(one.shaft.supports.place.shape[1] for one in loaded.each)
+        return _along(loaded, acting, np.zeros((len(angle), n_bearings, 2, angle.shape[-1])))
+    each = [method.loads(one.shaft, own).load for one, own in zip(loaded.each, acting, strict=True)]
+    return _along(loaded, acting, np.concatenate(each, axis=1))
 
 
-def _names(on_axis: NDArray[np.bool_]) -> tuple[str, ...]:
-    """Names of sections, journals and pins each counted from the free end."""
-    number = np.where(on_axis, np.cumsum(on_axis), np.cumsum(~on_axis)).tolist()
-    return tuple(f"{SECTIONS[0 if own else 1]} {n}" for own, n in zip(on_axis.tolist(), number, strict=True))
+def _along(loaded: LoadedShafts, acting: Sequence[ShaftLoads], borne: Array) -> Array:
+    """Torque of every section in the sense of its shaft's rotation, shape (design, section, n). [N·m]"""
+    found: list[Array] = []
+    before = 0
+    for one, own in zip(loaded.each, acting, strict=True):
+        n_bearings = one.shaft.supports.place.shape[1]
+        found.append(one.laid.turn * torque_along(one.shaft, own, borne[:, before : before + n_bearings]).begin)
+        before += n_bearings
+    return np.concatenate(found, axis=1)
+
+
+def _on_axis(one: LoadedShaft) -> NDArray[np.bool_]:
+    """Which pieces of a shaft are journals."""
+    found = np.zeros(one.shaft.pieces.radius.shape[1], dtype=np.bool_)
+    found[one.laid.journals[one.laid.journals >= 0]] = True
+    return found
+
+
+def _names(one: LoadedShaft, shafts: Shafts) -> tuple[str, ...]:
+    """Names of a shaft's sections by the numbers of its journals and pins, in their order along it."""
+    prefix = f"{shafts.names[one.laid.declared.shaft]}." if len(shafts.names) > 1 else ""
+    named = {
+        piece: f"{prefix}{kind} {number}"
+        for kind, pieces in zip(SECTIONS, (one.laid.journals, one.laid.pins), strict=True)
+        for number, piece in enumerate(pieces.tolist(), start=1)
+        if piece >= 0
+    }
+    return tuple(named[piece] for piece in sorted(named))
