@@ -15,7 +15,7 @@ def of(x, y, cut=CUT, n=36):
 
 
 def test_an_ellipse_that_is_gone_round_evenly():
-    """x = a cos t, y = b sin t: the size is √(a² cos² t + b² sin² t), and its direction θ stands at t = atan2(y/b, x/a)."""
+    """The size is √(a² cos² t + b² sin² t), and the direction θ stands at t = atan2(sin θ / b, cos θ / a)."""
     a, b = 3.0, 1.0
     within, along = of(a * np.cos(CUT.angle), b * np.sin(CUT.angle))
     edges = np.arange(37) * 2 * np.pi / 36

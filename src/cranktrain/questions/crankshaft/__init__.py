@@ -9,6 +9,7 @@ from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, 
 from cranktrain.layout.uses import table
 from cranktrain.questions.crankshaft import rows
 from cranktrain.questions.crankshaft.acting import LoadedShafts
+from cranktrain.questions.crankshaft.bearings_between_events import bearings_between_events
 from cranktrain.questions.crankshaft.cycle_points import cycle_points
 from cranktrain.questions.crankshaft.gears import declared_gears, gear_problems
 from cranktrain.questions.crankshaft.journal_loads import journal_loads, journal_wear
@@ -45,6 +46,7 @@ QUESTION = Question(
         Stage(crank_pin_wear),
         Stage(laid_crankshafts, applies=with_rods),
         Stage(loaded_shafts),
+        Stage(bearings_between_events),
         Stage(main_bearing_loads),
         Stage(journal_loads),
         Stage(journal_wear),

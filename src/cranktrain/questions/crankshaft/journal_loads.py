@@ -10,10 +10,10 @@ from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
+from cranktrain.questions.crankshaft.bearings_between_events import BearingsBetweenEvents
 from cranktrain.questions.crankshaft.cycle_points import CyclePoints
-from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
-from cranktrain.questions.crankshaft.stages import MainBearingLoads, methods_for
+from cranktrain.questions.crankshaft.stages import MainBearingLoads
 from cranktrain.questions.crankshaft.turning_axes import in_turning_axes
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
@@ -83,22 +83,15 @@ def journal_loads(
     return JournalLoads(*in_turning_axes(x, y, directions, senses))
 
 
-def journal_wear(loaded: LoadedShafts, declared: DeclaredCrankshafts, points: CyclePoints) -> JournalWear:
+def journal_wear(loaded: LoadedShafts, between: BearingsBetweenEvents, points: CyclePoints) -> JournalWear:
     """Wear of journals and bearings by quadrature between events.
 
     Notes
     -----
     docs/theory/crankshaft, eqs. (24.46) and (24.47).
     """
-    acting = loaded.loads(points.angle, points.solved)
-    found = [
-        np.concatenate(
-            [method.loads(one.shaft, own).load for one, own in zip(loaded.each, acting, strict=True)], axis=1
-        )
-        for method in methods_for(declared)
-    ]
-    x, y = np.moveaxis(np.stack(found, axis=1), 3, 0)
-    directions, senses = _axes(loaded, acting)
+    x, y = np.moveaxis(between.load, 3, 0)
+    directions, senses = _axes(loaded, between.acting)
     journal = points.wear(*in_turning_axes(x, y, directions, senses))
     bearing = points.wear(y, -senses * x)
     return JournalWear(*journal, *bearing)

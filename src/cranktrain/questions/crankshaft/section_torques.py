@@ -15,9 +15,10 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Curve, Peak
 from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
+from cranktrain.questions.crankshaft.bearings_between_events import bearing_loads_of, methods_for
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
-from cranktrain.questions.crankshaft.stages import MainBearingLoads, methods_for
+from cranktrain.questions.crankshaft.stages import MainBearingLoads
 from cranktrain.questions.crankshaft.torque_along import torque_along
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.peaks import largest_of_machine
@@ -137,8 +138,7 @@ def _by_method(loaded: LoadedShafts, method: BearingMethod | None, angle: Array)
     if method is None:
         n_bearings = sum(one.shaft.supports.place.shape[1] for one in loaded.each)
         return _along(loaded, acting, np.zeros((len(angle), n_bearings, 2, angle.shape[-1])))
-    each = [method.loads(one.shaft, own).load for one, own in zip(loaded.each, acting, strict=True)]
-    return _along(loaded, acting, np.concatenate(each, axis=1))
+    return _along(loaded, acting, bearing_loads_of(loaded, [method], acting)[:, 0])
 
 
 def _along(loaded: LoadedShafts, acting: Sequence[ShaftLoads], borne: Array) -> Array:
