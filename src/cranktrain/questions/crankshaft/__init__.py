@@ -17,6 +17,12 @@ from cranktrain.questions.crankshaft.laid import laid_crankshafts, with_rods
 from cranktrain.questions.crankshaft.model import loaded_shafts
 from cranktrain.questions.crankshaft.parts import declared_crankshafts
 from cranktrain.questions.crankshaft.pin_wear import crank_pin_wear
+from cranktrain.questions.crankshaft.pressures import (
+    crank_pin_pressures,
+    have_bearing_widths,
+    have_rod_widths,
+    main_bearing_pressures,
+)
 from cranktrain.questions.crankshaft.problems import crankshaft_problems
 from cranktrain.questions.crankshaft.section_torques import section_torques
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
@@ -51,6 +57,8 @@ QUESTION = Question(
         Stage(journal_loads),
         Stage(journal_wear),
         Stage(section_torques),
+        Stage(crank_pin_pressures, applies=have_rod_widths),
+        Stage(main_bearing_pressures, applies=have_bearing_widths),
     ),
     dimensions=(
         ResultDimension("bearing_method", N_("bearing method")),
@@ -60,7 +68,7 @@ QUESTION = Question(
     ),
     headline=("largest_bearing_load",),
     title=N_("Main bearings"),
-    rows=(rows.bearing_rows,),
+    rows=(rows.bearing_rows, rows.torque_rows),
     offers={"main_bearing_load_x": N_("loads of main bearings")},
     uses=(Use(table("crankshaft"), (MainBearingLoads,)), Use(table("gear"), (LoadedShafts,))),
 )

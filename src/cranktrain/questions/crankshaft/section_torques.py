@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
@@ -17,10 +17,11 @@ from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.bearings_between_events import bearing_loads_of, methods_for
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, torques
 from cranktrain.questions.crankshaft.stages import MainBearingLoads
 from cranktrain.questions.crankshaft.torque_along import torque_along
 from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.mechanism_torques import driving_torques
 from cranktrain.questions.forces.peaks import largest_of_machine
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
@@ -29,6 +30,10 @@ from cranktrain.wording import Names, number
 
 _FACT = ("bearing_method", "section")
 _CURVE = (*_FACT, "crank_angle")
+_ALIKE = 9
+"""Ranges that are the same to so many decimals of the largest are one."""
+_LIMIT = 1e-11
+"""Of what all do by their arms: what rounding may leave over."""
 
 
 @record
@@ -67,19 +72,26 @@ class SectionTorques(StageResult):
         ranges, sections = self.section_torque_range[design, 0], names["section"]
         if not np.all(np.isfinite(ranges)):
             return None
-        widest = {
-            kind: max((i for i, name in enumerate(sections) if kind in name), key=lambda i: float(ranges[i]))
-            for kind in SECTIONS
-        }
         said = (
             _("{range} in {section}").format(range=number(float(ranges[i]), "N*m"), section=sections[i])
-            for i in widest.values()
+            for i in widest_sections(ranges, sections)
         )
         return _("Widest range of the shaft's torque: {found}.").format(found=", ".join(said))
 
 
 SECTIONS = ("journal", "pin")
 """How names of sections begin, by whether a piece lies on the shaft's axis."""
+
+
+def widest_sections(ranges: Array, sections: Sequence[str]) -> tuple[int, int]:
+    """Which journal and which pin have the widest range, of alike ones the first."""
+    largest = np.max(ranges)
+
+    def widest(kind: str) -> int:
+        own = [i for i, name in enumerate(sections) if kind in name]
+        return max(own, key=lambda i: round(float(ranges[i] / largest), _ALIKE) if largest > 0 else 0.0)
+
+    return widest(SECTIONS[0]), widest(SECTIONS[1])
 
 
 def section_torques(
@@ -124,6 +136,7 @@ def section_torques(
         least_section_torque=least,
         section_torque_range=most.value - least.value,
         labels={"section": tuple(name for one in loaded.each for name in _names(one, loaded.shafts))},
+        checks=(_check(loaded, acting, driving_torques(loaded.loaded, solved.batches)),),
     )
 
 
@@ -150,6 +163,22 @@ def _along(loaded: LoadedShafts, acting: Sequence[ShaftLoads], borne: Array) -> 
         found.append(one.laid.turn * torque_along(one.shaft, own, borne[:, before : before + n_bearings]).begin)
         before += n_bearings
     return np.concatenate(found, axis=1)
+
+
+def _check(loaded: LoadedShafts, acting: Sequence[ShaftLoads], driving: Array) -> Check:
+    """Whether rods and cranks turn each shaft by what drives its mechanisms, shape (design, mechanism, n)."""
+    worst = np.zeros(len(driving))
+    for one, own in zip(loaded.each, acting, strict=True):
+        n_loads = one.rods.number.size + one.cranks.number.size
+        by_forces = one.laid.turn * torques(own)[:, :n_loads]
+        by_joints = np.sum(driving[:, np.unique(one.rods.number)], axis=1)
+        off = np.max(np.abs(np.sum(by_forces, axis=1) + by_joints), axis=-1)
+        scale = np.max(np.sum(np.abs(by_forces), axis=1), axis=-1)
+        worst = np.maximum(worst, off / np.where(scale > 0, scale, 1.0))
+    sentence = _(
+        "Torque of all rods and cranks about the shaft's axis, as its last journal has it, against the joints'"
+    )
+    return Check("section_torque", sentence, worst, _LIMIT)
 
 
 def _on_axis(one: LoadedShaft) -> NDArray[np.bool_]:
