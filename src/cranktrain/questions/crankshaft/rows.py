@@ -1,6 +1,6 @@
 """What the crankshaft says in the answer: the largest load of a main bearing by every method, and which to trust."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -43,7 +43,7 @@ def bearing_rows(labels: Names, design: int, found: MainBearingLoads) -> Iterato
         yield _spread(every, bearings, next(name for name in _TRUST if name in most))
 
 
-def _spread(most: Array, bearings: tuple[str, ...], best: str) -> AnswerLine:
+def _spread(most: Array, bearings: Sequence[str], best: str) -> AnswerLine:
     """Which method to trust, and how much all differ where they differ most."""
     widest = int(np.argmax(np.ptp(most, axis=0)))
     extent = Extent(float(np.min(most[:, widest])), float(np.max(most[:, widest])), "N")
