@@ -157,7 +157,7 @@ def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable) 
         journals=line.journals,
         bearing_names=tuple(f"{prefix}{bearing.name}" for bearing in bearings),
         bearings=places,
-        standing_on=np.sum(planes[0].mean(axis=-1) < places[0][:, np.newaxis], axis=-1, dtype=np.intp),
+        standing_on=np.array([int(np.sum(planes[0, :, 0] < place)) for place in places[0].tolist()], dtype=np.intp),
         journal=pairs(list(zip(line.journal_diameter, line.journal_bore, strict=True))),
         pin=pairs(list(zip(line.pin_diameter, line.pin_bore, strict=True))),
         pin_length=by_design(line.pin_length),

@@ -23,6 +23,7 @@ from cranktrain.quantities import (
 from cranktrain.spec import Spec
 
 Poisson = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=0.5)]
+Clearance = Annotated[Given, Quantity(Dimension.LENGTH, above=0.0, example="0.08 mm")]
 PositiveForce = Annotated[Given, Quantity(Dimension.FORCE, above=0.0)]
 PositiveStiffness = Annotated[Given, Quantity(Dimension.STIFFNESS, above=0.0)]
 ToothAngle = Annotated[Given, Quantity(Dimension.ANGLE, at_least=0.0, below=pi / 4)]
@@ -46,7 +47,7 @@ class BearingSpec(Spec, frozen=True):
     stiffness: OneOrMany[PositiveStiffness] | None = Field(
         default=None, description=N_("Stiffness of the bearing in its housing: all round, or to the right and up.")
     )
-    clearance: PositiveLength | None = Field(
+    clearance: Clearance | None = Field(
         default=None, description=N_("Difference of the diameters of bearing and journal.")
     )
     width: PositiveLength | None = Field(default=None, description=N_("Width that bears, for its specific pressure."))
