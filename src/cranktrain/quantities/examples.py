@@ -91,6 +91,7 @@ EXAMPLES = {
     "reverse_shaft_x": "1850 mm",
     "reverse_shaft_y": "-400 mm",
     "rocker_length": "200 mm",
+    "rod_bearing_width": "28 mm",
     "rod_length": "180 mm",
     "rod_to_crank_ratio": "3.7",
     "saddle_setback": "30 mm",
