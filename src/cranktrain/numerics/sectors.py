@@ -136,7 +136,7 @@ def _by_direction(panels: _Panels, n_sectors: int) -> Iterator[_Parts]:
         sense[several],
         first[several] + 2 * number * sense[several],
     )
-    edge: Array = np.asarray((before + sense) * (np.pi / n_sectors))
+    edge = (before + sense).astype(np.float64) * (np.pi / n_sectors)
     at = _crossing(panels, row, edge, way[row, place], way[row, place + 1])
     until = panels.integral_to(row, at) - integral[row, place]
     yield row, before, until

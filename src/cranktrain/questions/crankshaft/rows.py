@@ -27,6 +27,8 @@ _TRUST = {
     "frame_rigid": N_("between both; bearing {bearing} by all: {range}"),
 }
 """Which method to trust, by the best that the file has numbers for."""
+_ALIKE = 1e-9
+"""Loads that differ by less, in parts of the largest, are one."""
 
 
 def bearing_rows(labels: Names, design: int, found: MainBearingLoads) -> Iterator[AnswerLine]:
@@ -44,7 +46,9 @@ def bearing_rows(labels: Names, design: int, found: MainBearingLoads) -> Iterato
 
 
 def _spread(most: Array, bearings: Sequence[str], best: str) -> AnswerLine:
-    """Which method to trust, and how much all differ where they differ most."""
+    """Which method to trust, and how much all differ where they differ most; on two bearings they do not."""
+    if np.all(np.ptp(most, axis=0) <= _ALIKE * np.max(most)):
+        return worded(_("to trust"), _("any: all methods give the same"))
     widest = int(np.argmax(np.ptp(most, axis=0)))
     extent = Extent(float(np.min(most[:, widest])), float(np.max(most[:, widest])), "N")
     return worded(_("to trust"), _(_TRUST[best]), range=extent, bearing=bearings[widest])

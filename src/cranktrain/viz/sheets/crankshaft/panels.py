@@ -166,4 +166,5 @@ def torque_panels(shown: OneDesign) -> Iterator[Panel]:
 
 def turned_by(wear: WearDiagram) -> Array:
     """Directions of its rays on paper, anticlockwise from the right. [rad]"""
-    return TURN / 4 - wear.turn * np.arange(wear.wear.size) * (TURN / wear.wear.size)
+    rays = np.arange(wear.wear.size, dtype=np.float64)
+    return np.asarray(TURN / 4 - wear.turn * (TURN / wear.wear.size) * rays)

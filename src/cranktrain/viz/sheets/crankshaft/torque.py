@@ -85,9 +85,10 @@ def _draw_ranges(page: Page, shown: OneDesign, room: Box) -> float:
     axes.set_xlim(-0.7, len(names) - 0.3)
     reach = float(np.max(low + span) - np.min(low))
     axes.set_ylim(float(np.min(low)) - _MARGIN * reach, float(np.max(low + span)) + _MARGIN * reach)
-    called = [names[i].replace(f"{SECTIONS[0]} ", "") for i in places[journals].tolist()]
+    own = np.flatnonzero(journals).tolist()
+    called = [names[i].replace(f"{SECTIONS[0]} ", "") for i in own]
     is_long = max(map(len, called)) > _SHORT
-    axes.set_xticks(places[journals], called, rotation=90 if is_long else 0)
+    axes.set_xticks(own, called, rotation=90 if is_long else 0)
     foot = top - 7.0 - height - (16.0 if is_long else 8.5)
     words = (
         _("Filled: journals, by their numbers; hollow: the crank pins between them."),

@@ -16,12 +16,13 @@ from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import LINE, Box, Figure, Page, drawing_settings, rounded_down
 from cranktrain.viz.paper.style import FILLS, INK, MUTED
 from cranktrain.viz.sheets.crankshaft.panels import WearDiagram, journal_wear, pin_wear, turned_by
+from cranktrain.viz.sheets.crankshaft.polar import cells
 
 _DEEPEST = 0.62
 """How far into a circle the largest load of the sheet reaches, in parts of its radius."""
 _HEAD = 9.0
 """Over a circle for its words. [mm]"""
-_LARGEST = 24.0
+_LARGEST = 30.0
 """Radius of a circle, at most. [mm]"""
 _ROUND = np.linspace(0.0, 2 * np.pi, 181)
 _ROW, _ROWS = 8, 5
@@ -61,7 +62,8 @@ def sheet_wear(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
     drawn = [one for row in rows[:_ROWS] for one in row]
     notes = list(_notes(shown, sum(map(len, groups)) - len(drawn)))
     foot = LINE * (len(notes) + 1) + 4.0
-    rooms = list(_rooms(box._replace(bottom=box.bottom + foot, height=box.height - foot), [*map(len, rows[:_ROWS])]))
+    above = box._replace(bottom=box.bottom + foot, height=box.height - foot)
+    rooms = cells(above, len(drawn)) if len(drawn) <= _ROW else list(_rooms(above, [*map(len, rows[:_ROWS])]))
     radius = min(_LARGEST, rooms[0].width / 2 - 3.0, (rooms[0].height - _HEAD) / 2 - 1.0)
     most = max(float(np.max(one.wear)) for one in drawn)
     unit = scale_for("N", most)
