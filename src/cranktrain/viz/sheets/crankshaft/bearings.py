@@ -13,15 +13,15 @@ from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.tables import LEAST_ROW, write_row
-from cranktrain.viz.sheets.crankshaft.panels import bearing_diagrams
+from cranktrain.viz.sheets.crankshaft.panels import bearing_diagrams, of_shafts
 from cranktrain.viz.sheets.crankshaft.polar import draw_diagrams, line_of_method
 
 _NAMES = 44.0
 """Width of the table's names. [mm]"""
 _WIDEST = 22.0
 """Of a column. [mm]"""
-_NAME = 10
-"""Letters of a bearing's name in the table."""
+_LETTER = 1.8
+"""Width of a letter of a bearing's name. [mm]"""
 
 
 @drawing_settings()
@@ -51,7 +51,7 @@ def sheet_crankshaft(result: Result, *, size: str = "A4", design: int = 0) -> Fi
         raise InputError([Problem("crankshaft", None, _("gives no loads of bearings, so there is no sheet of them"))])
     page, box = result_page(result, design, size, _("Loads of the main bearings"))
     methods = result.labels["bearing_method"]
-    height = 12.0 + LEAST_ROW * (len(methods) + 3)
+    height = 12.0 + LEAST_ROW * (len(methods) + 4)
     diagrams = bearing_diagrams(shown)
     unit = scale_for("N", float(np.nanmax(shown("largest_bearing_load"))))
     above = Box(box.left, box.bottom + height, box.width, box.height - height)
@@ -71,10 +71,14 @@ def _write_table(page: Page, shown: OneDesign, room: Box) -> None:
         (room.left + 12.0, "left"),
         *((room.left + _NAMES + width * (place + 1), "right") for place in range(len(bearings))),
     ]
-    y = room.bottom + room.height - 7.0
-    head = _("Largest load, {unit}").format(unit=unit.label)
-    page.heading(room.left, y, head)
-    write_row(page, ("", *(short(name, _NAME) for name in bearings)), places, y, is_bold=True)
+    y = room.bottom + room.height - 9.0
+    page.heading(room.left, y, _("Largest load, {unit}").format(unit=unit.label))
+    named = of_shafts(bearings)
+    letters = int(width / _LETTER)
+    for place, (shaft, name) in enumerate(named):
+        write_row(page, (short(name, letters),), [places[1 + place]], y, is_bold=True)
+        if shaft and shaft not in (before for before, _name in named[:place]):
+            page.text(room.left + _NAMES + width * (place + 0.4), y + LEAST_ROW, shaft, fontweight="bold")
     page.rule(y - 1.4, room.left, room.left + _NAMES + width * len(bearings))
     y -= 1.0
     for place, method in enumerate(methods):

@@ -17,6 +17,8 @@ from cranktrain.wording import ranged
 
 _SHAPE = 6
 """Loads that are the same to so many figures are drawn once."""
+_LONGEST = 12
+"""Letters of the names of alike pins; of more only the first is named."""
 _NEXT = 1e-6
 
 
@@ -90,8 +92,14 @@ def alike_pins(shown: OneDesign) -> tuple[AlikePins, ...]:
     known = np.flatnonzero(np.isfinite(mean) & np.any(np.isfinite(shown("rod_bearing_wear")), axis=-1)).tolist()
     keys = [tuple(f"{value[i]:.{_SHAPE}g}" for value in (mean, largest, holes)) for i in known]
     return tuple(
-        AlikePins(members[0], ranged(names, members)) for members in grouped(zip(keys, known, strict=True)).values()
+        AlikePins(members[0], _together(names, members)) for members in grouped(zip(keys, known, strict=True)).values()
     )
+
+
+def _together(names: Sequence[str], members: Sequence[int]) -> str:
+    """Name some pins, where that is short; else the first, and how many more there are."""
+    every = ranged(names, members)
+    return every if len(every) <= _LONGEST else f"{names[members[0]]} +{len(members) - 1}"
 
 
 def crank_pin_diagrams(shown: OneDesign, pin: AlikePins) -> tuple[PolarDiagram, PolarDiagram]:
@@ -149,6 +157,11 @@ def on_journals(shown: OneDesign) -> NDArray[np.bool_]:
     return np.array([SECTIONS[0] in name for name in shown.result.labels["section"]])
 
 
+def of_shafts(names: Sequence[str]) -> list[tuple[str, str]]:
+    """Shafts of names of bearings or journals, where there are several, and what they are called on them."""
+    return [(shaft, name) for shaft, _dot, name in (whole.rpartition(".") for whole in names)]
+
+
 def torque_panels(shown: OneDesign) -> Iterator[Panel]:
     """Torque in journals, and in pins, by the first method; the one with the widest range is thick."""
     torque, ranges = shown("section_torque")[0], shown("section_torque_range")[0]
@@ -160,7 +173,7 @@ def torque_panels(shown: OneDesign) -> Iterator[Panel]:
             Curve(closed(torque[i]), "whole" if i == worst else "each", "T", name=names[i])
             for i in sorted(own.tolist(), key=lambda i: i == worst)
         ]
-        said = f"{title}: {_('thick that with the widest range')}, {names[worst]}"
+        said = f"{title}: {_('thick that of widest range')}, {names[worst]}"
         yield Panel(said, "N*m", shown.cycle, tuple(curves))
 
 

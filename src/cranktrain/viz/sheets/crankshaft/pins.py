@@ -7,7 +7,6 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.one_line import short
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import column
 from cranktrain.viz.panel import OneDesign
@@ -20,8 +19,6 @@ from cranktrain.wording import ABSENT
 
 _MOST = 6
 """Pins that have drawings: of more, those that bear most."""
-_NAME = 26
-"""Letters of the names of pins in the table."""
 
 
 @drawing_settings()
@@ -90,7 +87,7 @@ def _rows(shown: OneDesign, pins: Sequence[AlikePins]) -> Iterator[Sequence[str]
     )
     yield heads
     for pin, row in zip(pins, zip(*columns, strict=True), strict=True):
-        yield short(pin.names, _NAME), *row
+        yield pin.names, *row
 
 
 def _notes(n_left_out: int) -> Iterator[str]:

@@ -18,15 +18,13 @@ from cranktrain.viz.paper.page import LINE, Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.panels import FORCES, axes_in, draw_panels
 from cranktrain.viz.paper.style import COLOURS, INK
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW, write_table
-from cranktrain.viz.sheets.crankshaft.panels import on_journals, torque_panels
+from cranktrain.viz.sheets.crankshaft.panels import of_shafts, on_journals, torque_panels
 from cranktrain.wording import ABSENT
 
 _LEFT = 0.5
 """Share of the curves over the crank angle in the width."""
 _BARS = 0.34
 """Share of the bars in the height."""
-_SHORT = 3
-"""Letters of a journal's name that lie below its bar; longer names stand."""
 _MARGIN = 0.06
 """Over and under the bars, in parts of their reach."""
 
@@ -86,10 +84,14 @@ def _draw_ranges(page: Page, shown: OneDesign, room: Box) -> float:
     reach = float(np.max(low + span) - np.min(low))
     axes.set_ylim(float(np.min(low)) - _MARGIN * reach, float(np.max(low + span)) + _MARGIN * reach)
     own = np.flatnonzero(journals).tolist()
-    called = [names[i].replace(f"{SECTIONS[0]} ", "") for i in own]
-    is_long = max(map(len, called)) > _SHORT
-    axes.set_xticks(own, called, rotation=90 if is_long else 0)
-    foot = top - 7.0 - height - (16.0 if is_long else 8.5)
+    named = of_shafts([names[i].replace(f"{SECTIONS[0]} ", "") for i in own])
+    axes.set_xticks(own, [name for _shaft, name in named])
+    foot = top - 7.0 - height - 8.5
+    step = (room.width - 9.0) / (len(names) + 0.4)
+    for shaft in dict.fromkeys(shaft for shaft, _name in named if shaft):
+        middle = np.mean([i for i, (other, _name) in zip(own, named, strict=True) if other == shaft])
+        page.text(room.left + 9.0 + step * (float(middle) + 0.7), foot, shaft, ha="center")
+    foot -= LINE if named[0][0] else 0.0
     words = (
         _("Filled: journals, by their numbers; hollow: the crank pins between them."),
         _("Framed: the worst journal, of the widest range."),

@@ -25,8 +25,10 @@ _HEAD = 9.0
 _LARGEST = 30.0
 """Radius of a circle, at most. [mm]"""
 _ROUND = np.linspace(0.0, 2 * np.pi, 181)
-_ROW, _ROWS = 8, 5
-"""Circles in a row, and rows of a sheet, at most."""
+_ROW = 8
+"""Circles in a row, at most."""
+_LOWEST, _FOOT = 28.0, 20.0
+"""Height of a row, at least, and about what the words below need. [mm]"""
 _WIDEST = 56.0
 """Room of a circle. [mm]"""
 
@@ -59,11 +61,12 @@ def sheet_wear(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
     if not rows:
         raise InputError([Problem("masses", None, _("give no loads of crank pins, so there is no sheet of wear"))])
     page, box = result_page(result, design, size, _("Wear, and places for oil holes"))
-    drawn = [one for row in rows[:_ROWS] for one in row]
+    fitting = rows[: int((box.height - _FOOT) / _LOWEST)]
+    drawn = [one for row in fitting for one in row]
     notes = list(_notes(shown, sum(map(len, groups)) - len(drawn)))
     foot = LINE * (len(notes) + 1) + 4.0
     above = box._replace(bottom=box.bottom + foot, height=box.height - foot)
-    rooms = cells(above, len(drawn)) if len(drawn) <= _ROW else list(_rooms(above, [*map(len, rows[:_ROWS])]))
+    rooms = cells(above, len(drawn)) if len(drawn) <= _ROW else list(_rooms(above, [*map(len, fitting)]))
     radius = min(_LARGEST, rooms[0].width / 2 - 3.0, (rooms[0].height - _HEAD) / 2 - 1.0)
     most = max(float(np.max(one.wear)) for one in drawn)
     unit = scale_for("N", most)
