@@ -35,16 +35,16 @@ class Gaps(NamedTuple):
 
 
 class ThrowSizes(NamedTuple):
-    """Sizes of a shaft whose throws have a journal on either side.
+    """Sizes of a shaft of throws.
 
     Attributes
     ----------
-    centres : Array, shape (design, throw)
-        z of the middles of the pins. [m]
+    planes : Array, shape (design, throw, 2)
+        z of the middles of both webs. [m]
     radius : Array, shape (design, throw)
         [m]
     journal : Array, shape (design, throw + 1, 2)
-        Diameter and bore. [m]
+        Diameter and bore; NaN of one that there is not. [m]
     pin : Array, shape (design, throw, 2)
         Diameter and bore. [m]
     pin_length : Array, shape (design, throw)
@@ -53,7 +53,7 @@ class ThrowSizes(NamedTuple):
         Of its first and its last web. [m]
     """
 
-    centres: Array
+    planes: Array
     radius: Array
     journal: Array
     pin: Array
@@ -64,10 +64,10 @@ class ThrowSizes(NamedTuple):
 
 def gaps_of(sizes: ThrowSizes) -> Gaps:
     """What lies between the throws of a shaft."""
-    half = sizes.pin_length[..., np.newaxis] / 2 + sizes.web_thickness
+    faces = sizes.planes + np.array([-0.5, 0.5]) * sizes.web_thickness
     return Gaps(
         journal=sizes.journal[:, 1:-1],
-        journal_length=np.diff(sizes.centres, axis=1) - half[:, :-1, 1] - half[:, 1:, 0],
+        journal_length=faces[:, 1:, 0] - faces[:, :-1, 1],
         pin=_both_sides(sizes.pin),
         pin_length=_both_sides(sizes.pin_length),
         radius=_both_sides(sizes.radius),
@@ -94,7 +94,8 @@ def carter(gaps: Gaps) -> Array:
 
     Notes
     -----
-    (l_j + 0.8 h)/D_j⁴ + 0.75 l_p/D_p⁴ + 1.5 r/(h b³) for like throws. docs/theory/torsion, eq. (23.18).
+    (l_j + 0.8 h)/D_j⁴ + 0.75 l_p/D_p⁴ + 1.5 r/(h b³) for like throws, [carter-1928].
+    docs/theory/torsion, eq. (23.18).
 
     Examples
     --------
@@ -113,7 +114,7 @@ def ker_wilson(gaps: Gaps) -> Array:
 
     Notes
     -----
-    (l_j + 0.4 D_j)/D_j⁴ + (l_p + 0.4 D_p)/D_p⁴ + (r − 0.2 (D_j + D_p))/(h b³) for like throws.
+    (l_j + 0.4 D_j)/D_j⁴ + (l_p + 0.4 D_p)/D_p⁴ + (r − 0.2 (D_j + D_p))/(h b³) for like throws, [ker-wilson].
     docs/theory/torsion, eq. (23.19).
 
     Examples
@@ -138,7 +139,7 @@ def zimanenko(gaps: Gaps) -> Array:
 
     Notes
     -----
-    (l_j + 0.6 h D_j/l_j)/D_j⁴ + (0.8 l_p + 0.2 b D_j/r)/D_p⁴ + r √(r/D_p)/(h b³) for like throws.
+    (l_j + 0.6 h D_j/l_j)/D_j⁴ + (0.8 l_p + 0.2 b D_j/r)/D_p⁴ + r √(r/D_p)/(h b³) for like throws, [zimanenko].
     docs/theory/torsion, eq. (23.20).
 
     Examples

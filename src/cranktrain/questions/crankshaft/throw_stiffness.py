@@ -12,7 +12,6 @@ from cranktrain.questions.crankshaft.frame_twist import twist_when_clamped, twis
 from cranktrain.questions.crankshaft.shaft import Crankshaft
 from cranktrain.questions.crankshaft.throw_gaps import Gaps, carter, ker_wilson, zimanenko
 from cranktrain.record import record
-from cranktrain.references import THEORY_OF_TORSION
 
 
 class ShaftInTorsion(NamedTuple):
@@ -91,35 +90,35 @@ THROW_METHODS = (
         "frame",
         N_("crank frame"),
         _frame,
-        THEORY_OF_TORSION,
+        "docs/theory/torsion, eq. (23.13)",
         N_("centre lines of journals, webs and pins; journals turn aside in their bearings as they like"),
     ),
     ThrowMethod(
         "frame_clamped",
         N_("crank frame, journals held straight"),
         _clamped_frame,
-        THEORY_OF_TORSION,
+        "docs/theory/torsion, eq. (23.16)",
         N_("centre lines; journals cannot turn aside in their bearings"),
     ),
     ThrowMethod(
         "carter",
         "Carter",
         _by_length(carter),
-        THEORY_OF_TORSION,
+        "docs/theory/torsion, eq. (23.18); [carter-1928]",
         N_("solid throws by experience; its source states no range that is known here"),
     ),
     ThrowMethod(
         "ker_wilson",
         "Ker Wilson",
         _by_length(ker_wilson),
-        THEORY_OF_TORSION,
+        "docs/theory/torsion, eq. (23.19); [ker-wilson]",
         N_("solid throws by experience; a crank radius of more than a fifth of both diameters"),
     ),
     ThrowMethod(
         "zimanenko",
         N_("Zimanenko"),
         _by_length(zimanenko),
-        THEORY_OF_TORSION,
+        "docs/theory/torsion, eq. (23.20); [zimanenko]",
         N_("solid throws by experience; its source states no range that is known here"),
     ),
 )

@@ -33,7 +33,7 @@ def sizes(n_designs=1):
     """Of the in-line four."""
     both = (n_designs, N, 2)
     return ThrowSizes(
-        np.tile(np.arange(N) * SIZES["span"], (n_designs, 1)),
+        np.tile(np.arange(N)[:, np.newaxis] * SIZES["span"] + SIZES["web_mid_planes"], (n_designs, 1, 1)),
         np.full((n_designs, N), RADIUS),
         solid(SIZES["main_diameter"], n_designs, N + 1),
         solid(SIZES["crankpin_diameter"], n_designs, N),
@@ -68,7 +68,7 @@ def test_frame_is_its_parts_in_a_row():
 
 
 def test_clamped_frame_of_like_throws():
-    """1/k − 2 φ²/(A − B): by symmetry the two moments of a throw are opposite; A − B from the energy that these take."""
+    """1/k − 2 φ²/(A − B): the moments of a throw are opposite by symmetry; A − B from the energy that they take."""
     shaft = crankshaft()
     l, lp, lj = SIZES["span"], 0.046, 0.023
     r, pieces, webs = RADIUS, shaft.pieces, shaft.webs
