@@ -95,7 +95,7 @@ THROW_METHODS = (
     ),
     ThrowMethod(
         "frame_clamped",
-        N_("crank frame, journals held straight"),
+        N_("clamped crank frame"),
         _clamped_frame,
         "docs/theory/torsion, eq. (23.16)",
         N_("centre lines; journals cannot turn aside in their bearings"),

@@ -1,6 +1,6 @@
 """Torsion: the crankshaft's natural frequencies and modes, and the speeds that are critical for them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_
@@ -13,7 +13,7 @@ from cranktrain.questions.torsion.critical import critical_speeds, mode_vector_s
 from cranktrain.questions.torsion.modes import TorsionalModes, of_known_stiffness, torsional_modes, torsional_train
 from cranktrain.questions.torsion.parts import declared_train, torsion_problems
 from cranktrain.questions.torsion.spec import TorsionSpec
-from cranktrain.questions.torsion.throw_stiffness import of_sized_crankshaft, throw_stiffness
+from cranktrain.questions.torsion.throw_stiffness import ThrowStiffness, of_sized_crankshaft, throw_stiffness
 
 
 def _problems(design: Design) -> Iterator[Problem]:
@@ -26,6 +26,11 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
     table = designs.together.table(TorsionSpec)
     if table is not None:
         yield declared_train(table, len(designs.together.shafts[MAIN].throws), designs.n_designs)
+
+
+def _sizes(design: Design) -> Sequence[str]:
+    """Sizes of the crankshaft are used for torsion, too, where that is asked for."""
+    return table("crankshaft")(design) if design.table(TorsionSpec) is not None else []
 
 
 QUESTION = Question(
@@ -56,5 +61,5 @@ QUESTION = Question(
     offers={
         "natural_frequency": N_("natural frequencies"),
     },
-    uses=(Use(table("torsion"), (TorsionalModes,)),),
+    uses=(Use(table("torsion"), (TorsionalModes,)), Use(_sizes, (ThrowStiffness,))),
 )

@@ -15,9 +15,9 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import reduced_inertia
 from cranktrain.motion import Array
-from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.crankshaft.laid import with_rods
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
+from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.torsion.parts import DeclaredTrain
 from cranktrain.questions.torsion.throw_stiffness import ThrowStiffness
@@ -99,7 +99,7 @@ def torsional_train(
             inertia[:, declared.throws[throw]] += moving[:, mechanism]
     stiffness = declared.stiffness.copy()
     if throws is not None:
-        stiffness[:, declared.gaps] = throws.throw_stiffness[:, throws.chosen]
+        stiffness[:, declared.gaps] = throws.chosen_stiffness
     last = np.full((len(inertia), 1), np.nan)
     return TorsionalTrain(
         disc_inertia=inertia,
@@ -169,8 +169,9 @@ def torsional_modes(declared: DeclaredTrain, discs: TorsionalTrain) -> Torsional
     table = holzer_table(train, modes.speed, shape)
     is_known = np.all(np.isfinite(modes.speed), axis=-1)
     closes = np.all(np.isfinite(train.inertia), axis=-1)
-    unknown = np.where(closes, np.inf, np.nan)
-    reasons = (_("needs an inertia of every disc"),) * len(unknown)
+    is_stiff = np.all(np.isfinite(train.stiffness), axis=-1)
+    unknown = np.where(closes & is_stiff, np.inf, np.nan)
+    reasons = tuple(_("needs an inertia of every disc") if stiff else _("needs every stiffness") for stiff in is_stiff)
     return TorsionalModes(
         natural_frequency=modes.speed,
         mode_shape=shape,

@@ -39,15 +39,16 @@ def critical_rows(labels: Names, design: int, found: CriticalSpeeds) -> Iterator
 
 
 def stiffness_rows(labels: Names, design: int, found: ThrowStiffness) -> Iterator[AnswerLine]:
-    """The softest stiffness from throw to throw, and its range by all methods."""
+    """The softest stiffness from throw to throw, and how far off it other methods are."""
     gap = found.softest(design)
     if gap is None:
         return
-    every = found.throw_stiffness[design, :, gap]
+    own = float(found.chosen_stiffness[design, gap])
+    others = np.delete(found.throw_stiffness[design, :, gap], found.chosen) / own - 1
     yield worded(
-        _("stiffness between throws"),
-        _("{chosen}, {method}; {range} by all methods"),
-        chosen=Amount(float(every[found.chosen]), "N*m/rad"),
+        _("stiffness of throws"),
+        _("{stiffness}, {method}; others {range}"),
+        stiffness=Amount(own, "N*m/rad"),
         method=title_of(labels["throw_method"][found.chosen]),
-        range=Extent(float(np.nanmin(every)), float(np.nanmax(every)), "N*m/rad"),
+        range=Extent(float(np.nanmin(others)), float(np.nanmax(others)), "off"),
     )

@@ -20,6 +20,7 @@ from cranktrain.wording import Names, number
 
 GIVEN = "given"
 """The name of what the file gives, among the methods."""
+_SAME = 1e-9
 _FAR = 2.0
 """By what factor a given stiffness may be off what the sizes give before it is minded."""
 
@@ -28,7 +29,7 @@ _FAR = 2.0
 class ThrowStiffness(StageResult):
     """Stiffness from throw to throw.
 
-    chosen: int, the method whose stiffness vibrates.
+    chosen: int, the method with whose stiffness the shaft vibrates.
     """
 
     throw_stiffness: Array = quantity(
@@ -48,23 +49,36 @@ class ThrowStiffness(StageResult):
     chosen: int = field(kw_only=True)
 
     def answer(self, names: Names, design: int) -> str | None:
-        """Say the stiffness of the softest gap by every method, and which vibrates."""
+        """Say the stiffness by which the shaft vibrates, where it is softest, and how far off other methods are."""
         softest = self.softest(design)
         if softest is None:
             return None
-        found = (
-            _("{method} {stiffness}").format(method=title_of(name), stiffness=number(float(own[softest]), "kN*m/rad"))
-            for name, own in zip(names["throw_method"], self.throw_stiffness[design], strict=True)
-            if np.isfinite(own[softest])
+        own, every = self.chosen_stiffness[design, softest], self.throw_stiffness[design, :, softest]
+        others = ", ".join(
+            _("{method} {stiffness} ({off} %)").format(
+                method=title_of(name),
+                stiffness=number(float(one), "kN·m/rad"),
+                off=f"{100 * float(one / own - 1):+.1f}".replace("-", "−"),
+            )
+            for place, (name, one) in enumerate(zip(names["throw_method"], every, strict=True))
+            if place != self.chosen and np.isfinite(one)
         )
-        return _("Stiffness between throws {gap}: {found}; the crankshaft vibrates with the first.").format(
-            gap=names["throw_gap"][softest], found=", ".join(found)
+        return _("The crankshaft's stiffness between throws {gap} is {stiffness} ({method}); {others}.").format(
+            gap=names["throw_gap"][softest],
+            stiffness=number(float(own), "kN·m/rad"),
+            method=title_of(names["throw_method"][self.chosen]),
+            others=others,
         )
 
+    @property
+    def chosen_stiffness(self) -> Array:
+        """That with which the shaft vibrates, shape (design, gap). [N·m/rad]"""
+        return self.throw_stiffness[:, self.chosen]
+
     def softest(self, design: int) -> int | None:
-        """The gap that is softest by the method that vibrates; None where it has no stiffness."""
-        own = self.throw_stiffness[design, self.chosen]
-        return int(np.argmin(own)) if np.all(np.isfinite(own)) else None
+        """The gap that is softest, the first of several; None where the shaft has no stiffness."""
+        own = self.chosen_stiffness[design]
+        return int(np.argmax(own <= np.min(own) * (1 + _SAME))) if np.all(np.isfinite(own)) else None
 
 
 def of_sized_crankshaft(train: DeclaredTrain, crankshafts: DeclaredCrankshafts | None) -> bool:
@@ -73,20 +87,18 @@ def of_sized_crankshaft(train: DeclaredTrain, crankshafts: DeclaredCrankshafts |
 
 
 def throw_stiffness(declared: DeclaredTrain, laid: LaidCrankshafts) -> ThrowStiffness:
-    """Stiffness by all methods, that which vibrates first; docs/theory/torsion, eqs. (23.13) to (23.21)."""
+    """Stiffness by all methods, beside what is given; docs/theory/torsion, eqs. (23.13) to (23.21)."""
     shaft = _in_torsion(laid.each[0])
     by_size = {method.name: method.stiffness(shaft) for method in THROW_METHODS}
-    if declared.method is None:
-        found = {GIVEN: declared.stiffness[:, declared.gaps], **by_size}
-    else:
-        found = {declared.method: by_size[declared.method], **by_size}
+    given = {} if declared.method else {GIVEN: declared.stiffness[:, declared.gaps]}
+    found = given | by_size
     values = np.stack(list(found.values()), axis=1)
     least, most = np.fmin.reduce(values, axis=1), np.fmax.reduce(values, axis=1)
     n_gaps = values.shape[-1]
     return ThrowStiffness(
         throw_stiffness=values,
         throw_stiffness_spread=most / least - 1,
-        chosen=0,
+        chosen=list(found).index(declared.method or GIVEN),
         labels={
             "throw_method": tuple(found),
             "throw_gap": tuple(f"{throw}-{throw + 1}" for throw in range(1, n_gaps + 1)),
