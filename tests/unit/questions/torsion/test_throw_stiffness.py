@@ -75,9 +75,9 @@ def test_what_is_given_goes_before_what_sizes_say():
 def test_is_said():
     sentence = next(one for one in run(four({"stiffness": "400 kN·m/rad"})).summary().split("\n") if "stiffness" in one)
     assert sentence == (
-        "The crankshaft's stiffness between throws 1-2 is 400.0 kN·m/rad (given); crank frame 379.5 kN·m/rad (−5.1 %), "
-        "clamped crank frame 436.0 kN·m/rad (+9.0 %), Carter 428.7 kN·m/rad (+7.2 %), "
-        "Ker Wilson 408.8 kN·m/rad (+2.2 %), Zimanenko 390.8 kN·m/rad (−2.3 %)."
+        "The crankshaft's stiffness between throws 1-2 is 0.4000 MN·m/rad (given); crank frame 0.3795 MN·m/rad (−5.1 %), "
+        "clamped crank frame 0.4360 MN·m/rad (+9.0 %), Carter 0.4287 MN·m/rad (+7.2 %), "
+        "Ker Wilson 0.4088 MN·m/rad (+2.2 %), Zimanenko 0.3908 MN·m/rad (−2.3 %)."
     )
 
 
