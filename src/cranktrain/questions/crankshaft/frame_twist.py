@@ -107,7 +107,7 @@ def _moments(span: BentSpan) -> Array:
     n_designs = len(span.first.twist)
     columns = np.concatenate([-span.first.slope, span.last.slope], axis=-1).reshape(n_designs, 4, 4)
     by_torque = span.first.twist.reshape(n_designs, 4, 1)
-    return np.linalg.solve(np.swapaxes(columns, -1, -2), by_torque)[..., 0]
+    return np.asarray(np.linalg.solve(np.swapaxes(columns, -1, -2), by_torque), dtype=np.float64)[..., 0]
 
 
 def _turned(twist: Array, moments: Array) -> Array:
