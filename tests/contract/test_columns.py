@@ -110,6 +110,37 @@ TABLES = {
             "web_width": "76 mm",
         },
     },
+    "crankshaft": {
+        "crankshaft": {
+            "journal_diameter": ["55 mm", "56 mm", "57 mm"],
+            "journal_bore": "9 mm",
+            "pin_diameter": "50 mm",
+            "pin_bore": "8 mm",
+            "pin_length": "28 mm",
+            "web_thickness": ["17 mm", "18 mm", "19 mm", "20 mm"],
+            "web_width": "70 mm",
+            "bearing_stiffness": ["300 kN/mm", "400 kN/mm"],
+            "bearing_clearance": "0.05 mm",
+            "bearing_width": "20 mm",
+            "young_modulus": "205 GPa",
+            "poisson_ratio": 0.29,
+            "bearing": {
+                "2": {"settlement": ["0.01 mm", "0.02 mm"], "width": "25 mm"},
+                "out": {"z": "400 mm", "stiffness": "100 kN/mm", "clearance": "0.1 mm"},
+            },
+            "pull": {"belt": {"z": "300 mm", "force": "2 kN", "direction": "70 deg"}},
+        },
+        "gear": {
+            "out": {
+                "shafts": "main",
+                "z": "330 mm",
+                "radius": "80 mm",
+                "direction": "30 deg",
+                "pressure_angle": "21 deg",
+                "helix_angle": "10 deg",
+            }
+        },
+    },
     "torsion": {
         "torsion": {
             "stiffness": "1 MN*m/rad",
