@@ -82,6 +82,11 @@ def test_is_said():
     )
 
 
+def test_sizes_that_stand_in_the_shafts_own_table():
+    found = run(four(crankshaft={"main": CRANKSHAFT}))
+    np.testing.assert_array_equal(found.throw_stiffness, run(four()).throw_stiffness)
+
+
 def test_each_gap_has_its_own():
     """A thinner pin on throw 4 softens the last gap, half of whose pins it is."""
     found = run(four(crankshaft=CRANKSHAFT | {"pin_diameter": ["48 mm", "48 mm", "48 mm", "40 mm"]}))
@@ -104,7 +109,8 @@ def test_a_disc_in_the_middle_of_the_shaft():
 
 
 def test_several_designs_at_once():
-    machines = [four(), four(crankshaft=CRANKSHAFT | {"web_width": "90 mm", "pin_bore": "20 mm"})]
+    sizes = [("76 mm", "0 mm"), ("90 mm", "20 mm")]
+    machines = [four(crankshaft=CRANKSHAFT | {"web_width": width, "pin_bore": bore}) for width, bore in sizes]
     together = ct.run(machines, step_degrees=90)
     for design, machine in enumerate(machines):
         alone = run(machine)
