@@ -275,3 +275,13 @@ def test_settlement_of_the_middle_bearing():
     size = np.max(np.abs(loads(ct.run(plain), "three_moment")))
     np.testing.assert_allclose(added[:, 1, 0], [-wanted, 2 * wanted, -wanted], rtol=0, atol=1e-11 * (wanted + size))
     np.testing.assert_allclose(added[:, 0], 0.0, atol=1e-11 * (wanted + size))
+
+
+def test_housings_half_and_twice_as_stiff():
+    """What is said of other housings is what the file with these housings says."""
+    shaft = {"bearing_stiffness": ["300 kN/mm", "500 kN/mm"]}
+    spread = ct.run(machine(["0 deg", "90 deg"], crankshaft=shaft)).dataset
+    for name, stiffness in (("soft", ["150 kN/mm", "250 kN/mm"]), ("stiff", ["600 kN/mm", "1000 kN/mm"])):
+        other = ct.run(machine(["0 deg", "90 deg"], crankshaft={"bearing_stiffness": stiffness})).dataset
+        wanted = other.largest_bearing_load.sel(bearing_method="frame_elastic").values
+        np.testing.assert_allclose(spread[f"bearing_load_{name}_housing"].values, wanted, rtol=1e-11)

@@ -12,6 +12,7 @@ from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.bearings_between_events import bearings_between_events
 from cranktrain.questions.crankshaft.cycle_points import cycle_points
 from cranktrain.questions.crankshaft.gears import declared_gears, gear_problems
+from cranktrain.questions.crankshaft.housing import housing_spread, in_elastic_bearings
 from cranktrain.questions.crankshaft.journal_loads import journal_loads, journal_wear
 from cranktrain.questions.crankshaft.laid import laid_crankshafts, with_rods
 from cranktrain.questions.crankshaft.model import loaded_shafts
@@ -54,6 +55,7 @@ QUESTION = Question(
         Stage(loaded_shafts),
         Stage(bearings_between_events),
         Stage(main_bearing_loads),
+        Stage(housing_spread, applies=in_elastic_bearings),
         Stage(journal_loads),
         Stage(journal_wear),
         Stage(section_torques),
