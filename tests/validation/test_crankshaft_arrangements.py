@@ -178,7 +178,7 @@ def test_a_gear_between_two_shafts(rotation):
     np.testing.assert_allclose(np.abs(low.thrust[0, -1]), tangent * np.tan(np.pi / 9), atol=1e-11 * np.max(tangent))
     # Nothing is left of the upper shaft's torque beyond its gear; all of both is at the end of the lower one.
     for one, own, wanted in zip(loaded.each, acting, (np.sum(of_shafts.values, axis=0), 0 * torque), strict=True):
-        borne = METHODS["split"].loads(one.shaft, own)
+        borne = METHODS["split"].loads(one.shaft, own).load
         last = torque_along(one.shaft, own, borne).end[0, -1]
         turn = one.laid.turn
         np.testing.assert_allclose(turn * last, wanted, rtol=0, atol=1e-10 * np.max(np.abs(torque)))
