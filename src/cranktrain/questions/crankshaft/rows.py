@@ -23,6 +23,8 @@ _ROWS = (
     (N_("with clearance"), "clearance", "clearance", N_("{load} in bearing {bearing}")),
 )
 """What the bearings are taken for; the method for that, and what stands beside it; how both are said."""
+_ALIKE = 1e-6
+"""Loads that differ by less, relative, are the same: on two bearings no method and no stiffness matters."""
 _TRUST = {
     "frame_elastic": N_("elastic frame; bearing {bearing} by all: {range}"),
     "frame_rigid": N_("between both; bearing {bearing} by all: {range}"),
@@ -42,19 +44,19 @@ def bearing_rows(
             load, other = (Amount(float(np.max(each)), "N") for each in (own, most[beside]))
             yield worded(_(name), _(said), load=load, other=other, bearing=bearings[int(np.argmax(own))])
             if housing is not None and method == "frame_elastic":
-                yield _by_housing(housing, design)
+                yield from _by_housing(housing, design)
     every = np.stack(list(most.values()))
     if np.all(np.isfinite(every)):
         yield _spread(every, bearings, next(name for name in _TRUST if name in most))
 
 
-def _by_housing(housing: HousingSpread, design: int) -> AnswerLine:
-    """The largest load where housings are half and twice as stiff as the file has them."""
+def _by_housing(housing: HousingSpread, design: int) -> Iterator[AnswerLine]:
+    """The largest load where housings are half and twice as stiff as the file has them, if that makes a difference."""
     soft, stiff = (
-        Amount(float(np.max(own[design])), "N")
-        for own in (housing.bearing_load_soft_housing, housing.bearing_load_stiff_housing)
+        float(np.max(own[design])) for own in (housing.bearing_load_soft_housing, housing.bearing_load_stiff_housing)
     )
-    return worded(_("half, twice as stiff"), _("{soft}, {stiff}"), soft=soft, stiff=stiff)
+    if abs(stiff - soft) > _ALIKE * stiff:
+        yield worded(_("half, twice as stiff"), _("{soft}, {stiff}"), soft=Amount(soft, "N"), stiff=Amount(stiff, "N"))
 
 
 def _spread(most: Array, bearings: tuple[str, ...], best: str) -> AnswerLine:
