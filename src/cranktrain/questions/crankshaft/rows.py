@@ -1,6 +1,6 @@
 """What the crankshaft says in the answer: the largest load of a main bearing by every method, and which to trust."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -23,13 +23,13 @@ _ROWS = (
     (N_("with clearance"), "clearance", "clearance", N_("{load} in bearing {bearing}")),
 )
 """What the bearings are taken for; the method for that, and what stands beside it; how both are said."""
-_ALIKE = 1e-6
-"""Loads that differ by less, relative, are the same: on two bearings no method and no stiffness matters."""
 _TRUST = {
     "frame_elastic": N_("elastic frame; bearing {bearing} by all: {range}"),
     "frame_rigid": N_("between both; bearing {bearing} by all: {range}"),
 }
 """Which method to trust, by the best that the file has numbers for."""
+_ALIKE = 1e-9
+"""Loads that differ by less, in parts of the largest, are one."""
 
 
 def bearing_rows(
@@ -59,8 +59,10 @@ def _by_housing(housing: HousingSpread, design: int) -> Iterator[AnswerLine]:
         yield worded(_("half, twice as stiff"), _("{soft}, {stiff}"), soft=Amount(soft, "N"), stiff=Amount(stiff, "N"))
 
 
-def _spread(most: Array, bearings: tuple[str, ...], best: str) -> AnswerLine:
-    """Which method to trust, and how much all differ where they differ most."""
+def _spread(most: Array, bearings: Sequence[str], best: str) -> AnswerLine:
+    """Which method to trust, and how much all differ where they differ most; on two bearings they do not."""
+    if np.all(np.ptp(most, axis=0) <= _ALIKE * np.max(most)):
+        return worded(_("to trust"), _("any: all methods give the same"))
     widest = int(np.argmax(np.ptp(most, axis=0)))
     extent = Extent(float(np.min(most[:, widest])), float(np.max(most[:, widest])), "N")
     return worded(_("to trust"), _(_TRUST[best]), range=extent, bearing=bearings[widest])
