@@ -44,7 +44,7 @@ def shaft(n_throws, *, is_isotropic=True):
     n = n_throws + 1
     return Crankshaft(
         pieces_of_throws(throws, round_section(journal, 0.4 * journal, steel), round_section(pin, 0.4 * pin, steel)),
-        webs_of_throws(webs, journal, pin, WEB_RULES[0]),
+        webs_of_throws(throws, webs, journal, pin, WEB_RULES[0]),
         Supports(
             SPAN * np.arange(n)[np.newaxis], np.tile(give, (1, n, 1, 1)), np.zeros((1, n, 2)), np.full((1, n), 4e-5)
         ),

@@ -76,7 +76,7 @@ def crankshaft():
     )
     return Crankshaft(
         pieces_of_throws(throws, round_section(journal, 0 * journal, material), round_section(pin, 0 * pin, material)),
-        webs_of_throws(webs, journal, pin, WEB_RULES[0]),
+        webs_of_throws(throws, webs, journal, pin, WEB_RULES[0]),
         Supports(
             np.arange(N + 1)[np.newaxis] * span,
             np.full((1, N + 1, 1, 1), 1e-3 / MACHINE["support_stiffness_N_per_mm"]) * np.eye(2),

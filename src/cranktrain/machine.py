@@ -31,8 +31,8 @@ from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import path_text, value_at, with_values
 from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
-from cranktrain.questions.crankshaft.spec import CrankshaftSpec
-from cranktrain.questions.cylinders.spec import OVERRIDES, CylindersSpec
+from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
+from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.gas.spec import GasTables
 from cranktrain.questions.torsion.spec import TorsionSpec
@@ -132,13 +132,12 @@ class Machine(Spec, frozen=True):
     units: Mapping[str, str] = Field(
         default={}, description=N_('Units in which numbers are shown, by what they measure: pressure = "bar".')
     )
-    balance: BalanceSpec | None = Field(
-        default=None, description=N_("Counterweights and balance shafts, given or solved for.")
-    )
+    balance: BalanceSpec | None = Field(default=None, description=N_("Counterweights and balance shafts."))
     evenness: EvennessSpec | None = Field(
         default=None, description=N_("What balances the machine, its flywheel, and how evenly it is to run.")
     )
     crankshaft: CrankshaftSpec | None = Field(default=None, description=N_("The crankshaft's sections and bearings."))
+    gear: Mapping[str, GearSpec] = Field(default={}, description=N_("Gears between shafts, by name, and their teeth."))
     torsion: TorsionSpec | None = Field(
         default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
     )
@@ -369,7 +368,7 @@ class Machine(Spec, frozen=True):
 
 def _as_in_file(problem: Problem, data: Mapping[str, Any]) -> Problem:
     """Give a problem the path that the file has: one value where a list was made of it, overrides as tables."""
-    path = re.sub(rf'^cylinder\."?{re.escape(OVERRIDES)}"?\.', "cylinder.", problem.path)
+    path = re.sub(r'^(\w+)\."?NAME \([^)]*\)"?\.', r"\1.", problem.path)
     found = re.fullmatch(r"(bank\.[^.]+\.mechanism)\[(\d+)\](?:\.([^.\[]+)(.*))?", path)
     if found is not None:
         table, index, field, rest = found.groups(default="")

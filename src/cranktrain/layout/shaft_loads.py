@@ -23,8 +23,8 @@ class TorqueOnShaft(NamedTuple):
 
     Attributes
     ----------
-    name : str
-        Of the load.
+    name, shaft : str
+        Of the load, and of the shaft that it is on.
     sense : float
         In which its size counts as the shaft runs: −1 where it resists.
     law : Law
@@ -33,6 +33,7 @@ class TorqueOnShaft(NamedTuple):
     """
 
     name: str
+    shaft: str
     sense: float
     law: Law
     is_balanced: bool
@@ -67,6 +68,7 @@ def shaft_loads_of(designs: Designs, together: LoadTables) -> LoadsOnShafts | No
     found = [
         TorqueOnShaft(
             name,
+            spec.on,
             -1.0 if spec.sense == "resisting" or is_against else 1.0,
             law_of(designs.by_design, spec),
             spec.is_balanced,

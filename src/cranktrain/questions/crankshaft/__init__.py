@@ -8,9 +8,13 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.uses import table
 from cranktrain.questions.crankshaft import rows
-from cranktrain.questions.crankshaft.model import loaded_shaft, of_one_shaft
-from cranktrain.questions.crankshaft.parts import crankshaft_problems, declared_crankshaft
-from cranktrain.questions.crankshaft.spec import CrankshaftSpec
+from cranktrain.questions.crankshaft.acting import LoadedShafts
+from cranktrain.questions.crankshaft.gears import declared_gears, gear_problems
+from cranktrain.questions.crankshaft.laid import laid_crankshafts, with_rods
+from cranktrain.questions.crankshaft.model import loaded_shafts
+from cranktrain.questions.crankshaft.parts import declared_crankshafts
+from cranktrain.questions.crankshaft.problems import crankshaft_problems
+from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
 from cranktrain.questions.crankshaft.stages import MainBearingLoads, main_bearing_loads
 
 
@@ -18,22 +22,24 @@ def _problems(design: Design) -> Iterator[Problem]:
     spec = design.table(CrankshaftSpec)
     if spec is not None:
         yield from crankshaft_problems(spec, design)
+    yield from gear_problems(design.tables.get("gear", {}), design)
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
-    yield declared_crankshaft(designs)
+    yield declared_crankshafts(designs)
+    yield declared_gears(designs)
 
 
 QUESTION = Question(
     "crankshaft",
-    tables={"crankshaft": CrankshaftSpec},
+    tables={"crankshaft": CrankshaftSpec, "gear": GearSpec},
     problems=_problems,
     parts=_parts,
-    stages=(Stage(loaded_shaft, applies=of_one_shaft), Stage(main_bearing_loads)),
+    stages=(Stage(laid_crankshafts, applies=with_rods), Stage(loaded_shafts), Stage(main_bearing_loads)),
     dimensions=(ResultDimension("bearing_method", N_("bearing method")), ResultDimension("bearing", N_("bearing"))),
     headline=("largest_bearing_load",),
     title=N_("Main bearings"),
     rows=(rows.bearing_rows,),
     offers={"main_bearing_load_x": N_("loads of main bearings")},
-    uses=(Use(table("crankshaft"), (MainBearingLoads,)),),
+    uses=(Use(table("crankshaft"), (MainBearingLoads,)), Use(table("gear"), (LoadedShafts,))),
 )

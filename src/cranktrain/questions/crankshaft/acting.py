@@ -1,4 +1,4 @@
-"""All that the machine does to its crankshaft, at the places where it does it: rods, cranks, balance weights."""
+"""All that the machine does to its crankshafts, where it does it: rods, cranks, balance weights, pulls and gears."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -7,9 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.layout.frames import Frames
+from cranktrain.layout.shaft_loads import LoadsOnShafts
+from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray, phasor
 from cranktrain.questions.balance.rotating_weights import RotatingWeights
+from cranktrain.questions.crankshaft.gears import DeclaredGears, Gear, Mesh, tooth_load
+from cranktrain.questions.crankshaft.laid import LaidShaft, direction
 from cranktrain.questions.crankshaft.shaft import Crankshaft
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
@@ -26,7 +30,14 @@ class ActingPlaces(NamedTuple):
     angle: Array
 
 
-class _OfMechanisms(NamedTuple):
+class Shares(NamedTuple):
+    """Who acts at a place, by number, and which part of his force does: shape (load,) and (design, load)."""
+
+    number: NDArray[np.intp]
+    part: Array
+
+
+class OfMechanisms(NamedTuple):
     """Of every mechanism, in common axes, shape (design, mechanism, n): where its pin is, force on it, on its crank."""
 
     pin: ComplexArray
@@ -36,66 +47,129 @@ class _OfMechanisms(NamedTuple):
 
 @record
 class LoadedShaft:
-    """The crankshaft, and what acts on it at any crank angle.
+    """A crankshaft, and what acts on it at any crank angle but its gears.
 
     Attributes
     ----------
-    shaft : Crankshaft
-    loaded : LoadedMachine
-    frames : Frames
-    carrying : array of int, shape (n,)
-        Mechanisms that have a crank pin of their own.
+    laid : LaidShaft
     weights : RotatingWeights or None
-        Those that turn on the crankshaft.
+        Those that turn on it.
     places : ActingPlaces
-        Of the pins' loads, of the cranks' on the first and the second webs, and of the weights' on both.
-    lever : Array, shape (design, weight)
-        How much of each weight the second web of its throw takes.
-    turn : float
-        1 where the shaft runs from X toward Y, −1 where it runs clockwise.
+        Of rods on pins, of cranks on webs, of weights, of pulls, and of gears, in that order.
+    rods, cranks, held : Shares
+        Of mechanisms on pins and on webs; of weights.
+    meshes : tuple of (int, Gear, Mesh)
+        Its gears, and the number of each.
     """
 
-    shaft: Crankshaft
-    loaded: LoadedMachine
-    frames: Frames
-    carrying: NDArray[np.intp]
+    laid: LaidShaft
     weights: RotatingWeights | None
     places: ActingPlaces
-    lever: Array
+    rods: Shares
+    cranks: Shares
+    held: Shares
+    meshes: tuple[tuple[int, Gear, Mesh], ...]
+
+    @property
+    def shaft(self) -> Crankshaft:
+        """Its pieces, webs and bearings."""
+        return self.laid.shaft
+
+
+@record
+class LoadedShafts:
+    """All declared crankshafts with what acts on them.
+
+    Attributes
+    ----------
+    each : tuple of LoadedShaft
+    loaded : LoadedMachine
+    frames : Frames
+    shafts : Shafts
+    gears : DeclaredGears or None
+    given : LoadsOnShafts or None
+        Torques on shafts, which gears do not hand on.
+    zero : Array, shape (design, 1, 1)
+        φ where the shown angle is 0. [rad]
+    turn : float
+        Of `main`: 1 where it runs from X toward Y, −1 where it runs clockwise.
+    """
+
+    each: tuple[LoadedShaft, ...]
+    loaded: LoadedMachine
+    frames: Frames
+    shafts: Shafts
+    gears: DeclaredGears | None
+    given: LoadsOnShafts | None
+    zero: Array
     turn: float
 
-    def loads(self, angle: Array, solved: Sequence[SolvedBatch] | None = None) -> ShaftLoads:
-        """What acts at φ, shape (design, 1, n) [rad]; solved, where the machine is solved there already."""
+    def loads(self, angle: Array, solved: Sequence[SolvedBatch] | None = None) -> tuple[ShaftLoads, ...]:
+        """What acts on each at φ, shape (design, 1, n) [rad]; solved, where the machine is solved there already."""
         found = self.loaded.solved(angle) if solved is None else solved
         own = of_mechanisms(self.loaded, self.frames, found)
-        half = own.on_crank[:, self.carrying] / 2
-        force = np.concatenate([own.on_pin[:, self.carrying], half, half, *self._of_weights(angle)], axis=1)
+        handed = [] if self.gears is None else self.gears.handed_on(self._torques(found, angle))
+        return tuple(self._on(one, own, angle, handed) for one in self.each)
+
+    def _on(self, one: LoadedShaft, own: OfMechanisms, angle: Array, handed: Sequence[Array]) -> ShaftLoads:
+        turned = direction(own.pin[:, one.laid.first], self.turn)
+        forces = [
+            own.on_pin[:, one.rods.number] * one.rods.part[..., np.newaxis],
+            own.on_crank[:, one.cranks.number] * one.cranks.part[..., np.newaxis],
+            self._of_weights(one, angle),
+        ]
+        of_machine = np.concatenate(forces, axis=1)
+        n = angle.shape[-1]
+        force = [np.stack([-self.turn * of_machine.imag, of_machine.real], axis=2)]
+        pulls = one.laid.declared.pulls.force[..., np.newaxis]
+        force.append(np.broadcast_to(pulls, (*pulls.shape[:-1], n)))
+        if not one.meshes:
+            return ShaftLoads(*one.places, turned=turned, force=np.concatenate(force, axis=1))
+        teeth = [tooth_load(gear, mesh, handed[number], one.laid.turn) for number, gear, mesh in one.meshes]
+        before = sum(part.shape[1] for part in force)
+
+        def beside(parts: Sequence[Array]) -> Array:
+            """Loads of gears behind nothing for all others."""
+            gears = np.stack(parts, axis=1)
+            return np.concatenate([np.zeros((len(gears), before, *gears.shape[2:])), gears], axis=1)
+
         return ShaftLoads(
-            *self.places,
-            turned=direction(own.pin[:, self.carrying[0]], self.turn),
-            force=np.stack([-self.turn * force.imag, force.real], axis=2),
+            *one.places,
+            turned=turned,
+            force=np.concatenate([*force, np.stack([tooth.force for tooth in teeth], axis=1)], axis=1),
+            couple=beside([tooth.couple for tooth in teeth]),
+            torque=beside([tooth.torque for tooth in teeth]),
+            thrust=beside([tooth.thrust for tooth in teeth]),
         )
 
-    def _of_weights(self, angle: Array) -> list[ComplexArray]:
-        """Centrifugal force of the weights on the first and on the second webs, shape (design, weight, n). [N]"""
-        if self.weights is None:
-            return []
+    def _torques(self, solved: Sequence[SolvedBatch], angle: Array) -> Array:
+        """What drives each shaft, in its own sense, shape (design, shaft, n). [N·m]"""
+        found = np.zeros((len(self.loaded.speed.value), len(self.shafts.names), angle.shape[-1]))
+        for batch, one in zip(self.loaded.mechanisms.batches, solved, strict=True):
+            for member, mechanism in enumerate(batch.index.tolist()):
+                found[:, self.shafts.shaft[mechanism]] -= one.forces.driving_torque[:, member]
+        for load in () if self.given is None else self.given.given:
+            torque = load.value(angle - self.zero, self.loaded.speed.drive(angle).speed)
+            found[:, self.shafts.names.index(load.shaft)] += torque[:, 0]
+        return found
+
+    def _of_weights(self, one: LoadedShaft, angle: Array) -> ComplexArray:
+        """Centrifugal force of the weights at their places, shape (design, place, n). [N]"""
+        if one.weights is None:
+            return np.zeros((len(self.loaded.speed.value), 0, angle.shape[-1]), dtype=np.complex128)
         drive = self.loaded.speed.drive(angle)
-        turning = drive.speed**2 - 1j * drive.acceleration
-        force = (self.weights.moment * phasor(self.weights.angle))[..., np.newaxis] * phasor(angle) * turning
-        second = self.lever[..., np.newaxis]
-        return [force * (1 - second), force * second]
+        number, part = one.held
+        ratio, moment, ahead = (
+            values[:, number, np.newaxis] for values in (one.weights.ratio, one.weights.moment, one.weights.angle)
+        )
+        turning = drive.speed**2 - 1j * ratio * drive.acceleration
+        return part[..., np.newaxis] * moment * phasor(ahead + ratio * angle) * turning
 
 
-def direction(vector: ComplexArray, turn: float) -> Array:
-    """Direction from X toward Y of vectors in the common axes. [rad]"""
-    return np.arctan2(vector.real, -turn * vector.imag)
-
-
-def of_mechanisms(loaded: LoadedMachine, frames: Frames, solved: Sequence[SolvedBatch]) -> _OfMechanisms:
+def of_mechanisms(loaded: LoadedMachine, frames: Frames, solved: Sequence[SolvedBatch]) -> OfMechanisms:
     """What all mechanisms do to their cranks, by the reactions of their joints."""
     shape = (len(loaded.speed.value), len(loaded.mechanisms.names), solved[0].forces.driving_torque.shape[-1])
-    found = _OfMechanisms(*np.zeros((3, *shape), dtype=np.complex128))
+    found = OfMechanisms(*np.zeros((3, *shape), dtype=np.complex128))
     for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
         dynamics = batch.kind.dynamics
         at_pin, at_bearing = dynamics.joint("crank_pin"), dynamics.joint("main_bearing")
@@ -111,34 +185,3 @@ def of_mechanisms(loaded: LoadedMachine, frames: Frames, solved: Sequence[Solved
         for whole, part in zip(found, values, strict=True):
             whole[:, batch.index] = part
     return found
-
-
-def acting_places(
-    shaft: Crankshaft, planes: Array, throw: NDArray[np.intp], along: Array, weight: NDArray[np.intp]
-) -> ActingPlaces:
-    """Say where pins, cranks and weights act; what turns with a throw acts in the middle of its webs.
-
-    Parameters
-    ----------
-    shaft : Crankshaft
-    planes : Array, shape (design, throw, 2)
-        z of the webs. [m]
-    throw : array of int, shape (n,)
-        Of every mechanism that has a pin of its own.
-    along : Array, shape (design, n)
-        z of its rod. [m]
-    weight : array of int, shape (weight,)
-        Throw of every balance weight, which both its webs carry.
-    """
-    pin = 2 * throw + 1
-    pieces = np.concatenate([pin, pin - 1, pin, 2 * weight, 2 * weight + 1])
-    on_web = np.arange(len(pieces)) >= len(throw)
-    z = [along, planes[:, throw, 0], planes[:, throw, 1], planes[:, weight, 0], planes[:, weight, 1]]
-    own = np.concatenate([pin, pin, pin, *[2 * weight + 1] * 2])
-    radius = shaft.pieces.radius[:, own] * np.where(on_web, 0.5, 1.0)
-    return ActingPlaces(pieces, on_web, np.concatenate(z, axis=1), radius, shaft.pieces.angle[:, own])
-
-
-def nearest_throw(centres: Array, z: Array) -> NDArray[np.intp]:
-    """The throw that stands nearest to each weight of the first design, shape (weight,)."""
-    return np.argmin(np.abs(centres[0] - z[0][:, np.newaxis]), axis=1).astype(np.intp)

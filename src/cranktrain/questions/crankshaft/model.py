@@ -1,127 +1,173 @@
-"""The crankshaft of a machine as arrays, with all that acts on it."""
+"""The crankshafts of a machine, laid out, with all that acts on them at its place."""
 
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from cranktrain.language import N_
 from cranktrain.layout.axial import AxialPlaces
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
-from cranktrain.layout.mechanisms import Mechanisms
+from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.shafts import Shafts
+from cranktrain.layout.throws import ShaftCentres
 from cranktrain.motion import Array
-from cranktrain.numerics.harmonics import phasor
-from cranktrain.questions.balance.rotating_weights import RotatingWeights, on_crank
+from cranktrain.questions.balance.rotating_weights import RotatingWeights
 from cranktrain.questions.balance.weights import BalanceWeights
-from cranktrain.questions.crankshaft.acting import (
-    LoadedShaft,
-    acting_places,
-    direction,
-    nearest_throw,
-    of_mechanisms,
-)
-from cranktrain.questions.crankshaft.equivalent_stiffness import equivalent_stiffness
-from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft
-from cranktrain.questions.crankshaft.sections import Material, round_section, web_section
-from cranktrain.questions.crankshaft.shaft import Crankshaft, StraightSpans, Supports
-from cranktrain.questions.crankshaft.throw_line import ThrowGeometry, pieces_of_throws, webs_of_throws
-from cranktrain.questions.forces.carriers import Carriers
+from cranktrain.questions.crankshaft.acting import ActingPlaces, LoadedShaft, LoadedShafts, Shares
+from cranktrain.questions.crankshaft.gears import DeclaredGears
+from cranktrain.questions.crankshaft.laid import LaidCrankshafts, LaidShaft
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 
-
-def of_one_shaft(
-    declared: DeclaredCrankshaft | None, shafts: Shafts, mechanisms: Mechanisms, carriers: Carriers
-) -> bool | str:
-    """Whether the machine has one crankshaft, and on every throw of it rods on a crank pin."""
-    if declared is None:
-        return DeclaredCrankshaft.needs
-    if len(shafts.names) > 1:
-        return N_("one crankshaft")
-    have_pins = mechanisms.marked(lambda kind: kind.dynamics.joint("crank_pin") is not None)
-    if not np.all(have_pins | (carriers.master >= 0)):
-        return N_("rods on crank pins")
-    standing = set(shafts.throw[carriers.master < 0].tolist())
-    if len(standing) < shafts.n_throws[0] or np.any(np.diff(declared.centres) <= 0):
-        return N_("a rod on every throw, and throws that stand apart")
-    return True
+_ON_AXIS = (np.zeros(1), np.zeros(1))
+"""Radius and angle of what acts on a journal."""
+_ONE_PLACE = 1e-9
+"""Shafts whose centres lie nearer are one. [m]"""
 
 
-def loaded_shaft(
-    declared: DeclaredCrankshaft,
+def loaded_shafts(
+    laid: LaidCrankshafts,
     loaded: LoadedMachine,
     shafts: Shafts,
     frames: Frames,
     axial: AxialPlaces,
-    carriers: Carriers,
     crank_angle: CrankAngle,
     balance: BalanceWeights | None,
-) -> LoadedShaft:
-    """Lay the shaft out: journals, pins and webs in line, bearings between the throws."""
-    carrying = np.flatnonzero(carriers.master < 0).astype(np.intp)
-    throw = shafts.throw[carrying]
+    centres: ShaftCentres | None,
+    gears: DeclaredGears | None,
+    given: LoadsOnShafts | None,
+) -> LoadedShafts:
+    """Put what acts on the crankshafts to its places."""
     turn = -1.0 if frames.clockwise else 1.0
-    pins = of_mechanisms(loaded, frames, loaded.solved(crank_angle.angle[..., :1])).pin[:, carrying, 0]
-    first = [int(np.flatnonzero(throw == n)[0]) for n in range(shafts.n_throws[0])]
-    ahead = direction(pins, turn) - direction(pins[:, :1], turn)
-    away = (declared.pin_length + declared.web_thickness) / 2
-    planes = declared.centres[..., np.newaxis] + away[:, np.newaxis, np.newaxis] * np.array([-1.0, 1.0])
-    shaft = _shaft(declared, planes, np.abs(pins)[:, first], ahead[:, first])
-    weights, at = _on_crankshaft(balance, declared.centres)
-    places = acting_places(shaft, planes, throw, axial.value[:, carrying], at)
-    lever = np.zeros((len(planes), 0))
-    if weights is not None:
-        lever = (weights.position - planes[:, at, 0]) / (planes[:, at, 1] - planes[:, at, 0])
-    return LoadedShaft(shaft, loaded, frames, carrying, weights, places, lever, turn)
+    each: list[LoadedShaft] = []
+    for one in laid.each:
+        weights = None if balance is None else _on_shaft(balance.weights, one, shafts, centres, turn)
+        meshes = tuple(
+            (number, gear, mesh)
+            for number, gear in enumerate(gears.each if gears is not None else ())
+            for mesh in gear.meshes
+            if mesh.shaft == one.declared.shaft
+        )
+        places = _Places(one)
+        rods = places.rods(axial.value, shafts)
+        cranks = places.cranks()
+        held = places.weights(weights)
+        places.on_journals(one.declared.pulls.z)
+        places.on_journals(np.stack([mesh.z for _n, _g, mesh in meshes], axis=1) if meshes else np.zeros((1, 0)))
+        each.append(LoadedShaft(one, weights, places.together(), rods, cranks, held, meshes))
+    return LoadedShafts(tuple(each), loaded, frames, shafts, gears, given, crank_angle.zero, turn)
 
 
-def _on_crankshaft(balance: BalanceWeights | None, centres: Array) -> tuple[RotatingWeights | None, NDArray[np.intp]]:
-    """Weights that turn on the crankshaft itself, and the throws whose webs carry them."""
-    if balance is not None:
-        every = balance.weights
-        is_own = np.all((every.ratio == 1.0) & (every.place == 0.0), axis=0)
-        if np.any(is_own):
-            moment, angle, z = (part[:, is_own] for part in (every.moment, every.angle, every.position))
-            return on_crank(moment * phasor(angle), z), nearest_throw(centres, z)
-    return None, np.empty(0, dtype=np.intp)
-
-
-def _shaft(declared: DeclaredCrankshaft, planes: Array, radius: Array, angle: Array) -> Crankshaft:
-    """Put sections together."""
-    n_designs, n_throws = radius.shape
-    material = Material(*(part[:, np.newaxis] for part in declared.material))
-
-    def each(value: Array, n: int) -> Array:
-        return np.repeat(value[:, np.newaxis], n, axis=1)
-
-    journal, hollow = (each(value, n_throws + 1) for value in declared.journal.T)
-    pin, drilled = (each(value, n_throws) for value in declared.pin.T)
-    width, thickness = (
-        np.repeat(each(value, n_throws)[..., np.newaxis], 2, axis=2)
-        for value in (declared.web_width, declared.web_thickness)
+def _on_shaft(
+    every: RotatingWeights, laid: LaidShaft, shafts: Shafts, centres: ShaftCentres | None, turn: float
+) -> RotatingWeights | None:
+    """Weights that turn on a crankshaft itself: as it turns, where its centre is."""
+    if laid.declared.shaft == shafts.main:
+        centre = np.zeros(1, dtype=np.complex128)
+    elif centres is None:
+        return None
+    else:
+        place = centres.value[:, laid.first]
+        centre = place.imag - 1j * turn * place.real
+    ratio = laid.turn * turn
+    is_own = np.all(
+        (every.ratio == ratio) & (np.abs(every.place - centre[:, np.newaxis]) < _ONE_PLACE) & ~np.isnan(every.position),
+        axis=0,
     )
-    throws = ThrowGeometry(declared.bearings[:, [0, -1]], planes, radius, angle)
-    webs = web_section(width, thickness, Material(*(part[..., np.newaxis] for part in material)))
-    n_bearings = n_throws + 1
-    supports = Supports(
-        declared.bearings,
-        each(declared.compliance, n_bearings)[..., np.newaxis, np.newaxis] * np.eye(2),
-        np.zeros((n_designs, n_bearings, 2)),
-        each(declared.clearance, n_bearings),
-    )
-    plain = Crankshaft(
-        pieces_of_throws(throws, round_section(journal, hollow, material), round_section(pin, drilled, material)),
-        webs_of_throws(webs, journal, pin, declared.rule),
-        supports,
-        StraightSpans(*np.full((2, n_designs, n_throws), np.inf)),
-    )
-    return plain._replace(straight=StraightSpans(_straight(plain, n_throws), plain.straight.shear))
+    return RotatingWeights(*(part[..., is_own] for part in every)) if np.any(is_own) else None
 
 
-def _straight(shaft: Crankshaft, n_throws: int) -> Array:
-    """EI of a straight beam in place of each throw: under a constant moment, the mean of both directions. [N·m²]"""
-    each: Sequence[Array] = [
-        np.mean(equivalent_stiffness(shaft, span, 2 * span + 1).constant_moment, axis=-1) for span in range(n_throws)
-    ]
-    return np.stack(each, axis=1)
+class _Places:
+    """Gathers where loads act on one shaft."""
+
+    def __init__(self, laid: LaidShaft) -> None:
+        self.laid = laid
+        self.pieces: list[int] = []
+        self.on_web: list[bool] = []
+        self.z: list[Array] = []
+        self.at: list[tuple[Array, Array]] = []
+
+    def together(self) -> ActingPlaces:
+        """All places in order."""
+        n_designs = len(self.laid.declared.centres)
+
+        def columns(values: Sequence[Array]) -> Array:
+            each = [np.broadcast_to(value, n_designs) for value in values]
+            return np.stack(each, axis=1) if each else np.zeros((n_designs, 0))
+
+        radius, angle = (columns([place[part] for place in self.at]) for part in (0, 1))
+        return ActingPlaces(
+            np.array(self.pieces, dtype=np.intp), np.array(self.on_web, dtype=np.bool_), columns(self.z), radius, angle
+        )
+
+    def rods(self, along: Array, shafts: Shafts) -> Shares:
+        """Rods on pins, beside one another as their banks say."""
+        declared, (mechanism, pins) = self.laid.declared, self.laid.rods
+        for number, pin in zip(mechanism.tolist(), pins.tolist(), strict=True):
+            own = declared.throw == shafts.throw[number]
+            aside = along[:, number] - np.mean(declared.centres[:, own], axis=1)
+            self._at_pin(pin, declared.centres[:, pin] + aside)
+        return Shares(mechanism, declared.share[pins][np.newaxis])
+
+    def _at_pin(self, pin: int, z: Array) -> None:
+        piece = int(self.laid.pins[pin])
+        own = self.laid.shaft.pieces
+        self._add(piece, z, (own.radius[:, piece], own.angle[:, piece]), on_web=False)
+
+    def _at_web(self, pin: int, web: int) -> None:
+        """On the middle of one web of a pin."""
+        own, piece = self.laid.shaft.pieces, int(self.laid.pins[pin])
+        place = (own.radius[:, piece] / 2, own.angle[:, piece])
+        self._add(int(self.laid.webs[pin, web]), self.laid.declared.planes[:, pin, web], place, on_web=True)
+
+    def _add(self, piece: int, z: Array, place: tuple[Array, Array], *, on_web: bool) -> None:
+        self.pieces.append(piece)
+        self.on_web.append(on_web)
+        self.z.append(z)
+        self.at.append(place)
+
+    def cranks(self) -> Shares:
+        """What turns of a mechanism's crank, half on each web, or on the only one."""
+        numbers, parts = list[int](), list[float]()
+        mechanisms, pins = self.laid.rods
+        for number, pin in zip(mechanisms.tolist(), pins.tolist(), strict=True):
+            webs = np.flatnonzero(self.laid.webs[pin] >= 0).tolist()
+            for web in webs:
+                self._at_web(pin, web)
+                numbers.append(number)
+                parts.append(float(self.laid.declared.share[pin]) / len(webs))
+        return Shares(np.array(numbers, dtype=np.intp), np.array(parts)[np.newaxis])
+
+    def weights(self, weights: RotatingWeights | None) -> Shares:
+        """Balance weights: between a pin's webs by the lever on both, beyond them on a journal."""
+        numbers, parts = list[int](), list[Array]()
+        for number, z in enumerate([] if weights is None else weights.position.T):
+            for web, part in self._held(z):
+                if web is None:
+                    self.on_journals(z[:, np.newaxis])
+                else:
+                    self._at_web(*web)
+                numbers.append(number)
+                parts.append(part)
+        n_designs = len(self.laid.declared.centres)
+        each = [np.broadcast_to(part, n_designs) for part in parts]
+        return Shares(np.array(numbers, dtype=np.intp), np.stack(each, axis=1) if each else np.zeros((n_designs, 0)))
+
+    def _held(self, z: Array) -> list[tuple[tuple[int, int] | None, Array]]:
+        """Which webs, by pin and side, hold a weight, and which part of it; None for a journal."""
+        declared = self.laid.declared
+        pin = int(np.argmin(np.abs(declared.centres[0] - z[0])))
+        first, last = declared.planes[:, pin, 0], declared.planes[:, pin, 1]
+        half = declared.web_thickness[0, pin] / 2
+        is_beyond = not first[0] - half[0] <= z[0] <= last[0] + half[1]
+        if is_beyond and declared.journals[self.laid.journal_at(float(z[0]))]:
+            return [(None, np.ones_like(z))]
+        webs = np.flatnonzero(self.laid.webs[pin] >= 0).tolist()
+        if len(webs) == 1:
+            return [((pin, webs[0]), np.ones_like(z))]
+        lever = (z - first) / (last - first)
+        return [((pin, 0), 1 - lever), ((pin, 1), lever)]
+
+    def on_journals(self, z: Array) -> None:
+        """On the journals at places, shape (design, n)."""
+        for place in z.T:
+            self._add(int(self.laid.journals[self.laid.journal_at(float(place[0]))]), place, _ON_AXIS, on_web=False)

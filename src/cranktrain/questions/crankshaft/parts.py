@@ -1,112 +1,216 @@
-"""The table [crankshaft], put to the throws of the main shaft."""
+"""The table [crankshaft], put to the throws of every shaft, as arrays."""
 
-from collections.abc import Iterator
-from itertools import pairwise
-from typing import ClassVar
+from collections.abc import Sequence
+from typing import ClassVar, NamedTuple
 
-from cranktrain.errors import Problem
-from cranktrain.language import N_, _
-from cranktrain.layout.axial import throw_positions
-from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.specs import MAIN
-from cranktrain.motion import ZERO, Array
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.language import N_
+from cranktrain.layout.design import Designs
+from cranktrain.motion import ONE, ZERO, Array
+from cranktrain.quantities import Given
+from cranktrain.questions.crankshaft.line import LineBearing, line_pins, shaft_line, table_of
 from cranktrain.questions.crankshaft.sections import Material
-from cranktrain.questions.crankshaft.spec import CrankshaftSpec
+from cranktrain.questions.crankshaft.spec import CrankshaftSpec, CrankshaftTable
 from cranktrain.questions.crankshaft.throw_line import WEB_RULES, WebRule
 from cranktrain.record import record
 
 
+class Pulls(NamedTuple):
+    """Constant forces: z [m] and force toward X and Y [N], shape (design, pull) and (design, pull, 2)."""
+
+    z: Array
+    force: Array
+
+
 @record
 class DeclaredCrankshaft:
-    """The crankshaft of the file, arrays of shape (design,) in SI where nothing else is said.
+    """One crankshaft of the file, arrays in SI.
 
     Attributes
     ----------
-    centres : Array, shape (design, throw)
-        z of the throws from the first. [m]
-    bearings : Array, shape (design, throw + 1)
+    shaft : int
+        Which of the machine's shafts.
+    throw : array of int, shape (pin,)
+        Which throw of it each pin belongs to.
+    share : Array, shape (pin,)
+        Which part of that throw's rods is on the pin: ½ where a far piston has two side rods.
+    centres : Array, shape (design, pin)
+        z of the pins' middles. [m]
+    journals : array of bool, shape (pin + 1,)
+        Which journals there are.
+    bearing_names : tuple of str
+    bearings : Array, shape (design, bearing)
         z of the main bearings. [m]
-    journal, pin : Array, shape (design, 2)
+    standing_on : array of int, shape (bearing,)
+        Which journal each stands on, from 0.
+    journal : Array, shape (design, pin + 1, 2)
         Diameter and bore. [m]
-    pin_length, web_thickness, web_width : Array
+    pin : Array, shape (design, pin, 2)
+        Diameter and bore. [m]
+    pin_length : Array, shape (design, pin)
         [m]
+    web_thickness, web_width, planes : Array, shape (design, pin, 2)
+        Of both webs; z of their middles. [m]
     rule : WebRule
-    compliance : Array
-        Of a main bearing, 0 where it is rigid. [m/N]
-    clearance : Array
+    compliance : Array, shape (design, bearing, 2, 2)
+        [m/N]
+    clearance : Array, shape (design, bearing)
         Radial. [m]
-    material : Material
+    settlement : Array, shape (design, bearing, 2)
+        [m]
+    bearing_width : Array, shape (design, bearing)
+        NaN where it is not given. [m]
+    thrust : int
+        Which bearing takes axial forces.
+    pulls : Pulls
+    material : Material, shape (design,)
     is_elastic, has_clearance : bool
-        Whether the file says so of the bearings.
+        Whether the file says so of any bearing.
     """
 
-    needs: ClassVar[str] = N_("[crankshaft]")
-
+    shaft: int
+    throw: NDArray[np.intp]
+    share: Array
     centres: Array
+    journals: NDArray[np.bool_]
+    bearing_names: tuple[str, ...]
     bearings: Array
+    standing_on: NDArray[np.intp]
     journal: Array
     pin: Array
     pin_length: Array
     web_thickness: Array
     web_width: Array
+    planes: Array
     rule: WebRule
     compliance: Array
     clearance: Array
+    settlement: Array
+    bearing_width: Array
+    thrust: int
+    pulls: Pulls
     material: Material
     is_elastic: bool
     has_clearance: bool
 
 
-def declared_crankshaft(designs: Designs) -> DeclaredCrankshaft | None:
+@record
+class DeclaredCrankshafts:
+    """The crankshafts of the file, one for each shaft of which it says so."""
+
+    needs: ClassVar[str] = N_("[crankshaft]")
+
+    each: tuple[DeclaredCrankshaft, ...]
+
+    @property
+    def bearings(self) -> tuple[str, ...]:
+        """Names of all main bearings."""
+        return tuple(name for one in self.each for name in one.bearing_names)
+
+    @property
+    def is_elastic(self) -> bool:
+        """Whether the file says of any bearing how it gives."""
+        return any(one.is_elastic for one in self.each)
+
+    @property
+    def has_clearance(self) -> bool:
+        """Whether it says of any bearing which clearance it has."""
+        return any(one.has_clearance for one in self.each)
+
+
+def declared_crankshafts(designs: Designs) -> DeclaredCrankshafts | None:
     """Put the table to the throws; None where there is none, or nothing says where the throws stand."""
     spec = designs.together.table(CrankshaftSpec)
-    centres = throw_positions(designs.together.shafts[MAIN])
-    if spec is None or centres is None:
+    if spec is None:
         return None
-    beyond = _beyond(spec, centres)
-    middles = [(one + other) / 2 for one, other in pairwise(centres)]
+    shafts = designs.together.shafts
+    tables = {name: table_of(spec, name) for name in shafts}
+    found = [
+        _declared(designs, number, name, table)
+        for number, (name, table) in enumerate(tables.items())
+        if table is not None
+    ]
+    each = tuple(one for one in found if one is not None)
+    return DeclaredCrankshafts(each) if each else None
 
-    def each(number: Array) -> Array:
-        return designs.by_design([number])[:, 0]
 
-    young = spec.young_modulus.array
-    stiffness, clearance = spec.bearing_stiffness, spec.bearing_clearance
+def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable) -> DeclaredCrankshaft | None:
+    pins = line_pins(table, designs.together, name)
+    if pins is None:
+        return None
+    line, by_design = shaft_line(table, pins), designs.by_design
+    bearings = line.bearings
+    prefix = "" if len(designs.together.shafts) == 1 else f"{name}."
+
+    def pairs(ends: Sequence[tuple[Array, Array]]) -> Array:
+        return np.stack([by_design([pair[end] for pair in ends]) for end in (0, 1)], axis=-1)
+
+    planes, places = pairs(line.planes), by_design([bearing.z for bearing in bearings])
+    young = by_design([table.young_modulus.array])[:, 0]
     return DeclaredCrankshaft(
-        centres=designs.by_design(centres),
-        bearings=designs.by_design([centres[0] - beyond, *middles, centres[-1] + beyond]),
-        journal=designs.by_design([spec.journal_diameter.array, spec.journal_bore.array]),
-        pin=designs.by_design([spec.pin_diameter.array, spec.pin_bore.array]),
-        pin_length=each(spec.pin_length.array),
-        web_thickness=each(spec.web_thickness.array),
-        web_width=each(spec.web_width.array),
-        rule=next(rule for rule in WEB_RULES if rule.name == spec.web_length),
-        compliance=each(ZERO if stiffness is None else 1 / stiffness.array),
-        clearance=each(ZERO if clearance is None else clearance.array / 2),
-        material=Material(each(young), each(young / (2 * (1 + spec.poisson_ratio.array)))),
-        is_elastic=stiffness is not None,
-        has_clearance=clearance is not None,
+        shaft=number,
+        throw=np.array([pin.throw for pin in pins], dtype=np.intp),
+        share=np.array([pin.share for pin in pins]),
+        centres=by_design([pin.z for pin in pins]),
+        journals=line.journals,
+        bearing_names=tuple(f"{prefix}{bearing.name}" for bearing in bearings),
+        bearings=places,
+        standing_on=np.sum(planes[0].mean(axis=-1) < places[0][:, np.newaxis], axis=-1, dtype=np.intp),
+        journal=pairs(list(zip(line.journal_diameter, line.journal_bore, strict=True))),
+        pin=pairs(list(zip(line.pin_diameter, line.pin_bore, strict=True))),
+        pin_length=by_design(line.pin_length),
+        web_thickness=pairs(line.web_thickness),
+        web_width=pairs(line.web_width),
+        planes=planes,
+        rule=next(rule for rule in WEB_RULES if rule.name == table.web_length),
+        compliance=_compliance(designs, bearings),
+        clearance=by_design([_half(bearing.table.clearance) for bearing in bearings]),
+        settlement=pairs([_pair(bearing.table.settlement) for bearing in bearings]),
+        bearing_width=by_design([_or_nan(bearing.table.width) for bearing in bearings]),
+        thrust=_thrust(table, bearings),
+        pulls=_pulls(designs, table),
+        material=Material(young, young / (2 * (1 + by_design([table.poisson_ratio.array])[:, 0]))),
+        is_elastic=any(bearing.table.stiffness for bearing in bearings),
+        has_clearance=any(bearing.table.clearance for bearing in bearings),
     )
 
 
-def _beyond(spec: CrankshaftSpec, centres: list[Array]) -> Array:
-    """From the end throws to the bearings beyond them. [m]"""
-    if spec.bearing_distance is not None:
-        return spec.bearing_distance.array
-    return (centres[1] - centres[0]) / 2 if len(centres) > 1 else ZERO
+def _compliance(designs: Designs, bearings: Sequence[LineBearing]) -> Array:
+    """Of every bearing toward X and Y, shape (design, bearing, 2, 2). [m/N]"""
+    found = np.zeros((designs.n_designs, len(bearings), 2, 2))
+    for axis in (0, 1):
+        given = [bearing.table.stiffness for bearing in bearings]
+        found[..., axis, axis] = designs.by_design(
+            [ZERO if stiffness is None else ONE / stiffness[min(axis, len(stiffness) - 1)].array for stiffness in given]
+        )
+    return found
 
 
-def crankshaft_problems(spec: CrankshaftSpec, design: Design) -> Iterator[Problem]:
-    """Find throws that leave no room for a journal, and a single one whose bearings are nowhere."""
-    centres = throw_positions(design.shafts[MAIN])
-    if centres is None:
-        return
-    if len(centres) == 1 and spec.bearing_distance is None:
-        yield Problem("crankshaft.bearing_distance", None, _("is missing: one throw alone does not say it"))
-        return
-    throw = spec.pin_length.si + 2 * spec.web_thickness.si
-    gaps = [float(other - one) for one, other in pairwise(centres)]
-    least = min([2 * float(_beyond(spec, centres)), *gaps])
-    if throw >= least:
-        allowed = _("must leave room for a journal: with two webs {throw:.4g} mm, and there are {least:.4g} mm")
-        said = allowed.format(throw=1e3 * throw, least=1e3 * least)
-        yield Problem("crankshaft.pin_length", spec.pin_length.text, said)
+def _thrust(table: CrankshaftTable, bearings: Sequence[LineBearing]) -> int:
+    names = [bearing.name for bearing in bearings]
+    return len(names) - 1 if table.thrust_bearing is None else names.index(str(table.thrust_bearing))
+
+
+def _pulls(designs: Designs, table: CrankshaftTable) -> Pulls:
+    """Constant forces in the machine's axes: directions count from Y in the normal sense of rotation."""
+    sense = 1.0 if designs.together.orientation.is_clockwise else -1.0
+    pulls = tuple(table.pull.values())
+    size, direction = (
+        designs.by_design([getattr(pull, name).array for pull in pulls]) for name in ("force", "direction")
+    )
+    force = np.stack([size * np.sin(sense * direction), size * np.cos(direction)], axis=-1)
+    return Pulls(designs.by_design([pull.z.array for pull in pulls]), force)
+
+
+def _half(given: Given | None) -> Array:
+    return ZERO if given is None else given.array / 2
+
+
+def _or_nan(given: Given | None) -> Array:
+    return ZERO * np.nan if given is None else given.array
+
+
+def _pair(given: tuple[Given, Given] | None) -> tuple[Array, Array]:
+    return (ZERO, ZERO) if given is None else (given[0].array, given[1].array)

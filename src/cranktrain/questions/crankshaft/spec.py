@@ -1,48 +1,146 @@
-"""The table [crankshaft] of the machine file: sections of a shaft of like throws, and the bearings that it rests on."""
+"""The tables [crankshaft] and [gear.NAME] of the machine file: sections of shafts, their bearings, pulls and gears."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from math import pi
 from typing import Annotated, Literal
 
 from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
-from cranktrain.quantities import Dimension, Given, NonNegativeLength, PositiveLength, PositivePressure, Quantity
+from cranktrain.layout.listed import OneOrMany
+from cranktrain.layout.overridden import OverriddenSpec
+from cranktrain.quantities import (
+    Angle,
+    Dimension,
+    Given,
+    Length,
+    NonNegativeLength,
+    PositiveLength,
+    PositivePressure,
+    Quantity,
+)
 from cranktrain.spec import Spec
 
 Poisson = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=0.5)]
+PositiveForce = Annotated[Given, Quantity(Dimension.FORCE, above=0.0)]
 PositiveStiffness = Annotated[Given, Quantity(Dimension.STIFFNESS, above=0.0)]
+ToothAngle = Annotated[Given, Quantity(Dimension.ANGLE, at_least=0.0, below=pi / 4)]
+HelixAngle = Annotated[Given, Quantity(Dimension.ANGLE, above=-pi / 3, below=pi / 3)]
+
+NEEDED = ("journal_diameter", "pin_diameter", "pin_length", "web_thickness", "web_width")
+"""What every crankshaft must say."""
 
 
-class CrankshaftSpec(Spec, frozen=True):
-    """A crankshaft with a main bearing on either side of every throw; all throws are alike but in angle and radius."""
+class BearingSpec(Spec, frozen=True):
+    """One main bearing, where it is not as all others: that of a journal, by its number, or one more, by its name.
 
-    journal_diameter: PositiveLength = Field(description=N_("Diameter of the main journals."))
-    journal_bore: NonNegativeLength = Field(
-        default=Given(0.0, "0 mm"), description=N_("Bore of the main journals; none unless given.")
+    A stiffness is alike all round, or two: to the right and up. Settlement is how far the bearing stands from the line
+    of the others.
+    """
+
+    z: Length | None = Field(
+        default=None,
+        description=N_("Its middle, from throw 1 toward the flywheel; between throws halfway unless given."),
     )
-    pin_diameter: PositiveLength = Field(description=N_("Diameter of the crank pins."))
-    pin_bore: NonNegativeLength = Field(
-        default=Given(0.0, "0 mm"), description=N_("Bore of the crank pins; none unless given.")
+    stiffness: OneOrMany[PositiveStiffness] | None = Field(
+        default=None, description=N_("Stiffness of the bearing in its housing: all round, or to the right and up.")
     )
-    pin_length: PositiveLength = Field(description=N_("Length of a crank pin, from web to web."))
-    web_thickness: PositiveLength = Field(description=N_("Thickness of a web, along the shaft."))
-    web_width: PositiveLength = Field(description=N_("Width of a web, across the line from journal to pin."))
+    clearance: PositiveLength | None = Field(
+        default=None, description=N_("Difference of the diameters of bearing and journal.")
+    )
+    width: PositiveLength | None = Field(default=None, description=N_("Width that bears, for its specific pressure."))
+    settlement: tuple[Length, Length] | None = Field(
+        default=None, description=N_("How far it stands from the line of the others: to the right, and up.")
+    )
+
+    def _problems(self) -> Iterator[Problem]:
+        """Find more stiffnesses than there are directions."""
+        if self.stiffness is not None and len(self.stiffness) > 2:
+            yield Problem("stiffness", None, _("must be one, all round, or two: to the right, and up"))
+
+
+class PullSpec(Spec, frozen=True):
+    """A constant force on the shaft: the pull of a belt, the weight of a flywheel."""
+
+    z: Length = Field(description=N_("Where it acts, from throw 1 toward the flywheel."))
+    force: PositiveForce = Field(description=N_("Its size."))
+    direction: Angle = Field(
+        description=N_("Where it pulls to, from straight up in the normal sense of rotation; a weight: 180 deg.")
+    )
+
+
+class CrankshaftTable(Spec, frozen=True):
+    """A crankshaft: its pins, webs and journals as one value for all or one for each, and what it rests on.
+
+    Journals are counted from 1, before the first pin, to one more than there are pins. Where `journals` leaves one out
+    between pins, one web leads from pin to pin; at an end, the pin hangs over.
+    """
+
+    journal_diameter: OneOrMany[PositiveLength] | None = Field(
+        default=None, description=N_("Diameter of the main journals: one for all, or one for each.")
+    )
+    journal_bore: OneOrMany[NonNegativeLength] = Field(
+        default=(Given(0.0, "0 mm"),), description=N_("Bore of the main journals; none unless given.")
+    )
+    pin_diameter: OneOrMany[PositiveLength] | None = Field(
+        default=None, description=N_("Diameter of the crank pins: one for all, or one for each.")
+    )
+    pin_bore: OneOrMany[NonNegativeLength] = Field(
+        default=(Given(0.0, "0 mm"),), description=N_("Bore of the crank pins; none unless given.")
+    )
+    pin_length: OneOrMany[PositiveLength] | None = Field(
+        default=None, description=N_("Length of a crank pin, from web to web: one for all, or one for each.")
+    )
+    web_thickness: OneOrMany[PositiveLength] | None = Field(
+        default=None,
+        description=N_("Thickness of a web, along the shaft: one for all, one for each pin, or one for each web."),
+    )
+    web_width: OneOrMany[PositiveLength] | None = Field(
+        default=None, description=N_("Width of a web, across the line from journal to pin, as web_thickness.")
+    )
     web_length: Literal["whole", "ker_wilson"] = Field(
         default="ker_wilson",
         description=N_(
             "How much of a web gives: from axis to axis, or less a fifth of both diameters, as it is stiff within them."
         ),
     )
+    side_rod_distance: PositiveLength | None = Field(
+        default=None,
+        description=N_("Between the two pins of a far piston's side rods, on either side of the near piston's pin."),
+    )
+    journals: tuple[int, ...] | None = Field(
+        default=None,
+        description=N_("Which journals there are, counted from 1; all unless given: one more than there are pins."),
+    )
+    bearings: tuple[int, ...] | None = Field(
+        default=None, description=N_("Which journals rest in a main bearing; all that there are unless given.")
+    )
     bearing_distance: PositiveLength | None = Field(
         default=None,
-        description=N_("From the first and the last throw to the bearing beyond it; half the first gap unless given."),
+        description=N_("From the first and the last pin to the bearing beyond it; half the first gap unless given."),
     )
-    bearing_stiffness: PositiveStiffness | None = Field(
-        default=None, description=N_("Stiffness of a main bearing in its housing, alike all round; rigid unless given.")
+    bearing_stiffness: OneOrMany[PositiveStiffness] | None = Field(
+        default=None,
+        description=N_(
+            "Stiffness of a main bearing in its housing: all round, or to the right and up; rigid unless given."
+        ),
     )
     bearing_clearance: PositiveLength | None = Field(
         default=None, description=N_("Difference of the diameters of bearing and journal; with it that method, too.")
+    )
+    bearing_width: PositiveLength | None = Field(
+        default=None, description=N_("Width that bears of a main bearing, for its specific pressure.")
+    )
+    thrust_bearing: str | Annotated[int, Field(ge=1)] | None = Field(
+        default=None,
+        description=N_("Which bearing takes axial forces, as those of helical gears; the last unless given."),
+    )
+    bearing: Mapping[str, BearingSpec] = Field(
+        default={}, description=N_("Bearings that are not as all others, by the number of the journal, or by name.")
+    )
+    pull: Mapping[str, PullSpec] = Field(
+        default={}, description=N_("Constant forces on the shaft by name: a belt's pull, the weight of a flywheel.")
     )
     young_modulus: PositivePressure = Field(
         default=Given(206e9, "206 GPa"), description=N_("Young's modulus of the shaft; that of steel unless given.")
@@ -52,9 +150,65 @@ class CrankshaftSpec(Spec, frozen=True):
     )
 
     def _problems(self) -> Iterator[Problem]:
-        """Find bores that leave nothing."""
-        for name in ("journal", "pin"):
-            bore, diameter = getattr(self, f"{name}_bore"), getattr(self, f"{name}_diameter")
-            if bore.si >= diameter.si:
-                allowed = _("must be less than {name}_diameter = {diameter}")
-                yield Problem(f"{name}_bore", bore.text, allowed.format(name=name, diameter=diameter.text))
+        """Find journals and bearings that are named twice or are not there, and too many stiffnesses."""
+        for name in ("journals", "bearings"):
+            numbers = getattr(self, name)
+            if numbers is not None and (len(set(numbers)) < len(numbers) or not numbers):
+                yield Problem(name, None, _("must name each journal once, and one at least"))
+        if self.bearing_stiffness is not None and len(self.bearing_stiffness) > 2:
+            yield Problem("bearing_stiffness", None, _("must be one, all round, or two: to the right, and up"))
+
+
+class CrankshaftSpec(CrankshaftTable, OverriddenSpec, frozen=True):
+    """The crankshaft, or what all of them have in common, and `overrides` by the names of their shafts."""
+
+    overrides: Mapping[str, CrankshaftTable] = Field(
+        default={}, alias="NAME (a shaft)", description=N_("What the crankshaft of one shaft has of its own.")
+    )
+
+
+class GearSpec(Spec, frozen=True):
+    """A gear through which a shaft hands on its torque: to another shaft, or off where it is the only one named.
+
+    The last shaft of all hands its torque on at its last end, or through a gear of its own. All shafts turn alike fast,
+    so both gears are alike; between them there may be others.
+    """
+
+    shafts: OneOrMany[str] = Field(
+        description=N_("Which shaft hands its torque on, and to which; with one name the torque leaves the machine.")
+    )
+    z: OneOrMany[Length] = Field(
+        description=N_("Where the gear sits, from throw 1 toward the flywheel: one place, or one on each shaft.")
+    )
+    radius: PositiveLength = Field(description=N_("Radius of the pitch circle."))
+    direction: OneOrMany[Angle] | None = Field(
+        default=None,
+        description=N_(
+            "Where the teeth mesh, from the shaft's centre, counted from straight up in the normal sense of rotation:"
+            " one for each shaft; unless given, on the line of both centres."
+        ),
+    )
+    pressure_angle: ToothAngle = Field(
+        default=Given(pi / 9, "20 deg"),
+        description=N_("Pressure angle of the teeth, normal to them; 20° unless given."),
+    )
+    helix_angle: HelixAngle = Field(
+        default=Given(0.0, "0 deg"),
+        description=N_(
+            "Helix angle of the first gear: more than 0 where its driving teeth are pushed toward the flywheel."
+        ),
+    )
+
+    def _problems(self) -> Iterator[Problem]:
+        """Find more shafts than a mesh has, and lists that are not as long as theirs."""
+        n = len(self.shafts)
+        if n > 2 or len(set(self.shafts)) < n:
+            yield Problem("shafts", None, _("must be one shaft, or two different ones: from the first to the second"))
+        for name in ("z", "direction"):
+            values = getattr(self, name)
+            if values is not None and len(values) not in (1, n):
+                yield Problem(name, None, _("must be one, or one for each of the shafts: {n}").format(n=n))
+        if n == 1 and self.direction is None:
+            yield Problem(
+                "direction", None, _("is missing: only between two shafts is it on the line of their centres")
+            )

@@ -8,14 +8,13 @@ from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, points_together
-from cranktrain.questions.crankshaft.acting import LoadedShaft
+from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, residuals
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
-from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, on_axis
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.peaks import largest_of_machine, one_sided
@@ -64,10 +63,9 @@ class MainBearingLoads(StageResult):
 
 
 def main_bearing_loads(
-    loaded: LoadedShaft,
-    declared: DeclaredCrankshaft,
+    loaded: LoadedShafts,
+    declared: DeclaredCrankshafts,
     solved: SolvedCycle,
-    shafts: Shafts,
     events: ForceEvents,
     crank_angle: CrankAngle,
 ) -> MainBearingLoads:
@@ -79,28 +77,36 @@ def main_bearing_loads(
     """
     methods = methods_for(declared)
     acting = loaded.loads(crank_angle.angle, solved.batches)
-    found = [method.loads(loaded.shaft, acting) for method in methods]
-    curves = np.stack([one.load for one in found], axis=1)
-
-    def sizes(angle: Array) -> Array:
-        """Of every method's bearings at φ, shape (design, method · bearing, n)."""
-        own = loaded.loads(angle)
-        each = [np.hypot(*np.moveaxis(method.loads(loaded.shaft, own).load, 2, 0)) for method in methods]
-        return np.concatenate(each, axis=1)
-
+    found = [[method.loads(one.shaft, own) for one, own in zip(loaded.each, acting, strict=True)] for method in methods]
+    curves = np.stack([np.concatenate([own.load for own in each], axis=1) for each in found], axis=1)
     samples = np.hypot(curves[:, :, :, 0], curves[:, :, :, 1])
     shape = samples.shape[:3]
+
+    def sizes(angle: Array) -> Array:
+        return bearing_load_sizes(loaded, methods, angle)
+
     most = largest_of_machine(sizes, samples.reshape(shape[0], -1, samples.shape[-1]), events, crank_angle)
-    named = [f"{method.name} {bearing}" for method in methods for bearing in shafts.journals]
+    named = [f"{method.name} {bearing}" for method in methods for bearing in declared.bearings]
     return MainBearingLoads(
         main_bearing_load_x=curves[:, :, :, 0],
         main_bearing_load_y=curves[:, :, :, 1],
         largest_bearing_load=Peak(*(part.reshape(shape) for part in most)),
         mean_bearing_load=_means(loaded, methods, events, crank_angle).reshape(shape),
-        labels={"bearing_method": tuple(method.name for method in methods), "bearing": shafts.journals},
+        labels={"bearing_method": tuple(method.name for method in methods), "bearing": declared.bearings},
         checks=(_check(loaded, acting, found),),
         flags=tuple(one_sided([(_("largest load of a main bearing"), most)], named)),
     )
+
+
+def bearing_load_sizes(loaded: LoadedShafts, methods: Sequence[BearingMethod], angle: Array) -> Array:
+    """Sizes of the loads of every method's bearings at φ, shape (design, method · bearing, n). [N]"""
+    acting = loaded.loads(angle)
+    each = [
+        np.hypot(*np.moveaxis(method.loads(one.shaft, own).load, 2, 0))
+        for method in methods
+        for one, own in zip(loaded.each, acting, strict=True)
+    ]
+    return np.concatenate(each, axis=1)
 
 
 def title_of(name: str) -> str:
@@ -108,7 +114,7 @@ def title_of(name: str) -> str:
     return next(_(method.title) for method in BEARING_METHODS if method.name == name)
 
 
-def methods_for(declared: DeclaredCrankshaft) -> tuple[BearingMethod, ...]:
+def methods_for(declared: DeclaredCrankshafts) -> tuple[BearingMethod, ...]:
     """Methods that the file has numbers for: elastic bearings need a stiffness, loose ones a clearance."""
     return tuple(
         method
@@ -118,21 +124,21 @@ def methods_for(declared: DeclaredCrankshaft) -> tuple[BearingMethod, ...]:
 
 
 def _means(
-    loaded: LoadedShaft, methods: Sequence[BearingMethod], events: ForceEvents, crank_angle: CrankAngle
+    loaded: LoadedShafts, methods: Sequence[BearingMethod], events: ForceEvents, crank_angle: CrankAngle
 ) -> Array:
     """Mean sizes over the cycle, shape (design, method · bearing). [N]"""
     angle, weight = points_together(events.whole - crank_angle.zero[:, 0], _WIDEST, crank_angle.cycle)
-    acting = loaded.loads(angle + crank_angle.zero)
-    each = [np.hypot(*np.moveaxis(method.loads(loaded.shaft, acting).load, 2, 0)) for method in methods]
-    return np.sum(np.concatenate(each, axis=1) * weight, axis=-1) / crank_angle.cycle
+    sizes = bearing_load_sizes(loaded, methods, angle + crank_angle.zero)
+    return np.sum(sizes * weight, axis=-1) / crank_angle.cycle
 
 
-def _check(loaded: LoadedShaft, acting: ShaftLoads, found: Sequence[BearingLoads]) -> Check:
+def _check(loaded: LoadedShafts, acting: Sequence[ShaftLoads], found: Sequence[Sequence[BearingLoads]]) -> Check:
     """Whether the bearings balance all that acts, in force and in moment, by every method."""
-    worst = np.zeros(len(acting.z))
-    for one in found:
-        left = residuals(loaded.shaft.supports, on_axis(acting), one)
-        for part, scale in ((left.force, left.largest_force), (left.moment, left.largest_moment)):
-            worst = np.maximum(worst, np.max(part / np.where(scale > 0, scale, 1.0), axis=-1))
+    worst = np.zeros(len(acting[0].z))
+    for each in found:
+        for one, own, borne in zip(loaded.each, acting, each, strict=True):
+            left = residuals(one.shaft.supports, on_axis(own), borne)
+            for part, scale in ((left.force, left.largest_force), (left.moment, left.largest_moment)):
+                worst = np.maximum(worst, np.max(part / np.where(scale > 0, scale, 1.0), axis=-1))
     sentence = _("Sum of all bearing loads and their moments against all that acts on the shaft, by every method")
     return Check("bearing_loads", sentence, worst, _LIMIT)

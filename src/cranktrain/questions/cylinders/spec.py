@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Annotated, Any, ClassVar, Literal, cast
+from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
+from cranktrain.layout.overridden import OverriddenSpec
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import Angle, Dimension, Given, PositiveLength, Pressure, Quantity, one_of
 from cranktrain.spec import Spec
@@ -71,11 +72,7 @@ def ratio_of(table: CylinderSpec) -> tuple[str, Given] | None:
     return "clearance", replace(room, si=1 + 1 / room.si, column=column)
 
 
-OVERRIDES = "NAME (a bank or cylinder)"
-"""How the keys of [cylinder] name the tables of single banks and cylinders."""
-
-
-class CylindersSpec(CylinderSpec, frozen=True):
+class CylindersSpec(CylinderSpec, OverriddenSpec, frozen=True):
     """All cylinders: their common dimensions, cycle, firing and friction, and `overrides` by bank or cylinder.
 
     Firing is an order, or the crank angles at which the cylinders fire, as they are shown: one for each cylinder in the
@@ -111,10 +108,10 @@ class CylindersSpec(CylinderSpec, frozen=True):
         description=N_("Work that friction takes in a cycle, over the displacement; it is no absolute pressure."),
     )
     overrides: Mapping[str, CylinderSpec] = Field(
-        default={}, alias=OVERRIDES, description=N_("What one bank or one cylinder has of its own.")
+        default={},
+        alias="NAME (a bank or cylinder)",
+        description=N_("What one bank or one cylinder has of its own."),
     )
-
-    others: ClassVar = "overrides"
 
     @property
     def cycle_length(self) -> float | None:
@@ -139,19 +136,3 @@ class CylindersSpec(CylinderSpec, frozen=True):
         if self.friction_pressure is not None and self.friction_pressure.text.endswith(_GAUGE):
             allowed = _("must be in a unit that is not gauge, as bar or kPa: it is work over volume")
             yield Problem("friction_pressure", None, allowed)
-
-    @model_validator(mode="before")
-    @classmethod
-    def _tables_are_overrides(cls, data: object) -> object:
-        """Take `[cylinder.R]` and `[cylinder.2L]` as what bank R and piston 2L have of their own."""
-        if not isinstance(data, Mapping):
-            return data
-        table = cast(Mapping[str, Any], data)
-        keys = [name for name in cls.model_fields if name != cls.others]
-        own = {
-            name: cast(object, value)
-            for name, value in table.items()
-            if isinstance(value, Mapping) and name not in keys
-        }
-        common = {name: value for name, value in table.items() if name not in own}
-        return common | {OVERRIDES: own} if own else common

@@ -64,7 +64,7 @@ def test_throws_in_line():
     np.testing.assert_array_equal(pieces.angle, [[0.0, 0.3, 0.0, -2.0, 0.0]])
     assert pieces.axial[0, 1] == pytest.approx(206e9 * np.pi / 4 * 0.05**2)
     width = np.array([[[0.1, 0.11], [0.12, 0.13]]])
-    webs = webs_of_throws(web_section(width, 0.2 * width, STEEL), journal, pin, WEB_RULES[1])
+    webs = webs_of_throws(throws, web_section(width, 0.2 * width, STEEL), journal, pin, WEB_RULES[1])
     np.testing.assert_allclose(webs.axial, 206e9 * 0.2 * width.reshape(1, 4) ** 2)
     ends = [[0.06, 0.05], [0.05, 0.07], [0.07, 0.055], [0.055, 0.08]]
     np.testing.assert_allclose(webs.rigid, 0.2 * np.array([ends]), rtol=1e-15)
