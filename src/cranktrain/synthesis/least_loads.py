@@ -5,12 +5,14 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.synthesis.centres import Barred, Measured, centres, outside
+from cranktrain.synthesis.centres import Measured, centres, outside
 
 ALIKE = 1e-6
-"""Of the least: what is above it by no more than this part is as good, and of that the smallest unknowns are taken."""
-_LEFT, _LEFT_OF_SMALLEST = 1e-9, 1e-8
-"""How far the last centre may be from the minimum, in parts of the largest vector, and of all unknowns."""
+"""Of the least: what is above it by no more than this part is as good, and of that what else matters decides."""
+_LEFT, _LEFT_OF_REST = 1e-9, 1e-8
+"""How far the last centre may be from the minimum, in parts of the largest vector, and of what else matters."""
+_SMALL = 1e-6
+"""What an unknown counts of itself among what else matters."""
 
 
 class Vectors(NamedTuple):
@@ -30,13 +32,49 @@ class Vectors(NamedTuple):
         return self.base + self.change @ unknown
 
 
+class Rest(NamedTuple):
+    """What else matters where several unknowns are as good: ½ uᵀ C u + sᵀ u, of unknowns u; C of shape (n, n)."""
+
+    slope: Array
+    curvature: Array
+
+    def with_barrier(self, barrier: Measured, unknown: Array, sharpness: float) -> Measured:
+        """Add it, times a sharpness, to what keeps unknowns within their room."""
+        slope = self.slope + self.curvature @ unknown
+        return Measured(
+            barrier.value + 0.5 * sharpness * float(unknown @ (slope + self.slope)),
+            barrier.slope + sharpness * slope,
+            barrier.curvature + sharpness * self.curvature,
+        )
+
+
+def mean_square(vectors: Vectors, weight: Array) -> Rest:
+    """What half the mean square of plane vectors is of the unknowns, in parts of the largest vector.
+
+    Parameters
+    ----------
+    vectors : Vectors
+    weight : Array, shape (point,)
+        Of each vector's square in the mean.
+
+    Returns
+    -------
+    Rest
+        With a little of the unknowns themselves, for those that change no vector.
+    """
+    scale = _scale(vectors)
+    change, base = vectors.change / scale, vectors.base / scale
+    curvature = _across(Vectors(base, change), base, weight, np.zeros(len(base)))
+    return Rest(np.einsum("kiu,ki->u", change, weight[:, np.newaxis] * base), curvature + _SMALL * np.eye(len(curvature)))
+
+
 class Least(NamedTuple):
     """A minimum.
 
     Attributes
     ----------
     unknown : Array, shape (unknown,)
-        Where it is; of all that are as good but for `ALIKE`, the smallest.
+        Where it is; of all that are as good but for `ALIKE`, those for which the rest is least.
     value : float
         How much.
     bound : float
@@ -48,12 +86,13 @@ class Least(NamedTuple):
     bound: float
 
 
-def least_largest(vectors: Vectors, *, turns: bool) -> Least:
+def least_largest(vectors: Vectors, rest: Rest, *, turns: bool) -> Least:
     """Unknowns for which the largest of some plane vectors is the smallest.
 
     Parameters
     ----------
     vectors : Vectors
+    rest : Rest
     turns : bool
         Whether unknowns are components of plane vectors of length 1 at most, all first ones before all second ones;
         else each is from 0 to 1.
@@ -69,7 +108,7 @@ def least_largest(vectors: Vectors, *, turns: bool) -> Least:
     Examples
     --------
     >>> vectors = Vectors(np.array([[3.0, 1.0], [1.0, 0.0]]), np.array([[[-4.0], [0.0]], [[-4.0], [0.0]]]))
-    >>> found = least_largest(vectors, turns=False)
+    >>> found = least_largest(vectors, mean_square(vectors, np.ones(2)), turns=False)
     >>> round(float(found.unknown[0]), 4), round(found.value, 4)
     (0.5625, 1.25)
     """
@@ -92,7 +131,7 @@ def least_largest(vectors: Vectors, *, turns: bool) -> Least:
         return Measured(float(sharpness * most - np.sum(np.log(room))) + own.value, slope, curvature)
 
     def below(place: Array, sharpness: float) -> Measured:
-        vector, own = scaled.at(place), _small(place, sharpness, turns=turns)
+        vector, own = scaled.at(place), rest.with_barrier(_within(place, turns=turns), place, sharpness)
         room = cap**2 - np.sum(vector**2, axis=1)
         if np.any(room <= 0):
             return outside(place.size)
@@ -110,11 +149,12 @@ def least_largest(vectors: Vectors, *, turns: bool) -> Least:
         dual = vector / (most**2 - np.sum(vector**2, axis=1))[:, np.newaxis]
         bound = max(bound, _bound(scaled, dual / np.sum(_sizes(dual)), turns=turns))
     cap = (1 + ALIKE) * np.max(_sizes(scaled.at(unknown)))
-    unknown = _smallest(below, unknown, parameter)
+    for centre in centres(below, unknown, parameter, _LEFT_OF_REST):
+        unknown = centre.place
     return Least(unknown, scale * float(np.max(_sizes(scaled.at(unknown)))), scale * bound)
 
 
-def least_mean(vectors: Vectors, weight: Array, *, turns: bool) -> Least:
+def least_mean(vectors: Vectors, weight: Array, rest: Rest, *, turns: bool) -> Least:
     """Unknowns for which the mean size of some plane vectors is the smallest.
 
     Parameters
@@ -122,6 +162,7 @@ def least_mean(vectors: Vectors, weight: Array, *, turns: bool) -> Least:
     vectors : Vectors
     weight : Array, shape (point,)
         Of each vector's size in the mean; of 0 it does not count.
+    rest : Rest
     turns : bool
         As `least_largest` takes it.
 
@@ -136,7 +177,8 @@ def least_mean(vectors: Vectors, weight: Array, *, turns: bool) -> Least:
     Examples
     --------
     >>> vectors = Vectors(np.array([[3.0, 0.0], [1.0, 0.0]]), np.array([[[-4.0], [0.0]], [[-4.0], [0.0]]]))
-    >>> found = least_mean(vectors, np.array([0.75, 0.25]), turns=False)
+    >>> share = np.array([0.75, 0.25])
+    >>> found = least_mean(vectors, share, mean_square(vectors, share), turns=False)
     >>> round(float(found.unknown[0]), 4), round(found.value, 4)
     (0.75, 0.5)
     """
@@ -146,7 +188,7 @@ def least_mean(vectors: Vectors, weight: Array, *, turns: bool) -> Least:
     parameter = 2.0 * (len(scaled.base) + start.size)
 
     def measured(place: Array, sharpness: float) -> Measured:
-        own = _small(place, ALIKE * sharpness, turns=turns)
+        own = rest.with_barrier(_within(place, turns=turns), place, ALIKE * sharpness)
         vector, sharp = scaled.at(place), sharpness * share
         root, most = _over(_sizes(vector), sharp)
         return Measured(
@@ -162,23 +204,6 @@ def least_mean(vectors: Vectors, weight: Array, *, turns: bool) -> Least:
         _root, most = _over(_sizes(vector), centre.sharpness * share)
         bound = max(bound, _bound(scaled, (share / most)[:, np.newaxis] * vector, turns=turns))
     return Least(unknown, scale * float(np.sum(share * _sizes(scaled.at(unknown)))), scale * bound)
-
-
-def _smallest(below: Barred, unknown: Array, parameter: float) -> Array:
-    """The smallest unknowns of those that are as good."""
-    for centre in centres(below, unknown, parameter, _LEFT_OF_SMALLEST):
-        unknown = centre.place
-    return unknown
-
-
-def _small(unknown: Array, sharpness: float, *, turns: bool) -> Measured:
-    """Half the squares of the unknowns, within their room."""
-    own = _within(unknown, turns=turns)
-    return Measured(
-        own.value + 0.5 * sharpness * float(unknown @ unknown),
-        own.slope + sharpness * unknown,
-        own.curvature + sharpness * np.eye(unknown.size),
-    )
 
 
 def _within(unknown: Array, *, turns: bool) -> Measured:

@@ -5,13 +5,15 @@ from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
-from cranktrain.synthesis.least_loads import Least, Vectors, least_largest, least_mean
+from cranktrain.synthesis.least_loads import Least, Rest, Vectors, least_largest, least_mean, mean_square
 from cranktrain.synthesis.weighted_shaft import ASIDE, WeightedShaft
 
 _REACHED = 1e-7
 """Of the largest load: by how much the machine's own may be above that of the points chosen."""
 _NEAR = 1e-2
 """Peaks that are lower by more than this part may wait."""
+_IDLE = 1e-6
+"""Of the largest load: an unknown that changes loads by less may as well be 0."""
 _EVERY, _MOST_ROUNDS = 15, 100
 
 
@@ -30,10 +32,10 @@ def least_mean_load(shaft: WeightedShaft, *, turns: bool) -> Least:
         [N]
     """
     angle, weight = shaft.quadrature()
-    base, change = shaft.vectors(angle)
+    base, change = shaft.relieved(angle)
     n_bearings = len(base)
-    vectors = Vectors(base.reshape(-1, 2), change.reshape(-1, 2, change.shape[-1]))
-    return least_mean(vectors, np.tile(weight, n_bearings) / n_bearings, turns=turns)
+    share = np.tile(weight, n_bearings) / n_bearings
+    return least_mean(_in_line(base, change), share, _of_all(shaft), turns=turns)
 
 
 def least_largest_load(shaft: WeightedShaft, *, turns: bool) -> Least:
@@ -56,13 +58,14 @@ def least_largest_load(shaft: WeightedShaft, *, turns: bool) -> Least:
     no peak of the machine's own curves is higher. docs/theory/synthesis, eq. (8.36).
     """
     grid = shaft.crank_angle.shown
-    base, change = shaft.vectors(grid)
+    base, change = shaft.relieved(grid)
+    rest = _of_all(shaft)
     counts = np.zeros(base.shape[:2], dtype=np.bool_)
     counts[:, ::_EVERY] = True
     between = Vectors(np.empty((0, 2)), np.empty((0, 2, change.shape[-1])))
     for _round in range(_MOST_ROUNDS):
         chosen = Vectors(*map(np.concatenate, zip((base[counts], change[counts]), between, strict=True)))
-        least = least_largest(chosen, turns=turns)
+        least = least_largest(chosen, rest, turns=turns)
         sizes = np.hypot(*np.moveaxis(base + change @ least.unknown, -1, 0))
         peak = shaft.largest(least.unknown, sizes)
         top = float(np.max(peak.value))
@@ -72,6 +75,25 @@ def least_largest_load(shaft: WeightedShaft, *, turns: bool) -> Least:
         more = _between(shaft, sizes, peak, (1 - _NEAR) * least.value)
         between = Vectors(*map(np.concatenate, zip(between, more, strict=True)))
     return least._replace(value=top)
+
+
+def _in_line(base: Array, change: Array) -> Vectors:
+    """Loads of several bearings one after another."""
+    return Vectors(base.reshape(-1, 2), change.reshape(-1, 2, change.shape[-1]))
+
+
+def _of_all(shaft: WeightedShaft) -> Rest:
+    """What decides among unknowns that are as good: the mean square of the loads of all bearings."""
+    vectors = _in_line(*shaft.vectors(shaft.crank_angle.shown))
+    return mean_square(vectors, np.full(len(vectors.base), 1 / len(vectors.base)))
+
+
+def without_idle(shaft: WeightedShaft, unknown: Array, *, turns: bool) -> Array:
+    """Unknowns, of which those are 0 that change next to nothing."""
+    base, change = shaft.vectors(shaft.crank_angle.shown)
+    most = np.max(np.abs(change * unknown), axis=(0, 1, 2)).reshape(2 if turns else 1, -1)
+    is_idle = np.max(most, axis=0) < _IDLE * np.max(np.abs(base))
+    return np.where(np.tile(is_idle, 2 if turns else 1), 0.0, unknown)
 
 
 def _peaks(sizes: Array) -> NDArray[np.bool_]:
@@ -89,5 +111,5 @@ def _between(shaft: WeightedShaft, sizes: Array, peak: Peak, least: float) -> Ve
     highest = np.flatnonzero(peak.value > least)
     angle = np.append(grid[place] + way * (grid[1] - grid[0]), peak.angle[highest] + ASIDE * peak.side[highest])
     own = np.append(bearing, highest)
-    base, change = shaft.vectors(angle)
+    base, change = shaft.relieved(angle)
     return Vectors(base[own, np.arange(own.size)], change[own, np.arange(own.size)])

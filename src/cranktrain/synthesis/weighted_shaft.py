@@ -13,7 +13,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, largest_between, points_together
-from cranktrain.questions.crankshaft.acting import LoadedShaft
+from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.record import record
@@ -30,28 +30,31 @@ class WeightedShaft:
 
     Attributes
     ----------
-    shaft : LoadedShaft
+    shafts : LoadedShafts
         Of several designs: the first with all unknowns `at`, each other with one of them more by `more`.
+    which : int
+        Which of the crankshafts it is.
     at : Array, shape (unknown,)
     more : float
     method : BearingMethod
         A linear one.
-    bearings : sequence of int
-        Which bearings are spoken of.
+    bearings : list of int
+        Which of its bearings are spoken of.
     events : ForceEvents
     crank_angle : CrankAngle
     """
 
-    shaft: LoadedShaft
+    shafts: LoadedShafts
+    which: int
     at: Array
     more: float
     method: BearingMethod
-    bearings: Sequence[int]
+    bearings: list[int]
     events: ForceEvents
     crank_angle: CrankAngle
 
     def vectors(self, shown: Array) -> tuple[Array, Array]:
-        """Loads at crank angles, and how unknowns change them.
+        """Loads of all its bearings at crank angles, and how unknowns change them.
 
         Parameters
         ----------
@@ -66,16 +69,22 @@ class WeightedShaft:
             [N]
         """
         n_designs = len(self.crank_angle.zero)
-        acting = self.shaft.loads(np.broadcast_to(shown, (n_designs, 1, shown.size)) + self.crank_angle.zero)
-        load = np.moveaxis(self.method.loads(self.shaft.shaft, acting).load[:, self.bearings], 2, 3)
+        acting = self.shafts.loads(np.broadcast_to(shown, (n_designs, 1, shown.size)) + self.crank_angle.zero)
+        shaft = self.shafts.each[self.which].shaft
+        load = np.moveaxis(self.method.loads(shaft, acting[self.which]).load, 2, 3)
         change = np.moveaxis(load[1:] - load[0], 0, -1) / self.more
         return load[0] - change @ self.at, change
+
+    def relieved(self, shown: Array) -> tuple[Array, Array]:
+        """The same of those bearings that are spoken of."""
+        base, change = self.vectors(shown)
+        return base[self.bearings], change[self.bearings]
 
     def largest(self, unknown: Array, sizes: Array) -> Peak:
         """Largest loads, refined on the machine; sizes are those on the grid, shape (bearing, n)."""
 
         def curves(which: NDArray[np.intp], shown: Array) -> Array:
-            base, change = self.vectors(shown.ravel())
+            base, change = self.relieved(shown.ravel())
             size = np.hypot(*np.moveaxis(base + change @ unknown, -1, 0))
             return size.reshape(-1, *shown.shape)[which, np.arange(which.size)]
 
@@ -89,17 +98,12 @@ class WeightedShaft:
         return angle[0, 0], weight[0, 0] / self.crank_angle.cycle
 
 
-def lacking_for_loads(machine: Machine) -> tuple[str, ...] | None:
-    """What a machine's file lacks for loads of its main bearings; None where they are known."""
-    return lacking(STAGES, parts_of((machine,), step=FACTS_STEP)).get(LoadedShaft)
-
-
 def weighted_shaft(
-    designs: Sequence[Machine], at: Array, more: float, method: BearingMethod, bearings: Sequence[int]
+    designs: Sequence[Machine], at: Array, more: float, which: int, method: BearingMethod, bearings: list[int]
 ) -> WeightedShaft:
     """Lay the shaft of some designs out, which differ in weights alone; all is as in `WeightedShaft`."""
     parts = parts_of(designs, step=FACTS_STEP)
-    wanted = leading_to(STAGES, [LoadedShaft, ForceEvents])
+    wanted = leading_to(STAGES, [LoadedShafts, ForceEvents])
     found: dict[type, Any] = run_stages(wanted, parts, lacking(STAGES, parts))
     grid: Any = parts[CrankAngle]
-    return WeightedShaft(found[LoadedShaft], at, more, method, bearings, found[ForceEvents], grid)
+    return WeightedShaft(found[LoadedShafts], which, at, more, method, bearings, found[ForceEvents], grid)

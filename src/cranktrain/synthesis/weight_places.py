@@ -1,0 +1,157 @@
+"""Where counterweights may stand on a crankshaft, how heavy they may be there, and what would be a full one."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from cranktrain.analysis import run
+from cranktrain.errors import Problem
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.quantities import Given, unlisted
+from cranktrain.questions.balance.spec import WeightSpec
+from cranktrain.questions.balance.weights import BalanceWeights
+from cranktrain.questions.crankshaft.laid import LaidShaft
+
+_SOLVED_FOR = ("counterweights", "share", "planes")
+"""Keys of [balance] that say which counterweights are solved for."""
+
+
+class WeightPlace(NamedTuple):
+    """Where a counterweight may stand.
+
+    Attributes
+    ----------
+    throw : int
+        Counted from 1.
+    z : float or None
+        Of the web that carries it; None where both webs of the throw do. [m]
+    opposite : float
+        Where it stands at crank angle 0 of throw 1, ahead of throw 1, if it stands opposite its throw. [rad]
+    crank_radius : float
+        [m]
+    full : float
+        Mass times radius of what takes away all that rotates there. [kg·m]
+    """
+
+    throw: int
+    z: float | None
+    opposite: float
+    crank_radius: float
+    full: float
+
+
+class Kept(NamedTuple):
+    """What of [balance] stays: its tables, its weights on the crankshaft's throws; and paths of what is taken out."""
+
+    table: Mapping[str, Any]
+    weights: tuple[WeightSpec, ...]
+    taken_out: tuple[str, ...]
+
+
+def kept_balance(machine: Machine, *, afresh: bool) -> Kept:
+    """What stays of the file's [balance]: afresh all but its counterweights, given or solved for."""
+    declared: Mapping[str, Any] = machine.declared.get("balance", {})
+    every = () if machine.balance is None else machine.balance.weight
+    directions = _directions(machine)
+
+    def stays(weight: WeightSpec) -> bool:
+        side = None if weight.throw is None else np.cos(_angle(weight, directions) - directions[weight.throw - 1])
+        return not afresh or side is None or bool(side > 0)
+
+    given = tuple(declared.get("weight", ()))
+    staying = [stays(weight) for weight in every]
+    solved_for = tuple(key for key in _SOLVED_FOR if key in declared) if afresh else ()
+    table = {key: value for key, value in declared.items() if key not in (*solved_for, "weight")}
+    weights = tuple(one for one, stay in zip(given, staying, strict=True) if stay)
+    return Kept(
+        {**table, "weight": weights} if weights else table,
+        tuple(one for one, stay in zip(every, staying, strict=True) if stay),
+        (
+            *(f"balance.{key}" for key in solved_for),
+            *(f"balance.weight[{i}]" for i, stay in enumerate(staying) if not stay),
+        ),
+    )
+
+
+def throw_places(machine: Machine, laid: LaidShaft, kept: Kept) -> list[WeightPlace]:
+    """A place on each throw of the crankshaft, whose webs carry alike."""
+    full, radius = full_moments(machine, kept), laid.shaft.pieces.radius[0, laid.pins]
+    directions = _directions(machine)
+    first = [int(np.flatnonzero(laid.declared.throw == n)[0]) for n in range(len(directions))]
+    return [
+        WeightPlace(n + 1, None, float(directions[n] + np.pi), float(radius[pin]), float(full[n]))
+        for n, pin in enumerate(first)
+    ]
+
+
+def web_places(of_throws: Sequence[WeightPlace], laid: LaidShaft) -> list[WeightPlace]:
+    """A place on each web of the crankshaft, along the shaft; each is half as heavy as on a throw of two."""
+    found: dict[int, WeightPlace] = {}
+    for pin, webs in enumerate(laid.webs):
+        place = of_throws[int(laid.declared.throw[pin])]
+        own = [side for side in (0, 1) if webs[side] >= 0]
+        for side in own:
+            z = float(laid.declared.planes[0, pin, side])
+            found.setdefault(int(webs[side]), place._replace(z=z, full=place.full / len(own)))
+    return [found[web] for web in sorted(found)]
+
+
+def full_moments(machine: Machine, kept: Kept) -> Array:
+    """What takes away all that rotates on each throw of the crankshaft, the webs of [balance] too. [kg·m]"""
+    solved = run(machine.with_({"balance": {"counterweights": "rotating"}}), quantities="balance_weight_moment")
+    weights, names = solved[BalanceWeights], solved.labels["weight"]
+    directions = _directions(machine)
+    full = np.zeros(directions.size)
+    for n, direction in enumerate(directions):
+        name = _("throw {throw}").format(throw=n + 1)
+        if name in names:
+            own = names.index(name)
+            ahead = weights.balance_weight_angle[0, own] - direction - np.pi
+            full[n] = np.nan_to_num(weights.balance_weight_moment[0, own] * np.cos(ahead))
+    for weight in kept.weights:
+        if weight.throw is not None:
+            n = weight.throw - 1
+            full[n] += weight.mass.si * weight.radius.si * np.cos(_angle(weight, directions) - directions[n])
+    return full
+
+
+def chosen_throws(text: str | None, n_throws: int) -> tuple[list[int], list[Problem]]:
+    """Read which throws may have weights, counted from 1: `1,4`; all unless given."""
+    if text is None or text.strip().casefold() == "all":
+        return list(range(1, n_throws + 1)), []
+    known = [str(n) for n in range(1, n_throws + 1)]
+    named = [word.strip() for word in text.split(",")]
+    problems = [unlisted("throws", word, known) for word in named if word not in known]
+    return [n for n in range(1, n_throws + 1) if str(n) in named], problems
+
+
+def alike_places(places: Sequence[WeightPlace], alike: str, n_throws: int) -> Iterator[list[int]]:
+    """Groups of places that have one weight's numbers: all, those as far from both ends, or each alone."""
+    if alike == "alike":
+        yield list(range(len(places)))
+        return
+    if alike != "mirrored":
+        yield from ([i] for i in range(len(places)))
+        return
+    throws = [place.throw for place in places]
+    for i, throw in enumerate(throws):
+        other = n_throws + 1 - throw
+        if other not in throws or throw == other:
+            yield [i]
+        elif throw < other:
+            yield [i, throws.index(other)]
+
+
+def _directions(machine: Machine) -> Array:
+    """Angles of the throws ahead of throw 1. [rad]"""
+    angles = [throw.si for throw in machine.main_shaft.throws]
+    return np.array(angles) - angles[0]
+
+
+def _angle(weight: WeightSpec, directions: Array) -> float:
+    """Where a weight on a throw stands ahead of throw 1: opposite it unless given. [rad]"""
+    given: Given | None = weight.angle
+    return given.si if given is not None else float(directions[(weight.throw or 1) - 1] + np.pi)
