@@ -53,12 +53,16 @@ class Aimed(NamedTuple):
     def title(self) -> str:
         """Say it in words."""
         if self.is_all:
-            words = N_("least largest load of any main bearing") if self.aim == "largest" else N_(
-                "least mean load of all main bearings"
+            words = (
+                N_("least largest load of any main bearing")
+                if self.aim == "largest"
+                else N_("least mean load of all main bearings")
             )
             return _(words)
-        words = N_("least largest load of bearing {name}") if self.aim == "largest" else N_(
-            "least mean load of bearing {name}"
+        words = (
+            N_("least largest load of bearing {name}")
+            if self.aim == "largest"
+            else N_("least mean load of bearing {name}")
         )
         return _(words).format(name=self.names[self.bearings[0]])
 
@@ -126,7 +130,7 @@ def compared_numbers(aimed: Aimed, state: State, share: float) -> tuple[Number, 
     each = (
         Number("load", "Q_max", aimed.largest(state), "kN", of_any),
         Number("mean_load", "Q_m", aimed.mean(state), "kN", of_all),
-        Number("share", "u/u_0", share, "%", _("Counterweights, of full ones that take away all that rotates")),
+        Number("share", "u/u_0", share, "%", _("All weights, of full counterweights")),
         Number("shaking_force", "F_1", state.force, "N", _("Shaking force of order 1")),
         Number("shaking_couple", "C_1", state.couple, "N·m", _("Shaking couple of order 1")),
     )

@@ -70,7 +70,9 @@ def counterweights(
     bearing: Annotated[str, N_("Name of a main bearing, or all; all unless given.")] = "all",
     aim: Annotated[Aim, N_("What is to be least, the largest load or the mean; the largest unless given.")] = "largest",
     *,
-    method: Annotated[Method | None, N_("Of finding loads; the best that the file has numbers for unless given.")] = None,
+    method: Annotated[
+        Method | None, N_("Of finding loads; the best that the file has numbers for unless given.")
+    ] = None,
     weights: Annotated[
         Weights, N_("Each throw has its own unless given; or all alike, or mirrored about the middle, or on webs.")
     ] = "each",
@@ -179,7 +181,7 @@ def _solved_for(machine: Machine, kept: Kept) -> Iterator[Problem]:
     """Find counterweights that the file has solved for, beside which there is nothing to be found."""
     if "counterweights" in kept.table:
         allowed = _("are solved for in the file, and would change with what is found")
-        yield Problem("balance.counterweights", None, allowed, _("take them out: afresh"))
+        yield Problem("balance.counterweights", None, allowed, _("ask for the weights afresh, in place of those"))
 
 
 def _most(
@@ -201,7 +203,9 @@ def _shaft(added: AddedWeights, spread: Array, sought: SoughtBearings, *, turns:
     """The shaft with weights: one design of middling ones, and one for each unknown with more of it."""
     n = spread.shape[1]
     start = np.concatenate([np.full(n, _START), np.zeros(n if turns else 0)])
-    designs = [added.machine(spread @ _turned(one, turns=turns)) for one in (start, *(start + _MORE * np.eye(start.size)))]
+    designs = [
+        added.machine(spread @ _turned(one, turns=turns)) for one in (start, *(start + _MORE * np.eye(start.size)))
+    ]
     return weighted_shaft(designs, start, _MORE, sought.which, sought.method, sought.bearings)
 
 

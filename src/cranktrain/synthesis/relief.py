@@ -5,7 +5,8 @@ from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
-from cranktrain.synthesis.least_loads import Least, Rest, Vectors, least_largest, least_mean, mean_square
+from cranktrain.synthesis.least_loads import Least, least_largest, least_mean
+from cranktrain.synthesis.plane_loads import Rest, Vectors, mean_square
 from cranktrain.synthesis.weighted_shaft import ASIDE, WeightedShaft
 
 _REACHED = 1e-7
@@ -63,6 +64,7 @@ def least_largest_load(shaft: WeightedShaft, *, turns: bool) -> Least:
     counts = np.zeros(base.shape[:2], dtype=np.bool_)
     counts[:, ::_EVERY] = True
     between = Vectors(np.empty((0, 2)), np.empty((0, 2, change.shape[-1])))
+    least, top = Least(np.zeros(change.shape[-1]), np.inf, 0.0), np.inf
     for _round in range(_MOST_ROUNDS):
         chosen = Vectors(*map(np.concatenate, zip((base[counts], change[counts]), between, strict=True)))
         least = least_largest(chosen, rest, turns=turns)

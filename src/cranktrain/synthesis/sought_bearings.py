@@ -62,7 +62,9 @@ def sought_bearings(machine: Machine, bearing: str, method: str | None) -> Sough
 def _no_method(method: str, linear: Sequence[str]) -> Problem:
     """Say why loads cannot be found, or relieved, by a method."""
     if method == CLEARANCE.name:
-        allowed = _("is not linear: with clearance no weights can be proved to be the best; relieve by another, and run")
+        allowed = _(
+            "is not linear: with clearance no weights can be proved to be the best; relieve by another, and run"
+        )
         return Problem("method", method, allowed, _("choose one of: {names}").format(names=", ".join(linear)))
     if method in words_of(Method):
         return Problem("method", method, _("needs [crankshaft] bearing_stiffness in the file"))

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cranktrain.analysis import run
-from cranktrain.errors import Problem
+from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -102,7 +102,13 @@ def web_places(of_throws: Sequence[WeightPlace], laid: LaidShaft) -> list[Weight
 def full_moments(machine: Machine, kept: Kept) -> Array:
     """What takes away all that rotates on each throw of the crankshaft, the webs of [balance] too. [kg·m]"""
     solved = run(machine.with_({"balance": {"counterweights": "rotating"}}), quantities="balance_weight_moment")
-    weights, names = solved[BalanceWeights], solved.labels["weight"]
+    weights = solved.get(BalanceWeights)
+    if weights is None:
+        needs = _(" and ").join(solved.needs_of("balance_weight_moment"))
+        raise InputError(
+            [Problem("", None, _("what rotates is not known without {needs} in the file").format(needs=needs))]
+        )
+    names = solved.labels["weight"]
     directions = _directions(machine)
     full = np.zeros(directions.size)
     for n, direction in enumerate(directions):
