@@ -66,8 +66,8 @@ def least_largest(vectors: Vectors, rest: Rest, *, turns: bool) -> Least:
         unknown, most = centre.place[:-1], centre.place[-1]
         vector = scaled.at(unknown)
         dual = vector / (most**2 - np.sum(vector**2, axis=1))[:, np.newaxis]
-        bound = max(bound, scaled.bound(dual / np.sum(sizes(dual)), turns=turns))
-    cap = (1 + ALIKE) * float(np.max(sizes(scaled.at(unknown))))
+        bound = max(bound, scaled.bound(dual / (np.sum(sizes(dual)) or 1.0), turns=turns))
+    cap = (1 + ALIKE) * float(np.max(sizes(scaled.at(unknown)))) + _LEFT
     for centre in centres(_under_a_cap(scaled, rest, cap, turns=turns), unknown, parameter, _LEFT_OF_REST):
         unknown = centre.place
     return Least(unknown, scale * float(np.max(sizes(scaled.at(unknown)))), scale * bound)
