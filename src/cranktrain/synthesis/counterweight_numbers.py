@@ -107,15 +107,23 @@ class Weighed(NamedTuple):
         return np.array([place.full for place in self.places])
 
     @property
-    def share(self) -> float:
-        """Of all of these together."""
+    def there(self) -> Array:
+        """That of the counterweights that stay. [kg·m]"""
+        return np.array([place.there for place in self.places])
+
+    def share(self, added: Array) -> float:
+        """Of full ones: those that stay, with some added to them. [1]"""
         full = float(np.sum(self.full))
-        return float(np.sum(self.moment.real)) / full if full > 0 else np.nan
+        return float(np.sum(self.there + added)) / full if full > 0 else np.nan
 
 
 def relief_numbers(aimed: Aimed, weighed: Weighed, before: State, after: State) -> tuple[Number, ...]:
     """Numbers of the proposal."""
-    return (*compared_numbers(aimed, after, weighed.share), *_of_places(weighed), *_of_bearings(aimed, before, after))
+    return (
+        *compared_numbers(aimed, after, weighed.share(weighed.moment.real)),
+        *_of_places(weighed),
+        *_of_bearings(aimed, before, after),
+    )
 
 
 def compared_numbers(aimed: Aimed, state: State, share: float) -> tuple[Number, ...]:
@@ -151,7 +159,8 @@ def _of_places(weighed: Weighed) -> Iterator[Number]:
             ahead = float(np.angle(moment))
             yield Number(f"ahead{at}", f"δ{at}", ahead, "deg", _("How far it is ahead of opposite the throw"))
         if place.full > 0:
-            yield Number(f"share{at}", f"u/u_0{at}", moment.real / place.full, "%", _("Of a full counterweight there"))
+            share = (place.there + moment.real) / place.full
+            yield Number(f"share{at}", f"u/u_0{at}", share, "%", _("Of a full counterweight there, with what stays"))
 
 
 def _of_bearings(aimed: Aimed, before: State, after: State) -> Iterator[Number]:

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 
 from cranktrain.analysis.parts import refuse_wrong
-from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.errors import Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -38,6 +38,7 @@ from cranktrain.synthesis.weight_places import (
     web_places,
 )
 from cranktrain.synthesis.weighted_shaft import WeightedShaft, weighted_shaft
+from cranktrain.wording import number
 
 Aim = Literal["largest", "mean"]
 Weights = Literal["each", "alike", "mirrored", "webs"]
@@ -143,8 +144,8 @@ def counterweights(
     most = _most(places, radii, largest_mass, largest_share)
     groups = list(alike_places(places, weights, n_throws))
     spread = np.zeros((len(places), len(groups)))
-    for number, group in enumerate(groups):
-        spread[group, number] = np.min(most[group])
+    for unknown, group in enumerate(groups):
+        spread[group, unknown] = np.min(most[group])
     turns = angle == "free"
     added = AddedWeights(machine, kept, places, radii, turns)
     shaft = _shaft(added, spread, sought, turns=turns)
@@ -188,15 +189,21 @@ def _most(
     places: Sequence[WeightPlace], radius: Array, largest_mass: float | None, largest_share: float | None
 ) -> Array:
     """Mass times radius that each weight may have, shape (place,). [kg·m]"""
-    most = np.full(len(places), np.inf) if largest_mass is None else largest_mass * radius
+    by_mass = np.full(len(places), np.inf) if largest_mass is None else largest_mass * radius
     share = _USUAL_SHARE if largest_share is None and largest_mass is None else largest_share
-    if share is not None:
-        most = np.minimum(most, share * np.array([place.full for place in places]))
-    none = [str(place.throw) for place, own in zip(places, most.tolist(), strict=True) if not own > 0]
-    if none:
-        allowed = _("is missing: on throw {throw} nothing rotates that says how heavy a weight may be")
-        raise InputError([Problem("largest_mass", None, allowed.format(throw=none[0]))])
-    return most
+    by_share = np.array([np.inf if share is None else share * place.full - place.there for place in places])
+    problems: list[Problem] = []
+    for place, own in zip(places, by_share.tolist(), strict=True):
+        if not place.full > 0 and not own > 0:
+            allowed = _("is missing: on throw {throw} nothing rotates that says how heavy a weight may be")
+            problems.append(Problem("largest_mass", None, allowed.format(throw=place.throw)))
+        elif not own > 0:
+            allowed = _("must be more than the weights that throw {throw} has: {there} of a full counterweight")
+            there = number(place.there / place.full, "%")
+            repair = _("or ask for the weights afresh, in place of those")
+            problems.append(Problem("largest_share", None, allowed.format(throw=place.throw, there=there), repair))
+    refuse(problems[:1])
+    return np.minimum(by_mass, by_share)
 
 
 def _shaft(added: AddedWeights, spread: Array, sought: SoughtBearings, *, turns: bool) -> WeightedShaft:
@@ -225,7 +232,9 @@ def _title(machine: Machine, aimed: Aimed) -> str:
 
 def _alternatives(aimed: Aimed, added: AddedWeights, weighed: Weighed, *, before: State) -> Iterator[Alternative]:
     """The file as it is, and full counterweights."""
-    yield Alternative(_("as the file has it"), compared_numbers(aimed, before, np.nan))
-    if np.all(weighed.full > 0):
-        full = aimed.state(added.machine(weighed.full.astype(np.complex128)))
-        yield Alternative(_("full counterweights"), compared_numbers(aimed, full, 1.0))
+    share = np.nan if added.kept.taken_out else weighed.share(np.zeros(1))
+    yield Alternative(_("as the file has it"), compared_numbers(aimed, before, share))
+    more = weighed.full - weighed.there
+    if np.all(more > 0):
+        full = aimed.state(added.machine(more.astype(np.complex128)))
+        yield Alternative(_("full counterweights"), compared_numbers(aimed, full, weighed.share(more)))

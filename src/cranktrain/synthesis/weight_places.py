@@ -8,9 +8,10 @@ import numpy as np
 from cranktrain.analysis import run
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.layout.axial import throw_positions
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.quantities import Given, unlisted
+from cranktrain.quantities import unlisted
 from cranktrain.questions.balance.spec import WeightSpec
 from cranktrain.questions.balance.weights import BalanceWeights
 from cranktrain.questions.crankshaft.laid import LaidShaft
@@ -33,7 +34,9 @@ class WeightPlace(NamedTuple):
     crank_radius : float
         [m]
     full : float
-        Mass times radius of what takes away all that rotates there. [kg·m]
+        Mass times radius of what takes away all that rotates there, webs that the file has as weights too. [kg·m]
+    there : float
+        That of the counterweights that it has. [kg·m]
     """
 
     throw: int
@@ -41,48 +44,52 @@ class WeightPlace(NamedTuple):
     opposite: float
     crank_radius: float
     full: float
+    there: float
+
+
+class OnThrow(NamedTuple):
+    """A weight of the file on a throw, from 0: its mass times radius on that's side, less than 0 opposite. [kg·m]"""
+
+    throw: int
+    moment: float
 
 
 class Kept(NamedTuple):
     """What of [balance] stays: its tables, its weights on the crankshaft's throws; and paths of what is taken out."""
 
     table: Mapping[str, Any]
-    weights: tuple[WeightSpec, ...]
+    weights: tuple[OnThrow, ...]
     taken_out: tuple[str, ...]
 
 
 def kept_balance(machine: Machine, *, afresh: bool) -> Kept:
     """What stays of the file's [balance]: afresh all but its counterweights, given or solved for."""
-    declared: Mapping[str, Any] = machine.declared.get("balance", {})
-    every = () if machine.balance is None else machine.balance.weight
-    directions = _directions(machine)
-
-    def stays(weight: WeightSpec) -> bool:
-        side = None if weight.throw is None else np.cos(_angle(weight, directions) - directions[weight.throw - 1])
-        return not afresh or side is None or bool(side > 0)
-
-    given = tuple(declared.get("weight", ()))
-    staying = [stays(weight) for weight in every]
+    declared: Mapping[str, Any] = machine.declared.get("balance") or {}
+    every = [_on_throw(weight, machine) for weight in (() if machine.balance is None else machine.balance.weight)]
+    stays = [one is None or not afresh or one.moment > 0 for one in every]
     solved_for = tuple(key for key in _SOLVED_FOR if key in declared) if afresh else ()
     table = {key: value for key, value in declared.items() if key not in (*solved_for, "weight")}
-    weights = tuple(one for one, stay in zip(given, staying, strict=True) if stay)
+    weights = tuple(one for one, stay in zip(declared.get("weight", ()), stays, strict=True) if stay)
     return Kept(
         {**table, "weight": weights} if weights else table,
-        tuple(one for one, stay in zip(every, staying, strict=True) if stay),
+        tuple(one for one, stay in zip(every, stays, strict=True) if one is not None and stay),
         (
             *(f"balance.{key}" for key in solved_for),
-            *(f"balance.weight[{i}]" for i, stay in enumerate(staying) if not stay),
+            *(f"balance.weight[{i}]" for i, stay in enumerate(stays) if not stay),
         ),
     )
 
 
 def throw_places(machine: Machine, laid: LaidShaft, kept: Kept) -> list[WeightPlace]:
     """A place on each throw of the crankshaft, whose webs carry alike."""
-    full, radius = full_moments(machine, kept), laid.shaft.pieces.radius[0, laid.pins]
-    directions = _directions(machine)
+    directions, radius = _directions(machine), laid.shaft.pieces.radius[0, laid.pins]
+    full, there = full_moments(machine), np.zeros(directions.size)
+    for throw, moment in kept.weights:
+        full[throw] += max(moment, 0.0)
+        there[throw] += max(-moment, 0.0)
     first = [int(np.flatnonzero(laid.declared.throw == n)[0]) for n in range(len(directions))]
     return [
-        WeightPlace(n + 1, None, float(directions[n] + np.pi), float(radius[pin]), float(full[n]))
+        WeightPlace(n + 1, None, float(directions[n] + np.pi), float(radius[pin]), float(full[n]), float(there[n]))
         for n, pin in enumerate(first)
     ]
 
@@ -95,12 +102,14 @@ def web_places(of_throws: Sequence[WeightPlace], laid: LaidShaft) -> list[Weight
         own = [side for side in (0, 1) if webs[side] >= 0]
         for side in own:
             z = float(laid.declared.planes[0, pin, side])
-            found.setdefault(int(webs[side]), place._replace(z=z, full=place.full / len(own)))
+            found.setdefault(
+                int(webs[side]), place._replace(z=z, full=place.full / len(own), there=place.there / len(own))
+            )
     return [found[web] for web in sorted(found)]
 
 
-def full_moments(machine: Machine, kept: Kept) -> Array:
-    """What takes away all that rotates on each throw of the crankshaft, the webs of [balance] too. [kg·m]"""
+def full_moments(machine: Machine) -> Array:
+    """What takes away all that rotates of the mechanisms on each throw of the crankshaft. [kg·m]"""
     solved = run(machine.with_({"balance": {"counterweights": "rotating"}}), quantities="balance_weight_moment")
     weights = solved.get(BalanceWeights)
     if weights is None:
@@ -117,10 +126,6 @@ def full_moments(machine: Machine, kept: Kept) -> Array:
             own = names.index(name)
             ahead = weights.balance_weight_angle[0, own] - direction - np.pi
             full[n] = np.nan_to_num(weights.balance_weight_moment[0, own] * np.cos(ahead))
-    for weight in kept.weights:
-        if weight.throw is not None:
-            n = weight.throw - 1
-            full[n] += weight.mass.si * weight.radius.si * np.cos(_angle(weight, directions) - directions[n])
     return full
 
 
@@ -157,7 +162,14 @@ def _directions(machine: Machine) -> Array:
     return np.array(angles) - angles[0]
 
 
-def _angle(weight: WeightSpec, directions: Array) -> float:
-    """Where a weight on a throw stands ahead of throw 1: opposite it unless given. [rad]"""
-    given: Given | None = weight.angle
-    return given.si if given is not None else float(directions[(weight.throw or 1) - 1] + np.pi)
+def _on_throw(weight: WeightSpec, machine: Machine) -> OnThrow | None:
+    """The throw on which a weight turns, or the nearest; None of one on a shaft of its own."""
+    directions, positions = _directions(machine), throw_positions(machine.main_shaft)
+    if weight.throw is not None:
+        throw = weight.throw - 1
+    elif weight.z is None or positions is None or weight.ratio != 1 or any(spot.si for spot in weight.place):
+        return None
+    else:
+        throw = int(np.argmin([abs(float(position) - weight.z.si) for position in positions]))
+    side = -1.0 if weight.angle is None else float(np.cos(weight.angle.si - directions[throw]))
+    return OnThrow(throw, weight.mass.si * weight.radius.si * side)

@@ -14,7 +14,7 @@ ENOUGH = 2 * ALIKE
 def drawn(seed, n_points, n_unknowns):
     """Vectors that lie on one side, as loads of a bearing do, and unknowns that take from them."""
     rng = np.random.default_rng(seed)
-    base = rng.normal(size=(n_points, 2)) + [3.0, 0.0]
+    base = rng.normal(size=(n_points, 2)) + np.array([3.0, 0.0])
     return Vectors(1e4 * base, 1e4 * (0.5 * rng.normal(size=(n_points, 2, n_unknowns)) - [[1.0], [0.0]]))
 
 
