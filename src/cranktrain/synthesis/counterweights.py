@@ -26,7 +26,7 @@ from cranktrain.synthesis.counterweight_numbers import (
 from cranktrain.synthesis.positive import not_positive
 from cranktrain.synthesis.proposal import Alternative, Proposal, quantity_text
 from cranktrain.synthesis.quantities import Length, Mass, Ratio
-from cranktrain.synthesis.relief import least_largest_load, least_mean_load, without_idle
+from cranktrain.synthesis.relief import Progress, least_largest_load, least_mean_load, without_idle
 from cranktrain.synthesis.sought_bearings import Method, SoughtBearings, sought_bearings
 from cranktrain.synthesis.weight_places import (
     Kept,
@@ -85,6 +85,7 @@ def counterweights(
         Ratio | None, N_("Of a full counterweight, for all that rotates; 2 unless a mass is given.")
     ] = None,
     afresh: Annotated[bool, N_("Take out the counterweights that the file has.")] = False,
+    progress: Progress | None = None,
 ) -> CounterweightProposal:
     """Propose the counterweights that leave the least load in a main bearing, or in all.
 
@@ -112,6 +113,8 @@ def counterweights(
         Of the full counterweight, Σ m ρ = m_rot R, of a throw. [1]
     afresh : bool
         Whether counterweights of the file, given or solved for, are to be replaced; else what is found comes to them.
+    progress : callable, optional
+        Is given now and then, while it searches, the load reached and what nothing goes below. [N]
 
     Returns
     -------
@@ -127,7 +130,7 @@ def counterweights(
 
     Notes
     -----
-    docs/theory/synthesis, eqs. (8.32) to (8.37).
+    docs/theory/synthesis, eqs. (8.33) to (8.37).
     """
     asked = {"aim": (aim, Aim), "weights": (weights, Weights), "angle": (angle, Angle)}
     limits = {"radius": radius, "largest_mass": largest_mass, "largest_share": largest_share}
@@ -149,7 +152,7 @@ def counterweights(
     turns = angle == "free"
     added = AddedWeights(machine, kept, places, radii, turns)
     shaft = _shaft(added, spread, sought, turns=turns)
-    least = (least_largest_load if aim == "largest" else least_mean_load)(shaft, turns=turns)
+    least = (least_largest_load if aim == "largest" else least_mean_load)(shaft, turns=turns, progress=progress)
     moment = spread @ _turned(without_idle(shaft, least.unknown, turns=turns), turns=turns)
     aimed = Aimed(sought.method.name, sought.laid.declared.bearing_names, sought.bearings, aim)
     weighed = Weighed(places, moment, np.max(spread, axis=1), radii)

@@ -49,7 +49,7 @@ def least_largest(vectors: Vectors, rest: Rest, *, turns: bool) -> Least:
 
     Notes
     -----
-    Least t with |q_k| ≤ t: convex, with cones of second order. docs/theory/synthesis, eqs. (8.33) to (8.36).
+    Least t with |q_k| ≤ t: convex, with cones of second order. docs/theory/synthesis, eqs. (8.33) to (8.37).
 
     Examples
     --------

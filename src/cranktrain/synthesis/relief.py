@@ -1,5 +1,8 @@
 """Unknowns that relieve the bearings of a shaft best: the largest load over all crank angles, or the mean."""
 
+from collections.abc import Callable
+from typing import TypeAlias
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -8,6 +11,9 @@ from cranktrain.numerics import Peak
 from cranktrain.synthesis.least_loads import Least, least_largest, least_mean
 from cranktrain.synthesis.plane_loads import Rest, Vectors, mean_square
 from cranktrain.synthesis.weighted_shaft import ASIDE, WeightedShaft
+
+Progress: TypeAlias = Callable[[float, float], None]
+"""Is given, now and then, what has been reached, and what nothing goes below. [N]"""
 
 _REACHED = 1e-7
 """Of the largest load: by how much the machine's own may be above that of the points chosen."""
@@ -18,7 +24,7 @@ _IDLE = 1e-6
 _EVERY, _MOST_ROUNDS = 15, 100
 
 
-def least_mean_load(shaft: WeightedShaft, *, turns: bool) -> Least:
+def least_mean_load(shaft: WeightedShaft, *, turns: bool, progress: Progress | None = None) -> Least:
     """Least mean of the loads of some bearings together, by quadrature over the cycle between events.
 
     Parameters
@@ -26,6 +32,7 @@ def least_mean_load(shaft: WeightedShaft, *, turns: bool) -> Least:
     shaft : WeightedShaft
     turns : bool
         As `least_largest` takes it.
+    progress : callable, optional
 
     Returns
     -------
@@ -36,10 +43,12 @@ def least_mean_load(shaft: WeightedShaft, *, turns: bool) -> Least:
     base, change = shaft.relieved(angle)
     n_bearings = len(base)
     share = np.tile(weight, n_bearings) / n_bearings
+    if progress is not None:
+        progress(float(share @ np.hypot(*base.reshape(-1, 2).T)), 0.0)
     return least_mean(_in_line(base, change), share, _of_all(shaft), turns=turns)
 
 
-def least_largest_load(shaft: WeightedShaft, *, turns: bool) -> Least:
+def least_largest_load(shaft: WeightedShaft, *, turns: bool, progress: Progress | None = None) -> Least:
     """Least of the largest loads of some bearings over all crank angles.
 
     Parameters
@@ -47,6 +56,7 @@ def least_largest_load(shaft: WeightedShaft, *, turns: bool) -> Least:
     shaft : WeightedShaft
     turns : bool
         As `least_largest` takes it.
+    progress : callable, optional
 
     Returns
     -------
@@ -56,7 +66,7 @@ def least_largest_load(shaft: WeightedShaft, *, turns: bool) -> Least:
     Notes
     -----
     Of the crank angles a few count. What is found for these has its peaks elsewhere; with these it is found anew, until
-    no peak of the machine's own curves is higher. docs/theory/synthesis, eq. (8.36).
+    no peak of the machine's own curves is higher. docs/theory/synthesis, eqs. (8.33) and (8.34).
     """
     grid = shaft.crank_angle.shown
     base, change = shaft.relieved(grid)
@@ -71,6 +81,8 @@ def least_largest_load(shaft: WeightedShaft, *, turns: bool) -> Least:
         sizes = np.hypot(*np.moveaxis(base + change @ least.unknown, -1, 0))
         peak = shaft.largest(least.unknown, sizes)
         top = float(np.max(peak.value))
+        if progress is not None:
+            progress(top, least.bound)
         if top <= least.value * (1 + _REACHED):
             break
         counts |= _peaks(sizes) & (sizes > (1 - _NEAR) * least.value)

@@ -205,6 +205,16 @@ def test_what_is_found_is_found_once():
     assert anew.value("mean_load") == pytest.approx(first.value("mean_load"), rel=1e-6)
 
 
+@pytest.mark.parametrize(("aim", "name"), [("largest", "load"), ("mean", "mean_load")])
+def test_progress_closes_in(aim, name):
+    told = []
+    proposal = counterweights(four(), "3", aim, progress=lambda *one: told.append(one))
+    assert told
+    for reached, bound in told:
+        assert bound <= proposal.value(name) * (1 + FINDS)
+        assert reached >= proposal.value(name) * (1 - FINDS)
+
+
 def test_limits_that_leave_nothing():
     heavy = four(balance={"weight": [{"mass": "5 kg", "radius": "80 mm", "throw": 1}]})
     with pytest.raises(InputError, match=r"largest_share: must be more than the weights that throw 1 has: .* afresh"):

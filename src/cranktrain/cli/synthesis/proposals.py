@@ -2,7 +2,8 @@
 
 import re
 import shlex
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
+from contextlib import contextmanager
 
 from rich.console import Console
 from rich.text import Text
@@ -19,8 +20,9 @@ from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.synthesis.counterweights import CounterweightProposal
 from cranktrain.synthesis.proposal import Number, Proposal
+from cranktrain.synthesis.relief import Progress
 from cranktrain.textbook.errata import SYNTHESIS
-from cranktrain.wording import figure
+from cranktrain.wording import figure, number
 
 _OF_MEMBER = re.compile(r"(?P<name>.+)\((?P<member>[^()]+)\)$")
 
@@ -52,7 +54,9 @@ def give_proposal(
         Machine file or example that it is for, where it is for one.
     """
     file = None if source is None else read_machine(source)
-    proposal = proposed(problem, SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed, file)
+    wanted = SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed
+    with _searching() as progress:
+        proposal = proposed(problem, wanted, file, progress)
     if output is not None:
         write_machine_file(output, _machine_file(proposal, file), force=force)
     if output in STANDARD_OUTPUT:
@@ -68,6 +72,18 @@ def give_proposal(
             command = shlex.join(["cranktrain", "run", one_line(output)])
             said = _("written: {name}; go on with: {command}").format(name=one_line(output), command=command)
         console.print(said, soft_wrap=True)
+
+
+@contextmanager
+def _searching() -> Generator[Progress]:
+    """Show how far a search is, for as long as it takes, where somebody looks on."""
+    with Console(stderr=True).status(_("searching")) as status:
+
+        def progress(reached: float, bound: float) -> None:
+            said = _("searching: {reached} reached, nothing goes below {bound}")
+            status.update(said.format(reached=number(reached, "kN"), bound=number(bound, "kN")))
+
+        yield progress
 
 
 def _machine_file(proposal: Proposal, file: MachineFile | None) -> str:

@@ -19,6 +19,7 @@ from cranktrain.synthesis.knuckle import knuckle_from_requirements
 from cranktrain.synthesis.proposal import Proposal
 from cranktrain.synthesis.quick_return import quick_return
 from cranktrain.synthesis.radial import radial
+from cranktrain.synthesis.relief import Progress
 from cranktrain.synthesis.slider_crank import slider_crank_from_stroke
 
 Typed: TypeAlias = Mapping[str, str | bool | None]
@@ -38,11 +39,14 @@ _FREE = "free"
 """What stands for None, a dimension that is to be chosen, where something else stands unless given."""
 
 _MOST_CYLINDERS = 99
+_PROGRESS = "progress"
+"""Of a synthesis that searches long: what it tells while it does."""
 
 
 def requirements_of(problem: str) -> Iterable[Parameter]:
     """Parameters of a synthesis that are typed as options, by its key in `SYNTHESES`."""
-    return [one for one in signature(SYNTHESES[problem]).parameters.values() if one.annotation is not Machine]
+    every = signature(SYNTHESES[problem]).parameters.values()
+    return [one for one in every if one.annotation is not Machine and one.name != _PROGRESS]
 
 
 def is_of_machine(problem: str) -> bool:
@@ -59,7 +63,7 @@ def form_of(requirement: Parameter) -> str:
     return f"{form}|{_FREE}" if _can_be_free(requirement) else form
 
 
-def proposed(problem: str, typed: Typed, file: MachineFile | None = None) -> Proposal:
+def proposed(problem: str, typed: Typed, file: MachineFile | None = None, progress: Progress | None = None) -> Proposal:
     """Read requirements and find dimensions for them.
 
     Parameters
@@ -69,6 +73,8 @@ def proposed(problem: str, typed: Typed, file: MachineFile | None = None) -> Pro
     typed : mapping
     file : MachineFile, optional
         Of the machine that it is for, where it is for one.
+    progress : callable, optional
+        What such a synthesis tells while it searches.
 
     Returns
     -------
@@ -93,9 +99,11 @@ def proposed(problem: str, typed: Typed, file: MachineFile | None = None) -> Pro
         except InputError as error:
             problems += [replace(one, path=option_of(requirement.name)) for one in error.problems]
     refuse(problems)
-    given = () if file is None else (file.machine,)
+    machine = () if file is None else (file.machine,)
+    if file is not None:
+        requirements[_PROGRESS] = progress
     with problems_as(partial(_in_options, typed, Position(f"cranktrain synthesise {problem}"), file)):
-        return SYNTHESES[problem](*given, **requirements)
+        return SYNTHESES[problem](*machine, **requirements)
 
 
 def option_of(name: str) -> str:
