@@ -57,6 +57,16 @@ TABLES = {
             "weight": [
                 {"mass": "1 kg", "radius": "40 mm", "throw": 1, "angle": "170 deg"},
                 {"mass": "2 kg", "radius": "30 mm", "z": "20 mm", "angle": "10 deg", "place": ["50 mm", "60 mm"]},
+                {
+                    "throw": 2,
+                    "sector": {
+                        "outer_radius": "80 mm",
+                        "inner_radius": "30 mm",
+                        "opening": "100 deg",
+                        "thickness": "20 mm",
+                        "density": "7800 kg/m³",
+                    },
+                },
             ],
             "shafts": [{"order": 2, "forward": ["90 mm", "10 mm"], "backward": ["-90 mm", "10 mm"]}],
         }

@@ -62,6 +62,8 @@ class DeclaredCrankshaft:
         [m]
     bearing_width : Array, shape (design, bearing)
         NaN where it is not given. [m]
+    rod_bearing_width : Array, shape (design,)
+        NaN where it is not given. [m]
     thrust : int
         Which bearing takes axial forces.
     pulls : Pulls
@@ -89,6 +91,7 @@ class DeclaredCrankshaft:
     clearance: Array
     settlement: Array
     bearing_width: Array
+    rod_bearing_width: Array
     thrust: int
     pulls: Pulls
     material: Material
@@ -168,6 +171,7 @@ def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable) 
         clearance=by_design([_half(bearing.table.clearance) for bearing in bearings]),
         settlement=pairs([_pair(bearing.table.settlement) for bearing in bearings]),
         bearing_width=by_design([_or_nan(bearing.table.width) for bearing in bearings]),
+        rod_bearing_width=by_design([_or_nan(table.rod_bearing_width)])[:, 0],
         thrust=_thrust(table, bearings),
         pulls=_pulls(designs, table),
         material=_material(designs, table),

@@ -138,6 +138,9 @@ class CrankshaftTable(Spec, frozen=True):
     bearing_width: PositiveLength | None = Field(
         default=None, description=N_("Width that bears of a main bearing, for its specific pressure.")
     )
+    rod_bearing_width: PositiveLength | None = Field(
+        default=None, description=N_("Width that bears of a rod's bearing on its crank pin, for its specific pressure.")
+    )
     thrust_bearing: str | Annotated[int, Field(ge=1)] | None = Field(
         default=None,
         description=N_("Which bearing takes axial forces, as those of helical gears; the last unless given."),

@@ -27,7 +27,8 @@ WRONG = {
     "a shaft that floats": (
         {"bearings": [2]},
         [
-            "crankshaft.bearings = 2: must be two or more, or the shaft floats; name one more in [crankshaft.bearing.NAME]"
+            "crankshaft.bearings = 2: must be two or more, or the shaft floats; "
+            "name one more in [crankshaft.bearing.NAME]"
         ],
     ),
     "a bearing that stands nowhere": (
