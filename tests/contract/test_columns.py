@@ -132,6 +132,8 @@ TABLES = {
             "bearing_stiffness": ["300 kN/mm", "400 kN/mm"],
             "bearing_clearance": "0.05 mm",
             "bearing_width": "20 mm",
+            "web_height": "110 mm",
+            "density": "7800 kg/m³",
             "young_modulus": "205 GPa",
             "poisson_ratio": 0.29,
             "bearing": {

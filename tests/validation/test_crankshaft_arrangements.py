@@ -285,3 +285,21 @@ def test_housings_half_and_twice_as_stiff():
         other = ct.run(machine(["0 deg", "90 deg"], crankshaft={"bearing_stiffness": stiffness})).dataset
         wanted = other.largest_bearing_load.sel(bearing_method="frame_elastic").values
         np.testing.assert_allclose(spread[f"bearing_load_{name}_housing"].values, wanted, rtol=1e-11)
+
+
+def test_what_pins_and_webs_weigh():
+    """Cylinder and two blocks, in grams by hand; a web from pin to pin is halved between them."""
+    data = ct.run(machine(["0 deg", "180 deg"], crankshaft={"density": "8000 kg/m³", "pin_bore": "25 mm"})).dataset
+    pin = 8000 * np.pi / 4 * (0.065**2 - 0.025**2) * 0.06
+    web = 8000 * 0.11 * 0.028 * (0.05 + 0.0675)
+    np.testing.assert_allclose(data.pin_mass, [pin, pin], rtol=1e-13)
+    np.testing.assert_allclose(data.web_mass, [2 * web, 2 * web], rtol=1e-13)
+    moment = pin * 0.05 + 2 * web * (0.05 - 0.0025) / 2
+    np.testing.assert_allclose(data.crank_moment, [moment, moment], rtol=1e-13)
+    own = {"journals": [1, 3], "web_height": "100 mm", "pin_bore": "25 mm", "density": "8000 kg/m³"}
+    data = ct.run(machine(["0 deg", "180 deg"], crankshaft=own)).dataset
+    web, between = 8000 * 0.11 * 0.028 * 0.1, 8000 * 0.11 * 0.09 * 0.1
+    np.testing.assert_allclose(data.web_mass, [web + between / 2] * 2, rtol=1e-13)
+    # By halves at both pins: together they have its moment about the shaft, here none.
+    moment = pin * 0.05 + web * (0.05 - 0.0025) / 2 + between / 2 * 0.05
+    np.testing.assert_allclose(data.crank_moment, [moment, moment], rtol=1e-13)

@@ -105,7 +105,7 @@ def size_by_sector(of: Subintervals, x: Array, y: Array, n_sectors: int) -> Sect
     found[known] = 0.0
     for n_nodes in np.unique(of.size).tolist():
         chosen = np.flatnonzero(of.size == n_nodes)
-        place = of.first[chosen, np.newaxis] + np.arange(n_nodes)
+        place: NDArray[np.intp] = of.first[chosen, np.newaxis] + np.arange(n_nodes, dtype=np.intp)
         parts = (part[known][:, place].reshape(-1, n_nodes) for part in (x, y, size))
         panels = _Panels(*parts, half=np.tile(of.width[chosen] / 2, known.size))
         curve = np.repeat(known, chosen.size)
@@ -136,7 +136,7 @@ def _by_direction(panels: _Panels, n_sectors: int) -> Iterator[_Parts]:
         sense[several],
         first[several] + 2 * number * sense[several],
     )
-    edge = (before + sense) * (np.pi / n_sectors)
+    edge = (before + sense).astype(np.float64) * (np.pi / n_sectors)
     at = _crossing(panels, row, edge, way[row, place], way[row, place + 1])
     until = panels.integral_to(row, at) - integral[row, place]
     yield row, before, until

@@ -56,8 +56,11 @@ class CyclePoints:
     def wear(self, first: Array, second: Array) -> Wear:
         """Wear by loads of which the points have both parts, shape (design, ..., point); rays count from the first."""
         n_points = first.shape[-1]
-        rows = zip(self.cuts, *(part.reshape(len(part), -1, n_points) for part in (first, second)), strict=True)
-        found = [size_by_sector(cut, *(part[:, : cut.angle.size] for part in parts), N_RAYS) for cut, *parts in rows]
+        x, y = (part.reshape(len(part), -1, n_points) for part in (first, second))
+        found = [
+            size_by_sector(cut, x[i, :, : cut.angle.size], y[i, :, : cut.angle.size], N_RAYS)
+            for i, cut in enumerate(self.cuts)
+        ]
         whole = Sectors(*(np.stack(part) for part in zip(*found, strict=True)))
         rays = wear_of(whole, self.cycle).reshape(*first.shape[:-1], N_RAYS)
         return Wear(rays, oil_hole(rays))

@@ -1,6 +1,6 @@
 """What the crankshaft says in the answer: the largest load of a main bearing by every method, and which to trust."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -28,6 +28,8 @@ _TRUST = {
     "frame_rigid": N_("between both; bearing {bearing} by all: {range}"),
 }
 """Which method to trust, by the best that the file has numbers for."""
+_ALIKE = 1e-9
+"""Loads that differ by less, in parts of the largest, are one."""
 
 
 def bearing_rows(
@@ -42,23 +44,25 @@ def bearing_rows(
             load, other = (Amount(float(np.max(each)), "N") for each in (own, most[beside]))
             yield worded(_(name), _(said), load=load, other=other, bearing=bearings[int(np.argmax(own))])
             if housing is not None and method == "frame_elastic":
-                yield _by_housing(housing, design)
+                yield from _by_housing(housing, design)
     every = np.stack(list(most.values()))
     if np.all(np.isfinite(every)):
         yield _spread(every, bearings, next(name for name in _TRUST if name in most))
 
 
-def _by_housing(housing: HousingSpread, design: int) -> AnswerLine:
-    """The largest load where housings are half and twice as stiff as the file has them."""
+def _by_housing(housing: HousingSpread, design: int) -> Iterator[AnswerLine]:
+    """The largest load where housings are half and twice as stiff as the file has them, if that makes a difference."""
     soft, stiff = (
-        Amount(float(np.max(own[design])), "N")
-        for own in (housing.bearing_load_soft_housing, housing.bearing_load_stiff_housing)
+        float(np.max(own[design])) for own in (housing.bearing_load_soft_housing, housing.bearing_load_stiff_housing)
     )
-    return worded(_("half, twice as stiff"), _("{soft}, {stiff}"), soft=soft, stiff=stiff)
+    if abs(stiff - soft) > _ALIKE * stiff:
+        yield worded(_("half, twice as stiff"), _("{soft}, {stiff}"), soft=Amount(soft, "N"), stiff=Amount(stiff, "N"))
 
 
-def _spread(most: Array, bearings: tuple[str, ...], best: str) -> AnswerLine:
-    """Which method to trust, and how much all differ where they differ most."""
+def _spread(most: Array, bearings: Sequence[str], best: str) -> AnswerLine:
+    """Which method to trust, and how much all differ where they differ most; on two bearings they do not."""
+    if np.all(np.ptp(most, axis=0) <= _ALIKE * np.max(most)):
+        return worded(_("to trust"), _("any: all methods give the same"))
     widest = int(np.argmax(np.ptp(most, axis=0)))
     extent = Extent(float(np.min(most[:, widest])), float(np.max(most[:, widest])), "N")
     return worded(_("to trust"), _(_TRUST[best]), range=extent, bearing=bearings[widest])

@@ -1,13 +1,14 @@
 """Wear diagrams by the rule of ±60°, and where on them an oil hole goes."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.numerics.sectors import Sectors
 
 N_RAYS = 36
 """Rays of a diagram: one every 10°."""
-RAYS: Array = np.arange(N_RAYS) * (2 * np.pi / N_RAYS)
+RAYS: Array = np.arange(N_RAYS, dtype=np.float64) * (2 * np.pi / N_RAYS)
 """Their directions. [rad]"""
 RAY_NAMES = tuple(f"{ray * 360 // N_RAYS}" for ray in range(N_RAYS))
 """Their directions in degrees."""
@@ -98,7 +99,7 @@ def oil_hole(wear: Array) -> Array:
     return np.where((widest > 0) & (widest < n_rays), np.mod(middle, 2 * np.pi), np.nan)
 
 
-def _widths(is_least: Array) -> Array:
+def _widths(is_least: NDArray[np.bool_]) -> NDArray[np.intp]:
     """How many rays follow each other from each that begins a sector, shape (..., ray); 0 for others."""
     n_rays = is_least.shape[-1]
     begins = is_least & ~np.roll(is_least, 1, axis=-1)
