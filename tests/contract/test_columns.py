@@ -110,6 +110,16 @@ TABLES = {
             "cam": {"on": "crank", "torque": ["1 N*m", "3 N*m"], "crank_angles": ["20 deg", "200 deg"]},
         }
     },
+    "torsion by sizes": {
+        "torsion": {"stiffness_method": "carter", "throw_inertia": "0.02 kg*m^2"},
+        "crankshaft": {
+            "journal_diameter": "50 mm",
+            "pin_diameter": "48 mm",
+            "pin_length": "28 mm",
+            "web_thickness": "18 mm",
+            "web_width": "76 mm",
+        },
+    },
     "crankshaft": {
         "crankshaft": {
             "journal_diameter": ["55 mm", "56 mm", "57 mm"],
@@ -122,6 +132,8 @@ TABLES = {
             "bearing_stiffness": ["300 kN/mm", "400 kN/mm"],
             "bearing_clearance": "0.05 mm",
             "bearing_width": "20 mm",
+            "web_height": "110 mm",
+            "density": "7800 kg/m³",
             "young_modulus": "205 GPa",
             "poisson_ratio": 0.29,
             "bearing": {

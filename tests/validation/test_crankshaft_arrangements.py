@@ -178,7 +178,7 @@ def test_a_gear_between_two_shafts(rotation):
     np.testing.assert_allclose(np.abs(low.thrust[0, -1]), tangent * np.tan(np.pi / 9), atol=1e-11 * np.max(tangent))
     # Nothing is left of the upper shaft's torque beyond its gear; all of both is at the end of the lower one.
     for one, own, wanted in zip(loaded.each, acting, (np.sum(of_shafts.values, axis=0), 0 * torque), strict=True):
-        borne = METHODS["split"].loads(one.shaft, own)
+        borne = METHODS["split"].loads(one.shaft, own).load
         last = torque_along(one.shaft, own, borne).end[0, -1]
         turn = one.laid.turn
         np.testing.assert_allclose(turn * last, wanted, rtol=0, atol=1e-10 * np.max(np.abs(torque)))
@@ -275,3 +275,31 @@ def test_settlement_of_the_middle_bearing():
     size = np.max(np.abs(loads(ct.run(plain), "three_moment")))
     np.testing.assert_allclose(added[:, 1, 0], [-wanted, 2 * wanted, -wanted], rtol=0, atol=1e-11 * (wanted + size))
     np.testing.assert_allclose(added[:, 0], 0.0, atol=1e-11 * (wanted + size))
+
+
+def test_housings_half_and_twice_as_stiff():
+    """What is said of other housings is what the file with these housings says."""
+    shaft = {"bearing_stiffness": ["300 kN/mm", "500 kN/mm"]}
+    spread = ct.run(machine(["0 deg", "90 deg"], crankshaft=shaft)).dataset
+    for name, stiffness in (("soft", ["150 kN/mm", "250 kN/mm"]), ("stiff", ["600 kN/mm", "1000 kN/mm"])):
+        other = ct.run(machine(["0 deg", "90 deg"], crankshaft={"bearing_stiffness": stiffness})).dataset
+        wanted = other.largest_bearing_load.sel(bearing_method="frame_elastic").values
+        np.testing.assert_allclose(spread[f"bearing_load_{name}_housing"].values, wanted, rtol=1e-11)
+
+
+def test_what_pins_and_webs_weigh():
+    """Cylinder and two blocks, in grams by hand; a web from pin to pin is halved between them."""
+    data = ct.run(machine(["0 deg", "180 deg"], crankshaft={"density": "8000 kg/m³", "pin_bore": "25 mm"})).dataset
+    pin = 8000 * np.pi / 4 * (0.065**2 - 0.025**2) * 0.06
+    web = 8000 * 0.11 * 0.028 * (0.05 + 0.0675)
+    np.testing.assert_allclose(data.pin_mass, [pin, pin], rtol=1e-13)
+    np.testing.assert_allclose(data.web_mass, [2 * web, 2 * web], rtol=1e-13)
+    moment = pin * 0.05 + 2 * web * (0.05 - 0.0025) / 2
+    np.testing.assert_allclose(data.crank_moment, [moment, moment], rtol=1e-13)
+    own = {"journals": [1, 3], "web_height": "100 mm", "pin_bore": "25 mm", "density": "8000 kg/m³"}
+    data = ct.run(machine(["0 deg", "180 deg"], crankshaft=own)).dataset
+    web, between = 8000 * 0.11 * 0.028 * 0.1, 8000 * 0.11 * 0.09 * 0.1
+    np.testing.assert_allclose(data.web_mass, [web + between / 2] * 2, rtol=1e-13)
+    # By halves at both pins: together they have its moment about the shaft, here none.
+    moment = pin * 0.05 + web * (0.05 - 0.0025) / 2 + between / 2 * 0.05
+    np.testing.assert_allclose(data.crank_moment, [moment, moment], rtol=1e-13)

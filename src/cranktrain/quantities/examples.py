@@ -122,6 +122,7 @@ EXAMPLES = {
     "union_link_length": "450 mm",
     "valve_pin_distance": "95 mm",
     "wall_temperature": "180 °C",
+    "web_height": "140 mm",
     "web_thickness": "25 mm",
     "web_width": "100 mm",
     "width": "28 mm",

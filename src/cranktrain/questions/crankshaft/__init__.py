@@ -10,8 +10,10 @@ from cranktrain.layout.uses import table
 from cranktrain.questions.crankshaft import rows
 from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.bearings_between_events import bearings_between_events
+from cranktrain.questions.crankshaft.crank_sizes import crank_sizes
 from cranktrain.questions.crankshaft.cycle_points import cycle_points
 from cranktrain.questions.crankshaft.gears import declared_gears, gear_problems
+from cranktrain.questions.crankshaft.housing import housing_spread, in_elastic_bearings
 from cranktrain.questions.crankshaft.journal_loads import journal_loads, journal_wear
 from cranktrain.questions.crankshaft.laid import laid_crankshafts, with_rods
 from cranktrain.questions.crankshaft.model import loaded_shafts
@@ -51,9 +53,11 @@ QUESTION = Question(
         Stage(cycle_points, applies=have_crank_pins),
         Stage(crank_pin_wear),
         Stage(laid_crankshafts, applies=with_rods),
+        Stage(crank_sizes),
         Stage(loaded_shafts),
         Stage(bearings_between_events),
         Stage(main_bearing_loads),
+        Stage(housing_spread, applies=in_elastic_bearings),
         Stage(journal_loads),
         Stage(journal_wear),
         Stage(section_torques),
@@ -63,6 +67,7 @@ QUESTION = Question(
     dimensions=(
         ResultDimension("bearing_method", N_("bearing method")),
         ResultDimension("bearing", N_("bearing")),
+        ResultDimension("pin", N_("pin")),
         ResultDimension("section", N_("section")),
         ResultDimension("ray", N_("ray"), is_number=True),
     ),

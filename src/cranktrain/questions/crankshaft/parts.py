@@ -68,6 +68,10 @@ class DeclaredCrankshaft:
         Which bearing takes axial forces.
     pulls : Pulls
     material : Material, shape (design,)
+    density : Array, shape (design,)
+        [kg/m³]
+    web_height : Array, shape (design, 1)
+        NaN where it is not given. [m]
     is_elastic, has_clearance : bool
         Whether the file says so of any bearing.
     """
@@ -95,6 +99,8 @@ class DeclaredCrankshaft:
     thrust: int
     pulls: Pulls
     material: Material
+    density: Array
+    web_height: Array
     is_elastic: bool
     has_clearance: bool
 
@@ -175,6 +181,8 @@ def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable) 
         thrust=_thrust(table, bearings),
         pulls=_pulls(designs, table),
         material=_material(designs, table),
+        density=by_design([(table.density or STEEL[2]).array])[:, 0],
+        web_height=by_design([_or_nan(table.web_height)]),
         is_elastic=any(bearing.table.stiffness for bearing in bearings),
         has_clearance=any(bearing.table.clearance for bearing in bearings),
     )
@@ -194,7 +202,7 @@ def _compliance(designs: Designs, bearings: Sequence[LineBearing]) -> Array:
 def _material(designs: Designs, table: CrankshaftTable) -> Material:
     young, poisson = (
         designs.by_design([(given or of_steel).array])[:, 0]
-        for given, of_steel in zip((table.young_modulus, table.poisson_ratio), STEEL, strict=True)
+        for given, of_steel in zip((table.young_modulus, table.poisson_ratio), STEEL[:2], strict=True)
     )
     return Material(young, young / (2 * (1 + poisson)))
 

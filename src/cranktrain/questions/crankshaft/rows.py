@@ -6,6 +6,7 @@ import numpy as np
 
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.questions.crankshaft.housing import HousingSpread
 from cranktrain.questions.crankshaft.section_torques import SectionTorques, widest_sections
 from cranktrain.questions.crankshaft.stages import MainBearingLoads
 from cranktrain.rows import Amount, AnswerLine, Extent, worded
@@ -31,7 +32,9 @@ _ALIKE = 1e-9
 """Loads that differ by less, in parts of the largest, are one."""
 
 
-def bearing_rows(labels: Names, design: int, found: MainBearingLoads) -> Iterator[AnswerLine]:
+def bearing_rows(
+    labels: Names, design: int, found: MainBearingLoads, housing: HousingSpread | None
+) -> Iterator[AnswerLine]:
     """The largest load and where it is, of the crank frame; of other methods beside it; and by how much all differ."""
     bearings = labels["bearing"]
     most = dict(zip(labels["bearing_method"], found.largest_bearing_load.value[design], strict=True))
@@ -40,9 +43,20 @@ def bearing_rows(labels: Names, design: int, found: MainBearingLoads) -> Iterato
         if own is not None and np.all(np.isfinite(own)):
             load, other = (Amount(float(np.max(each)), "N") for each in (own, most[beside]))
             yield worded(_(name), _(said), load=load, other=other, bearing=bearings[int(np.argmax(own))])
+            if housing is not None and method == "frame_elastic":
+                yield from _by_housing(housing, design)
     every = np.stack(list(most.values()))
     if np.all(np.isfinite(every)):
         yield _spread(every, bearings, next(name for name in _TRUST if name in most))
+
+
+def _by_housing(housing: HousingSpread, design: int) -> Iterator[AnswerLine]:
+    """The largest load where housings are half and twice as stiff as the file has them, if that makes a difference."""
+    soft, stiff = (
+        float(np.max(own[design])) for own in (housing.bearing_load_soft_housing, housing.bearing_load_stiff_housing)
+    )
+    if abs(stiff - soft) > _ALIKE * stiff:
+        yield worded(_("half, twice as stiff"), _("{soft}, {stiff}"), soft=Amount(soft, "N"), stiff=Amount(stiff, "N"))
 
 
 def _spread(most: Array, bearings: Sequence[str], best: str) -> AnswerLine:

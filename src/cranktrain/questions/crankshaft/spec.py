@@ -16,6 +16,7 @@ from cranktrain.quantities import (
     Given,
     Length,
     NonNegativeLength,
+    PositiveDensity,
     PositiveLength,
     PositivePressure,
     Quantity,
@@ -33,8 +34,8 @@ NEEDED = ("journal_diameter", "pin_diameter", "pin_length", "web_thickness", "we
 """What every crankshaft must say."""
 
 
-STEEL = (Given(206e9, "206 GPa"), Given(0.3, "0.3"))
-"""Young's modulus and Poisson's ratio of what the shaft is made of unless given."""
+STEEL = (Given(206e9, "206 GPa"), Given(0.3, "0.3"), Given(7850.0, "7850 kg/m³"))
+"""Young's modulus, Poisson's ratio and density of what the shaft is made of unless given."""
 
 
 class BearingSpec(Spec, frozen=True):
@@ -110,6 +111,15 @@ class CrankshaftTable(Spec, frozen=True):
             "How much of a web gives: from axis to axis, or, unless given, less a fifth of both diameters (ker_wilson),"
             " as it is stiff within them."
         ),
+    )
+    web_height: PositiveLength | None = Field(
+        default=None,
+        description=N_(
+            "Of a web, along the crank, for its mass; unless given, from the journal's far side to the pin's."
+        ),
+    )
+    density: PositiveDensity | None = Field(
+        default=None, description=N_("Of the shaft, for the masses of its pins and webs; that of steel unless given.")
     )
     side_rod_distance: PositiveLength | None = Field(
         default=None,
