@@ -162,7 +162,7 @@ def _turned_round(panels: _Panels, samples: _Samples, steps: _Steps) -> Iterator
     row, place, start, ahead = steps
     begin, end = samples.way[row, place], samples.way[row, place + 1]
     n_sectors = samples.n_sectors
-    nowhere = _crossing(panels, row, (start + n_sectors / 2) * (np.pi / n_sectors), begin, end)
+    nowhere = _crossing(panels, row, (start.astype(np.float64) + n_sectors / 2) * (np.pi / n_sectors), begin, end)
     yield row, start, panels.between(row, begin, nowhere)
     yield row, start + ahead, panels.between(row, nowhere, end)
 
