@@ -3,7 +3,7 @@
 import re
 import shlex
 from collections.abc import Generator, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 
 from rich.console import Console
 from rich.text import Text
@@ -55,7 +55,7 @@ def give_proposal(
     """
     file = None if source is None else read_machine(source)
     wanted = SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed
-    with _searching() as progress:
+    with nullcontext() if file is None else _searching() as progress:
         proposal = proposed(problem, wanted, file, progress)
     if output is not None:
         write_machine_file(output, _machine_file(proposal, file), force=force)
