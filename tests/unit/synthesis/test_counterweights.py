@@ -5,6 +5,7 @@ import tomllib
 
 import numpy as np
 import pytest
+from tests.sentences import NOT_POSITIVE
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -166,9 +167,9 @@ def test_counterweights_that_are_solved_for_are_replaced_only_afresh():
         ({"weights": "some"}, "weights = some: must be one of: each, alike, mirrored, webs"),
         ({"method": "clearance"}, "method = clearance: is not linear"),
         ({"method": "splitt"}, 'write "split"'),
-        ({"largest_mass": 0.0}, "largest_mass = 0 kg: must be more than 0"),
-        ({"radius": -0.01}, "radius = -10 mm: must be more than 0"),
-        ({"largest_share": 0.0}, "largest_share = 0: must be more than 0"),
+        ({"largest_mass": 0.0}, f"largest_mass = 0 kg: {NOT_POSITIVE}"),
+        ({"radius": -0.01}, f"radius = -10 mm: {NOT_POSITIVE}"),
+        ({"largest_share": 0.0}, f"largest_share = 0: {NOT_POSITIVE}"),
         ({"throws": "0,2"}, "throws = 0: must be one of: 1, 2, 3, 4"),
         ({"throws": ""}, 'throws = "": must be one of: 1, 2, 3, 4'),
     ],
