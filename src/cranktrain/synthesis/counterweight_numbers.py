@@ -184,6 +184,8 @@ def relief_remarks(aimed: Aimed, weighed: FoundWeights, least: Least, kept: Kept
         if abs(weighed.moment[i]) > (1 - _AT_LIMIT) * weighed.most[i]
     ]
     yield _("No such weights within the limits leave less than {bound}.").format(bound=number(least.bound, "kN"))
+    if not np.any(weighed.moment):
+        yield _("No counterweight there makes it less.")
     if at_limit:
         said = _("As heavy as they may be: {places}.")
         yield said.format(places=", ".join(at_limit))
