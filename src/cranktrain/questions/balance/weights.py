@@ -99,7 +99,7 @@ def declared_balance(designs: Designs) -> DeclaredBalance | None:
     return DeclaredBalance(
         given=GivenWeights(
             ratio=designs.by_design([float(one.ratio) for one in weights]),
-            moment=each([one.mass for one in weights]) * each([one.radius for one in weights]),
+            moment=designs.by_design([one.moment for one in weights]),
             angle=designs.by_design([_angle_on(one, main) for one in weights]),
             position=designs.by_design([_position_on(one, main) for one in weights]),
             place=places([one.place for one in weights]),
@@ -143,7 +143,7 @@ def balance_problems(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
 def _cancelled(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
     """Find weights on one throw that do nothing together, as one of them stands on the wrong side."""
     on_throws = [
-        (i, weight, weight.mass.si * weight.radius.si * np.exp(1j * _angle_on(weight, main)))
+        (i, weight, weight.moment * np.exp(1j * _angle_on(weight, main)))
         for i, weight in enumerate(spec.weight)
         if weight.throw is not None and weight.throw <= len(main.throws)
     ]
