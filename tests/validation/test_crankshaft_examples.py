@@ -50,9 +50,16 @@ def pull(newton, degrees):
 
 @pytest.mark.parametrize("method", ["split", "three_moment", "frame_rigid"])
 def test_two_throws_between_two_bearings(method):
-    """Bearings 2 in outside of the pins, which are 4 in apart; flywheel and belt at 8.5 in."""
+    """Bearings 2 in outside of the pins, which are 4 in apart; flywheel and belt at 8.5 in.
+
+    Cranks of 5.4 lb whose centroids are 1 in from the axis: half in the middle of the web outside, 0.95 in from its pin,
+    and half in that of the web between the pins.
+    """
     result = run("two_throw_compressor")
     loads = [(4 * n, on_pin(result, n, result.crank_angle + 180 * n)) for n in range(2)]
+    centrifugal = 5.4 * 0.45359237 * INCH * (1500 * np.pi / 30) ** 2
+    for z, n in ((-0.95, 0), (2, 0), (2, 1), (4.95, 1)):
+        loads.append((z, centrifugal / 2 * seen(result.crank_angle + 180 * n)[0]))
     loads += [(8.5, pull(60 * LBF, 180)), (8.5, pull(90 * LBF, 90))]
     for bearing, expected in zip(("1", "3"), borne(loads, -2, 6), strict=True):
         agrees(result, method, bearing, expected)
