@@ -128,13 +128,13 @@ def exact(value):
 def frame_loads(shaft, loads, design, angle, *, gives):
     """Bearing loads and displacements of a crankshaft at one angle, each of shape (bearing, 2)."""
     ctx.dps = DIGITS
-    return _CrankFrame(shaft, loads, design, angle).bearing_loads(gives=gives)
+    return CrankFrame(shaft, loads, design, angle).bearing_loads(gives=gives)
 
 
 def frame_torques(shaft, loads, design, angle):
     """Torque from X toward Y in the first and the last beam of every piece, on elastic bearings, shape (2, piece)."""
     ctx.dps = DIGITS
-    whole = _CrankFrame(shaft, loads, design, angle)
+    whole = CrankFrame(shaft, loads, design, angle)
     whole.bearing_loads(gives=True)
     return np.array([[float(whole.torque(beams[end])) for beams in whole.of_piece] for end in (0, -1)])
 
@@ -202,7 +202,7 @@ class _OnBearings:
         return borne, moved
 
 
-class _CrankFrame(_OnBearings):
+class CrankFrame(_OnBearings):
     def build(self):
         for piece in range(self.shaft.pieces.radius.shape[1]):
             begin = self.last if piece else None

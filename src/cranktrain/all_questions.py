@@ -12,6 +12,6 @@ QUESTIONS: tuple[Question, ...] = (
     torque.QUESTION,
     balance.QUESTION,
     evenness.QUESTION,
-    torsion.QUESTION,
     crankshaft.QUESTION,
+    torsion.QUESTION,
 )

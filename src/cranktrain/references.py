@@ -46,6 +46,11 @@ REFERENCES: dict[str, Reference] = {
         Reference("sarkar", "Sarkar, Theory of Machines, chapters 5 and 11"),
         Reference("machinerys-handbook", "Machinery's Handbook, Flywheels: safe speed of cast-iron rims, 100 ft/s"),
         Reference("cowper-1966", "Cowper, The shear coefficient in Timoshenko's beam theory, J. Appl. Mech. 33, 1966"),
+        Reference(
+            "carter-1928", "Carter, An empirical formula for crank-shaft stiffness in torsion, Engineering, 1928"
+        ),
+        Reference("ker-wilson", "Ker Wilson, Practical solution of torsional vibration problems, volume 1"),
+        Reference("zimanenko", "Зиманенко, формула приведённой длины колена (по пересказам; печатного источника нет)"),
         Reference("api-11e", "API Spec 11E (pumping units)"),
     )
 }

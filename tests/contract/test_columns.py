@@ -57,6 +57,16 @@ TABLES = {
             "weight": [
                 {"mass": "1 kg", "radius": "40 mm", "throw": 1, "angle": "170 deg"},
                 {"mass": "2 kg", "radius": "30 mm", "z": "20 mm", "angle": "10 deg", "place": ["50 mm", "60 mm"]},
+                {
+                    "throw": 2,
+                    "sector": {
+                        "outer_radius": "80 mm",
+                        "inner_radius": "30 mm",
+                        "opening": "100 deg",
+                        "thickness": "20 mm",
+                        "density": "7800 kg/m³",
+                    },
+                },
             ],
             "shafts": [{"order": 2, "forward": ["90 mm", "10 mm"], "backward": ["-90 mm", "10 mm"]}],
         }
@@ -99,6 +109,49 @@ TABLES = {
             "fan": {"on": "crank", "torque": "2 N*m", "at_turning": "90 rad/s", "exponent": 2},
             "cam": {"on": "crank", "torque": ["1 N*m", "3 N*m"], "crank_angles": ["20 deg", "200 deg"]},
         }
+    },
+    "torsion by sizes": {
+        "torsion": {"stiffness_method": "carter", "throw_inertia": "0.02 kg*m^2"},
+        "crankshaft": {
+            "journal_diameter": "50 mm",
+            "pin_diameter": "48 mm",
+            "pin_length": "28 mm",
+            "web_thickness": "18 mm",
+            "web_width": "76 mm",
+        },
+    },
+    "crankshaft": {
+        "crankshaft": {
+            "journal_diameter": ["55 mm", "56 mm", "57 mm"],
+            "journal_bore": "9 mm",
+            "pin_diameter": "50 mm",
+            "pin_bore": "8 mm",
+            "pin_length": "28 mm",
+            "web_thickness": ["17 mm", "18 mm", "19 mm", "20 mm"],
+            "web_width": "70 mm",
+            "bearing_stiffness": ["300 kN/mm", "400 kN/mm"],
+            "bearing_clearance": "0.05 mm",
+            "bearing_width": "20 mm",
+            "web_height": "110 mm",
+            "density": "7800 kg/m³",
+            "young_modulus": "205 GPa",
+            "poisson_ratio": 0.29,
+            "bearing": {
+                "2": {"settlement": ["0.01 mm", "0.02 mm"], "width": "25 mm"},
+                "out": {"z": "400 mm", "stiffness": "100 kN/mm", "clearance": "0.1 mm"},
+            },
+            "pull": {"belt": {"z": "300 mm", "force": "2 kN", "direction": "70 deg"}},
+        },
+        "gear": {
+            "out": {
+                "shafts": "main",
+                "z": "330 mm",
+                "radius": "80 mm",
+                "direction": "30 deg",
+                "pressure_angle": "21 deg",
+                "helix_angle": "10 deg",
+            }
+        },
     },
     "torsion": {
         "torsion": {

@@ -51,7 +51,7 @@ def test_frame_on_elastic_bearings(seed, is_isotropic):
 def test_torque_along_the_shaft(seed):
     """With several throws between two bearings, thrust and torques on the way."""
     shaft, loads = drawn_crankshaft(seed, n_angles=1)
-    found = torque_along(shaft, loads, METHODS["frame_elastic"].loads(shaft, loads))
+    found = torque_along(shaft, loads, METHODS["frame_elastic"].loads(shaft, loads).load)
     wanted = frame_torques(shaft, loads, 0, 0)
     for values, torques in zip(found, wanted, strict=True):
         np.testing.assert_allclose(values[0, :, 0], torques, rtol=0, atol=1e-11 * np.max(np.abs(wanted)))

@@ -90,7 +90,7 @@ def test_torque_along_the_shaft(method):
     degrees = np.array([float(row["crank_angle_deg"]) for row in table])
     shaft, loads = crankshaft(), shaft_loads(degrees)
     bearings = METHODS[method].loads(shaft, loads)
-    found = torque_along(shaft, loads, bearings)
+    found = torque_along(shaft, loads, bearings.load)
     for throw in range(N):
         printed = [float(row[f"M_after_throw{throw + 1}_Nm"]) for row in table]
         np.testing.assert_allclose(-found.begin[0, 2 * throw + 2], printed, rtol=0, atol=6e-6)

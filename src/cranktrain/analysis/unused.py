@@ -64,19 +64,23 @@ def unused(machine: Machine, lacking: Mapping[type, tuple[str, ...]]) -> tuple[U
         A table that is not used at all, and of one that is, its parts that are not.
     """
     found: list[Unused] = []
-    for one in _found(machine, lacking):
-        if not any(one.table != other.table and one.table.startswith(other.table.rstrip("]")) for other in found):
+    every = list(_found(machine, lacking))
+    used = {one.table for one in every if not one.needs}
+    for one in every:
+        # A table that several questions read is used where one of them can.
+        if one.table not in used and not any(
+            one.table != other.table and one.table.startswith(other.table.rstrip("]")) for other in found
+        ):
             found.append(one)
     return tuple(found)
 
 
 def _found(machine: Machine, lacking: Mapping[type, tuple[str, ...]]) -> Iterator[Unused]:
-    """Go through all that may stand in a file."""
+    """Go through all that may stand in a file, what nothing is missing for too."""
     for use in (use for question in QUESTIONS for use in question.uses):
         needs = dict.fromkeys(need for result in use.results for need in lacking.get(result, ()))
         for table in use.tables(machine.design):
             # What a table holds is there, though nothing could be made of it.
             others = tuple(need for need in needs if need != table)
-            if others:
-                has_consequence = use.instead is not None and use.instead not in lacking
-                yield Unused(table, others, _(use.consequence) if has_consequence else "")
+            has_consequence = use.instead is not None and use.instead not in lacking
+            yield Unused(table, others, _(use.consequence) if has_consequence else "")

@@ -7,11 +7,13 @@ from pydantic import model_validator
 
 from cranktrain.spec import Spec
 
+_OTHERS = "overrides"
+
 
 class OverriddenSpec(Spec, frozen=True):
     """A table for all, in which tables of other names than its keys are `overrides`: of a bank, a cylinder, a shaft."""
 
-    others: ClassVar = "overrides"
+    others: ClassVar = _OTHERS
 
     @model_validator(mode="before")
     @classmethod
@@ -20,11 +22,11 @@ class OverriddenSpec(Spec, frozen=True):
         if not isinstance(data, Mapping):
             return data
         table = cast(Mapping[str, Any], data)
-        keys = [name for name in cls.model_fields if name != cls.others]
+        keys = [name for name in cls.model_fields if name != _OTHERS]
         own = {
             name: cast(object, value)
             for name, value in table.items()
             if isinstance(value, Mapping) and name not in keys
         }
         common = {name: value for name, value in table.items() if name not in own}
-        return common | {cls.model_fields[cls.others].alias: own} if own else common
+        return common | {cls.model_fields[_OTHERS].alias: own} if own else common

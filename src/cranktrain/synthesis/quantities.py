@@ -20,3 +20,4 @@ Speed: TypeAlias = Annotated[float, Quantity(Dimension.SPEED, above=0.0), N_("Of
 Friction: TypeAlias = Annotated[
     float, Quantity(Dimension.RATIO, above=0.0, at_most=2.0), N_("Coefficient of friction of the slider on its guide.")
 ]
+Mass: TypeAlias = Annotated[float, Quantity(Dimension.MASS)]

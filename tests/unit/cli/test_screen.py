@@ -56,7 +56,7 @@ def rows_below(lines, title):
     )
 
 
-LATER, MOST_ROWS = ("Main bearings",), 5
+LATER, MOST_ROWS = ("Main bearings", "Torsion"), 5
 """Questions that only some machines are asked, which may have so many rows beyond a screen's."""
 
 

@@ -10,9 +10,9 @@ from typing import Annotated
 
 import typer
 
-from cranktrain.cli.options import Force
+from cranktrain.cli.options import File, Force
 from cranktrain.cli.synthesis.proposals import give_proposal
-from cranktrain.cli.synthesis.requirements import form_of, option_of, requirements_of
+from cranktrain.cli.synthesis.requirements import form_of, is_of_machine, option_of, requirements_of
 from cranktrain.cli.task import Task
 from cranktrain.language import N_, _
 from cranktrain.spec import parts_of
@@ -71,6 +71,15 @@ _HELP = {
         "  cranktrain synthesise radial --cylinders 9 --strategy plain --compression-ratio 6.5 \\\n"
         '    --crank-radius "80 mm" --rod-length "310 mm" --knuckle-radius "75 mm" --slave-rod-length "235 mm"'
     ),
+    "counterweights": N_(
+        "Find the counterweights that leave the least load in a main bearing of a machine, or in all.\n\n"
+        "Methods: those of its bearing loads but clearance. Weights: each, alike, mirrored, webs. Angle: opposite, "
+        "free.\n\n"
+        "\b\n"
+        "  cranktrain synthesise counterweights vaz_21213 --bearing 3\n"
+        "  cranktrain synthesise counterweights vaz_21213 --aim mean --weights mirrored \\\n"
+        '    --radius "45 mm" --largest-mass "1.2 kg" -o weighted.toml'
+    ),
 }
 """What each problem is, with what may be typed for it."""
 
@@ -84,11 +93,18 @@ def _command(problem: str) -> Callable[..., Task]:
     """Make what Typer is to read: a function with a problem's requirements for parameters, and options of its own."""
 
     def command(
-        *, textbook: _Textbook = False, output: _Output = None, force: Force = False, **typed: str | bool | None
+        *,
+        file: File | None = None,
+        textbook: _Textbook = False,
+        output: _Output = None,
+        force: Force = False,
+        **typed: str | bool | None,
     ) -> Task:
-        return partial(give_proposal, problem, typed, output, force=force, with_source=textbook)
+        return partial(give_proposal, problem, typed, output, force=force, with_source=textbook, source=file)
 
-    textbook, *own, _typed = signature(command).parameters.values()
+    file, textbook, *own, _typed = signature(command).parameters.values()
+    if is_of_machine(problem):
+        own = [file.replace(annotation=File, default=Parameter.empty), *own]
     if problem == "slider-crank":  # the only one of which a source has an example
         own = [textbook, *own]
     command.__signature__ = Signature([*map(_option, requirements_of(problem)), *own])

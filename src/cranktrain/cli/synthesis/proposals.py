@@ -2,7 +2,8 @@
 
 import re
 import shlex
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
+from contextlib import contextmanager
 
 from rich.console import Console
 from rich.text import Text
@@ -12,17 +13,29 @@ from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_errors_of
 from cranktrain.grouping import grouped
+from cranktrain.io.added_tables import with_tables
+from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import STANDARD_OUTPUT, write_machine_file
 from cranktrain.language import _
 from cranktrain.one_line import one_line
+from cranktrain.synthesis.counterweights import CounterweightProposal
 from cranktrain.synthesis.proposal import Number, Proposal
+from cranktrain.synthesis.relief import Progress
 from cranktrain.textbook.errata import SYNTHESIS
-from cranktrain.wording import figure
+from cranktrain.wording import figure, number
 
-_OF_MEMBER = re.compile(r"(?P<name>.+)\((?P<member>\d+)\)$")
+_OF_MEMBER = re.compile(r"(?P<name>.+)\((?P<member>[^()]+)\)$")
 
 
-def give_proposal(problem: str, typed: Typed, output: str | None, *, force: bool, with_source: bool = False) -> None:
+def give_proposal(
+    problem: str,
+    typed: Typed,
+    output: str | None,
+    *,
+    force: bool,
+    with_source: bool = False,
+    source: str | None = None,
+) -> None:
     """Find dimensions, write their machine file where one is asked for, and show them.
 
     Parameters
@@ -37,10 +50,15 @@ def give_proposal(problem: str, typed: Typed, output: str | None, *, force: bool
         Replace a file that is there.
     with_source : bool
         Whether to show the source's own example and its errors, with no requirement typed for its requirements.
+    source : str or None
+        Machine file or example that it is for, where it is for one.
     """
-    proposal = proposed(problem, SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed)
+    file = None if source is None else read_machine(source)
+    wanted = SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed
+    with _searching() as progress:
+        proposal = proposed(problem, wanted, file, progress)
     if output is not None:
-        write_machine_file(output, proposal.machine_file(), force=force)
+        write_machine_file(output, _machine_file(proposal, file), force=force)
     if output in STANDARD_OUTPUT:
         return
     with page(one_line(proposal.title)) as console:
@@ -54,6 +72,26 @@ def give_proposal(problem: str, typed: Typed, output: str | None, *, force: bool
             command = shlex.join(["cranktrain", "run", one_line(output)])
             said = _("written: {name}; go on with: {command}").format(name=one_line(output), command=command)
         console.print(said, soft_wrap=True)
+
+
+@contextmanager
+def _searching() -> Generator[Progress]:
+    """Show how far a search is, for as long as it takes, where somebody looks on."""
+    with Console(stderr=True).status(_("searching")) as status:
+
+        def progress(reached: float, bound: float) -> None:
+            said = _("searching: {reached} reached, nothing goes below {bound}")
+            status.update(said.format(reached=number(reached, "kN"), bound=number(bound, "kN")))
+
+        yield progress
+
+
+def _machine_file(proposal: Proposal, file: MachineFile | None) -> str:
+    """The machine file of a proposal; of one for a machine, that one's own with what is proposed in it."""
+    if file is None or not isinstance(proposal, CounterweightProposal):
+        return proposal.machine_file()
+    tables = [table.keys for table in proposal.tables]
+    return with_tables(file.document.text, "balance.weight", tables, proposal.taken_out)
 
 
 def show_proposal(console: Console, proposal: Proposal) -> None:
@@ -70,12 +108,14 @@ def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
     if single:
         rows = [(one.sentence, one.symbol, figure(one.value, one.unit), one.unit.removeprefix("1")) for one in single]
         yield from table(("", "", "", ""), rows, right=(2,))
-    several = grouped((found["member"], one) for one in numbers if (found := _OF_MEMBER.match(one.name)))
-    if several:
-        columns = [_column(each[0], each) for each in zip(*several.values(), strict=True)]
-        yield from column_tables(columns, tuple(several), width)
+    several = grouped((found["name"], one) for one in numbers if (found := _OF_MEMBER.match(one.name)))
+    members = grouped((tuple(_member(one) for one in each), each) for each in several.values())
+    for i, (labels, columns) in enumerate(members.items()):
+        if i or single:
+            yield ""
+        yield from column_tables([_column(each[0], each) for each in columns], labels, width)
         yield ""
-        yield _legend(next(iter(several.values())))
+        yield _legend([each[0] for each in columns])
 
 
 def _alternatives(proposal: Proposal, width: int) -> Iterator[str | Text]:
@@ -105,6 +145,12 @@ def _column(like: Number, numbers: Sequence[Number | None]) -> Column:
 def _legend(numbers: Sequence[Number]) -> str:
     """Say what the symbols are."""
     return "; ".join(f"{_symbol(one)} {one.sentence[:1].lower()}{one.sentence[1:]}" for one in numbers)
+
+
+def _member(one: Number) -> str:
+    """Which member it is of."""
+    found = _OF_MEMBER.match(one.name)
+    return found["member"] if found else ""
 
 
 def _symbol(one: Number) -> str:

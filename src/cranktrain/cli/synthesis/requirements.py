@@ -8,14 +8,18 @@ from inspect import Parameter, signature
 from typing import TypeAlias
 
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
+from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
+from cranktrain.machine import Machine
 from cranktrain.quantities import Dimension, QuantityError, unlisted
 from cranktrain.spec import missing, parts_of, quantity_of, words_of
+from cranktrain.synthesis.counterweights import counterweights
 from cranktrain.synthesis.crank_rocker import crank_rocker_from_swing
 from cranktrain.synthesis.knuckle import knuckle_from_requirements
 from cranktrain.synthesis.proposal import Proposal
 from cranktrain.synthesis.quick_return import quick_return
 from cranktrain.synthesis.radial import radial
+from cranktrain.synthesis.relief import Progress
 from cranktrain.synthesis.slider_crank import slider_crank_from_stroke
 
 Typed: TypeAlias = Mapping[str, str | bool | None]
@@ -27,6 +31,7 @@ SYNTHESES: Mapping[str, Callable[..., Proposal]] = {
     "quick-return": quick_return,
     "knuckle": knuckle_from_requirements,
     "radial": radial,
+    "counterweights": counterweights,
 }
 """What can be synthesised; the annotations of its parameters say what each is, and what may be typed for it."""
 
@@ -34,11 +39,19 @@ _FREE = "free"
 """What stands for None, a dimension that is to be chosen, where something else stands unless given."""
 
 _MOST_CYLINDERS = 99
+_PROGRESS = "progress"
+"""Of a synthesis that searches long: what it tells while it does."""
 
 
 def requirements_of(problem: str) -> Iterable[Parameter]:
-    """Parameters of a synthesis, by its key in `SYNTHESES`."""
-    return signature(SYNTHESES[problem]).parameters.values()
+    """Parameters of a synthesis that are typed as options, by its key in `SYNTHESES`."""
+    every = signature(SYNTHESES[problem]).parameters.values()
+    return [one for one in every if one.annotation is not Machine and one.name != _PROGRESS]
+
+
+def is_of_machine(problem: str) -> bool:
+    """Whether a synthesis, by its key in `SYNTHESES`, is for a machine that there is."""
+    return any(one.annotation is Machine for one in signature(SYNTHESES[problem]).parameters.values())
 
 
 def form_of(requirement: Parameter) -> str:
@@ -50,7 +63,7 @@ def form_of(requirement: Parameter) -> str:
     return f"{form}|{_FREE}" if _can_be_free(requirement) else form
 
 
-def proposed(problem: str, typed: Typed) -> Proposal:
+def proposed(problem: str, typed: Typed, file: MachineFile | None = None, progress: Progress | None = None) -> Proposal:
     """Read requirements and find dimensions for them.
 
     Parameters
@@ -58,6 +71,10 @@ def proposed(problem: str, typed: Typed) -> Proposal:
     problem : str
         A key of `SYNTHESES`; what its parameters without a default are called must be typed.
     typed : mapping
+    file : MachineFile, optional
+        Of the machine that it is for, where it is for one.
+    progress : callable, optional
+        What such a synthesis tells while it searches.
 
     Returns
     -------
@@ -82,8 +99,11 @@ def proposed(problem: str, typed: Typed) -> Proposal:
         except InputError as error:
             problems += [replace(one, path=option_of(requirement.name)) for one in error.problems]
     refuse(problems)
-    with problems_as(partial(_in_options, typed, Position(f"cranktrain synthesise {problem}"))):
-        return SYNTHESES[problem](**requirements)
+    machine = () if file is None else (file.machine,)
+    if file is not None:
+        requirements[_PROGRESS] = progress
+    with problems_as(partial(_in_options, typed, Position(f"cranktrain synthesise {problem}"), file)):
+        return SYNTHESES[problem](*machine, **requirements)
 
 
 def option_of(name: str) -> str:
@@ -96,6 +116,8 @@ def _value(requirement: Parameter, given: str | bool) -> object:
     quantity, words = quantity_of(requirement.annotation), words_of(requirement.annotation)
     if isinstance(given, bool):
         return given
+    if str in parts_of(requirement.annotation):
+        return given.strip()
     if quantity is None:
         chosen = given.strip().casefold().replace("-", "_")
         if chosen not in words:
@@ -116,8 +138,11 @@ def _can_be_free(requirement: Parameter) -> bool:
     return requirement.default is not None and type(None) in parts_of(requirement.annotation)
 
 
-def _in_options(typed: Typed, command: Position, problem: Problem) -> Problem:
-    """Speak of options, and of what was typed, where a synthesis speaks of its parameters."""
+def _in_options(typed: Typed, command: Position, file: MachineFile | None, problem: Problem) -> Problem:
+    """Speak of options, and of what was typed, where a synthesis speaks of its parameters; else of the file."""
+    if file is not None and problem.path not in typed:
+        here = file.document.located(problem)
+        return replace(here, repair=problem.repair and _with_options(problem.repair, typed))
     given = typed.get(problem.path)
     return Problem(
         option_of(problem.path) if problem.path else "",

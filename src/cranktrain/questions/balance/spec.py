@@ -1,17 +1,32 @@
 """Counterweights and balance shafts: the table [balance] of the machine file."""
 
 from collections.abc import Iterator, Sequence
+from math import pi
 from typing import Annotated, Literal, TypeAlias
 
+import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER
 from cranktrain.layout.listed import OneOrMany
-from cranktrain.quantities import Angle, Dimension, Given, Length, PositiveLength, PositiveMass, Quantity
+from cranktrain.motion import Array
+from cranktrain.quantities import (
+    Angle,
+    Dimension,
+    Given,
+    Length,
+    NonNegativeLength,
+    PositiveDensity,
+    PositiveLength,
+    PositiveMass,
+    Quantity,
+)
 from cranktrain.spec import Spec
 
+_NONE = Given(0.0, "0 mm")
+Opening = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, at_most=2 * pi, example="120 deg")]
 Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0)]
 Spot = tuple[Length, Length]
 Against: TypeAlias = Literal["force", "couple", "both"]
@@ -19,16 +34,46 @@ Counterweights: TypeAlias = Literal["rotating", "least_force"]
 _AT_CRANK = (Given(0.0, "0 mm"), Given(0.0, "0 mm"))
 
 
+class SectorSpec(Spec, frozen=True):
+    """The shape of a counterweight: a sector of a ring about the axis of its shaft."""
+
+    outer_radius: PositiveLength = Field(description=N_("From the axis of its shaft to its rim."))
+    inner_radius: NonNegativeLength = Field(
+        default=_NONE, description=N_("From that axis to where it begins; from the axis itself unless given.")
+    )
+    opening: Opening = Field(description=N_("Angle between its two sides."))
+    thickness: PositiveLength = Field(description=N_("Along the shaft."))
+    density: PositiveDensity = Field(
+        default=Given(7850.0, "7850 kg/m³"), description=N_("Of its material; that of steel unless given.")
+    )
+
+    @property
+    def moment(self) -> Array:
+        """Mass times radius of its centroid; docs/theory/balance, below eq. (16.7). [kg·m]"""
+        rim, begin, opening = (part.array for part in (self.outer_radius, self.inner_radius, self.opening))
+        return self.density.array * self.thickness.array * (rim**3 - begin**3) * (2 / 3) * np.sin(opening / 2)
+
+    def _problems(self) -> Iterator[Problem]:
+        """Find a sector that begins beyond its rim."""
+        if self.inner_radius.si >= self.outer_radius.si:
+            allowed = _("must be less than outer_radius = {radius}").format(radius=self.outer_radius.text)
+            yield Problem("inner_radius", self.inner_radius.text, allowed)
+
+
 class WeightSpec(Spec, frozen=True):
     """A weight that turns: mass, radius of its centroid, and where it stands at crank angle 0, ahead of throw 1.
 
-    On the crankshaft it stands on a `throw`, counted from 1, and unless given its angle is opposite that; or at `z`
-    from throw 1. With a ratio it is on a shaft of its own that turns so many times for one of the crank, less than 0
-    against it, and lies at `place` from the crankshaft's centre, to the right and up.
+    A sector's shape says mass and radius. On the crankshaft it stands on a `throw`, counted from 1, and unless given
+    its angle is opposite that; or at `z` from throw 1, as one on a single web does. With a ratio it is on a shaft of
+    its own that turns so many times for one of the crank, less than 0 against it, and lies at `place` from the
+    crankshaft's centre, to the right and up.
     """
 
-    mass: PositiveMass = Field(description=N_("Mass of the weight."))
-    radius: PositiveLength = Field(description=N_("Of its centroid from the axis of its shaft."))
+    mass: PositiveMass | None = Field(default=None, description=N_("Mass of the weight; or give its sector."))
+    radius: PositiveLength | None = Field(
+        default=None, description=N_("Of its centroid from the axis of its shaft; or give its sector.")
+    )
+    sector: SectorSpec | None = Field(default=None, description=N_("Its shape, instead of mass and radius."))
     angle: Angle | None = Field(
         default=None,
         description=N_(
@@ -51,8 +96,22 @@ class WeightSpec(Spec, frozen=True):
         default=_AT_CRANK, description=N_("Where its shaft lies from the crankshaft's centre: to the right, and up.")
     )
 
+    @property
+    def moment(self) -> Array:
+        """Mass times radius of its centroid. [kg·m]"""
+        if self.sector is not None:
+            return self.sector.moment
+        assert self.mass is not None
+        assert self.radius is not None
+        return self.mass.array * self.radius.array
+
     def _problems(self) -> Iterator[Problem]:
-        """Find a weight that stands nowhere or at two places, and on a throw what turns otherwise."""
+        """Find a weight of no size or of two, that stands nowhere, and on a throw what turns otherwise."""
+        for name in ("mass", "radius"):
+            if self.sector is not None and getattr(self, name) is not None:
+                yield Problem(name, getattr(self, name).text, _("must not stand beside sector, which says it"))
+            elif self.sector is None and getattr(self, name) is None:
+                yield Problem(name, None, _("is missing; or give the weight's shape, its sector"))
         if self.throw is None:
             if self.z is None:
                 yield Problem("z", None, _("is missing; give it, or on the crankshaft the throw"))
@@ -61,7 +120,7 @@ class WeightSpec(Spec, frozen=True):
         else:
             allowed = _("must not stand beside throw, which says it")
             given = self.model_fields_set
-            yield from (Problem(name, None, allowed) for name in ("z", "ratio", "place") if name in given)
+            yield from (Problem(name, None, allowed) for name in ("ratio", "place") if name in given)
         if self.ratio == 0:
             yield Problem("ratio", "0", _("must not be 0: a weight that does not turn balances nothing"))
 

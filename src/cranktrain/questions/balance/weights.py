@@ -99,7 +99,7 @@ def declared_balance(designs: Designs) -> DeclaredBalance | None:
     return DeclaredBalance(
         given=GivenWeights(
             ratio=designs.by_design([float(one.ratio) for one in weights]),
-            moment=each([one.mass for one in weights]) * each([one.radius for one in weights]),
+            moment=designs.by_design([one.moment for one in weights]),
             angle=designs.by_design([_angle_on(one, main) for one in weights]),
             position=designs.by_design([_position_on(one, main) for one in weights]),
             place=places([one.place for one in weights]),
@@ -143,7 +143,7 @@ def balance_problems(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
 def _cancelled(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
     """Find weights on one throw that do nothing together, as one of them stands on the wrong side."""
     on_throws = [
-        (i, weight, weight.mass.si * weight.radius.si * np.exp(1j * _angle_on(weight, main)))
+        (i, weight, weight.moment * np.exp(1j * _angle_on(weight, main)))
         for i, weight in enumerate(spec.weight)
         if weight.throw is not None and weight.throw <= len(main.throws)
     ]
@@ -216,7 +216,8 @@ def balance_weights(
     if declared.counterweights is not None:
         place = np.zeros((n_designs, n_mechanisms), dtype=complex) if centres is None else centres.value
         centre = running_axes(place, clockwise=frames.clockwise)
-        lots += _counterweights(declared, frame, frames, throws, position=position, middle=middle, centre=centre)
+        at = position if axial is None else axial.throw
+        lots += _counterweights(declared, frame, frames, throws, position=at, middle=middle, centre=centre)
     for pair in declared.shafts:
         left = reduce(lambda one, lot: with_weights(one, lot.weights, middle), lots, before)
         lots.append(_shafts(pair, left, middle, frames))
@@ -268,7 +269,7 @@ def _counterweights(
 ) -> Iterator[_Named]:
     """Counterweights of every shaft, each seen as its own crank turns.
 
-    position, middle: z of the mechanisms, and the mid-plane [m]; centre: of their shafts, in the common axes [m].
+    position, middle: z of the mechanisms' throws, and the mid-plane [m]; centre: of their shafts, in the common axes [m].
     """
     share, planes = declared.share, declared.planes
     z = position[:, throws.first]

@@ -9,13 +9,28 @@ from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, 
 from cranktrain.layout.uses import table
 from cranktrain.questions.crankshaft import rows
 from cranktrain.questions.crankshaft.acting import LoadedShafts
+from cranktrain.questions.crankshaft.bearings_between_events import bearings_between_events
+from cranktrain.questions.crankshaft.crank_sizes import crank_sizes
+from cranktrain.questions.crankshaft.cycle_points import cycle_points
 from cranktrain.questions.crankshaft.gears import declared_gears, gear_problems
+from cranktrain.questions.crankshaft.housing import housing_spread, in_elastic_bearings
+from cranktrain.questions.crankshaft.journal_loads import journal_loads, journal_wear
 from cranktrain.questions.crankshaft.laid import laid_crankshafts, with_rods
 from cranktrain.questions.crankshaft.model import loaded_shafts
 from cranktrain.questions.crankshaft.parts import declared_crankshafts
+from cranktrain.questions.crankshaft.pin_wear import crank_pin_wear
+from cranktrain.questions.crankshaft.pressures import (
+    crank_pin_pressures,
+    have_bearing_widths,
+    have_rod_widths,
+    main_bearing_pressures,
+)
 from cranktrain.questions.crankshaft.problems import crankshaft_problems
+from cranktrain.questions.crankshaft.section_torques import section_torques
+from cranktrain.questions.crankshaft.shaft_places import shaft_places
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
 from cranktrain.questions.crankshaft.stages import MainBearingLoads, main_bearing_loads
+from cranktrain.questions.forces.crank_pins import have_crank_pins
 
 
 def _problems(design: Design) -> Iterator[Problem]:
@@ -35,11 +50,32 @@ QUESTION = Question(
     tables={"crankshaft": CrankshaftSpec, "gear": GearSpec},
     problems=_problems,
     parts=_parts,
-    stages=(Stage(laid_crankshafts, applies=with_rods), Stage(loaded_shafts), Stage(main_bearing_loads)),
-    dimensions=(ResultDimension("bearing_method", N_("bearing method")), ResultDimension("bearing", N_("bearing"))),
+    stages=(
+        Stage(cycle_points, applies=have_crank_pins),
+        Stage(crank_pin_wear),
+        Stage(laid_crankshafts, applies=with_rods),
+        Stage(shaft_places),
+        Stage(crank_sizes),
+        Stage(loaded_shafts),
+        Stage(bearings_between_events),
+        Stage(main_bearing_loads),
+        Stage(housing_spread, applies=in_elastic_bearings),
+        Stage(journal_loads),
+        Stage(journal_wear),
+        Stage(section_torques),
+        Stage(crank_pin_pressures, applies=have_rod_widths),
+        Stage(main_bearing_pressures, applies=have_bearing_widths),
+    ),
+    dimensions=(
+        ResultDimension("bearing_method", N_("bearing method")),
+        ResultDimension("bearing", N_("bearing")),
+        ResultDimension("pin", N_("pin")),
+        ResultDimension("section", N_("section")),
+        ResultDimension("ray", N_("ray"), is_number=True),
+    ),
     headline=("largest_bearing_load",),
     title=N_("Main bearings"),
-    rows=(rows.bearing_rows,),
+    rows=(rows.bearing_rows, rows.torque_rows),
     offers={"main_bearing_load_x": N_("loads of main bearings")},
     uses=(Use(table("crankshaft"), (MainBearingLoads,)), Use(table("gear"), (LoadedShafts,))),
 )

@@ -38,11 +38,23 @@ class Shares(NamedTuple):
 
 
 class OfMechanisms(NamedTuple):
-    """Of every mechanism, in common axes, shape (design, mechanism, n): where its pin is, force on it, on its crank."""
+    """What every mechanism does to its shaft, arrays of shape (design, mechanism, n).
+
+    Attributes
+    ----------
+    pin : ComplexArray
+        Where its pin is, in common axes. [m]
+    on_pin, on_crank : ComplexArray
+        Force on it, and on the crank as it turns. [N]
+    own : Array
+        Torque of the crank itself beside that of its force in the middle of its webs, in its sense of rotation: of a
+        shaft that does not turn evenly, of weight beside the middle, of loads on the crank. [N·m]
+    """
 
     pin: ComplexArray
     on_pin: ComplexArray
     on_crank: ComplexArray
+    own: Array
 
 
 @record
@@ -123,22 +135,25 @@ class LoadedShafts:
         force = [np.stack([-self.turn * of_machine.imag, of_machine.real], axis=2)]
         pulls = one.laid.declared.pulls.force[..., np.newaxis]
         force.append(np.broadcast_to(pulls, (*pulls.shape[:-1], n)))
+        of_cranks = one.laid.turn * own.own[:, one.cranks.number] * one.cranks.part[..., np.newaxis]
+        before, behind = one.rods.number.size, of_machine.shape[1] + pulls.shape[1]
+        torque = np.zeros((len(turned), behind, n))
+        torque[:, before : before + one.cranks.number.size] = of_cranks
         if not one.meshes:
-            return ShaftLoads(*one.places, turned=turned, force=np.concatenate(force, axis=1))
+            return ShaftLoads(*one.places, turned=turned, force=np.concatenate(force, axis=1), torque=torque)
         teeth = [tooth_load(gear, mesh, handed[number], one.laid.turn) for number, gear, mesh in one.meshes]
-        before = sum(part.shape[1] for part in force)
 
         def beside(parts: Sequence[Array]) -> Array:
             """Loads of gears behind nothing for all others."""
             gears = np.stack(parts, axis=1)
-            return np.concatenate([np.zeros((len(gears), before, *gears.shape[2:])), gears], axis=1)
+            return np.concatenate([np.zeros((len(gears), behind, *gears.shape[2:])), gears], axis=1)
 
         return ShaftLoads(
             *one.places,
             turned=turned,
             force=np.concatenate([*force, np.stack([tooth.force for tooth in teeth], axis=1)], axis=1),
             couple=beside([tooth.couple for tooth in teeth]),
-            torque=beside([tooth.torque for tooth in teeth]),
+            torque=np.concatenate([torque, np.stack([tooth.torque for tooth in teeth], axis=1)], axis=1),
             thrust=beside([tooth.thrust for tooth in teeth]),
         )
 
@@ -169,7 +184,7 @@ class LoadedShafts:
 def of_mechanisms(loaded: LoadedMachine, frames: Frames, solved: Sequence[SolvedBatch]) -> OfMechanisms:
     """What all mechanisms do to their cranks, by the reactions of their joints."""
     shape = (len(loaded.speed.value), len(loaded.mechanisms.names), solved[0].forces.driving_torque.shape[-1])
-    found = OfMechanisms(*np.zeros((3, *shape), dtype=np.complex128))
+    found = OfMechanisms(*np.zeros((3, *shape), dtype=np.complex128), own=np.zeros(shape))
     for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
         dynamics = batch.kind.dynamics
         at_pin, at_bearing = dynamics.joint("crank_pin"), dynamics.joint("main_bearing")
@@ -181,7 +196,9 @@ def of_mechanisms(loaded: LoadedMachine, frames: Frames, solved: Sequence[Solved
 
         pin, (bears, holds) = one.motion.pin, (one.forces.joints[joint] for joint in (at_pin, at_bearing))
         on_rod, on_crank = common(bears.x, bears.y), common(holds.x, holds.y)
-        values = (common(pin.x.value, pin.y.value), -on_rod, on_rod - on_crank)
+        at, crank_force = common(pin.x.value, pin.y.value), on_rod - on_crank
+        by_forces = frames.sense[batch.index, np.newaxis] * np.imag(np.conj(at) * (crank_force / 2 - on_rod))
+        values = (at, -on_rod, crank_force, -one.forces.driving_torque - by_forces)
         for whole, part in zip(found, values, strict=True):
             whole[:, batch.index] = part
     return found

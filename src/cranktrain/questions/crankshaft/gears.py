@@ -101,7 +101,7 @@ def tooth_load(gear: Gear, mesh: Mesh, torque: Array, turn: float) -> ToothLoad:
 
     Notes
     -----
-    docs/theory/crankshaft, eqs. (24.39) and (24.40).
+    docs/theory/crankshaft, eqs. (24.49) and (24.50).
     """
     sign = -1.0 if mesh.drives else 1.0
     radius, tangent = gear.radius[:, np.newaxis], torque / gear.radius[:, np.newaxis]

@@ -1,8 +1,8 @@
 """One shaft's table, put to its throws: pins, webs, journals and bearings in line, each with its own numbers."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,7 @@ from cranktrain.quantities import Given
 from cranktrain.questions.crankshaft.spec import NEEDED, BearingSpec, CrankshaftSpec, CrankshaftTable
 from cranktrain.record import record
 
+_NO_BORE = (Given(0.0, "0 mm"),)
 Ends = tuple[Array, Array]
 """Of the first and of the second web of a pin."""
 
@@ -74,13 +75,18 @@ class ShaftLine:
 
 def table_of(spec: CrankshaftSpec, shaft: str) -> CrankshaftTable | None:
     """What the file says of one shaft: its own table over that of all; None where it says no section of it."""
-    own = spec.overrides.get(shaft)
-    tables = [spec] if own is None else [spec, own]
-    known = CrankshaftTable.model_fields
-    given = {name: getattr(table, name) for table in tables for name in known if name in table.model_fields_set}
-    if own is not None:
-        given |= {name: {**getattr(spec, name), **getattr(own, name)} for name in ("bearing", "pull")}
-    return CrankshaftTable.model_construct(**given) if own is not None or given.keys() & set(NEEDED) else None
+    own = spec.overrides.get(shaft, CrankshaftTable())
+    given = {name: _either(getattr(own, name), getattr(spec, name)) for name in CrankshaftTable.model_fields}
+    if shaft not in spec.overrides and not any(given[name] for name in NEEDED):
+        return None
+    return CrankshaftTable.model_construct(**given)
+
+
+def _either(own: Any, common: Any) -> Any:
+    """What is given, or else what holds for all; of tables by name both."""
+    if isinstance(own, Mapping):
+        return common | cast("Mapping[str, object]", own)
+    return common if own is None else own
 
 
 def path_of(spec: CrankshaftSpec, shaft: str, key: str) -> str:
@@ -125,9 +131,9 @@ def shaft_line(table: CrankshaftTable, pins: Sequence[LinePin]) -> ShaftLine:
         has,
         _bearings(table, pins, has),
         _each(table.journal_diameter, n + 1),
-        _each(table.journal_bore, n + 1),
+        _each(table.journal_bore or _NO_BORE, n + 1),
         _each(table.pin_diameter, n),
-        _each(table.pin_bore, n),
+        _each(table.pin_bore or _NO_BORE, n),
         length,
         tuple(thickness),
         tuple(width),

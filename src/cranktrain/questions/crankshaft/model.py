@@ -68,12 +68,16 @@ def _on_shaft(
     else:
         place = centres.value[:, laid.first]
         centre = place.imag - 1j * turn * place.real
-    ratio = laid.turn * turn
     is_own = np.all(
-        (every.ratio == ratio) & (np.abs(every.place - centre[:, np.newaxis]) < _ONE_PLACE) & ~np.isnan(every.position),
+        (every.ratio == laid.turn * turn)
+        & (np.abs(every.place - centre[:, np.newaxis]) < _ONE_PLACE)
+        & ~np.isnan(every.position),
         axis=0,
     )
-    return RotatingWeights(*(part[..., is_own] for part in every)) if np.any(is_own) else None
+    if not np.any(is_own):
+        return None
+    ratio, moment, angle, z = (part[..., is_own] for part in every[:4])
+    return RotatingWeights(ratio, moment, angle, z, every.place[..., is_own])
 
 
 class _Places:

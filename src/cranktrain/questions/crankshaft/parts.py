@@ -12,7 +12,7 @@ from cranktrain.motion import ONE, ZERO, Array
 from cranktrain.quantities import Given
 from cranktrain.questions.crankshaft.line import LineBearing, line_pins, shaft_line, table_of
 from cranktrain.questions.crankshaft.sections import Material
-from cranktrain.questions.crankshaft.spec import CrankshaftSpec, CrankshaftTable
+from cranktrain.questions.crankshaft.spec import STEEL, CrankshaftSpec, CrankshaftTable
 from cranktrain.questions.crankshaft.throw_line import WEB_RULES, WebRule
 from cranktrain.record import record
 
@@ -62,10 +62,16 @@ class DeclaredCrankshaft:
         [m]
     bearing_width : Array, shape (design, bearing)
         NaN where it is not given. [m]
+    rod_bearing_width : Array, shape (design,)
+        NaN where it is not given. [m]
     thrust : int
         Which bearing takes axial forces.
     pulls : Pulls
     material : Material, shape (design,)
+    density : Array, shape (design,)
+        [kg/m³]
+    web_height : Array, shape (design, 1)
+        NaN where it is not given. [m]
     is_elastic, has_clearance : bool
         Whether the file says so of any bearing.
     """
@@ -89,9 +95,12 @@ class DeclaredCrankshaft:
     clearance: Array
     settlement: Array
     bearing_width: Array
+    rod_bearing_width: Array
     thrust: int
     pulls: Pulls
     material: Material
+    density: Array
+    web_height: Array
     is_elastic: bool
     has_clearance: bool
 
@@ -148,7 +157,6 @@ def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable) 
         return np.stack([by_design([pair[end] for pair in ends]) for end in (0, 1)], axis=-1)
 
     planes, places = pairs(line.planes), by_design([bearing.z for bearing in bearings])
-    young = by_design([table.young_modulus.array])[:, 0]
     return DeclaredCrankshaft(
         shaft=number,
         throw=np.array([pin.throw for pin in pins], dtype=np.intp),
@@ -157,21 +165,24 @@ def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable) 
         journals=line.journals,
         bearing_names=tuple(f"{prefix}{bearing.name}" for bearing in bearings),
         bearings=places,
-        standing_on=np.sum(planes[0].mean(axis=-1) < places[0][:, np.newaxis], axis=-1, dtype=np.intp),
+        standing_on=np.array([int(np.sum(planes[0, :, 0] < place)) for place in places[0].tolist()], dtype=np.intp),
         journal=pairs(list(zip(line.journal_diameter, line.journal_bore, strict=True))),
         pin=pairs(list(zip(line.pin_diameter, line.pin_bore, strict=True))),
         pin_length=by_design(line.pin_length),
         web_thickness=pairs(line.web_thickness),
         web_width=pairs(line.web_width),
         planes=planes,
-        rule=next(rule for rule in WEB_RULES if rule.name == table.web_length),
+        rule=next(rule for rule in WEB_RULES if rule.name == (table.web_length or "ker_wilson")),
         compliance=_compliance(designs, bearings),
         clearance=by_design([_half(bearing.table.clearance) for bearing in bearings]),
         settlement=pairs([_pair(bearing.table.settlement) for bearing in bearings]),
         bearing_width=by_design([_or_nan(bearing.table.width) for bearing in bearings]),
+        rod_bearing_width=by_design([_or_nan(table.rod_bearing_width)])[:, 0],
         thrust=_thrust(table, bearings),
         pulls=_pulls(designs, table),
-        material=Material(young, young / (2 * (1 + by_design([table.poisson_ratio.array])[:, 0]))),
+        material=_material(designs, table),
+        density=by_design([(table.density or STEEL[2]).array])[:, 0],
+        web_height=by_design([_or_nan(table.web_height)]),
         is_elastic=any(bearing.table.stiffness for bearing in bearings),
         has_clearance=any(bearing.table.clearance for bearing in bearings),
     )
@@ -186,6 +197,14 @@ def _compliance(designs: Designs, bearings: Sequence[LineBearing]) -> Array:
             [ZERO if stiffness is None else ONE / stiffness[min(axis, len(stiffness) - 1)].array for stiffness in given]
         )
     return found
+
+
+def _material(designs: Designs, table: CrankshaftTable) -> Material:
+    young, poisson = (
+        designs.by_design([(given or of_steel).array])[:, 0]
+        for given, of_steel in zip((table.young_modulus, table.poisson_ratio), STEEL[:2], strict=True)
+    )
+    return Material(young, young / (2 * (1 + poisson)))
 
 
 def _thrust(table: CrankshaftTable, bearings: Sequence[LineBearing]) -> int:

@@ -153,8 +153,8 @@ class _OneShaft:
                 gap = float(line.web_thickness[number][1])
             if gap <= _TOUCHING:
                 given = self.table.pin_length
-                allowed = _("must leave room between pins {one} and {other} with their webs: {gap} more")
-                said = allowed.format(one=number + 1, other=number + 2, gap=precise(_TOUCHING - gap))
+                allowed = _("must leave room between pins {one} and {other} with their webs: more than {gap} more")
+                said = allowed.format(one=number + 1, other=number + 2, gap=precise(-gap))
                 yield self.problem("pin_length", _texts(given), said)
 
     def _standing(self, line: ShaftLine) -> Iterator[Problem]:

@@ -16,6 +16,7 @@ from cranktrain.quantities import (
     Given,
     Length,
     NonNegativeLength,
+    PositiveDensity,
     PositiveLength,
     PositivePressure,
     Quantity,
@@ -23,13 +24,18 @@ from cranktrain.quantities import (
 from cranktrain.spec import Spec
 
 Poisson = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=0.5)]
+Clearance = Annotated[Given, Quantity(Dimension.LENGTH, above=0.0, example="0.08 mm")]
 PositiveForce = Annotated[Given, Quantity(Dimension.FORCE, above=0.0)]
 PositiveStiffness = Annotated[Given, Quantity(Dimension.STIFFNESS, above=0.0)]
-ToothAngle = Annotated[Given, Quantity(Dimension.ANGLE, at_least=0.0, below=pi / 4)]
+ToothAngle = Annotated[Given, Quantity(Dimension.ANGLE, at_least=0.0, below=pi / 4, example="20 deg")]
 HelixAngle = Annotated[Given, Quantity(Dimension.ANGLE, above=-pi / 3, below=pi / 3)]
 
 NEEDED = ("journal_diameter", "pin_diameter", "pin_length", "web_thickness", "web_width")
 """What every crankshaft must say."""
+
+
+STEEL = (Given(206e9, "206 GPa"), Given(0.3, "0.3"), Given(7850.0, "7850 kg/m³"))
+"""Young's modulus, Poisson's ratio and density of what the shaft is made of unless given."""
 
 
 class BearingSpec(Spec, frozen=True):
@@ -46,7 +52,7 @@ class BearingSpec(Spec, frozen=True):
     stiffness: OneOrMany[PositiveStiffness] | None = Field(
         default=None, description=N_("Stiffness of the bearing in its housing: all round, or to the right and up.")
     )
-    clearance: PositiveLength | None = Field(
+    clearance: Clearance | None = Field(
         default=None, description=N_("Difference of the diameters of bearing and journal.")
     )
     width: PositiveLength | None = Field(default=None, description=N_("Width that bears, for its specific pressure."))
@@ -80,14 +86,14 @@ class CrankshaftTable(Spec, frozen=True):
     journal_diameter: OneOrMany[PositiveLength] | None = Field(
         default=None, description=N_("Diameter of the main journals: one for all, or one for each.")
     )
-    journal_bore: OneOrMany[NonNegativeLength] = Field(
-        default=(Given(0.0, "0 mm"),), description=N_("Bore of the main journals; none unless given.")
+    journal_bore: OneOrMany[NonNegativeLength] | None = Field(
+        default=None, description=N_("Bore of the main journals; none unless given.")
     )
     pin_diameter: OneOrMany[PositiveLength] | None = Field(
         default=None, description=N_("Diameter of the crank pins: one for all, or one for each.")
     )
-    pin_bore: OneOrMany[NonNegativeLength] = Field(
-        default=(Given(0.0, "0 mm"),), description=N_("Bore of the crank pins; none unless given.")
+    pin_bore: OneOrMany[NonNegativeLength] | None = Field(
+        default=None, description=N_("Bore of the crank pins; none unless given.")
     )
     pin_length: OneOrMany[PositiveLength] | None = Field(
         default=None, description=N_("Length of a crank pin, from web to web: one for all, or one for each.")
@@ -99,11 +105,21 @@ class CrankshaftTable(Spec, frozen=True):
     web_width: OneOrMany[PositiveLength] | None = Field(
         default=None, description=N_("Width of a web, across the line from journal to pin, as web_thickness.")
     )
-    web_length: Literal["whole", "ker_wilson"] = Field(
-        default="ker_wilson",
+    web_length: Literal["whole", "ker_wilson"] | None = Field(
+        default=None,
         description=N_(
-            "How much of a web gives: from axis to axis, or less a fifth of both diameters, as it is stiff within them."
+            "How much of a web gives: from axis to axis, or, unless given, less a fifth of both diameters (ker_wilson),"
+            " as it is stiff within them."
         ),
+    )
+    web_height: PositiveLength | None = Field(
+        default=None,
+        description=N_(
+            "Of a web, along the crank, for its mass; unless given, from the journal's far side to the pin's."
+        ),
+    )
+    density: PositiveDensity | None = Field(
+        default=None, description=N_("Of the shaft, for the masses of its pins and webs; that of steel unless given.")
     )
     side_rod_distance: PositiveLength | None = Field(
         default=None,
@@ -132,6 +148,9 @@ class CrankshaftTable(Spec, frozen=True):
     bearing_width: PositiveLength | None = Field(
         default=None, description=N_("Width that bears of a main bearing, for its specific pressure.")
     )
+    rod_bearing_width: PositiveLength | None = Field(
+        default=None, description=N_("Width that bears of a rod's bearing on its crank pin, for its specific pressure.")
+    )
     thrust_bearing: str | Annotated[int, Field(ge=1)] | None = Field(
         default=None,
         description=N_("Which bearing takes axial forces, as those of helical gears; the last unless given."),
@@ -142,11 +161,11 @@ class CrankshaftTable(Spec, frozen=True):
     pull: Mapping[str, PullSpec] = Field(
         default={}, description=N_("Constant forces on the shaft by name: a belt's pull, the weight of a flywheel.")
     )
-    young_modulus: PositivePressure = Field(
-        default=Given(206e9, "206 GPa"), description=N_("Young's modulus of the shaft; that of steel unless given.")
+    young_modulus: PositivePressure | None = Field(
+        default=None, description=N_("Young's modulus of the shaft; that of steel unless given.")
     )
-    poisson_ratio: Poisson = Field(
-        default=Given(0.3, "0.3"), description=N_("Poisson's ratio of the shaft; that of steel unless given.")
+    poisson_ratio: Poisson | None = Field(
+        default=None, description=N_("Poisson's ratio of the shaft; that of steel unless given.")
     )
 
     def _problems(self) -> Iterator[Problem]:

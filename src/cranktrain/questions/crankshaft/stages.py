@@ -1,6 +1,7 @@
 """What the main bearings carry over the cycle, by every method that the file has numbers for."""
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -9,10 +10,16 @@ from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
-from cranktrain.numerics import Peak, points_together
+from cranktrain.numerics import Peak
 from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, residuals
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
+from cranktrain.questions.crankshaft.bearings_between_events import (
+    BearingsBetweenEvents,
+    bearing_loads_of,
+    methods_for,
+)
+from cranktrain.questions.crankshaft.cycle_points import CyclePoints
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, on_axis
@@ -24,11 +31,8 @@ from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.wording import Names, number
 
 _CURVE, _FACT = ("bearing_method", "bearing", "crank_angle"), ("bearing_method", "bearing")
-_ELASTIC, _LOOSE = ("frame_elastic", "five_moment"), "clearance"
 _LIMIT = 1e-11
 """Of the largest load: what bearings and loads may leave over by rounding."""
-_WIDEST = np.pi / 9
-"""Of a piece of the quadrature. [rad]"""
 
 
 @record
@@ -68,6 +72,8 @@ def main_bearing_loads(
     solved: SolvedCycle,
     events: ForceEvents,
     crank_angle: CrankAngle,
+    between: BearingsBetweenEvents,
+    points: CyclePoints,
 ) -> MainBearingLoads:
     """Bearing loads over the cycle, largest ones refined on the machine itself, means by quadrature between events.
 
@@ -80,18 +86,17 @@ def main_bearing_loads(
     found = [[method.loads(one.shaft, own) for one, own in zip(loaded.each, acting, strict=True)] for method in methods]
     curves = np.stack([np.concatenate([own.load for own in each], axis=1) for each in found], axis=1)
     samples = np.hypot(curves[:, :, :, 0], curves[:, :, :, 1])
-    shape = samples.shape[:3]
-
-    def sizes(angle: Array) -> Array:
-        return bearing_load_sizes(loaded, methods, angle)
-
-    most = largest_of_machine(sizes, samples.reshape(shape[0], -1, samples.shape[-1]), events, crank_angle)
+    each_most = [
+        largest_of_machine(partial(bearing_load_sizes, loaded, [method]), samples[:, place], events, crank_angle)
+        for place, method in enumerate(methods)
+    ]
+    most = Peak(*(np.stack(parts, axis=1) for parts in zip(*each_most, strict=True)))
     named = [f"{method.name} {bearing}" for method in methods for bearing in declared.bearings]
     return MainBearingLoads(
         main_bearing_load_x=curves[:, :, :, 0],
         main_bearing_load_y=curves[:, :, :, 1],
-        largest_bearing_load=Peak(*(part.reshape(shape) for part in most)),
-        mean_bearing_load=_means(loaded, methods, events, crank_angle).reshape(shape),
+        largest_bearing_load=most,
+        mean_bearing_load=points.mean(np.hypot(between.load[:, :, :, 0], between.load[:, :, :, 1])),
         labels={"bearing_method": tuple(method.name for method in methods), "bearing": declared.bearings},
         checks=(_check(loaded, acting, found),),
         flags=tuple(one_sided([(_("largest load of a main bearing"), most)], named)),
@@ -101,35 +106,13 @@ def main_bearing_loads(
 def bearing_load_sizes(loaded: LoadedShafts, methods: Sequence[BearingMethod], angle: Array) -> Array:
     """Sizes of the loads of every method's bearings at φ, shape (design, method · bearing, n). [N]"""
     acting = loaded.loads(angle)
-    each = [
-        np.hypot(*np.moveaxis(method.loads(one.shaft, own).load, 2, 0))
-        for method in methods
-        for one, own in zip(loaded.each, acting, strict=True)
-    ]
-    return np.concatenate(each, axis=1)
+    sizes = np.hypot(*np.moveaxis(bearing_loads_of(loaded, methods, acting), 3, 0))
+    return sizes.reshape(len(sizes), -1, sizes.shape[-1])
 
 
 def title_of(name: str) -> str:
     """How answers call a method."""
     return next(_(method.title) for method in BEARING_METHODS if method.name == name)
-
-
-def methods_for(declared: DeclaredCrankshafts) -> tuple[BearingMethod, ...]:
-    """Methods that the file has numbers for: elastic bearings need a stiffness, loose ones a clearance."""
-    return tuple(
-        method
-        for method in BEARING_METHODS
-        if (declared.is_elastic or method.name not in _ELASTIC) and (declared.has_clearance or method.name != _LOOSE)
-    )
-
-
-def _means(
-    loaded: LoadedShafts, methods: Sequence[BearingMethod], events: ForceEvents, crank_angle: CrankAngle
-) -> Array:
-    """Mean sizes over the cycle, shape (design, method · bearing). [N]"""
-    angle, weight = points_together(events.whole - crank_angle.zero[:, 0], _WIDEST, crank_angle.cycle)
-    sizes = bearing_load_sizes(loaded, methods, angle + crank_angle.zero)
-    return np.sum(sizes * weight, axis=-1) / crank_angle.cycle
 
 
 def _check(loaded: LoadedShafts, acting: Sequence[ShaftLoads], found: Sequence[Sequence[BearingLoads]]) -> Check:

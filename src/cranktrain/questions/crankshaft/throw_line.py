@@ -40,13 +40,13 @@ class ThrowGeometry(NamedTuple):
     @property
     def pieces(self) -> NDArray[np.intp]:
         """Which of journal, pin, journal, …, counted from 0, there are."""
-        every = np.arange(2 * self.radius.shape[1] + 1)
+        every = np.arange(2 * self.radius.shape[1] + 1, dtype=np.intp)
         return every if self.journals is None else every[(every % 2 == 1) | self.journals[every // 2]]
 
     @property
     def webs(self) -> NDArray[np.intp]:
         """Which of all webs, two to a throw, there are: none beyond a pin that hangs over, from pin to pin one."""
-        every = np.arange(2 * self.radius.shape[1])
+        every = np.arange(2 * self.radius.shape[1], dtype=np.intp)
         if self.journals is None:
             return every
         leads_on = (every % 2 == 1) & (every < every[-1])

@@ -5,7 +5,6 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.bearing_loads import BearingLoads
 from cranktrain.questions.crankshaft.shaft import Crankshaft
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, torques
 
@@ -20,15 +19,16 @@ class TorqueAlong(NamedTuple):
     end: Array
 
 
-def torque_along(shaft: Crankshaft, loads: ShaftLoads, bearings: BearingLoads) -> TorqueAlong:
+def torque_along(shaft: Crankshaft, loads: ShaftLoads, borne: Array) -> TorqueAlong:
     """Torque in journals and pins, right for any number of throws between two bearings.
 
     Parameters
     ----------
     shaft : Crankshaft
     loads : ShaftLoads
-    bearings : BearingLoads
-        By any method: in pins the torque depends on it.
+    borne : Array, shape (design, bearing, 2, angle)
+        Load of the bearings by any method: in pins the torque depends on it. With none it is right in journals alone.
+        [N]
 
     Returns
     -------
@@ -45,10 +45,10 @@ def torque_along(shaft: Crankshaft, loads: ShaftLoads, bearings: BearingLoads) -
     torque, force = np.zeros_like(turned), np.zeros((turned.shape[0], 2, turned.shape[1]))
     for piece in range(n_pieces):
         axis = _axis(pieces.radius[:, piece], pieces.angle[:, piece], turned)
-        begin[:, piece] = torque - _moment(axis, force - _borne(shaft, bearings, pieces.bounds[:, piece]))
+        begin[:, piece] = torque - _moment(axis, force - _before(shaft, borne, pieces.bounds[:, piece]))
         for load in np.flatnonzero((loads.piece == piece) & ~loads.on_web).tolist():
             torque, force = torque + about_axis[:, load], force + loads.force[:, load]
-        end[:, piece] = torque - _moment(axis, force - _borne(shaft, bearings, pieces.bounds[:, piece + 1]))
+        end[:, piece] = torque - _moment(axis, force - _before(shaft, borne, pieces.bounds[:, piece + 1]))
         for load in np.flatnonzero((loads.piece == piece) & loads.on_web).tolist():
             torque, force = torque + about_axis[:, load], force + loads.force[:, load]
     return TorqueAlong(begin, end)
@@ -63,10 +63,10 @@ def _moment(arm: Array, force: Array) -> Array:
     return arm[:, 0] * force[:, 1] - arm[:, 1] * force[:, 0]
 
 
-def _borne(shaft: Crankshaft, bearings: BearingLoads, z: Array) -> Array:
+def _before(shaft: Crankshaft, borne: Array, z: Array) -> Array:
     """What the bearings before a place bear, shape (design, 2, angle)."""
-    total = np.zeros_like(bearings.load[:, 0])
-    for bearing in range(bearings.load.shape[1]):
+    total = np.zeros((len(borne), *borne.shape[2:]))
+    for bearing in range(borne.shape[1]):
         before = (shaft.supports.place[:, bearing] < z)[:, np.newaxis, np.newaxis]
-        total = total + np.where(before, bearings.load[:, bearing], 0.0)
+        total = total + np.where(before, borne[:, bearing], 0.0)
     return total

@@ -13,7 +13,13 @@ from cranktrain.numerics import Extreme
 from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.joint_forces import JointForces, joint_label
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.forces.pin_load import PinLoad, pin_load, with_rotating_mass
+from cranktrain.questions.forces.pin_load import (
+    PinLoad,
+    RodBearingLoad,
+    pin_load,
+    rod_bearing_load,
+    with_rotating_mass,
+)
 from cranktrain.questions.forces.rod_masses import weighed_ends
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
@@ -63,6 +69,16 @@ class CrankPinLoads:
     crankpin_share_tangential: Array = quantity(
         "T_i", "N", _CURVE, N_("Share of this piston and rod in the crank pin's load in the sense of rotation"), _THEORY
     )
+    rod_bearing_load_along: Array = quantity(
+        "R_L", "N", _CURVE, N_("Load of the crank pin on the rod's bearing, along the rod to its other pin"), _THEORY
+    )
+    rod_bearing_load_across: Array = quantity(
+        "R_A",
+        "N",
+        _CURVE,
+        N_("Load of the crank pin on the rod's bearing, across the rod, 90° from its line in the sense of rotation"),
+        _THEORY,
+    )
     largest_crankpin_load: Extreme = extreme(
         "R_max",
         "N",
@@ -98,6 +114,7 @@ def crank_pin_loads(
     phi = crank_angle.angle
     shape = (len(phi), len(loaded.mechanisms.names), phi.shape[-1])
     whole, without = (PinLoad(*np.full((2, *shape), np.nan)) for _i in range(2))
+    on_rods = RodBearingLoad(*np.full((2, *shape), np.nan))
     largest = Extreme(*np.full((2, *shape[:-1]), np.nan))
     for batch, one, made in zip(loaded.mechanisms.batches, solved.batches, loaded.masses.batches, strict=True):
         joint = batch.kind.dynamics.joint("crank_pin")
@@ -108,6 +125,7 @@ def crank_pin_loads(
         put(whole, batch.index, load)
         reaction = batch.kind.dynamics.reactions[joint]
         if reaction.on == "rod":
+            put(on_rods, batch.index, rod_bearing_load(one.forces.joints[joint], one.motion.rod))
             rod = batch.kind.dynamics.by_link(made.bodies)["rod"]
             rotating = weighed_ends(rod, batch.members.geometry.rod_length).first
             put(without, batch.index, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
@@ -122,6 +140,8 @@ def crank_pin_loads(
         crankpin_tangential_without_rod=without.tangential,
         crankpin_share_radial=shares.radial,
         crankpin_share_tangential=shares.tangential,
+        rod_bearing_load_along=on_rods.along,
+        rod_bearing_load_across=on_rods.across,
         largest_crankpin_load=largest,
     )
 

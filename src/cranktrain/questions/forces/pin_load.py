@@ -1,4 +1,4 @@
-"""What a rod does to its crank pin, in the crank's own directions: with its rotating mass and without."""
+"""What rod and crank pin do to each other: in the crank's directions, with rotating mass and without; in the rod's."""
 
 from typing import NamedTuple
 
@@ -11,6 +11,18 @@ class PinLoad(NamedTuple):
 
     radial: Array
     tangential: Array
+
+
+class RodBearingLoad(NamedTuple):
+    """Force of the crank pin on the rod: along it toward its other pin, and across, 90° ahead of that. [N]"""
+
+    along: Array
+    across: Array
+
+
+def rod_bearing_load(crank_pin: Wrench, rod: Link) -> RodBearingLoad:
+    """Load of the rod's bearing: the joint's reaction, the crank's on the rod; docs/theory/crankshaft, eq. (24.45)."""
+    return RodBearingLoad(crank_pin.x * rod.cos + crank_pin.y * rod.sin, crank_pin.y * rod.cos - crank_pin.x * rod.sin)
 
 
 def pin_load(crank_pin: Wrench, crank: Link) -> PinLoad:

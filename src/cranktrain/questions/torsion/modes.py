@@ -15,8 +15,12 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import reduced_inertia
 from cranktrain.motion import Array
+from cranktrain.questions.crankshaft.laid import with_rods
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.cylinders.travel import CylinderPistons
+from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.torsion.parts import DeclaredTrain
+from cranktrain.questions.torsion.throw_stiffness import ThrowStiffness
 from cranktrain.questions.torsion.train import (
     Train,
     cross_inertia,
@@ -55,26 +59,53 @@ class TorsionalTrain(StageResult):
     train: Train = field(kw_only=True)
 
 
+def of_known_stiffness(
+    shafts: Shafts,
+    sharing: CylinderPistons | None,
+    train: DeclaredTrain,
+    crankshafts: DeclaredCrankshafts | None,
+    mechanisms: Mechanisms,
+    carriers: Carriers,
+) -> bool | str:
+    """Whether, besides, the stiffness of the crankshaft is given, or its sizes can give it."""
+    if not of_one_crankshaft(shafts, sharing):
+        return False
+    return train.method is None or with_rods(crankshafts, shafts, mechanisms, carriers)
+
+
 def of_one_crankshaft(shafts: Shafts, sharing: CylinderPistons | None) -> bool:
     """Whether a machine has one crankshaft, and one piston in a cylinder."""
     return len(shafts.names) == 1 and not (sharing is not None and np.any(sharing.is_opposed))
 
 
 def torsional_train(
-    declared: DeclaredTrain, mechanisms: Mechanisms, shafts: Shafts, masses: Masses | None, crank_angle: CrankAngle
+    declared: DeclaredTrain,
+    mechanisms: Mechanisms,
+    shafts: Shafts,
+    masses: Masses | None,
+    crank_angle: CrankAngle,
+    throws: ThrowStiffness | None,
 ) -> TorsionalTrain:
-    """Add to what is declared the mean inertia of what moves on each throw; docs/theory/torsion, eq. (23.1)."""
+    """Add to what is declared the mean inertia of what moves on each throw, and the stiffness that sizes give.
+
+    Notes
+    -----
+    docs/theory/torsion, eq. (23.1).
+    """
     inertia = declared.inertia.copy()
     if masses is not None:
         moving = mean_inertias(mechanisms, masses, crank_angle)
         for mechanism, throw in enumerate(shafts.throw.tolist()):
             inertia[:, declared.throws[throw]] += moving[:, mechanism]
+    stiffness = declared.stiffness.copy()
+    if throws is not None:
+        stiffness[:, declared.gaps] = throws.chosen_stiffness
     last = np.full((len(inertia), 1), np.nan)
     return TorsionalTrain(
         disc_inertia=inertia,
         disc_ratio=declared.ratio,
-        disc_stiffness=np.concatenate([declared.stiffness, last], axis=-1),
-        train=Train(inertia, declared.stiffness, declared.following),
+        disc_stiffness=np.concatenate([stiffness, last], axis=-1),
+        train=Train(inertia, stiffness, declared.following),
         labels={"disc": declared.names},
     )
 
@@ -138,8 +169,9 @@ def torsional_modes(declared: DeclaredTrain, discs: TorsionalTrain) -> Torsional
     table = holzer_table(train, modes.speed, shape)
     is_known = np.all(np.isfinite(modes.speed), axis=-1)
     closes = np.all(np.isfinite(train.inertia), axis=-1)
-    unknown = np.where(closes, np.inf, np.nan)
-    reasons = (_("needs an inertia of every disc"),) * len(unknown)
+    is_stiff = np.all(np.isfinite(train.stiffness), axis=-1)
+    unknown = np.where(closes & is_stiff, np.inf, np.nan)
+    reasons = tuple(_("needs an inertia of every disc") if stiff else _("needs every stiffness") for stiff in is_stiff)
     return TorsionalModes(
         natural_frequency=modes.speed,
         mode_shape=shape,

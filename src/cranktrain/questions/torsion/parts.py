@@ -1,6 +1,6 @@
 """The declared train of several designs as SI arrays, in the order of Holzer's table; and what does not fit it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import permutations
 from math import prod
 from typing import ClassVar
@@ -15,11 +15,17 @@ from cranktrain.layout.design import Design
 from cranktrain.layout.specs import MAIN
 from cranktrain.motion import ONE, ZERO, Array
 from cranktrain.numerics.nested import by_design
+from cranktrain.questions.crankshaft.line import line_pins, table_of
+from cranktrain.questions.crankshaft.spec import CrankshaftSpec
+from cranktrain.questions.crankshaft.throw_stiffness import THROW_METHODS
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.record import record
 
 Node = int | str
 """What moves by itself: a throw, by its number from 1, or a disc on a shaft of its own, by its name."""
+FIRST_METHOD = THROW_METHODS[0].name
+"""By which the sizes of the crankshaft give its stiffness, where the file names none."""
+_UNKNOWN = np.array(np.nan)
 
 
 @record
@@ -39,7 +45,11 @@ class DeclaredTrain:
     inertia : Array, shape (design, disc)
         What is declared in [torsion], referred to the crank. [kg·m²]
     stiffness : Array, shape (design, disc − 1)
-        Of the shaft that leads on from each disc, referred to the crank. [N·m/rad]
+        Of the shaft that leads on from each disc, referred to the crank; NaN where it is left to the sizes. [N·m/rad]
+    gaps : array of int, shape (throw − 1,)
+        From which discs the shafts between neighbouring throws lead on.
+    method : str or None
+        By which method the sizes of the crankshaft give its stiffness; None where it is given.
     ratio : Array, shape (design, disc)
         Turns for one of the crank.
     """
@@ -52,6 +62,8 @@ class DeclaredTrain:
     free_end: int
     inertia: Array
     stiffness: Array
+    gaps: NDArray[np.intp]
+    method: str | None
     ratio: Array
 
 
@@ -67,8 +79,15 @@ def declared_train(spec: TorsionSpec, n_throws: int, n_designs: int = 1) -> Decl
         free_end=at[spec.free_end or 1],
         inertia=by_design([inertias[node] for node in order], n_designs),
         stiffness=by_design([shafts[frozenset((node, following[node]))] for node in order[:-1]], n_designs),
+        gaps=np.array([_leading(at, following, throw) for throw in range(1, n_throws)], dtype=np.intp),
+        method=None if spec.stiffness is not None or n_throws == 1 else spec.stiffness_method or FIRST_METHOD,
         ratio=by_design([_ratio(spec, node) for node in order], n_designs),
     )
+
+
+def _leading(at: Mapping[Node, int], following: Mapping[Node, Node], throw: int) -> int:
+    """From which disc the shaft between a throw and the next leads on."""
+    return at[throw] if following.get(throw) == throw + 1 else at[throw + 1]
 
 
 def _order(spec: TorsionSpec, n_throws: int) -> tuple[list[Node], dict[Node, Node]]:
@@ -95,7 +114,7 @@ def _order(spec: TorsionSpec, n_throws: int) -> tuple[list[Node], dict[Node, Nod
 
 def _shafts(spec: TorsionSpec, n_throws: int) -> dict[frozenset[Node], Array]:
     """Stiffness of every shaft by the two that it joins, referred to the crank, in the order of the file. [N·m/rad]"""
-    gaps = [gap.array for gap in spec.stiffness or ()]
+    gaps = [_UNKNOWN] if spec.stiffness is None else [gap.array for gap in spec.stiffness]
     gaps = gaps * (n_throws - 1) if len(gaps) == 1 else gaps
     found: dict[frozenset[Node], Array] = {frozenset((throw, throw + 1)): gap for throw, gap in enumerate(gaps, 1)}
     return found | {
@@ -142,6 +161,7 @@ def torsion_problems(spec: TorsionSpec, design: Design) -> Iterator[Problem]:
         yield Problem("torsion", None, allowed)
         return
     yield from _counts(spec, n_throws)
+    yield from _sizes(spec, n_throws, design)
     allowed = _("must be one of the throws of the shaft `main`, 1 to {n}").format(n=n_throws)
     for name, disc in spec.disc.items():
         if isinstance(disc.beside, int) and disc.beside > n_throws:
@@ -158,15 +178,33 @@ def torsion_problems(spec: TorsionSpec, design: Design) -> Iterator[Problem]:
 def _counts(spec: TorsionSpec, n_throws: int) -> Iterator[Problem]:
     """Find lists that are as long as neither throws nor gaps are."""
     n_gaps = n_throws - 1
-    if spec.stiffness is None:
-        if n_gaps:
-            allowed = _("is missing; give one value, or one for each of the {gaps} gaps between throws")
-            yield Problem("torsion.stiffness", None, allowed.format(gaps=n_gaps))
-    elif n_gaps == 0:
+    n_given = 0 if spec.stiffness is None else len(spec.stiffness)
+    if n_given and n_gaps == 0:
         yield Problem("torsion.stiffness", None, _("is for the gaps between throws; this crankshaft has one throw"))
-    elif len(spec.stiffness) not in (1, n_gaps):
+    elif n_given not in (0, 1, n_gaps):
         allowed = _("must be one value, or one for each gap between throws: {gaps}").format(gaps=n_gaps)
-        yield Problem("torsion.stiffness", _("a list of {n}").format(n=len(spec.stiffness)), allowed)
+        yield Problem("torsion.stiffness", _("a list of {n}").format(n=n_given), allowed)
     if spec.throw_inertia is not None and len(spec.throw_inertia) not in (1, n_throws):
         allowed = _("must be one value, or one for each throw: {throws}").format(throws=n_throws)
         yield Problem("torsion.throw_inertia", _("a list of {n}").format(n=len(spec.throw_inertia)), allowed)
+
+
+def _sizes(spec: TorsionSpec, n_throws: int, design: Design) -> Iterator[Problem]:
+    """Find a stiffness that is left out where no sizes give it, and a method for sizes that nobody asks."""
+    crankshaft = design.table(CrankshaftSpec)
+    table = None if crankshaft is None else table_of(crankshaft, MAIN)
+    method, path = spec.stiffness_method, "torsion.stiffness_method"
+    if n_throws == 1:
+        if method is not None:
+            yield Problem(path, method, _("is for the gaps between throws; this crankshaft has one throw"))
+    elif spec.stiffness is not None:
+        return
+    elif table is None:
+        if method is not None:
+            yield Problem(path, method, _("needs [crankshaft], whose sizes give the stiffness"))
+            return
+        allowed = _("is missing; give one value, or one for each of the {gaps} gaps between throws, or [crankshaft]")
+        yield Problem("torsion.stiffness", None, allowed.format(gaps=n_throws - 1))
+    elif line_pins(table, design, MAIN) is None:
+        allowed = _("is missing; [crankshaft] gives it where `spacing` of the shaft says where its throws stand")
+        yield Problem("torsion.stiffness", None, allowed)

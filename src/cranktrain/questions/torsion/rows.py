@@ -7,7 +7,8 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.questions.torsion.critical import CriticalSpeeds
 from cranktrain.questions.torsion.modes import TorsionalModes
-from cranktrain.rows import Amount, AnswerLine, worded
+from cranktrain.questions.torsion.throw_stiffness import ThrowStiffness, title_of
+from cranktrain.rows import Amount, AnswerLine, Extent, worded
 from cranktrain.wording import Names
 
 _NAMED = 3
@@ -35,3 +36,19 @@ def critical_rows(labels: Names, design: int, found: CriticalSpeeds) -> Iterator
     )
     speeds = {f"speed{place}": Amount(float(found.critical_speed[design, 0, place]), "rpm") for place in beside}
     yield worded(_("next critical speeds"), words, **speeds)
+
+
+def stiffness_rows(labels: Names, design: int, found: ThrowStiffness) -> Iterator[AnswerLine]:
+    """The softest stiffness from throw to throw, and how far off it other methods are."""
+    gap = found.softest(design)
+    if gap is None:
+        return
+    own = float(found.chosen_stiffness[design, gap])
+    others = np.delete(found.throw_stiffness[design, :, gap], found.chosen) / own - 1
+    yield worded(
+        _("stiffness of throws"),
+        _("{stiffness}, {method}; others {range}"),
+        stiffness=Amount(own, "N*m/rad"),
+        method=title_of(labels["throw_method"][found.chosen]),
+        range=Extent(float(np.nanmin(others)), float(np.nanmax(others)), "off"),
+    )

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -49,7 +49,13 @@ class TorsionSpec(Spec, frozen=True):
 
     stiffness: OneOrMany[PositiveTorsionalStiffness] | None = Field(
         default=None,
-        description=N_("Of the crankshaft between neighbouring throws: one value, or one for each gap."),
+        description=N_(
+            "Of the crankshaft between neighbouring throws: one value, or one for each gap; by its sizes unless given."
+        ),
+    )
+    stiffness_method: Literal["frame", "frame_clamped", "carter", "ker_wilson", "zimanenko"] | None = Field(
+        default=None,
+        description=N_("By which method the sizes of [crankshaft] give it; a crank frame unless said otherwise."),
     )
     throw_inertia: OneOrMany[NonNegativeInertia] | None = Field(
         default=None,
@@ -66,6 +72,9 @@ class TorsionSpec(Spec, frozen=True):
 
     def _problems(self) -> Iterator[Problem]:
         """Find names that cannot be written, discs beside nothing, and a free end that does not move by itself."""
+        if self.stiffness is not None and self.stiffness_method is not None:
+            allowed = _("is for a stiffness by the sizes of [crankshaft]; here `stiffness` gives it")
+            yield Problem("stiffness_method", self.stiffness_method, allowed, _("keep one of the two"))
         allowed = _("must have a name of letters, digits and _, a letter first")
         for name in self.disc:
             if not re.fullmatch(r"[^\W\d]\w*", name):

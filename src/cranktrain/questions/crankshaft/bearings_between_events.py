@@ -1,0 +1,60 @@
+"""Loads of the main bearings by every method at few points between the events of the cycle, for means over it."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.questions.crankshaft.acting import LoadedShafts
+from cranktrain.questions.crankshaft.bearing_method import BearingMethod
+from cranktrain.questions.crankshaft.cycle_points import CyclePoints
+from cranktrain.questions.crankshaft.methods import BEARING_METHODS
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
+from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
+from cranktrain.record import record
+
+_ELASTIC, _LOOSE = ("frame_elastic", "five_moment"), "clearance"
+
+
+@record
+class BearingsBetweenEvents:
+    """Loads at the points of `CyclePoints`.
+
+    Attributes
+    ----------
+    acting : sequence of ShaftLoads
+        On each shaft.
+    load : Array, shape (design, method, bearing, 2, point)
+        Of journals on all main bearings, toward X and Y. [N]
+    """
+
+    acting: Sequence[ShaftLoads]
+    load: Array
+
+
+def bearings_between_events(
+    loaded: LoadedShafts, declared: DeclaredCrankshafts, points: CyclePoints
+) -> BearingsBetweenEvents:
+    """Loads of all main bearings by all methods that the file has numbers for."""
+    acting = loaded.loads(points.angle, points.solved)
+    return BearingsBetweenEvents(acting, bearing_loads_of(loaded, methods_for(declared), acting))
+
+
+def bearing_loads_of(loaded: LoadedShafts, methods: Sequence[BearingMethod], acting: Sequence[ShaftLoads]) -> Array:
+    """Loads of all main bearings by some methods, shape (design, method, bearing, 2, n). [N]"""
+    each = [
+        np.concatenate(
+            [method.loads(one.shaft, own).load for one, own in zip(loaded.each, acting, strict=True)], axis=1
+        )
+        for method in methods
+    ]
+    return np.stack(each, axis=1)
+
+
+def methods_for(declared: DeclaredCrankshafts) -> tuple[BearingMethod, ...]:
+    """Methods that the file has numbers for: elastic bearings need a stiffness, loose ones a clearance."""
+    return tuple(
+        method
+        for method in BEARING_METHODS
+        if (declared.is_elastic or method.name not in _ELASTIC) and (declared.has_clearance or method.name != _LOOSE)
+    )

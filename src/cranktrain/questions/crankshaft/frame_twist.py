@@ -1,0 +1,115 @@
+"""How far a crank frame twists between its throws under a torque that goes through it."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.motion import Array
+from cranktrain.questions.crankshaft.bent_spans import crank_line, polar, web_line
+from cranktrain.questions.crankshaft.designs_alike import Alike, designs_alike, of_designs
+from cranktrain.questions.crankshaft.frame_spans import BentSpan, bent_span
+from cranktrain.questions.crankshaft.shaft import Crankshaft
+from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
+
+
+def twist_when_free(shaft: Crankshaft, pins: NDArray[np.intp]) -> Array:
+    """Twist between the middles of neighbouring pins by a unit torque, of journals that may turn in their bearings.
+
+    Parameters
+    ----------
+    shaft : Crankshaft
+    pins : array of int, shape (throw,)
+        Which pieces the pins are, in line.
+
+    Returns
+    -------
+    Array, shape (design, gap)
+        [rad/(N·m)]
+
+    Notes
+    -----
+    Bearings that are points have nothing to bear: what each part twists by itself adds up.
+    docs/theory/torsion, eq. (23.13).
+    """
+    line = crank_line(shaft)
+    length, rigid = np.diff(shaft.pieces.bounds, axis=1), np.sum(shaft.webs.rigid, axis=-1)
+    lengths = [web_line(line, web)[1] for web in range(shaft.pieces.radius.shape[1] - 1)]
+    way = np.stack(lengths, axis=1) if lengths else np.zeros_like(rigid)
+    pieces = length / shaft.pieces.torsion
+    webs = np.maximum(way - rigid, 0.0) / shaft.webs.bending_across
+    found = [
+        (pieces[:, one] + pieces[:, other]) / 2
+        + np.sum(pieces[:, one + 1 : other], axis=-1)
+        + np.sum(webs[:, one:other], axis=-1)
+        for one, other in _pairs(pins)
+    ]
+    return np.stack(found, axis=1) if found else np.zeros((length.shape[0], 0))
+
+
+def twist_when_clamped(shaft: Crankshaft, pins: NDArray[np.intp]) -> Array:
+    """The same of journals that cannot turn aside in their bearings, which hold them by moments.
+
+    Parameters
+    ----------
+    shaft : Crankshaft
+    pins : array of int, shape (throw,)
+
+    Returns
+    -------
+    Array, shape (design, gap)
+        [rad/(N·m)]; NaN on less than two bearings.
+
+    Notes
+    -----
+    docs/theory/torsion, eqs. (23.14) to (23.17).
+    """
+    free, relief = twist_when_free(shaft, pins), np.full((shaft.pieces.radius.shape[0], pins.size), np.nan)
+    if shaft.supports.place.shape[1] > 1:
+        marks = _marks(shaft, pins)
+        for designs, alike in designs_alike(shaft, marks):
+            relief[designs] = _relief(of_designs(shaft, designs), of_designs(marks, designs), alike)
+    return free + np.diff(relief, axis=1)
+
+
+def _pairs(pins: NDArray[np.intp]) -> list[tuple[int, int]]:
+    return list(zip(pins[:-1].tolist(), pins[1:].tolist(), strict=True))
+
+
+def _marks(shaft: Crankshaft, pins: NDArray[np.intp]) -> ShaftLoads:
+    """Loads of no force in the middles of the pins, where the twist is asked for."""
+    bounds = shaft.pieces.bounds
+    n_designs = bounds.shape[0]
+    return ShaftLoads(
+        pins,
+        np.zeros(pins.size, dtype=np.bool_),
+        (bounds[:, pins] + bounds[:, pins + 1]) / 2,
+        shaft.pieces.radius[:, pins],
+        shaft.pieces.angle[:, pins],
+        np.zeros((n_designs, 1)),
+        np.zeros((n_designs, pins.size, 2, 1)),
+    )
+
+
+def _relief(shaft: Crankshaft, marks: ShaftLoads, alike: Alike) -> Array:
+    """By how much the moments in the bearings turn the pins back, against the last bearing, shape (design, throw)."""
+    line, places = crank_line(shaft), polar(marks.radius, marks.angle)
+    found = np.zeros(marks.z.shape)
+    for span in range(shaft.supports.place.shape[1] - 1):
+        one = bent_span(shaft, line, marks, places, alike, span)
+        held = _moments(one)
+        found[:, alike.loads <= span] += _turned(one.first.twist, held)[:, np.newaxis]
+        for mark, at in one.points.items():
+            found[:, mark] += _turned(at.twist, held)
+    return found
+
+
+def _moments(span: BentSpan) -> Array:
+    """Moments at both ends that keep these from turning under a unit torque, of opposite sign, shape (design, 4)."""
+    n_designs = len(span.first.twist)
+    columns = np.concatenate([-span.first.slope, span.last.slope], axis=-1).reshape(n_designs, 4, 4)
+    by_torque = span.first.twist.reshape(n_designs, 4, 1)
+    return np.asarray(np.linalg.solve(np.swapaxes(columns, -1, -2), by_torque), dtype=np.float64)[..., 0]
+
+
+def _turned(twist: Array, moments: Array) -> Array:
+    """Twist by moments, of that by unit ones, shape (design, 2, 2)."""
+    return np.sum(twist.reshape(len(twist), 4) * moments, axis=-1)

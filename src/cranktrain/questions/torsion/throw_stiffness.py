@@ -1,0 +1,146 @@
+"""Stiffness of the crankshaft from throw to throw: as given, and by its sizes, method beside method."""
+
+from collections.abc import Iterator
+from dataclasses import field
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.questions.crankshaft.laid import LaidCrankshafts, LaidShaft
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
+from cranktrain.questions.crankshaft.throw_gaps import ThrowSizes, gaps_of, ker_wilson_web
+from cranktrain.questions.crankshaft.throw_stiffness import THROW_METHODS, ShaftInTorsion
+from cranktrain.questions.torsion.parts import DeclaredTrain
+from cranktrain.record import record
+from cranktrain.references import THEORY_OF_TORSION as _THEORY
+from cranktrain.wording import Names, number
+
+GIVEN = "given"
+"""The name of what the file gives, among the methods."""
+_SAME = 1e-9
+_FAR = 2.0
+"""By what factor a given stiffness may be off what the sizes give before it is minded."""
+
+
+@record
+class ThrowStiffness(StageResult):
+    """Stiffness from throw to throw.
+
+    chosen: int, the method with whose stiffness the shaft vibrates.
+    """
+
+    throw_stiffness: Array = quantity(
+        "k",
+        "N*m/rad",
+        ("throw_method", "throw_gap"),
+        N_("Stiffness of the crankshaft from the middle of a throw's pin to that of the next"),
+        _THEORY,
+    )
+    throw_stiffness_spread: Array = quantity(
+        "Δk/k",
+        "1",
+        ("throw_gap",),
+        N_("By how much the largest stiffness by any method is above the smallest, relative to this"),
+        _THEORY,
+    )
+    chosen: int = field(kw_only=True)
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say the stiffness by which the shaft vibrates, where it is softest, and how far off other methods are."""
+        softest = self.softest(design)
+        if softest is None:
+            return None
+        own, every = self.chosen_stiffness[design, softest], self.throw_stiffness[design, :, softest]
+        others = ", ".join(
+            _("{method} {stiffness} ({off} %)").format(
+                method=title_of(name),
+                stiffness=number(float(one), "kN·m/rad"),
+                off=f"{100 * float(one / own - 1):+.1f}".replace("-", "−"),
+            )
+            for place, (name, one) in enumerate(zip(names["throw_method"], every, strict=True))
+            if place != self.chosen and np.isfinite(one)
+        )
+        return _("The crankshaft vibrates with {stiffness} between throws {gap}, {method}; {others}.").format(
+            gap=names["throw_gap"][softest],
+            stiffness=number(float(own), "kN·m/rad"),
+            method=title_of(names["throw_method"][self.chosen]),
+            others=others,
+        )
+
+    @property
+    def chosen_stiffness(self) -> Array:
+        """That with which the shaft vibrates, shape (design, gap). [N·m/rad]"""
+        return self.throw_stiffness[:, self.chosen]
+
+    def softest(self, design: int) -> int | None:
+        """The gap that is softest, the first of several; None where the shaft has no stiffness."""
+        own = self.chosen_stiffness[design]
+        return int(np.argmax(own <= np.min(own) * (1 + _SAME))) if np.all(np.isfinite(own)) else None
+
+
+def of_sized_crankshaft(train: DeclaredTrain, crankshafts: DeclaredCrankshafts | None) -> bool:
+    """Whether there are throws to twist against each other, and the file has the crankshaft's sizes."""
+    return crankshafts is not None and len(crankshafts.each) == 1 and train.throws.size > 1
+
+
+def throw_stiffness(declared: DeclaredTrain, laid: LaidCrankshafts) -> ThrowStiffness:
+    """Stiffness by all methods, beside what is given; docs/theory/torsion, eqs. (23.13) to (23.21)."""
+    shaft = _in_torsion(laid.each[0])
+    by_size = {method.name: method.stiffness(shaft) for method in THROW_METHODS}
+    given = {} if declared.method else {GIVEN: declared.stiffness[:, declared.gaps]}
+    found = given | by_size
+    values = np.stack(list(found.values()), axis=1)
+    least, most = np.fmin.reduce(values, axis=1), np.fmax.reduce(values, axis=1)
+    n_gaps = values.shape[-1]
+    return ThrowStiffness(
+        throw_stiffness=values,
+        throw_stiffness_spread=most / least - 1,
+        chosen=list(found).index(declared.method or GIVEN),
+        labels={
+            "throw_method": tuple(found),
+            "throw_gap": tuple(f"{throw}-{throw + 1}" for throw in range(1, n_gaps + 1)),
+        },
+        flags=tuple(_flags(declared, shaft, by_size)),
+    )
+
+
+def title_of(name: str) -> str:
+    """How answers call a method."""
+    return _("given") if name == GIVEN else next(_(method.title) for method in THROW_METHODS if method.name == name)
+
+
+def _in_torsion(laid: LaidShaft) -> ShaftInTorsion:
+    """Put a shaft's sizes together as both frames and rules read them."""
+    declared = laid.declared
+    there = declared.journals[np.newaxis, :, np.newaxis]
+    sizes = ThrowSizes(
+        declared.planes,
+        laid.shaft.pieces.radius[:, laid.pins],
+        np.where(there, declared.journal, np.nan),
+        declared.pin,
+        declared.pin_length,
+        declared.web_width,
+        declared.web_thickness,
+    )
+    return ShaftInTorsion(laid.shaft, laid.pins, gaps_of(sizes), declared.material.shear)
+
+
+def _flags(declared: DeclaredTrain, shaft: ShaftInTorsion, by_size: dict[str, Array]) -> Iterator[str]:
+    """Mind webs that Ker Wilson's rule does not know, a method that has no number, and one far from what is given."""
+    if np.any(ker_wilson_web(shaft.gaps) <= 0):
+        yield _("Ker Wilson's rule is out of its range: the crank radius is not more than a fifth of both diameters.")
+    if declared.method is not None:
+        if not np.all(np.isfinite(by_size[declared.method])):
+            yield _("{method} gives no stiffness between throws that one web joins.").format(
+                method=title_of(declared.method)
+            )
+        return
+    given, of_frame = declared.stiffness[:, declared.gaps], by_size[THROW_METHODS[0].name]
+    ratio = given / of_frame
+    if np.any(np.maximum(ratio, 1 / ratio) > _FAR):
+        yield _("The given stiffness between throws is {ratio} times what the crankshaft's sizes give.").format(
+            ratio=f"{float(ratio.ravel()[np.argmax(np.abs(np.log(ratio)))]):.3g}"
+        )

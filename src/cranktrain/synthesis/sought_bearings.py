@@ -1,0 +1,71 @@
+"""Which main bearings are to be relieved, on which shaft, and by which method their loads are found."""
+
+from collections.abc import Sequence
+from typing import Any, Literal, NamedTuple
+
+from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.parts import parts_of
+from cranktrain.analysis.stages import STAGES, lacking, leading_to, run_stages
+from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.language import _
+from cranktrain.layout.shafts import Shafts
+from cranktrain.machine import Machine
+from cranktrain.quantities import unlisted
+from cranktrain.questions.crankshaft.acting import LoadedShafts
+from cranktrain.questions.crankshaft.bearing_method import BearingMethod
+from cranktrain.questions.crankshaft.laid import LaidShaft
+from cranktrain.questions.crankshaft.methods.clearance import CLEARANCE
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
+from cranktrain.questions.crankshaft.stages import methods_for
+from cranktrain.spec import words_of
+
+Method = Literal["frame_elastic", "frame_rigid", "five_moment", "three_moment", "split", "clearance"]
+
+
+class SoughtBearings(NamedTuple):
+    """Which of the crankshafts it is, how it is laid out, which of its bearings are spoken of, and by which method."""
+
+    which: int
+    laid: LaidShaft
+    bearings: list[int]
+    method: BearingMethod
+
+
+def sought_bearings(machine: Machine, bearing: str, method: str | None) -> SoughtBearings:
+    """Find shaft, bearings and method, or say what the file lacks for them."""
+    parts = parts_of((machine,), step=FACTS_STEP)
+    absent = lacking(STAGES, parts)
+    if LoadedShafts in absent:
+        needs = _(" and ").join(absent[LoadedShafts]) or _("[crankshaft]")
+        raise InputError([Problem("", None, _("loads of main bearings need {needs} in the file").format(needs=needs))])
+    found: dict[type, Any] = run_stages(leading_to(STAGES, [LoadedShafts]), parts, absent)
+    loaded: LoadedShafts = found[LoadedShafts]
+    shafts: Any = parts[Shafts]
+    which = next((i for i, one in enumerate(loaded.each) if one.laid.declared.shaft == shafts.main), None)
+    if which is None:
+        allowed = _("says nothing of [shaft.main], on whose throws counterweights stand")
+        raise InputError([Problem("crankshaft", None, allowed)])
+    laid = loaded.each[which].laid
+    names = laid.declared.bearing_names
+    declared: Any = parts[DeclaredCrankshafts]
+    linear = [one for one in methods_for(declared) if one is not CLEARANCE]
+    problems: list[Problem] = []
+    if bearing != "all" and bearing not in names:
+        problems.append(unlisted("bearing", bearing, [*names, "all"]))
+    if method is not None and method not in [one.name for one in linear]:
+        problems.append(_no_method(method, [one.name for one in linear]))
+    refuse(problems)
+    bearings = list(range(len(names))) if bearing == "all" else [names.index(bearing)]
+    return SoughtBearings(which, laid, bearings, next(one for one in linear if method in (None, one.name)))
+
+
+def _no_method(method: str, linear: Sequence[str]) -> Problem:
+    """Say why loads cannot be found, or relieved, by a method."""
+    if method == CLEARANCE.name:
+        allowed = _(
+            "is not linear: with clearance no weights can be proved to be the best; relieve by another, and run"
+        )
+        return Problem("method", method, allowed, _("choose one of: {names}").format(names=", ".join(linear)))
+    if method in words_of(Method):
+        return Problem("method", method, _("needs [crankshaft] bearing_stiffness in the file"))
+    return unlisted("method", method, linear)

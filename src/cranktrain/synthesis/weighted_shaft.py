@@ -1,0 +1,109 @@
+"""Loads of main bearings as weights on the throws change them: linear, so a few weights tell of all."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.parts import parts_of
+from cranktrain.analysis.stages import STAGES, lacking, leading_to, run_stages
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.numerics import Peak, largest_between, points_together
+from cranktrain.questions.crankshaft.acting import LoadedShafts
+from cranktrain.questions.crankshaft.bearing_method import BearingMethod
+from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.record import record
+
+_WIDEST = np.pi / 9
+"""Of a piece of the quadrature. [rad]"""
+ASIDE = 1e-9
+"""How far from a jump the value on one of its sides is taken. [rad]"""
+
+
+@record
+class WeightedShaft:
+    """A crankshaft with weights of unknown size.
+
+    Attributes
+    ----------
+    shafts : LoadedShafts
+        Of several designs: the first with all unknowns `at`, each other with one of them more by `more`.
+    which : int
+        Which of the crankshafts it is.
+    at : Array, shape (unknown,)
+    more : float
+    method : BearingMethod
+        A linear one.
+    bearings : list of int
+        Which of its bearings are spoken of.
+    events : ForceEvents
+    crank_angle : CrankAngle
+    """
+
+    shafts: LoadedShafts
+    which: int
+    at: Array
+    more: float
+    method: BearingMethod
+    bearings: list[int]
+    events: ForceEvents
+    crank_angle: CrankAngle
+
+    def vectors(self, shown: Array) -> tuple[Array, Array]:
+        """Loads of all its bearings at crank angles, and how unknowns change them.
+
+        Parameters
+        ----------
+        shown : Array, shape (n,)
+            From the grid's zero. [rad]
+
+        Returns
+        -------
+        base : Array, shape (bearing, n, 2)
+            [N]
+        change : Array, shape (bearing, n, 2, unknown)
+            [N]
+        """
+        n_designs = len(self.crank_angle.zero)
+        acting = self.shafts.loads(np.broadcast_to(shown, (n_designs, 1, shown.size)) + self.crank_angle.zero)
+        shaft = self.shafts.each[self.which].shaft
+        load = np.moveaxis(self.method.loads(shaft, acting[self.which]).load, 2, 3)
+        change = np.moveaxis(load[1:] - load[0], 0, -1) / self.more
+        return load[0] - change @ self.at, change
+
+    def relieved(self, shown: Array) -> tuple[Array, Array]:
+        """The same of those bearings that are spoken of."""
+        base, change = self.vectors(shown)
+        return base[self.bearings], change[self.bearings]
+
+    def largest(self, unknown: Array, sizes: Array) -> Peak:
+        """Largest loads, refined on the machine; sizes are those on the grid, shape (bearing, n)."""
+
+        def curves(which: NDArray[np.intp], shown: Array) -> Array:
+            base, change = self.relieved(shown.ravel())
+            size = np.hypot(*np.moveaxis(base + change @ unknown, -1, 0))
+            return size.reshape(-1, *shown.shape)[which, np.arange(which.size)]
+
+        breaks = self.events.whole[:1] - self.crank_angle.zero[:1, 0]
+        return largest_between(curves, self.crank_angle.shown, sizes, breaks)
+
+    def quadrature(self) -> tuple[Array, Array]:
+        """Crank angles between events, and their weights in a mean over the cycle, shape (n,). [rad, 1]"""
+        breaks = self.events.whole[:1] - self.crank_angle.zero[:1, 0]
+        angle, weight = points_together(breaks, _WIDEST, self.crank_angle.cycle)
+        return angle[0, 0], weight[0, 0] / self.crank_angle.cycle
+
+
+def weighted_shaft(
+    designs: Sequence[Machine], at: Array, more: float, which: int, method: BearingMethod, bearings: list[int]
+) -> WeightedShaft:
+    """Lay the shaft of some designs out, which differ in weights alone; all is as in `WeightedShaft`."""
+    parts = parts_of(designs, step=FACTS_STEP)
+    wanted = leading_to(STAGES, [LoadedShafts, ForceEvents])
+    found: dict[type, Any] = run_stages(wanted, parts, lacking(STAGES, parts))
+    grid: Any = parts[CrankAngle]
+    return WeightedShaft(found[LoadedShafts], which, at, more, method, bearings, found[ForceEvents], grid)

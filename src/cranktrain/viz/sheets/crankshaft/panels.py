@@ -1,0 +1,183 @@
+"""Loads of bearings and pins as curves in the plane, their wear, and the torque along the shaft, out of a result."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.grouping import grouped
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
+from cranktrain.questions.crankshaft.acting import LoadedShafts
+from cranktrain.questions.crankshaft.section_torques import SECTIONS
+from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
+from cranktrain.wording import ranged
+
+_SHAPE = 6
+"""Loads that are the same to so many figures are drawn once."""
+_LONGEST = 12
+"""Letters of the names of alike pins; of more only the first is named."""
+_NEXT = 1e-6
+
+
+class PolarCurve(NamedTuple):
+    """Load over the cycle by a method, or "": to the right and up, closed, shape (2, n). [N]"""
+
+    method: str
+    points: Array
+
+
+class PolarDiagram(NamedTuple):
+    """Loads of one bearing or pin.
+
+    Attributes
+    ----------
+    title : str
+    curves : tuple of PolarCurve
+        The first one first.
+    largest : Array, shape (2,)
+        Where the first has its largest, on its curve. [N]
+    largest_at, cycle : float
+        Crank angle of that, and after which all repeats. [deg]
+    """
+
+    title: str
+    curves: tuple[PolarCurve, ...]
+    largest: Array
+    largest_at: float
+    cycle: float
+
+
+class AlikePins(NamedTuple):
+    """Crank pins whose loads are alike but in their phase: the first one's number, and how all are called."""
+
+    first: int
+    names: str
+
+
+class WearDiagram(NamedTuple):
+    """Mean load on each ray, shape (ray,) [N], from straight up in the sense `turn`; place of an oil hole. [rad]
+
+    turn is 1 where rays count clockwise on paper, −1 where they count anticlockwise.
+    """
+
+    title: str
+    wear: Array
+    hole: float
+    turn: float
+
+
+def bearing_diagrams(shown: OneDesign) -> tuple[PolarDiagram, ...]:
+    """Loads of every main bearing in fixed axes, by every method, the most trusted first."""
+    methods, bearings = (shown.result.labels[name] for name in ("bearing_method", "bearing"))
+    x, y = (shown(f"main_bearing_load_{axis}") for axis in "xy")
+    at = shown("largest_bearing_load_at")[0]
+    return tuple(
+        _diagram(
+            shown,
+            _("Bearing {name}").format(name=name),
+            [(method, x[place, bearing], y[place, bearing]) for place, method in enumerate(methods)],
+            float(at[bearing]),
+        )
+        for bearing, name in enumerate(bearings)
+    )
+
+
+def alike_pins(shown: OneDesign) -> tuple[AlikePins, ...]:
+    """Crank pins that bear a rod, apart by what they bear."""
+    mean, largest = shown("mean_crankpin_load"), shown("largest_crankpin_load")
+    holes, names = shown("crankpin_oil_hole"), shown.result.labels["mechanism"]
+    known = np.flatnonzero(np.isfinite(mean) & np.any(np.isfinite(shown("rod_bearing_wear")), axis=-1)).tolist()
+    keys = [tuple(f"{value[i]:.{_SHAPE}g}" for value in (mean, largest, holes)) for i in known]
+    return tuple(
+        AlikePins(members[0], _together(names, members)) for members in grouped(zip(keys, known, strict=True)).values()
+    )
+
+
+def _together(names: Sequence[str], members: Sequence[int]) -> str:
+    """Name some pins, where that is short; else the first, and how many more there are."""
+    every = ranged(names, members)
+    return every if len(every) <= _LONGEST else f"{names[members[0]]} +{len(members) - 1}"
+
+
+def crank_pin_diagrams(shown: OneDesign, pin: AlikePins) -> tuple[PolarDiagram, PolarDiagram]:
+    """Load of a pin in its own axes, away from the shaft up; and of the rod's bearing, toward the piston up."""
+    at = float(shown("largest_crankpin_load_at")[pin.first])
+    ways = (
+        ("crankpin_load_tangential", "crankpin_load_radial", -1.0, _("On the pin, {names}")),
+        ("rod_bearing_load_across", "rod_bearing_load_along", 1.0, _("On the rod's bearing, {names}")),
+    )
+    pin_load, rod_load = (
+        _diagram(
+            shown, title.format(names=pin.names), [("", shown(across)[pin.first], up * shown(along)[pin.first])], at
+        )
+        for across, along, up, title in ways
+    )
+    return pin_load, rod_load
+
+
+def _diagram(shown: OneDesign, title: str, curves: Sequence[tuple[str, Array, Array]], at: float) -> PolarDiagram:
+    """Close all curves, and find the first one's largest."""
+    found = tuple(PolarCurve(name, np.stack([closed(x), closed(y)])) for name, x, y in curves)
+    # Beside a jump the curve's points are on either side of it.
+    beside = np.abs(shown.cycle - at) <= shown.cycle[1] * (1 + _NEXT)
+    size = np.where(beside, np.hypot(*found[0].points), -1.0)
+    return PolarDiagram(title, found, found[0].points[:, int(np.argmax(size))], at, float(shown.cycle[-1]))
+
+
+def pin_wear(shown: OneDesign) -> Iterator[WearDiagram]:
+    """Wear of crank pins, and of the rods' bearings on them; up is away from the shaft, and toward the piston."""
+    for pin in alike_pins(shown):
+        hole = float(shown("crankpin_oil_hole")[pin.first])
+        yield WearDiagram(_("Pin {names}").format(names=pin.names), shown("crankpin_wear")[pin.first], hole, 1.0)
+        title = _("Rod {names}").format(names=pin.names)
+        yield WearDiagram(title, shown("rod_bearing_wear")[pin.first], np.nan, 1.0)
+
+
+def journal_wear(shown: OneDesign) -> Iterator[tuple[WearDiagram, WearDiagram]]:
+    """Wear of every journal, up is toward throw 1, and of its bearing as it is seen, by the first method."""
+    turns = [-one.laid.turn for one in shown.result[LoadedShafts].each for _bearing in one.laid.declared.bearing_names]
+    for bearing, (name, turn) in enumerate(zip(shown.result.labels["bearing"], turns, strict=True)):
+        journal, shell = (
+            WearDiagram(
+                title.format(name=name),
+                shown(f"{part}_wear")[0, bearing],
+                float(shown(f"{part}_oil_hole")[0, bearing]),
+                sense,
+            )
+            for part, title, sense in (("journal", _("Journal {name}"), 1.0), ("bearing", _("Bearing {name}"), turn))
+        )
+        yield journal, shell
+
+
+def on_journals(shown: OneDesign) -> NDArray[np.bool_]:
+    """Which sections of the shaft are journals."""
+    return np.array([SECTIONS[0] in name for name in shown.result.labels["section"]])
+
+
+def of_shafts(names: Sequence[str]) -> list[tuple[str, str]]:
+    """Shafts of names of bearings or journals, where there are several, and what they are called on them."""
+    return [(shaft, name) for shaft, _dot, name in (whole.rpartition(".") for whole in names)]
+
+
+def torque_panels(shown: OneDesign) -> Iterator[Panel]:
+    """Torque in journals, and in pins, by the first method; the one with the widest range is thick."""
+    torque, ranges = shown("section_torque")[0], shown("section_torque_range")[0]
+    names, journals = shown.result.labels["section"], on_journals(shown)
+    for title, which in ((_("Torque in journals"), journals), (_("Torque in crank pins"), ~journals)):
+        own = np.flatnonzero(which)
+        worst = int(own[np.argmax(ranges[own])])
+        curves = [
+            Curve(closed(torque[i]), "whole" if i == worst else "each", "T", name=names[i])
+            for i in sorted(own.tolist(), key=lambda i: i == worst)
+        ]
+        said = f"{title}: {_('thick that of widest range')}, {names[worst]}"
+        yield Panel(said, "N*m", shown.cycle, tuple(curves))
+
+
+def turned_by(wear: WearDiagram) -> Array:
+    """Directions of its rays on paper, anticlockwise from the right. [rad]"""
+    rays = np.arange(wear.wear.size, dtype=np.float64)
+    return np.asarray(TURN / 4 - wear.turn * (TURN / wear.wear.size) * rays)
