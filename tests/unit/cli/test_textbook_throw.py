@@ -4,6 +4,7 @@ import re
 
 import pytest
 from tests.reference_case import ReferenceCase
+from tests.sentences import ENDS_IN, NOT_A_KEY
 
 CASE = ReferenceCase.load("formulas_44_53")
 EXPECTED = {name: one["value"] for name, one in CASE.document["expected_values"].items()}
@@ -92,10 +93,10 @@ def test_scheme(typed, tmp_path, monkeypatch):
         (["--throw", "example", "--set", "l7=1 mm"], "--set  l7 = 1 mm: occurs in none of (44) to (53)"),
         (["--throw", "example", "--set", "l1=-1 mm"], "--set  l1 = -1 mm: must be at least 0 mm"),
         (["--throw", "example", "--set", "K1"], "--set  K1: must be SYMBOL=VALUE"),
-        (["--throw", "example", "--set", "h_p=1 mm"], "--set  h_p = 1 mm: is not a key of this table"),
+        (["--throw", "example", "--set", "h_p=1 mm"], f"--set  h_p = 1 mm: {NOT_A_KEY}"),
         (["--throw", "nothing.toml"], "nothing.toml"),
         (["--throw", ""], "must be the name of a file with a throw's table, or `example`"),
-        (["--throw", "example", "-o", "throw.doc"], "must end in one of: .toml, .png, .svg, .pdf"),
+        (["--throw", "example", "-o", "throw.doc"], f"{ENDS_IN}.toml, .png, .svg, .pdf"),
         (["3d12", "--throw", "example"], "must be left out beside --throw"),
         (["--throw", "example", "--table", "--harmonics"], "--harmonics: must be left out beside --throw"),
         (["3d12", "-o", "throw.svg"], "is for a throw: ask for --throw FILE, too"),

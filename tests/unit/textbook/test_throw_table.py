@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tests.reference_case import ReferenceCase
+from tests.sentences import NOT_A_KEY
 
 from cranktrain import textbook
 from cranktrain.errors import InputError
@@ -54,8 +55,8 @@ def test_what_is_left_out_is_0_and_units_are_read():
         ({"K1": "20 mm"}, "K1", "mm measures a length; must be a force"),
         ({"K1": 20}, "K1", "must be a force"),
         ({"K1": "nan N"}, "K1", ""),
-        ({"h_p": "24 mm"}, "h_p", "is not a key of this table"),
-        ({"С9": "1 N"}, '"С9"', "is not a key of this table"),
+        ({"h_p": "24 mm"}, "h_p", NOT_A_KEY),
+        ({"С9": "1 N"}, '"С9"', NOT_A_KEY),
         ({"rods": "three"}, "rods", "must be one of"),
         ({"K2": "1 N"}, "K2", "must be left out: there is one rod"),
         ({"rods": "articulated", "T2": "1 N"}, "T2", "by one resultant, K1 and T1 on the master's axis"),
