@@ -14,7 +14,7 @@ from cranktrain import textbook
 from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.throw_output import output_problems, write_throw
-from cranktrain.errors import InputError, Position, Problem, refuse
+from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.document import Document
 from cranktrain.io.syntax import parsed
 from cranktrain.language import _
@@ -109,9 +109,10 @@ def _document(source: str) -> Document:
     if source.strip().casefold() == EXAMPLE and not is_file:
         path = Path(textbook.__file__).parent / "throw_example.toml"
         return Document.from_text(path.read_text(encoding="utf-8"), EXAMPLE)
-    document = Document.read(source)
+    repair = _("start with: {command}").format(command="cranktrain textbook --throw example -o throw.toml")
+    with problems_as(lambda problem: replace(problem, repair=problem.repair or repair)):
+        document = Document.read(source)
     if not parsed(document.text, document.name):
-        repair = _("start with: {command}").format(command="cranktrain textbook --throw example -o throw.toml")
         raise InputError([Problem("", None, _("no throw in it"), repair, Position(document.name))])
     return document
 
