@@ -316,7 +316,7 @@ def _synthesise(context: typer.Context) -> None:
         "  cranktrain textbook --source bolotin\n"
         "  cranktrain textbook 3d12 --forces kgf/cm2 --step 10\n"
         "  cranktrain textbook 3d12 --harmonics\n"
-        "  cranktrain textbook --throw example --set \"K1=20 kN\"\n"
+        '  cranktrain textbook --throw example --set "K1=20 kN"\n'
         "  cranktrain textbook --throw example -o throw.toml\n"
         "  cranktrain textbook --throw throw.toml -o throw.svg\n"
         "  cranktrain textbook errata"

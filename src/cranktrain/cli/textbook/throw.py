@@ -195,7 +195,9 @@ def _left(one: BalanceCondition, value: float) -> str:
 
 def _notes() -> Iterator[str]:
     """What the text leaves open, and how it is read here."""
-    yield _("C8, C9, C12, C14, C15 count against the rotation: the text does not say it, but only so may (45) be added to (51)")
+    yield _(
+        "C8, C9, C12, C14, C15 count against the rotation: the text does not say it, but only so may (45) be added to (51)"
+    )
     yield _("C3 and C5 hold what turns of the rods: K1 and K2 must not hold it again")
     yield _("where external counterweights are moments at the ends of a continuous shaft, (48) and (49) count twice")
     yield _("`cranktrain textbook errata --source crankshaft`: what is wrong in the text and left open by it")
