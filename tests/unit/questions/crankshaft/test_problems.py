@@ -43,7 +43,8 @@ WRONG = {
             "pull": {"belt": {"z": "10 mm", "force": "1 kN", "direction": "0 deg"}},
         },
         [
-            "crankshaft.bearing.1.z = -40 mm: must stand on a journal, clear of webs and pins, and is at -40 mm from throw 1",
+            "crankshaft.bearing.1.z = -40 mm: must stand on a journal, clear of webs and pins, and is at -40 mm"
+            " from throw 1",
             "crankshaft.bearing.out.z = 150 mm: must stand on a journal, clear of webs and pins, and is at 150 mm"
             " from throw 1",
             "crankshaft.pull.belt.z = 10 mm: must be on a journal, clear of webs and pins",
