@@ -8,7 +8,6 @@ from typer.main import get_command
 
 from cranktrain.cli.comparing import add_compare
 from cranktrain.cli.naming_pictures import NamingPictures
-from cranktrain.cli.optional_source import OptionalSource
 from cranktrain.cli.options import (
     AllTables,
     Checks,
@@ -31,6 +30,7 @@ from cranktrain.cli.options import (
     listed,
 )
 from cranktrain.cli.task import Task, put_off, task_of
+from cranktrain.cli.texts import add_textbook
 from cranktrain.cli.tools import add_tools
 from cranktrain.language import _
 from cranktrain.version import VERSION
@@ -304,6 +304,7 @@ def _synthesise(context: typer.Context) -> None:
     task_of(app, context.args, "cranktrain synthesise")()
 
 
+<<<<<<< HEAD
 @_app.command(
     "textbook",
     help=_(
@@ -435,4 +436,7 @@ def _textbook(
     show_textbook(file, values, source=source, with_table=table, with_errata=errata)
 
 
+=======
+add_textbook(_app)
+>>>>>>> main
 add_tools(_app)
