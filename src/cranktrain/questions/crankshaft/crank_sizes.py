@@ -107,7 +107,7 @@ def _flags(names: tuple[str, ...], by_sizes: Array, given: Array) -> tuple[str, 
         doubtful = np.flatnonzero(given > _TOO_MUCH * by_sizes).tolist()
     if doubtful:
         first = doubtful[0]
-        said = _("[masses.crank] is as {given} on pin {pin}, and by their sizes pin and webs are as {mass}.")
+        said = _("[masses.crank] acts like {given} at pin {pin}, and by their sizes pin and webs like {mass}.")
         sizes = (number(float(of[first]), "kg") for of in (given, by_sizes))
         found.append(said.format(pin=names[first], **dict(zip(("given", "mass"), sizes, strict=True))))
     return tuple(found)
