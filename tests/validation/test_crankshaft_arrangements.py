@@ -305,3 +305,13 @@ def test_what_pins_and_webs_weigh():
     # By halves at both pins: together they have its moment about the shaft, here none.
     moment = pin * 0.05 + web * (0.05 - 0.0025) / 2 + between / 2 * 0.05
     np.testing.assert_allclose(data.crank_moment, [moment, moment], rtol=1e-13)
+
+
+def test_what_is_doubtful_about_a_crank():
+    """A web of 13 mm at hollow pins of 65 mm, and [masses.crank] of much more than pins and webs of these sizes can be."""
+    result = ct.run(machine(["0 deg", "180 deg"], crankshaft={"web_width": "13 mm", "pin_bore": "50 mm"}))
+    assert "A web is narrower than the pin that it holds: 1, 2." in result.flags
+    assert any(flag.startswith("[masses.crank] acts like 2.4 kg at pin 1") for flag in result.flags)
+    assert not any("masses.crank" in flag for flag in ct.run(machine(["0 deg", "180 deg"])).flags)
+    bare = ct.run(machine(["0 deg", "180 deg"], **WITHOUT_CRANKS))
+    assert any(flag.startswith("Cranks have no mass without [masses.crank]") for flag in bare.flags)

@@ -133,7 +133,7 @@ def size_by_sector(of: Subintervals, x: Array, y: Array, n_sectors: int) -> Sect
     known = np.flatnonzero(np.all(np.isfinite(size), axis=-1))
     found = np.full((len(x), 2 * n_sectors), np.nan)
     found[known] = 0.0
-    for n_nodes in np.unique(of.size).tolist():
+    for n_nodes in np.unique(of.size).tolist() if known.size else ():
         chosen = np.flatnonzero(of.size == n_nodes)
         place: NDArray[np.intp] = of.first[chosen, np.newaxis] + np.arange(n_nodes, dtype=np.intp)
         parts = (part[known][:, place].reshape(-1, n_nodes) for part in (x, y))
