@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.language import N_
-from cranktrain.motion import Array, chosen, single
+from cranktrain.motion import Array, chosen
 from cranktrain.questions.drive.motors.motor import Motor, MotorBreaks
 
 
@@ -21,7 +21,7 @@ def brake_hold(time: Array, brake: Brake) -> Array:
 
     docs/theory/drive, eq. (25.23).
     """
-    return chosen(time < brake.delay, single(0.0), brake.torque)
+    return chosen(time < brake.delay, 0.0, brake.torque)
 
 
 def brake_torque(speed: Array, time: Array, brake: Brake) -> Array:

@@ -36,7 +36,7 @@ def star_delta_torque(speed: Array, time: Array, geometry: StarDelta) -> Array:
     docs/theory/drive, eq. (25.12).
     """
     since = time - geometry.change_time
-    part = chosen(since < 0, STAR, chosen(since < geometry.pause, single(0.0), single(1.0)))
+    part = chosen(since < 0, STAR, chosen(since < geometry.pause, 0.0, 1.0))
     return part * cage_torque(speed, geometry.motor)
 
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.language import N_
-from cranktrain.motion import Array, single
+from cranktrain.motion import ZERO, Array
 from cranktrain.questions.drive.motors.cage import kloss_torque, slip_of
 from cranktrain.questions.drive.motors.motor import Motor, MotorBreaks
 
@@ -86,7 +86,7 @@ def wound_rotor_torque(speed: Array, rotor: WoundRotor) -> Array:
     docs/theory/drive, eq. (25.16).
     """
     slip = slip_of(speed, rotor.synchronous_speed)
-    torque = kloss_torque(slip, rotor.breakdown_torque, rotor.breakdown_slip * rotor.resistance, single(0.0))
+    torque = kloss_torque(slip, rotor.breakdown_torque, rotor.breakdown_slip * rotor.resistance, ZERO)
     return np.sign(rotor.synchronous_speed) * torque
 
 
