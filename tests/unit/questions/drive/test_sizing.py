@@ -2,13 +2,15 @@
 
 import numpy as np
 import pytest
+from tests.motors import CATALOGUE, SYNCHRONOUS
 
+from cranktrain.questions.drive.motors.cage import cage_breaks, cage_torque, catalogue_curve
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.motors.servo import Servo
 from cranktrain.questions.drive.sizing.checks import CRITERIA, TorqueDemand, motor_choice
 from cranktrain.questions.drive.sizing.clutch import Engagement, engaged, held_torque
 from cranktrain.questions.drive.sizing.servo_uses import servo_uses
-from cranktrain.questions.drive.sizing.starting import inertia_ratio, starts_per_hour
+from cranktrain.questions.drive.sizing.starting import inertia_ratio, loaded_start, starts_per_hour
 from cranktrain.questions.drive.sizing.torque_means import rms_torque
 
 
@@ -91,3 +93,24 @@ def test_a_pause_cools_less():
     torque, time = np.array([30.0, 30.0, 0.0, 0.0]), np.array([0.0, 1.0, 1.0, 4.0])
     assert rms_torque(torque, time) == pytest.approx(15.0)
     assert rms_torque(torque, time, np.array([1.0, 1.0, 0.5])) == pytest.approx(30.0 / np.sqrt(2.5))
+
+
+def test_loaded_starts_of_designs_are_those_of_each_alone():
+    """Of curves with breaks, too; a stuck one beside one that gets up."""
+    inertia, loads = np.array([0.1, 0.3, 0.2]), np.array([[10.0], [40.0], [95.0]])
+    motor = catalogue_curve(CATALOGUE)
+    breaks = [float(speed) for speed in sorted(cage_breaks(motor).speeds)]
+    speeds = np.tile([*breaks, 0.97 * SYNCHRONOUS], (3, 1))
+    together = loaded_start(lambda w: cage_torque(w, motor), lambda w: 0 * w + loads, inertia, SYNCHRONOUS, speeds)
+    assert np.isnan(together.time).tolist() == [False, False, True]
+    for design in range(2):
+        alone = loaded_start(
+            lambda w: cage_torque(w, motor),
+            lambda w, by=loads[design]: 0 * w + by,
+            inertia[design],
+            SYNCHRONOUS,
+            speeds[design],
+        )
+        np.testing.assert_allclose(np.array(together)[:, design], alone, rtol=1e-14)
+    kinetic = 0.5 * 0.1 * (0.97 * SYNCHRONOUS) ** 2
+    assert together.rotor_heat[0] > kinetic

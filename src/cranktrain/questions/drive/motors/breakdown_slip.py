@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 
@@ -87,7 +88,7 @@ class Contradiction(NamedTuple):
     rated_slip_by_start : Array
         Slip at which that one has the rated torque.
     full : FullFit
-    has_pole : Array of bool
+    has_pole : array of bool
         Whether the full one is of no use where the motor generates.
     """
 
@@ -97,7 +98,7 @@ class Contradiction(NamedTuple):
     rated_by_start: Array
     rated_slip_by_start: Array
     full: FullFit
-    has_pole: Array
+    has_pole: NDArray[np.bool_]
 
 
 def contradiction(rated_slip: Array, breakdown_ratio: Array, starting_ratio: Array) -> Contradiction:

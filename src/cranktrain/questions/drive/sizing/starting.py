@@ -65,8 +65,8 @@ def quickest_breakdown_slip(slip: Array) -> Array:
 def loaded_start(
     torque: Callable[[Array], Array],
     load: Callable[[Array], Array],
-    inertia: float,
-    synchronous_speed: float,
+    inertia: Array,
+    synchronous_speed: Array,
     speeds: Array,
 ) -> Start:
     """Start against a load that hangs on the speed alone, with a constant inertia.
@@ -74,17 +74,17 @@ def loaded_start(
     Parameters
     ----------
     torque, load : callable
-        From speeds to the motor's torque and to what it works against, at its shaft. [rad/s → N·m]
-    inertia : float
+        From speeds, shape (..., k), to the motor's torque and to what it works against, at its shaft. [rad/s → N·m]
+    inertia : Array, shape (...)
         [kg·m²]
-    synchronous_speed : float
+    synchronous_speed : Array, shape (...)
         [rad/s]
-    speeds : Array, shape (n,)
+    speeds : Array, shape (..., n)
         Rising from the first speed to the last; every break of both curves among them. [rad/s]
 
     Returns
     -------
-    Start
+    Start, shape (...)
         NaN where the motor's torque is not above the load all the way: it gets stuck.
 
     Notes
@@ -92,15 +92,19 @@ def loaded_start(
     docs/theory/drive, eq. (25.26), by Gauss's points. Where the motor only just gets past a speed they are too few.
     """
     node, weight = leggauss(_N_NODES)
-    edges = speeds[:-1, np.newaxis] + np.diff(speeds)[:, np.newaxis] * np.linspace(0, 1, _N_PANELS + 1)[:-1]
-    edges = np.append(edges.ravel(), speeds[-1])
-    half = 0.5 * np.diff(edges)[:, np.newaxis]
-    speed = edges[:-1, np.newaxis] + half * (1 + node)
+    parts = np.linspace(0, 1, _N_PANELS + 1)[:-1]
+    width = np.diff(speeds)[..., np.newaxis, np.newaxis] / _N_PANELS
+    begins = speeds[..., :-1, np.newaxis, np.newaxis] + width * _N_PANELS * parts[:, np.newaxis]
+    shape = (*speeds.shape[:-1], -1)
+    speed = np.reshape(begins + 0.5 * width * (1 + node), shape)
+    step = np.reshape(np.broadcast_to(0.5 * width * weight, (*begins.shape[:-1], _N_NODES)), shape)
     driving = torque(speed)
     excess = driving - load(speed)
-    is_free = np.all(excess > 0) & np.all(torque(edges) > load(edges))
-    pace = np.where(is_free, half * weight * inertia / np.where(excess > 0, excess, np.nan), np.nan)
-    return Start(np.sum(pace), np.sum(pace * driving * (synchronous_speed - speed)))
+    is_free = np.all(excess > 0, axis=-1) & np.all(torque(speeds) > load(speeds), axis=-1)
+    held = np.where(is_free[..., np.newaxis] & (excess > 0), excess, np.nan)
+    pace = step * np.asarray(inertia)[..., np.newaxis] / held
+    heating = driving * (np.asarray(synchronous_speed)[..., np.newaxis] - speed)
+    return Start(np.asarray(np.sum(pace, axis=-1)), np.asarray(np.sum(pace * heating, axis=-1)))
 
 
 def starts_per_hour(
