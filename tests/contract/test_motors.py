@@ -53,14 +53,16 @@ def test_compiled(motor, time):
 
 @every_motor
 def test_designs(motor):
-    """Each is what it is alone; of a table all designs have one."""
-    factors = np.array([1.0, 0.7, 1.1])[:, np.newaxis]
+    """Each is what it is alone; points of tables stand along the first axis."""
+    factors = np.array([1.0, 0.7, 1.1])
     geometry = EXAMPLES[motor.name]
-    many = mapped(lambda _name, value: value if np.ndim(value) else value * factors, geometry)
+    many = mapped(
+        lambda _name, value: np.asarray(value)[..., np.newaxis, np.newaxis] * factors[:, np.newaxis], geometry
+    )
     together = motor.torque(SPEEDS, 0.7, many)
-    assert together.shape == (SPEEDS.shape if motor.name == "table" else (3, SPEEDS.size))
-    for torque, factor in zip(np.broadcast_to(together, (3, SPEEDS.size)), factors.ravel(), strict=True):
-        alone = mapped(lambda _name, value, by=factor: value if np.ndim(value) else value * by, geometry)
+    assert together.shape == (3, SPEEDS.size)
+    for torque, factor in zip(together, factors, strict=True):
+        alone = mapped(lambda _name, value, by=factor: value * by, geometry)
         np.testing.assert_array_equal(torque, motor.torque(SPEEDS, 0.7, alone))
 
 

@@ -8,7 +8,7 @@ from cranktrain.record import record
 
 
 class MotorBreaks(NamedTuple):
-    """Where the torque of a motor has a jump or a kink: what walks along it stops there.
+    """Where the torque of a motor has a jump or a kink: what walks along it stops there. NaN for none.
 
     Attributes
     ----------

@@ -50,9 +50,9 @@ def prime_mover_breaks(engine: PrimeMover) -> MotorBreaks:
     speeds, torques = engine.full_load
     slope = engine.rated_torque / (engine.no_load_speed - engine.rated_speed)
     over = slope * (engine.no_load_speed - speeds) - torques
-    change = over[:-1] * over[1:] < 0
-    crossing = speeds[:-1] + np.diff(speeds) * over[:-1] / np.where(change, over[:-1] - over[1:], 1.0)
-    return MotorBreaks((*speeds, engine.no_load_speed, *crossing[change]))
+    crosses = over[:-1] * over[1:] < 0
+    along = over[:-1] / np.where(crosses, over[:-1] - over[1:], np.nan)
+    return MotorBreaks((*speeds, engine.no_load_speed, *(speeds[:-1] + np.diff(speeds, axis=0) * along)))
 
 
 PRIME_MOVER = Motor(

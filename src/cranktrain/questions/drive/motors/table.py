@@ -10,7 +10,7 @@ from cranktrain.questions.drive.motors.motor import Motor, MotorBreaks
 
 
 class TableMotor(NamedTuple):
-    """Torques [N·m] at speeds [rad/s] that rise, both of shape (point,): all designs have one table."""
+    """Torques [N·m] at two speeds [rad/s] or more that rise, both of shape (point,), or (point, ..., 1) of designs."""
 
     speeds: Array
     torques: Array
@@ -27,9 +27,14 @@ def table_torque(speed: Array, table: TableMotor) -> Array:
 
     Notes
     -----
-    docs/theory/drive, eq. (25.21).
+    docs/theory/drive, eq. (25.21), as a sum over the lines of what the way along each adds.
     """
-    return np.interp(speed, table.speeds, table.torques)
+    torque = table.torques[0]
+    for i in range(table.speeds.shape[0] - 1):
+        width = table.speeds[i + 1] - table.speeds[i]
+        along = np.minimum(width, np.maximum(0.0, speed - table.speeds[i]))
+        torque = torque + (table.torques[i + 1] - table.torques[i]) * (along / width)
+    return torque
 
 
 def table_breaks(table: TableMotor) -> MotorBreaks:
