@@ -70,6 +70,8 @@ def test_two_throws_between_two_bearings_are_levers(rotation):
     """By (50) to (53) of each pin, over the whole distance."""
     result = ct.run(machine(["0 deg", "180 deg"], crankshaft={"journals": [1, 3]}, rotation=rotation, **WITHOUT_CRANKS))
     assert result.dataset.bearing.values.tolist() == [1, 3]
+    np.testing.assert_allclose(result.dataset.rod_place, [0.0, 0.15], rtol=1e-14)
+    np.testing.assert_allclose(result.dataset.bearing_place, [-0.13, 0.28], rtol=1e-14)
     force = on_pins(result, 1.0 if rotation == "clockwise" else -1.0)
     last = (130 * force[0] + 280 * force[1]) / 410
     wanted = np.stack([force[0] + force[1] - last, last])

@@ -316,6 +316,9 @@ def _synthesise(context: typer.Context) -> None:
         "  cranktrain textbook --source bolotin\n"
         "  cranktrain textbook 3d12 --forces kgf/cm2 --step 10\n"
         "  cranktrain textbook 3d12 --harmonics\n"
+        "  cranktrain textbook --throw example --set \"K1=20 kN\"\n"
+        "  cranktrain textbook --throw example -o throw.toml\n"
+        "  cranktrain textbook --throw throw.toml -o throw.svg\n"
         "  cranktrain textbook errata"
     ),
     cls=OptionalSource,
@@ -371,9 +374,44 @@ def _textbook(
     crank_to_rod_ratio: Annotated[
         str | None, typer.Option(metavar="NUMBER", help=_("Show harmonics for this λ = R/L instead of a machine's."))
     ] = None,
+    throw: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FILE|example",
+            help=_("Show instead the reactions of a throw's supports, (44) to (53), from a table of its symbols."),
+        ),
+    ] = None,
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="FILE",
+            help=_("Of a throw: its table as .toml, or its scheme, fig. 35, as .png, .svg or .pdf."),
+        ),
+    ] = None,
+    force: Force = False,
 ) -> None:
     values = tuple(settings or ())
     of_forces = {"--step": None if step is None else f"{step:g}", "--piston": piston}
+    if throw is not None:
+        from cranktrain.cli.textbook.throw import show_throw
+
+        others = {
+            "FILE": file or None,
+            "--source": source,
+            "--table": "" if table else None,
+            "--errata": "" if errata else None,
+            "--forces": forces,
+            **of_forces,
+            "--harmonics": "" if harmonics else None,
+            "--crank-to-rod-ratio": crank_to_rod_ratio,
+        }
+        show_throw(throw, values, output, force=force, others=others)
+        return
+    from cranktrain.cli.textbook.throw_output import refuse_without_throw
+
+    refuse_without_throw(output, force=force)
     if harmonics or crank_to_rod_ratio is not None:
         from cranktrain.cli.textbook.harmonics import show_harmonics
 

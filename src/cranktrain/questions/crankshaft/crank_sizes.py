@@ -43,7 +43,7 @@ def crank_sizes(laid: LaidCrankshafts, mechanisms: Mechanisms, shafts: Shafts, m
     radius = np.concatenate([one.shaft.pieces.radius[:, one.pins] for one in laid.each], axis=1)
     names = tuple(name for one in laid.each for name in _names(one, shafts))
     return CrankSizes(
-        pin, web, moment, labels={"pin": names}, flags=_doubts(names, moment[0] / radius[0], given[0] / radius[0])
+        pin, web, moment, labels={"pin": names}, flags=_flags(names, moment[0] / radius[0], given[0] / radius[0])
     )
 
 
@@ -94,7 +94,7 @@ def _names(laid: LaidShaft, shafts: Shafts) -> list[str]:
     return [f"{prefix}{pin}" for pin in range(1, laid.pins.size + 1)]
 
 
-def _doubts(names: tuple[str, ...], by_sizes: Array, given: Array) -> tuple[str, ...]:
+def _flags(names: tuple[str, ...], by_sizes: Array, given: Array) -> tuple[str, ...]:
     """Say where no force holds what the sizes weigh, and where [masses.crank] has more; as at the pin, in kg."""
     found: list[str] = []
     bare = np.flatnonzero(np.isnan(given)).tolist()

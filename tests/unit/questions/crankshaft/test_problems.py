@@ -1,6 +1,7 @@
 """What is said of crankshafts and gears that cannot be."""
 
 import pytest
+from tests.sentences import NOT_POSITIVE
 from tests.validation.test_crankshaft_arrangements import GEAR, PLAIN, SECTIONS, TWO_SHAFTS, machine
 
 import cranktrain as ct
@@ -78,7 +79,7 @@ WRONG = {
     "no journal at all": ({"journals": []}, ["crankshaft.journals: must name each journal once, and one at least"]),
     "no stiffness": (
         {"bearing_stiffness": "0 N/mm"},
-        ["crankshaft.bearing_stiffness = 0 N/mm: must be more than 0 N/mm"],
+        [f"crankshaft.bearing_stiffness = 0 N/mm: {NOT_POSITIVE} N/mm"],
     ),
 }
 
