@@ -64,9 +64,9 @@ def balance_conditions(lengths: ThrowLengths, forces: ThrowForces) -> BalanceCon
 
     Examples
     --------
-    >>> sizes = ThrowLengths(*(np.float64(0.01) for _name in ThrowLengths._fields))
-    >>> none = ThrowForces(*(np.float64(0.0) for _name in ThrowForces._fields))
-    >>> found = balance_conditions(sizes, none._replace(c1=np.float64(100.0), c4=np.float64(100.0)))
+    >>> sizes = ThrowLengths(*(np.array(0.01) for _name in ThrowLengths._fields))
+    >>> none = ThrowForces(*(np.array(0.0) for _name in ThrowForces._fields))
+    >>> found = balance_conditions(sizes, none._replace(c1=np.array(100.0), c4=np.array(100.0)))
     >>> found.static.holds, found.dynamic.holds, round(found.dynamic.outward, 6)
     (True, False, 2.5)
     """

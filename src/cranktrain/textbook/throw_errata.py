@@ -13,12 +13,12 @@ from cranktrain.questions.crankshaft.throw_reactions import (
 )
 from cranktrain.textbook.wrong_step import WrongStep
 
-_LENGTHS = ThrowLengths(*(np.float64(1e-3 * size) for size in (14, 15, 13.5, 13.5, 15, 14, 22, 24, 31, 36)))
+_LENGTHS = ThrowLengths(*(np.array(1e-3 * size) for size in (14, 15, 13.5, 13.5, 15, 14, 22, 24, 31, 36)))
 """The example of the tests. [m]"""
-_NONE = ThrowForces(*(np.float64(0.0) for _name in ThrowForces._fields))
-_WEIGHT, _K1 = np.float64(6100.0), np.float64(21500.0)
-_ROTATING = np.float64(2600.0)
-_PIN = np.float64(4100.0)
+_NONE = ThrowForces(*(np.array(0.0) for _name in ThrowForces._fields))
+_WEIGHT, _K1 = np.array(6100.0), np.array(21500.0)
+_ROTATING = np.array(2600.0)
+_PIN = np.array(4100.0)
 
 
 def throw_errata() -> tuple[WrongStep, ...]:
@@ -86,7 +86,7 @@ def throw_errata() -> tuple[WrongStep, ...]:
             1e-3 * held_once,
             "kN",
             N_(
-                "C3 and C5 hold it, so K is of gas and of what goes to and fro alone; with it in K, too, it counts twice. "
+                "C3 and C5 hold it, so K is of gas and of what goes to and fro alone; in K, too, it counts twice. "
                 "Here R_KL of K1 = 21 500 N and C3 = 2600 N"
             ),
         ),
@@ -105,7 +105,7 @@ def throw_errata() -> tuple[WrongStep, ...]:
             N_("sense of x in (45), (47), against that of T in (51), (53)"),
             "R_TCP, R_TP",
             None,
-            float(_of(_NONE._replace(c8=np.float64(1000.0), t1=np.float64(1000.0))).tp),
+            float(_of(_NONE._replace(c8=np.array(1000.0), t1=np.array(1000.0))).tp),
             "N",
             N_(
                 "left open: only if x is against the rotation may they be added, and so it is read. Here R_TP of "
@@ -127,7 +127,7 @@ def throw_errata() -> tuple[WrongStep, ...]:
             N_("C8 and C14, C9 and C15"),
             "C₈ + C₁₄, C₉ + C₁₅",
             None,
-            float(_of(_NONE._replace(c8=np.float64(310.0), c14=np.float64(150.0))).tp),
+            float(_of(_NONE._replace(c8=np.array(310.0), c14=np.array(150.0))).tp),
             "N",
             N_(
                 "only their sums occur: which is the web's and which the counterweight's the text does not say, and no "

@@ -8,7 +8,8 @@ from pydantic import ConfigDict
 
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
-from cranktrain.quantities import Given
+from cranktrain.motion import Array
+from cranktrain.quantities import Given, written
 from cranktrain.quantities.fields import Force, NonNegativeLength
 from cranktrain.questions.crankshaft.throw_reactions import ThrowForces, ThrowLengths, throw_length
 from cranktrain.spec import Spec, validated
@@ -151,9 +152,11 @@ _NO_INPUTS = ("l", "l7")
 def _no_inputs(data: Mapping[str, object]) -> Iterable[Problem]:
     """Refuse lengths of the figure that are no inputs."""
     if "l" in data:
-        yield Problem("l", None, _("is no input: it is {chain}").format(chain=" + ".join(CHAIN)), _("delete it"))
+        yield Problem(
+            "l", written(data["l"]), _("is no input: it is {chain}").format(chain=" + ".join(CHAIN)), _("delete it")
+        )
     if "l7" in data:
-        yield Problem("l7", None, _("occurs in none of (44) to (53)"), _("delete it"))
+        yield Problem("l7", written(data["l7"]), _("occurs in none of (44) to (53)"), _("delete it"))
 
 
 def _field(key: str) -> str:
@@ -161,6 +164,6 @@ def _field(key: str) -> str:
     return next(name for name in ThrowTable.model_fields if _key(name) == key)
 
 
-def _number(given: Given | None) -> np.float64:
+def _number(given: Given | None) -> Array:
     """SI value of a number that may be left out."""
-    return np.float64(0.0 if given is None else given.si)
+    return np.array(0.0 if given is None else given.si)

@@ -3,7 +3,7 @@
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +14,7 @@ from cranktrain import textbook
 from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.throw_output import output_problems, write_throw
-from cranktrain.errors import InputError, Position, Problem, refuse
+from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.document import Document
 from cranktrain.io.syntax import parsed
 from cranktrain.language import _
@@ -71,7 +71,7 @@ def show_throw(
     refuse([*found, *output_problems(output)])
     file = read_throw_file(source, settings)
     if output is not None:
-        write_throw(file.throw, file.text, one_line(source), output, force=force)
+        write_throw(file.throw, file.text, one_line(PurePath(source).name), output, force=force)
         return
     with page(_("Reactions of the supports of a throw, (44) to (53) [{source}]").format(source=_SOURCE)) as console:
         _show(console, file.throw)
@@ -109,9 +109,10 @@ def _document(source: str) -> Document:
     if source.strip().casefold() == EXAMPLE and not is_file:
         path = Path(textbook.__file__).parent / "throw_example.toml"
         return Document.from_text(path.read_text(encoding="utf-8"), EXAMPLE)
-    document = Document.read(source)
+    repair = _("start with: {command}").format(command="cranktrain textbook --throw example -o throw.toml")
+    with problems_as(lambda problem: replace(problem, repair=problem.repair or repair)):
+        document = Document.read(source)
     if not parsed(document.text, document.name):
-        repair = _("start with: {command}").format(command="cranktrain textbook --throw example -o throw.toml")
         raise InputError([Problem("", None, _("no throw in it"), repair, Position(document.name))])
     return document
 
@@ -195,7 +196,9 @@ def _left(one: BalanceCondition, value: float) -> str:
 
 def _notes() -> Iterator[str]:
     """What the text leaves open, and how it is read here."""
-    yield _("C8, C9, C12, C14, C15 count against the rotation: the text does not say it, but only so may (45) be added to (51)")
+    yield _(
+        "C8, C9, C12, C14, C15 count against the rotation: the text is silent, but only so may (45) be added to (51)"
+    )
     yield _("C3 and C5 hold what turns of the rods: K1 and K2 must not hold it again")
     yield _("where external counterweights are moments at the ends of a continuous shaft, (48) and (49) count twice")
     yield _("`cranktrain textbook errata --source crankshaft`: what is wrong in the text and left open by it")

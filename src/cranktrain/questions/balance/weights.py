@@ -269,7 +269,7 @@ def _counterweights(
 ) -> Iterator[_Named]:
     """Counterweights of every shaft, each seen as its own crank turns.
 
-    position, middle: z of the mechanisms' throws, and the mid-plane [m]; centre: of their shafts, in the common axes [m].
+    position, middle: z of the mechanisms' throws, and the mid-plane [m]; centre: of their shafts, common axes [m].
     """
     share, planes = declared.share, declared.planes
     z = position[:, throws.first]

@@ -17,8 +17,8 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.wording import Names, number
 
-_ALIKE = 9
-"""Pressures that are the same to so many decimals of the largest are one."""
+_ALIKE = 1e-9
+"""Pressures that differ by less, in parts of the largest, are one; the first is named."""
 _PIN, _BEARING = ("mechanism",), ("bearing_method", "bearing")
 
 
@@ -38,7 +38,7 @@ class CrankPinPressures(StageResult):
         pressures = self.largest_crankpin_pressure[design]
         if np.all(np.isnan(pressures)):
             return None
-        worst = int(np.nanargmax(np.round(pressures / np.nanmax(pressures), _ALIKE)))
+        worst = int(np.argmax(pressures >= (1 - _ALIKE) * np.nanmax(pressures)))
         return _("Largest specific pressure of a crank pin {pressure}, by the rod of {mechanism}.").format(
             pressure=number(float(pressures[worst]), "bar"), mechanism=names["mechanism"][worst]
         )
@@ -60,7 +60,7 @@ class MainBearingPressures(StageResult):
         pressures = self.largest_bearing_pressure[design, 0]
         if np.all(np.isnan(pressures)):
             return None
-        worst = int(np.nanargmax(np.round(pressures / np.nanmax(pressures), _ALIKE)))
+        worst = int(np.argmax(pressures >= (1 - _ALIKE) * np.nanmax(pressures)))
         return _("Largest specific pressure of a main bearing {pressure}, of bearing {bearing}.").format(
             pressure=number(float(pressures[worst]), "bar"), bearing=names["bearing"][worst]
         )

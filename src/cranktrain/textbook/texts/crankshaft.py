@@ -13,11 +13,20 @@ TEXT = Text(
     said_of=N_("crankshafts with their supports, a throw at a time: `cranktrain textbook --throw example`"),
     formulas=(
         Formula(
-            "(44)", N_("right support, in the crank's plane, of centrifugal forces"), "right", _THROW, _SPLIT,
+            "(44)",
+            N_("right support, in the crank's plane, of centrifugal forces"),
+            "right",
+            _THROW,
+            _SPLIT,
             N_("C3 and C5 hold what turns of the rods, so K must not; l is no input but the sum of the chain"),
         ),
         Formula(
-            "(45)", N_("right support, across the crank's plane, of centrifugal forces"), "right", _THROW, _SPLIT, _SENSE,
+            "(45)",
+            N_("right support, across the crank's plane, of centrifugal forces"),
+            "right",
+            _THROW,
+            _SPLIT,
+            _SENSE,
         ),
         Formula("(46)", N_("left support, in the crank's plane, of centrifugal forces"), "right", _THROW, _SPLIT),
         Formula(

@@ -1,4 +1,4 @@
-"""Fig. 35 of [crankshaft-reactions]: a throw with its lengths to scale, from the side and from above, and its forces."""
+"""Fig. 35 of [crankshaft-reactions]: a throw with its lengths to scale and its forces, from the side and from above."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -18,20 +18,26 @@ from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
 from cranktrain.viz.paper.style import MUTED, TITLE
 from cranktrain.viz.paper.tables import LEAST_ROW, write_table
 
-_RADIUS, _JOURNAL, _PIN, _BELOW = 22.0, 4.5, 4.0, 13.0
-"""Of the throw, which has none in the text; half a journal, half a pin; a web below the shaft's axis. [mm of paper]"""
+_RADIUS, _JOURNAL, _PIN, _WEB, _BELOW = 17.0, 4.5, 4.0, 7.0, 10.0
+"""Of the throw, which has none in the text; half a journal, a pin, a web; a web below the axis. [mm of paper]"""
 
-_LONGEST, _SHORTEST, _HEAD = 19.0, 8.0, 2.6
+_LONGEST, _SHORTEST, _HEAD = 14.0, 6.5, 2.4
 """Length of the arrow of the largest force and of a small one, and of its head. [mm of paper]"""
 
-_PLAN, _CHAIN, _OVER = 74.0, 27.0, 35.0
+_PLAN, _CHAIN, _OVER = 72.0, 34.0, 41.5
 """How far below the shaft's axis the view from above is, and the lines of lengths. [mm of paper]"""
 
 _NARROW = 6.5
 """A length so short on paper has its letter a row lower. [mm]"""
 
-_ROOM = (182.0, 70.0)
-"""Width of the views and of the table. [mm]"""
+_TABLE = 76.0
+"""Width of the table. [mm]"""
+
+_ASIDE = 4.6
+"""From one arrow to the next where several act at one place. [mm of paper]"""
+
+_FREE = 5.6
+"""Of a letter above its arrow. [mm of paper]"""
 
 
 @drawing_settings()
@@ -56,23 +62,28 @@ def throw_figure(throw: Throw, name: str = "", size: str = "A4") -> Figure:
     page.text(MARGIN, top - 10.0, _("Scheme with the symbols of fig. 35 of [{source}]").format(source=_SOURCE))
     page.text(MARGIN, top - 14.5, REFERENCES[_SOURCE].text, color=MUTED)
     page.rule(top - 17.5)
-    wide = page.width - 2 * MARGIN - _ROOM[1] - 8.0
+    wide = page.width - 2 * MARGIN - _TABLE - 8.0
     start, end = found.over[0].start, found.over[-1].end
-    scale = fitting_scale(1e3 * (end - start), 1.0, (wide - 26.0, 1.0))
+    scale = fitting_scale(1e3 * (end - start), 1.0, (wide - 34.0, 1.0))
     sketch = throw_sketch(found, scale)
-    left = MARGIN + 13.0 - 1e3 * start / scale + (wide - 26.0 - 1e3 * (end - start) / scale) / 2
-    axis = top - 80.0
+    left = MARGIN + 20.0 - 1e3 * start / scale + (wide - 34.0 - 1e3 * (end - start) / scale) / 2
+    axis = top - 81.0
     page.draw(sketch, (left, axis))
-    page.heading(MARGIN, top - 23.5, _("From the side: C outward and inward, K"))
-    page.heading(MARGIN, axis - _PLAN + 28.5, _("From above: C across the crank's plane, T"))
-    _write_table(page, throw, found, Box(page.width - MARGIN - _ROOM[1], MARGIN, _ROOM[1], top - 21.0 - MARGIN))
+    page.heading(MARGIN, top - 23.5, _("From the side: forces in the crank's plane"))
+    page.heading(MARGIN, axis - _OVER - 8.5, _("From above: forces across the crank's plane"))
+    _write_table(page, throw, found, Box(page.width - MARGIN - _TABLE, MARGIN, _TABLE, top - 21.0 - MARGIN))
     bar_end = page.scale_bar(MARGIN, MARGIN, scale)
-    said = _("along the shaft; across it not to scale. Arrows of forces: longer is larger; those of 0 are left out.")
-    page.text(bar_end + 38.0, MARGIN - 0.4, said, color=MUTED)
+    said = _("To scale along the shaft alone. A longer arrow is a larger force; those of 0 are left out.")
+    page.text(bar_end + 36.0, MARGIN - 0.4, said, color=MUTED)
+    seen = _("Seen from the left end the throw turns clockwise: above it moves toward whoever looks from the side.")
+    page.text(MARGIN, MARGIN + 6.0, seen, color=MUTED)
     return page.figure
 
 
 _SOURCE = "crankshaft-reactions"
+
+_COLUMNS = (0.7, 1.0)
+"""Where the columns of the tables end, in parts of their width."""
 
 
 def throw_sketch(found: ThrowScheme, scale: float) -> Sketch:
@@ -90,8 +101,11 @@ def throw_sketch(found: ThrowScheme, scale: float) -> Sketch:
     sketch.add(_lengths(found.over, -_OVER, scale))
     sketch.add(_extensions(found, scale))
     largest = max((abs(one.value) for one in found.forces), default=1.0)
-    for one in found.forces:
-        sketch.add(_force(one, largest, scale))
+    sizes = [_SHORTEST + (_LONGEST - _SHORTEST) * abs(one.value) / largest for one in found.forces]
+    on_pin = [size for one, size in zip(found.forces, sizes, strict=True) if one.at == "pin"]
+    above = max(on_pin) + _FREE + 0.6 if on_pin else 0.6
+    for one, size, aside in zip(found.forces, sizes, _asides(found.forces), strict=True):
+        sketch.add(_force(one, size, aside, above, scale))
     sketch.add(_rotation(found, scale))
     return sketch
 
@@ -103,7 +117,7 @@ def _throw(found: ThrowScheme, scale: float) -> Iterator[Line | Circle | Label]:
     (one, left), (right, other) = ((1e3 * web[0], 1e3 * web[1]) for web in (found.left_web, found.right_web))
     for middle, is_above in ((0.0, False), (-_PLAN, True)):
         pin = middle if is_above else middle + _RADIUS
-        web = (middle - 7.0, middle + 7.0) if is_above else (middle - _BELOW, pin + 7.0)
+        web = (middle - _WEB, middle + _WEB) if is_above else (middle - _BELOW, pin + _WEB)
         yield _block((ends[0], one), middle - _JOURNAL, middle + _JOURNAL, scale, 2)
         yield _block((other, ends[1]), middle - _JOURNAL, middle + _JOURNAL, scale, 2)
         yield _block((left, right), pin - _PIN, pin + _PIN, scale, 2)
@@ -113,10 +127,10 @@ def _throw(found: ThrowScheme, scale: float) -> Iterator[Line | Circle | Label]:
         yield Line(axis, "GUIDES", "axis", 4)
         if not is_above:
             yield Line(np.array([[left, right], [pin * scale, pin * scale]]), "GUIDES", "axis", 4)
-    for place, letter in ((0.0, "L"), (1e3 * _support(found), "P")):
+    for place, letter, side in ((0.0, "L", -1.0), (1e3 * _support(found), "P", 1.0)):
         foot = np.array([place, -_JOURNAL * scale])
         yield from shapes.pivot(foot, 3.0 * scale, scale)
-        yield Label(np.array([place - 5.5 * scale, (-_JOURNAL - 4.5) * scale]), letter, "name")
+        yield Label(np.array([place + 7.0 * side * scale, (-_JOURNAL - 4.5) * scale]), letter, "name")
 
 
 def _support(found: ThrowScheme) -> float:
@@ -130,40 +144,43 @@ def _block(span: tuple[float, float], low: float, high: float, scale: float, ord
     return Line(np.array([x, y]), "LINKS", "outline", order, True, "light")
 
 
-def _force(one: SchemeForce, largest: float, scale: float) -> Iterator[Line | Label]:
-    """An arrow with its letter; a force of less than 0 points the other way."""
-    is_across = one.way in ("against", "with")
-    up = 1.0 if one.way in ("outward", "against") else -1.0
-    size = _SHORTEST + (_LONGEST - _SHORTEST) * abs(one.value) / largest
-    if is_across:
-        # +x, against the rotation, is up on paper, and T, toward whoever looks from the side, is down.
-        low, tip = _starts(up, _PIN if one.at == "rod" else 7.0 if one.at == "web" else _JOURNAL, -_PLAN), size
-    elif one.at == "rod":
-        low, tip = (_RADIUS + _PIN + _LONGEST + 3.0, size)
-    else:
-        edge = {"web": _RADIUS + 7.0, "pin": _RADIUS + _PIN, "counterweight": -_BELOW, "journal": -_JOURNAL}[one.at]
-        low, tip = edge, size
-    base = np.array([1e3 * one.place, low * scale])
-    if one.at == "rod" and not is_across:
-        # K stands above the arrows of C3 and C5 and presses on the pin along the rod's axis.
-        foot = np.array([1e3 * one.place, (low + size) * scale])
-        ends = (foot, base)
-    else:
-        ends = (base, base + np.array([0.0, up * tip * scale]))
-    start, end = ends if one.value > 0 else ends[::-1]
+def _asides(forces: Sequence[SchemeForce]) -> Iterator[float]:
+    """How far each arrow stands aside, so that those at one place are seen side by side. [mm of paper]"""
+    places = [(round(one.place, 9), one.at, one.way) for one in forces]
+    for i, place in enumerate(places):
+        yield _ASIDE * (places[:i].count(place) - 0.5 * (places.count(place) - 1))
+
+
+def _force(one: SchemeForce, size: float, aside: float, above: float, scale: float) -> Iterator[Line | Label]:
+    """An arrow so long on paper with its letter; a force of less than 0 points the other way.
+
+    Those of the rods in the crank's plane press on the pin from above the arrows of what turns there.
+    """
+    near, up = _foot(one, above)
+    ends = (near, near + up * size)
+    points_away = (one.at != "rod" or one.way == "with") == (one.value > 0)
+    x = 1e3 * one.place + aside * scale
+    start, end = (np.array([x, y * scale]) for y in (ends if points_away else ends[::-1]))
     direction = float(np.arctan2(*(end - start)[::-1]))
     line = np.stack([start, end - 0.7 * _HEAD * scale * shapes.unit(direction)], axis=1)
     yield Line(line, "DIMENSIONS", "vector", 8)
     yield shapes.arrowhead(end, direction, _HEAD * scale)._replace(order=9)
-    far = ends[1] if not (one.at == "rod" and not is_across) else ends[0]
-    side = np.array([0.0, 2.6 * scale]) * (1.0 if far[1] > base[1] else -1.0)
-    for letter in (one.letter,):
-        yield Label(far + side, letter, "symbol")
+    letter = np.array([x, (ends[1] + 2.4 * up) * scale])
+    yield Label(letter, _set(one.letter), "words") if "+" in one.letter else Label(letter, one.letter, "symbol")
 
 
-def _starts(up: float, half: float, middle: float) -> float:
-    """Where an arrow across the crank's plane begins in the view from above. [mm of paper]"""
-    return middle + up * half
+def _foot(one: SchemeForce, above: float) -> tuple[float, float]:
+    """Where a force's arrow begins beside the throw, and on which side of it: +1 above. [mm of paper]
+
+    In the view from above what is against the rotation is up, and T, toward whoever looks from the side, down.
+    """
+    if one.way in ("against", "with"):
+        up = 1.0 if one.way == "against" else -1.0
+        return -_PLAN + up * {"rod": _PIN, "web": _WEB}.get(one.at, _JOURNAL), up
+    if one.at == "rod":
+        return _RADIUS + _PIN + above, 1.0
+    feet = {"web": _RADIUS + _WEB, "pin": _RADIUS + _PIN, "counterweight": -_BELOW, "journal": -_JOURNAL}
+    return feet[one.at], 1.0 if one.way == "outward" else -1.0
 
 
 def _lengths(lengths: Sequence[SchemeLength], y: float, scale: float) -> Iterator[Line | Label]:
@@ -197,7 +214,7 @@ def _extensions(found: ThrowScheme, scale: float) -> Iterator[Line]:
             top = _RADIUS - _PIN - 1.0 if inside else -_BELOW - 1.0
             yield _upright(one.end, top, -_CHAIN - 1.5, scale)
     for place in {one for length in found.over for one in (length.start, length.end)}:
-        top = -_JOURNAL - 9.0 if place in (0.0, l) else -_JOURNAL - 1.0
+        top = -_JOURNAL - 9.0 if place in (0.0, l) else -_JOURNAL - _LONGEST - _FREE
         yield _upright(place, top, -_OVER - 1.5, scale)
 
 
@@ -208,9 +225,8 @@ def _upright(place: float, high: float, low: float, scale: float) -> Line:
 
 def _rotation(found: ThrowScheme, scale: float) -> Iterator[Line | Label]:
     """Sense of rotation about the shaft's left end, as drawn from the side: the near side goes down from the pin."""
-    x = 1e3 * found.over[0].start - 9.0 * scale
-    angle = np.linspace(np.deg2rad(140.0), np.deg2rad(-140.0), 40)
-    bent = np.stack([x + 2.0 * scale * np.cos(angle), 7.5 * scale * np.sin(angle)])
+    x = 1e3 * found.over[0].start - 14.0 * scale
+    bent = np.array([[x], [0.0]]) + np.array([[2.8], [8.0]]) * scale * shapes.arc(np.zeros(2), 1.0, 1.9, -1.4)
     yield Line(bent, "DIMENSIONS", "outline", 5)
     step: Array = bent[:, -1] - bent[:, -2]
     yield shapes.arrowhead(bent[:, -1], float(np.arctan2(*step[::-1])), 2.4 * scale)
@@ -228,13 +244,13 @@ def _write_table(page: Page, throw: Throw, found: ThrowScheme, box: Box) -> None
     rows = [(_("force"), _("positive"), "")]
     rows += [(_set(one.letter), ways[one.way], with_unit(one.value, scale_for("N", 0.0))) for one in found.forces]
     place = (box.left, box.bottom + box.height, box.width)
-    low = write_table(page, rows, place, (0.66, 1.0) and (0.62, 1.0), LEAST_ROW)
+    low = write_table(page, rows, place, _COLUMNS, LEAST_ROW)
     sizes = [(_("length"), "", "")]
     sizes += [
         (mathematics(one.letter), "", with_unit(one.end - one.start, scale_for("m", 0.0)))
         for one in (*found.chain, *found.over)
     ]
-    low = write_table(page, sizes, (box.left, low - 1.0, box.width), (0.62, 1.0), LEAST_ROW)
+    low = write_table(page, sizes, (box.left, low - 1.0, box.width), _COLUMNS, LEAST_ROW)
     notes = {
         "one": (_("One rod."),),
         "two": (_("Two rods side by side."),),
