@@ -52,8 +52,8 @@ def pull(newton, degrees):
 def test_two_throws_between_two_bearings(method):
     """Bearings 2 in outside of the pins, which are 4 in apart; flywheel and belt at 8.5 in.
 
-    Cranks of 5.4 lb whose centroids are 1 in from the axis: half in the middle of the web outside, 0.95 in from its pin,
-    and half in that of the web between the pins.
+    Cranks of 5.4 lb whose centroids are 1 in from the axis: half in the middle of the web outside, 0.95 in from its
+    pin, and half in that of the web between the pins.
     """
     result = run("two_throw_compressor")
     loads = [(4 * n, on_pin(result, n, result.crank_angle + 180 * n)) for n in range(2)]
