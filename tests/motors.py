@@ -8,11 +8,12 @@ from cranktrain.questions.drive.motors.circuit import Circuit
 from cranktrain.questions.drive.motors.direct_current import SeriesMotor, ShuntMotor
 from cranktrain.questions.drive.motors.inverter import FluxInverter, Inverter, Ramp
 from cranktrain.questions.drive.motors.prime_mover import PrimeMover
+from cranktrain.questions.drive.motors.rheostat import Rheostat, SteppedRotor, TimedRotor
 from cranktrain.questions.drive.motors.servo import Servo
 from cranktrain.questions.drive.motors.soft_start import SoftStart
 from cranktrain.questions.drive.motors.star_delta import StarDelta
 from cranktrain.questions.drive.motors.table import TableMotor
-from cranktrain.questions.drive.motors.wound_rotor import Rheostat, SteppedRotor, TimedRotor, WoundRotor
+from cranktrain.questions.drive.motors.wound_rotor import WoundRotor
 
 SYNCHRONOUS = 50 * np.pi
 CATALOGUE = CatalogueValues(7500 / (1465 * np.pi / 30), 1465 * np.pi / 30, SYNCHRONOUS, 3.0, 2.3, 1.8)

@@ -11,7 +11,7 @@ from cranktrain.questions.drive.motors.cage import CatalogueValues, cage_torque,
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.motors.circuit import circuit_torque
 from cranktrain.questions.drive.motors.inverter import Inverter, Ramp, inverter_torque
-from cranktrain.questions.drive.motors.wound_rotor import resistance_steps
+from cranktrain.questions.drive.motors.rheostat import resistance_steps
 from cranktrain.questions.drive.sizing.duty import intermittent_factor, no_load_factor, short_time_factor
 from cranktrain.questions.drive.sizing.peaky_load import PeakyLoad, SlipLine, periodic_inertia, periodic_torques
 from cranktrain.questions.drive.sizing.starting import loaded_start, unloaded_start

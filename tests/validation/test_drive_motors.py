@@ -20,8 +20,8 @@ from cranktrain.questions.drive.motors.cage import (
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.motors.circuit import circuit_torque, generating_peak, kloss_of_circuit
 from cranktrain.questions.drive.motors.inverter import Inverter, Ramp, at_frequency, inverter_torque
+from cranktrain.questions.drive.motors.rheostat import resistance_steps
 from cranktrain.questions.drive.motors.star_delta import StarDelta, star_delta_torque
-from cranktrain.questions.drive.motors.wound_rotor import resistance_steps
 from cranktrain.questions.drive.sizing.checks import CRITERIA, TorqueDemand, motor_choice, motor_uses
 from cranktrain.questions.drive.sizing.clutch import Engagement, engaged
 from cranktrain.questions.drive.sizing.duty import intermittent_factor

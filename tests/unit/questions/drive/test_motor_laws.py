@@ -17,11 +17,7 @@ from cranktrain.questions.drive.motors.inverter import (
     inverter_torque,
 )
 from cranktrain.questions.drive.motors.prime_mover import PrimeMover, prime_mover_breaks, prime_mover_torque
-from cranktrain.questions.drive.motors.servo import Servo, servo_torque
-from cranktrain.questions.drive.motors.soft_start import SoftStart, limit_slip, soft_start_torque, voltage_part
-from cranktrain.questions.drive.motors.star_delta import StarDelta, star_delta_torque
-from cranktrain.questions.drive.motors.table import TableMotor, table_torque
-from cranktrain.questions.drive.motors.wound_rotor import (
+from cranktrain.questions.drive.motors.rheostat import (
     Rheostat,
     SteppedRotor,
     TimedRotor,
@@ -29,8 +25,12 @@ from cranktrain.questions.drive.motors.wound_rotor import (
     resistance_steps,
     stepped_rotor_torque,
     timed_rotor_torque,
-    wound_rotor_torque,
 )
+from cranktrain.questions.drive.motors.servo import Servo, servo_torque
+from cranktrain.questions.drive.motors.soft_start import SoftStart, limit_slip, soft_start_torque, voltage_part
+from cranktrain.questions.drive.motors.star_delta import StarDelta, star_delta_torque
+from cranktrain.questions.drive.motors.table import TableMotor, table_torque
+from cranktrain.questions.drive.motors.wound_rotor import wound_rotor_torque
 
 SPEEDS = np.linspace(-100.0, 250.0, 71)
 

@@ -9,11 +9,12 @@ from cranktrain.questions.drive.motors.direct_current import SERIES, SHUNT
 from cranktrain.questions.drive.motors.inverter import FLUX_INVERTER, INVERTER
 from cranktrain.questions.drive.motors.motor import Motor
 from cranktrain.questions.drive.motors.prime_mover import PRIME_MOVER
+from cranktrain.questions.drive.motors.rheostat import STEPPED_ROTOR, TIMED_ROTOR
 from cranktrain.questions.drive.motors.servo import SERVO
 from cranktrain.questions.drive.motors.soft_start import SOFT_START
 from cranktrain.questions.drive.motors.star_delta import STAR_DELTA
 from cranktrain.questions.drive.motors.table import TABLE
-from cranktrain.questions.drive.motors.wound_rotor import STEPPED_ROTOR, TIMED_ROTOR, WOUND_ROTOR
+from cranktrain.questions.drive.motors.wound_rotor import WOUND_ROTOR
 
 MOTORS: tuple[Motor[Any], ...] = (
     CAGE,
