@@ -98,9 +98,7 @@ def _flags(names: tuple[str, ...], by_sizes: Array, given: Array) -> tuple[str, 
     found: list[str] = []
     bare = np.flatnonzero(np.isnan(given)).tolist()
     if bare:
-        said = _(
-            "Cranks are in no force without [masses.crank]; by its sizes that of pin {pin} is as {mass} on the pin."
-        )
+        said = _("Cranks have no mass without [masses.crank]; by its sizes that of pin {pin} acts like {mass} there.")
         found.append(said.format(pin=names[bare[0]], mass=number(float(by_sizes[bare[0]]), "kg")))
     with np.errstate(invalid="ignore"):
         doubtful = np.flatnonzero(given > _TOO_MUCH * by_sizes).tolist()
