@@ -1,0 +1,1 @@
+"""What drives a machine: motors and their sizing."""
