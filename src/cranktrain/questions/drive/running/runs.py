@@ -122,7 +122,7 @@ def wanted(
     start = np.zeros(N_STATE)
     start[0], start[1] = angle, speed
     times = np.sort(np.asarray(breaks, dtype=float))
-    return Wanted(start, limits, np.zeros(0) if samples is None else np.asarray(samples, dtype=float), times)
+    return Wanted(start, limits, np.array(() if samples is None else samples, dtype=float), times)
 
 
 def run(kernels: Kernels, drive: Drive, asked: Wanted, *, is_compiled: bool = True) -> Run:
@@ -149,14 +149,21 @@ def run(kernels: Kernels, drive: Drive, asked: Wanted, *, is_compiled: bool = Tr
     loop = loop_of(parts, is_compiled)
     state, table = asked.start.copy(), np.full((len(asked.samples), N_STATE), np.nan)
     marks = np.empty((_MOST_MARKS, 4))
-    reason, time, n_steps, n_marks = loop(
-        drive, state, asked.limits, asked.breaks, asked.samples, table, marks
-    )
+    reason, time, n_steps, n_marks = loop(drive, state, asked.limits, asked.breaks, asked.samples, table, marks)
     noted = sorted((Event(int(row[0]), *map(float, row[1:])) for row in marks[:n_marks]), key=lambda one: one.time)
     is_there = ~np.isnan(table[:, 0])
     residual, supplied = energy_account(parts, drive, asked.start, state)
     return Run(
-        reason, time, state, asked.samples[is_there], table[is_there], tuple(noted), residual, supplied, n_steps, "tsit5"
+        reason,
+        time,
+        state,
+        asked.samples[is_there],
+        table[is_there],
+        tuple(noted),
+        residual,
+        supplied,
+        n_steps,
+        "tsit5",
     )
 
 

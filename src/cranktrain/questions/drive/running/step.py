@@ -11,7 +11,15 @@ Derive: TypeAlias = Callable[[float, Array, Array, float, Any], int]
 
 
 def take_step(
-    derive: Derive, x: float, width: float, state: Array, slopes: Array, n_fed: int, ahead: Array, sense: float, parts: Any
+    derive: Derive,
+    x: float,
+    width: float,
+    state: Array,
+    slopes: Array,
+    n_fed: int,
+    ahead: Array,
+    sense: float,
+    parts: Any,
 ) -> int:
     """Go a step from `state`, whose slopes stand in row 0, into `ahead`; slopes of all stages are left in `slopes`.
 

@@ -208,7 +208,9 @@ def run_on(
             if i_break < n_breaks and breaks[i_break] < until:
                 until = breaks[i_break]
             speed, grown = abs(state[1]), abs(slopes[0, 1])
-            width = min(width, 2 * _LARGEST_TURN / (speed + np.sqrt(speed * speed + 2 * grown * _LARGEST_TURN) + 1e-300))
+            width = min(
+                width, 2 * _LARGEST_TURN / (speed + np.sqrt(speed * speed + 2 * grown * _LARGEST_TURN) + 1e-300)
+            )
             is_last = time + width * 1.0000001 >= until
             if is_last:
                 width = until - time
@@ -253,15 +255,11 @@ def run_on(
                 dead = angle_of_dead_position(kernels.machine, drive.machine, sense, state[0], ahead[0])
                 at = passed_angle(state, slopes, width, dead, sense)
                 if at <= theta_end:
-                    part = _settled_on(
-                        derive, time, state, slopes, at, width, 0, dead, trial, again, sense, drive
-                    )
+                    part = _settled_on(derive, time, state, slopes, at, width, 0, dead, trial, again, sense, drive)
                     n_marks = _noted(marks, n_marks, DEAD_POSITION, time + part, trial[0], trial[1])
             part = width
             if ending >= 0:
-                part = _settled_on(
-                    derive, time, state, slopes, theta_end, width, 1, level, trial, again, sense, drive
-                )
+                part = _settled_on(derive, time, state, slopes, theta_end, width, 1, level, trial, again, sense, drive)
             while i_sample < n_samples and samples[i_sample] <= time + part:
                 theta = (samples[i_sample] - time) / width
                 for component in range(n_state):
