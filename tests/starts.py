@@ -1,4 +1,4 @@
-"""Two machines that start: the reference crank-rocker, and a heavier one behind a gear of 40:1, with a cage motor each."""
+"""Two machines that start: the reference crank-rocker, and a heavier one behind a gear of 40:1, by cage motors."""
 
 import math
 

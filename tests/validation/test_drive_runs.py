@@ -1,4 +1,4 @@
-"""Starts, swings and steady cycles against multibody dynamics and other integrators (golden/drive, startup_crank_rocker)."""
+"""Starts, swings and steady cycles against multibody dynamics and other integrators (golden/drive)."""
 
 import json
 

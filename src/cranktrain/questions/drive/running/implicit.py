@@ -12,7 +12,7 @@ from cranktrain.questions.drive.running.runs import Event, Run, Wanted, energy_a
 from cranktrain.questions.drive.running.transient import let_go_at, sense_of_start
 
 _STIFF = 1e-3
-"""Slip time constant in parts of a turn, below which an explicit method takes many more steps than the motion asks for."""
+"""Slip time constant in parts of a turn, below which explicit steps are far shorter than the motion asks for."""
 _N_SPEEDS = 2001
 _CLOSER = 1e-3
 """LSODA and Radau err by much more than their tolerance over a run."""
@@ -80,7 +80,11 @@ def run_implicitly(kernels: Kernels, drive: Drive, asked: Wanted, *, method: str
             events.append(Event(transient.HELD, time, float(state[0]), 0.0))
             at = let_go_at(time, limits.end_time, state[0], own, drive) if limits.is_timed else np.inf
             _fill(
-                table, asked.samples, time, min(at, limits.end_time), lambda times: np.tile(state[:, None], times.size)
+                table,
+                asked.samples,
+                time,
+                min(at, limits.end_time),
+                lambda times, held=state: np.tile(held[:, None], times.size),
             )
             if at == np.inf:
                 reason = transient.STALLED if abs(own.motor(0.0, time, drive.motor)) > 0 else transient.AT_REST
