@@ -28,7 +28,7 @@ N_STARTS = 1000
 
 
 def by_hand(machine):
-    """Right-hand side as one writes it: floats and the formulas of `docs/theory/crank-rocker`, nothing of the package."""
+    """Right-hand side as one writes it: floats and formulas of the crank-rocker, nothing of the package."""
     from math import cos, sin, sqrt
 
     r, l, r1, d = (machine[f"{part}_length_m"] for part in ("crank", "coupler", "rocker", "ground"))
@@ -87,7 +87,7 @@ def main():
             error = np.max(np.abs(theirs.y[:, -1] - exact))
             if error <= ours or tolerance < 1e-12:
                 break
-            tolerance *= 0.5
+            tolerance *= 0.7
 
         def other(method=method, tolerance=tolerance):
             return solve_ivp(rate, (0.0, 3.0), [0.3, 0.0], rtol=tolerance, atol=tolerance, method=method)

@@ -98,7 +98,7 @@ def test_coasting_to_rest_by_dry_friction():
 
 
 def test_brake_after_a_delay_stops_and_holds():
-    """A delay of 0.25 s at 8 rad/s² up, then (6 − 2·…): the load of 5 N·m cannot move what the brake of 12 holds."""
+    """A load of 5 N·m drives 0.2 + 0.8 kg·m² for 0.25 s; then a brake of 12 N·m stops it and holds."""
     machine = Kernels(wheel, no_motor, no_heat, braking)
     drive = Drive((0.8, -5.0, 0.0), (), (12.0, 0.25), DIRECT)
     found = plain(machine, drive, wanted(10.0, speed=3.0, breaks=(0.25,), is_timed=True))
@@ -139,7 +139,7 @@ def test_every_reason_has_a_sentence():
 
 
 def test_stiff_motors_go_by_an_implicit_method():
-    drive = Drive((0.0, 0.0, 0.0), (95.0, 1e-5, SYNCHRONOUS), 0.0, stages(0.002))
+    drive = Drive((0.0, 0.0, 0.0), (95.0, 0.003, SYNCHRONOUS), 0.0, stages(0.002))
     found = run_well(CAGE, drive, wanted(0.5, speed=0.999 * SYNCHRONOUS), SYNCHRONOUS)
     assert found.method == "LSODA"
     assert found.end[1] == pytest.approx(SYNCHRONOUS, rel=1e-6)

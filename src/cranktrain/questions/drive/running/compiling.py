@@ -45,6 +45,7 @@ def _cells(closure: tuple[CellType, ...] | None) -> tuple[CellType, ...] | None:
 def _inner(value: Any) -> Any:
     if isinstance(value, FunctionType):
         return _quick(value)
-    if isinstance(value, tuple) and hasattr(value, "_fields"):
-        return type(value)(*(_inner(each) for each in cast(tuple[object, ...], value)))
+    if isinstance(value, tuple):
+        together: Any = cast(tuple[object, ...], value)
+        return type(together)(*(_inner(each) for each in together))
     return value

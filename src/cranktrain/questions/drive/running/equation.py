@@ -99,7 +99,7 @@ def time_form(kernels: Kernels, law: Any, ratio_of: Any) -> Derive:
         slopes[4] = taken * speed + drag * at_motor
         slopes[5] = heat(at_motor, time, drive.motor)
         if count != 0:
-            return 1 if not inertia * load == inertia * load else 2
+            return 1 if inertia * load != inertia * load else 2
         return 0
 
     return derive

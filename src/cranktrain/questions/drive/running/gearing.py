@@ -1,4 +1,4 @@
-"""What gear and belt stages between a motor and a crank ask of it: losses by the sign of the torque that each passes on."""
+"""What gear and belt stages between motor and crank ask of it: losses by the sign of the torque passed on."""
 
 from typing import NamedTuple, TypeAlias
 

@@ -1,6 +1,7 @@
 """Stiff motors: the same run by an implicit method of SciPy, chosen by the motor's slip time constant."""
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, cast
 
 import numpy as np
 
@@ -84,7 +85,7 @@ def run_implicitly(kernels: Kernels, drive: Drive, asked: Wanted, *, method: str
                 asked.samples,
                 time,
                 min(at, limits.end_time),
-                lambda times, held=state: np.tile(held[:, None], times.size),
+                _held(state),
             )
             if at == np.inf:
                 reason = transient.STALLED if abs(own.motor(0.0, time, drive.motor)) > 0 else transient.AT_REST
@@ -140,7 +141,7 @@ def _phase(
     parts: Any, drive: Drive, limits: Any, sense: float, span: tuple[float, float], state: Array, method: str
 ) -> Any:
     """Integrate with the sense as it is, to the end of the span or an event that ends the phase."""
-    from scipy.integrate import solve_ivp
+    from scipy import integrate
 
     def slope(time: float, state: Array) -> Array:
         slopes = np.empty(N_STATE)
@@ -162,7 +163,7 @@ def _phase(
     stopped.terminal, stopped.direction = True, -1.0  # pyright: ignore[reportFunctionMemberAccess]
     passed.terminal, passed.direction = limits.stops_at_target, 1.0  # pyright: ignore[reportFunctionMemberAccess]
     over.terminal, over.direction = True, 1.0  # pyright: ignore[reportFunctionMemberAccess]
-    solve: Any = solve_ivp
+    solve: Any = cast(Any, integrate).solve_ivp
     return solve(
         slope,
         span,
@@ -174,6 +175,11 @@ def _phase(
         dense_output=True,
         events=(stopped, passed, over, dead),
     )
+
+
+def _held(state: Array) -> Callable[[Array], Array]:
+    """Give the same state at all times."""
+    return lambda times: np.tile(state[:, np.newaxis], times.size)
 
 
 def _fill(table: Array, samples: Array, start: float, end: float, at: Any) -> None:

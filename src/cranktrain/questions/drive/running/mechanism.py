@@ -55,7 +55,7 @@ def machine_of(kind: Kind[Any, Any], is_compiled: bool = True) -> Machine:
     """
     own = kind.dynamics
     output_of = of_slider if kind.output == "slider" else of_rocker
-    parts = (kind.motion, output_of, own.load, own.links, reduced_of)
+    parts: tuple[Any, ...] = (kind.motion, output_of, own.load, own.links, reduced_of)
     if not is_compiled:
         return _joined(*parts)
     import numba

@@ -171,8 +171,12 @@ def run_all(kernels: Kernels, cases: list[tuple[Drive, Wanted]], *, n_threads: i
     """Run many machines of the same kernels, compiled, on several threads."""
     first, rest = cases[0], cases[1:]
     done = [run(kernels, *first)]
+
+    def one(case: tuple[Drive, Wanted]) -> Run:
+        return run(kernels, *case)
+
     with ThreadPoolExecutor(n_threads) as pool:
-        return done + list(pool.map(lambda case: run(kernels, *case), rest))
+        return done + list(pool.map(one, rest))
 
 
 def energy_account(parts: Joined, drive: Drive, start: Array, end: Array) -> tuple[float, float]:

@@ -213,7 +213,8 @@ def run_on(
             )
             is_last = time + width * 1.0000001 >= until
             if is_last:
-                width = until - time
+                # a torque that begins at the break must not be seen by the last stages of the step before it
+                width = until - time - (1e-13 * limits.end_time if until < limits.end_time else 0.0)
             trouble = take_step(derive, time, width, state, slopes, 2, ahead, sense, drive)
             largest = max(fastest, abs(ahead[1]))
             error = max(
