@@ -350,6 +350,10 @@ EXAMPLES = {
         wrench(size),
         fixed_guide(size(0.4), size(-0.9), size(0.6)),
     ),
+    "pin_load.rod_bearing_load": lambda angle, size, side: (
+        wrench(size),
+        fixed_guide(size(0.4), size(-0.9), size(0.6)),
+    ),
     "pin_load.with_rotating_mass": lambda angle, size, side: (
         PinLoad(size(3.0), size(-2.0)),
         size(0.4),

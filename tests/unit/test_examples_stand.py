@@ -146,6 +146,11 @@ def kamaz(drawn):
     assert np.all(drawn.x("B", "1L") > 0)
 
 
+def ls3(drawn):
+    assert np.all(drawn.x("B", "1L") > 0)  # "the engine's left side is at the right"
+    assert np.all(drawn.x("B", "1R") < 0)
+
+
 STANDING = {
     "shaper": ("x, points to the right", "pivot below the shaft", shaper),
     "toggle_press": ("the file's x points to the right, y up", "whose upper link hangs on the frame", toggle_press),
@@ -168,6 +173,8 @@ STANDING = {
     "jumo_205e": ("# the lower one", "", upright_between_two_shafts),
     "deltic": ("# top left, seen from the free end", "an equilateral triangle", deltic),
     "3d12": ("The right bank is reached 60 deg after the left one", "", v12),
+    "ls3": ("the engine's left side is at the right", "", ls3),
+    "mill_engine": ("lies to the right; the crank goes over toward it", "", to_the_right),
     "kamaz_740": ("the engine's right side is at the left", "", kamaz),
 }
 UPRIGHT = {
@@ -178,6 +185,7 @@ UPRIGHT = {
     "m_503",
     "r_1340",
     "textbook_78x78",
+    "two_throw_compressor",
     "vaz_21213",
 }
 """Examples that say nothing of where things are: their first cylinder, or the middle of a V, stands upright."""

@@ -70,6 +70,8 @@ def test_two_throws_between_two_bearings_are_levers(rotation):
     """By (50) to (53) of each pin, over the whole distance."""
     result = ct.run(machine(["0 deg", "180 deg"], crankshaft={"journals": [1, 3]}, rotation=rotation, **WITHOUT_CRANKS))
     assert result.dataset.bearing.values.tolist() == [1, 3]
+    np.testing.assert_allclose(result.dataset.rod_place, [0.0, 0.15], rtol=1e-14)
+    np.testing.assert_allclose(result.dataset.bearing_place, [-0.13, 0.28], rtol=1e-14)
     force = on_pins(result, 1.0 if rotation == "clockwise" else -1.0)
     last = (130 * force[0] + 280 * force[1]) / 410
     wanted = np.stack([force[0] + force[1] - last, last])
@@ -303,3 +305,13 @@ def test_what_pins_and_webs_weigh():
     # By halves at both pins: together they have its moment about the shaft, here none.
     moment = pin * 0.05 + web * (0.05 - 0.0025) / 2 + between / 2 * 0.05
     np.testing.assert_allclose(data.crank_moment, [moment, moment], rtol=1e-13)
+
+
+def test_what_is_doubtful_about_a_crank():
+    """A web of 13 mm at hollow pins of 65 mm, and [masses.crank] of much more than pins and webs of these sizes can be."""
+    result = ct.run(machine(["0 deg", "180 deg"], crankshaft={"web_width": "13 mm", "pin_bore": "50 mm"}))
+    assert "A web is narrower than the pin that it holds: 1, 2." in result.flags
+    assert any(flag.startswith("[masses.crank] acts like 2.4 kg at pin 1") for flag in result.flags)
+    assert not any("masses.crank" in flag for flag in ct.run(machine(["0 deg", "180 deg"])).flags)
+    bare = ct.run(machine(["0 deg", "180 deg"], **WITHOUT_CRANKS))
+    assert any(flag.startswith("Cranks have no mass without [masses.crank]") for flag in bare.flags)

@@ -65,6 +65,11 @@ def given_numbers(part: object, name: object = "") -> Iterator[Given]:
         yield from given_numbers(item, inner)
 
 
+def _fields(part: Spec) -> list[str]:
+    """What is given of a table, in the order of its keys."""
+    return [field for field in type(part).model_fields if field in part.model_fields_set]
+
+
 def _inside(part: object, name: object) -> Mapping[Any, object]:
     """What a part of a machine is made of, by name.
 
@@ -73,10 +78,10 @@ def _inside(part: object, name: object) -> Mapping[Any, object]:
     match part:
         case tuple() if name == "mechanism":
             each = cast("tuple[Spec, ...]", part)
-            fields = {field: tuple(getattr(one, field) for one in each) for field in each[0].model_fields_set}
+            fields = {field: tuple(getattr(one, field) for one in each) for field in _fields(each[0])}
             return {field: one[0] if len(set(map(repr, one))) == 1 else one for field, one in fields.items()}
         case Spec():
-            return {field: getattr(part, field) for field in part.model_fields_set}
+            return {field: getattr(part, field) for field in _fields(part)}
         case tuple():
             return dict(enumerate(cast("tuple[object, ...]", part)))
         case Mapping():

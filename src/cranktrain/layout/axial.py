@@ -16,6 +16,7 @@ from cranktrain.record import record
 class AxialPlaces:
     """Distance of every mechanism from throw 1 along Z, shape (design, mechanism). [m]
 
+    throw is that of the middle of its throw, from which the bank's stagger sets it aside. [m]
     mid_plane, shape (design,), lies halfway between the first and the last throw of `main`: z̄, about which couples
     count. [m]
     """
@@ -23,6 +24,7 @@ class AxialPlaces:
     needs: ClassVar[str] = N_("[shaft.main] spacing")
 
     value: Array
+    throw: Array
     mid_plane: Array
 
 
@@ -35,6 +37,7 @@ def axial_places_of(
         return None
     return AxialPlaces(
         by_design([positions[place.shaft][place.throw] + place.stagger for place in places], n_designs),
+        by_design([positions[place.shaft][place.throw] for place in places], n_designs),
         by_design([positions[MAIN][-1] / 2], n_designs)[:, 0],
     )
 

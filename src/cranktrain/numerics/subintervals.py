@@ -35,7 +35,7 @@ class Subintervals(NamedTuple):
     weight: Array
 
 
-def subintervals(breaks: Array, widest: float, period: float) -> Subintervals:
+def subintervals(breaks: Array, widest: float, period: float, n_more: int = 0) -> Subintervals:
     """Cut one period into panels.
 
     Parameters
@@ -46,6 +46,8 @@ def subintervals(breaks: Array, widest: float, period: float) -> Subintervals:
         How wide a panel may be for the curve to be smooth in it as far as Gauss's points see. [rad]
     period : float
         [rad]
+    n_more : int
+        By how many points panels have more than the integral needs, so that a curve between them is as exact.
 
     Returns
     -------
@@ -58,7 +60,8 @@ def subintervals(breaks: Array, widest: float, period: float) -> Subintervals:
     edges = np.append(edges, edges[0] + period)
     is_one: NDArray[np.bool_] = np.diff(edges) > _NARROWEST
     start, width = edges[:-1][is_one], np.diff(edges)[is_one]
-    bounds, sizes = zip(*_NODES, strict=True)
+    bounds, few = zip(*_NODES, strict=True)
+    sizes = [n_nodes + n_more for n_nodes in few]
     size: NDArray[np.intp] = np.array(sizes, dtype=np.intp)[np.searchsorted(np.array(bounds) * widest, width)]
     first: NDArray[np.intp] = np.cumsum(size, dtype=np.intp) - size
     angle, weight = np.empty((2, int(np.sum(size))))
@@ -72,7 +75,7 @@ def subintervals(breaks: Array, widest: float, period: float) -> Subintervals:
     return Subintervals(start, width, first, size, angle, weight)
 
 
-def points_together(breaks: Array, widest: float, period: float) -> tuple[Array, Array]:
+def points_together(breaks: Array, widest: float, period: float, n_more: int = 0) -> tuple[Array, Array]:
     """Gauss's points of several designs and their weights, laid side by side; beyond a design's own the weight is 0.
 
     Parameters
@@ -81,6 +84,8 @@ def points_together(breaks: Array, widest: float, period: float) -> tuple[Array,
         Where each design's curves may have kinks or jump; NaN for none. [rad]
     widest, period : float
         As `subintervals` takes them. [rad]
+    n_more : int
+        Likewise.
 
     Returns
     -------
@@ -93,7 +98,7 @@ def points_together(breaks: Array, widest: float, period: float) -> tuple[Array,
     >>> np.round(np.sum(np.cos(2 * np.pi * angle / 6.0) ** 2 * weight, axis=-1), 9).tolist()
     [[3.0], [3.0]]
     """
-    cuts = [subintervals(own, widest, period) for own in breaks]
+    cuts = [subintervals(own, widest, period, n_more) for own in breaks]
     angle, weight = np.zeros((2, len(cuts), 1, max(cut.angle.size for cut in cuts)))
     for design, cut in enumerate(cuts):
         angle[design, 0, : cut.angle.size], weight[design, 0, : cut.angle.size] = cut.angle, cut.weight

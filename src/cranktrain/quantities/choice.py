@@ -178,9 +178,9 @@ def own_units(texts: Iterable[str]) -> UnitChoice:
 
 
 def _most_frequent(names: Iterable[str]) -> str:
-    """The most frequent of some units; of gauge pressures as of those that count from nothing."""
+    """The most frequent of some units, whatever their order; of gauge pressures as of those that count from nothing."""
     counts = Counter(_COUNTED_FROM.get(name, name) for name in names)
-    return max(counts, key=lambda unit: (counts[unit], unit in _USUAL))
+    return max(counts, key=lambda unit: (counts[unit], unit in _USUAL, unit))
 
 
 def _measured_in(unit: str) -> UnitChoice:

@@ -83,7 +83,6 @@ EXAMPLES = {
     "piston_rod": "50 mm",
     "poisson_ratio": "0.3",
     "pressure": "100 kPa",
-    "pressure_angle": "20 deg",
     "pressure_ratio": "3.5",
     "radius": "60 mm",
     "radius_rod_length": "1440 mm",

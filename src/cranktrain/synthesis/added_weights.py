@@ -50,10 +50,9 @@ class AddedWeights(NamedTuple):
             table: dict[str, object] = {
                 "mass": quantity_text(weight.mass, "kg"),
                 "radius": quantity_text(weight.radius, "mm"),
+                "throw": weight.place.throw,
             }
-            if weight.place.z is None:
-                table["throw"] = weight.place.throw
-            else:
+            if weight.place.z is not None:
                 table["z"] = quantity_text(weight.place.z, "mm")
             if weight.angle is not None:
                 table["angle"] = quantity_text(weight.angle, "deg")
@@ -70,12 +69,10 @@ class AddedWeights(NamedTuple):
             keys = {
                 "mass": found(weight.mass, "kg", note),
                 "radius": radius or found(weight.radius, "mm", _("as the crank's"), "assumed"),
+                "throw": str(weight.place.throw),
             }
-            if weight.place.z is None:
-                keys["throw"] = str(weight.place.throw)
-            else:
-                on_web = _("in the middle of a web of throw {throw}").format(throw=weight.place.throw)
-                keys["z"] = found(weight.place.z, "mm", on_web)
+            if weight.place.z is not None:
+                keys["z"] = found(weight.place.z, "mm", _("in the middle of a web"))
             if weight.angle is not None:
                 keys["angle"] = found(weight.angle, "deg", note)
             yield ProposedTable("[balance.weight]", keys)
@@ -84,8 +81,6 @@ class AddedWeights(NamedTuple):
         """Those weights that there are."""
         for place, own, radius in zip(self.places, moment.tolist(), self.radius.tolist(), strict=True):
             if own != 0:
-                ahead = float(np.angle(own))
-                # The file itself puts a weight opposite its throw, but where it stands by a web.
-                is_said = self.turns or place.z is not None
-                angle = float(np.mod(place.opposite + ahead, 2 * np.pi)) if is_said else None
+                # The file itself puts a weight opposite its throw.
+                angle = float(np.mod(place.opposite + np.angle(own), 2 * np.pi)) if self.turns else None
                 yield _Weight(place, abs(own) / radius, radius, angle)

@@ -18,7 +18,7 @@ _RIDGE = 1e-14
 """Of the curvature: less is rounding, along which nothing is known."""
 
 
-class Measured(NamedTuple):
+class BarrierValue(NamedTuple):
     """Value, slope and curvature of a function with its barrier."""
 
     value: float
@@ -26,23 +26,23 @@ class Measured(NamedTuple):
     curvature: Array
 
 
-class Centre(NamedTuple):
+class BarrierCentre(NamedTuple):
     """The least of sharpness times a function, with the barrier added."""
 
     place: Array
     sharpness: float
 
 
-Barred = Callable[[Array, float], Measured]
+Barred = Callable[[Array, float], BarrierValue]
 """A function times a sharpness, with its barrier; infinite outside."""
 
 
-def centres(measured: Barred, start: Array, parameter: float, left: float) -> Iterator[Centre]:
+def centres(measured: Barred, start: Array, parameter: float, left: float) -> Iterator[BarrierCentre]:
     """Follow the centres from a place inside to the minimum.
 
     Parameters
     ----------
-    measured : callable (place, sharpness) → Measured
+    measured : callable (place, sharpness) → BarrierValue
     start : Array, shape (n,)
     parameter : float
         Of the barrier: over the sharpness it is what a centre may be above the minimum.
@@ -51,13 +51,13 @@ def centres(measured: Barred, start: Array, parameter: float, left: float) -> It
 
     Yields
     ------
-    Centre
+    BarrierCentre
         Each nearer to the minimum than the one before.
     """
     place, sharpness = start, 1.0
     while True:
         place = _centre(measured, place, sharpness)
-        yield Centre(place, sharpness)
+        yield BarrierCentre(place, sharpness)
         if sharpness >= parameter / left:
             return
         sharpness = min(_GROWTH * sharpness, parameter / left)
@@ -83,13 +83,13 @@ def _centre(measured: Barred, start: Array, sharpness: float) -> Array:
     return place
 
 
-def _step(here: Measured) -> Array:
+def _step(here: BarrierValue) -> Array:
     """Newton's step, in measures in which all unknowns bend alike."""
     measure = 1 / np.sqrt(np.diag(here.curvature))
     bends = here.curvature * measure * measure[:, np.newaxis] + _RIDGE * np.eye(measure.size)
     return -measure * cast(Array, np.linalg.solve(bends, measure * here.slope))
 
 
-def outside(n: int) -> Measured:
+def outside(n: int) -> BarrierValue:
     """What a function is where nothing may be."""
-    return Measured(np.inf, np.zeros(n), np.eye(n))
+    return BarrierValue(np.inf, np.zeros(n), np.eye(n))

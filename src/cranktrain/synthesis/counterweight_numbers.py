@@ -90,7 +90,7 @@ class Aimed(NamedTuple):
         return float(np.mean(state.mean[self.bearings]))
 
 
-class Weighed(NamedTuple):
+class FoundWeights(NamedTuple):
     """Weights found: where they stand, mass times radius opposite the throw + i ahead of it, and what it may be.
 
     moment, most : shape (place,) [kg·m]; radius: shape (place,) [m]; weighs: mass times radius of all, opposite. [kg·m]
@@ -117,7 +117,7 @@ class Weighed(NamedTuple):
         return float(np.sum(self.there + added)) / full if full > 0 else np.nan
 
 
-def relief_numbers(aimed: Aimed, weighed: Weighed, before: State, after: State) -> tuple[Number, ...]:
+def relief_numbers(aimed: Aimed, weighed: FoundWeights, before: State, after: State) -> tuple[Number, ...]:
     """Numbers of the proposal."""
     return (
         *compared_numbers(aimed, after, weighed.share(weighed.moment.real)),
@@ -145,7 +145,7 @@ def compared_numbers(aimed: Aimed, state: State, share: float) -> tuple[Number, 
     return tuple(one for one in each if np.isfinite(one.value))
 
 
-def _of_places(weighed: Weighed) -> Iterator[Number]:
+def _of_places(weighed: FoundWeights) -> Iterator[Number]:
     """Mass, radius and share of the weight at every place, and its angle where one is not opposite."""
     turned = bool(np.any(weighed.moment.imag != 0))
     for i, (place, moment) in enumerate(zip(weighed.places, weighed.moment.tolist(), strict=True)):
@@ -175,7 +175,7 @@ def _of_bearings(aimed: Aimed, before: State, after: State) -> Iterator[Number]:
             yield Number(f"{key}({name})", f"{symbol}({name})", float(state[i]), "kN", _(words))
 
 
-def relief_remarks(aimed: Aimed, weighed: Weighed, least: Least, kept: Kept) -> Iterator[str]:
+def relief_remarks(aimed: Aimed, weighed: FoundWeights, least: Least, kept: Kept) -> Iterator[str]:
     """What is to be minded."""
     yield _("By {method}: {aim}.").format(method=title_of(aimed.method), aim=aimed.title)
     at_limit = [
@@ -184,6 +184,8 @@ def relief_remarks(aimed: Aimed, weighed: Weighed, least: Least, kept: Kept) -> 
         if abs(weighed.moment[i]) > (1 - _AT_LIMIT) * weighed.most[i]
     ]
     yield _("No such weights within the limits leave less than {bound}.").format(bound=number(least.bound, "kN"))
+    if not np.any(weighed.moment):
+        yield _("No counterweight there makes it less.")
     if at_limit:
         said = _("As heavy as they may be: {places}.")
         yield said.format(places=", ".join(at_limit))

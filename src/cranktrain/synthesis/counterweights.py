@@ -17,8 +17,8 @@ from cranktrain.spec import words_of
 from cranktrain.synthesis.added_weights import AddedWeights
 from cranktrain.synthesis.counterweight_numbers import (
     Aimed,
+    FoundWeights,
     State,
-    Weighed,
     compared_numbers,
     relief_numbers,
     relief_remarks,
@@ -155,7 +155,7 @@ def counterweights(
     least = (least_largest_load if aim == "largest" else least_mean_load)(shaft, turns=turns, progress=progress)
     moment = spread @ _turned(without_idle(shaft, least.unknown, turns=turns), turns=turns)
     aimed = Aimed(sought.method.name, sought.laid.declared.bearing_names, sought.bearings, aim)
-    weighed = Weighed(places, moment, np.max(spread, axis=1), radii)
+    weighed = FoundWeights(places, moment, np.max(spread, axis=1), radii)
     made = added.machine(moment)
     before, after = aimed.state(machine), aimed.state(made)
     return CounterweightProposal(
@@ -233,7 +233,7 @@ def _title(machine: Machine, aimed: Aimed) -> str:
     return _("Counterweights for the {aim}").format(aim=aimed.title)
 
 
-def _alternatives(aimed: Aimed, added: AddedWeights, weighed: Weighed, *, before: State) -> Iterator[Alternative]:
+def _alternatives(aimed: Aimed, added: AddedWeights, weighed: FoundWeights, *, before: State) -> Iterator[Alternative]:
     """The file as it is, and full counterweights."""
     share = np.nan if added.kept.taken_out else weighed.share(np.zeros(1))
     yield Alternative(_("as the file has it"), compared_numbers(aimed, before, share))

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.synthesis.centres import Barred, Measured, centres, outside
+from cranktrain.synthesis.centres import Barred, BarrierValue, centres, outside
 from cranktrain.synthesis.plane_loads import Rest, Vectors, sizes, within
 
 ALIKE = 1e-6
@@ -124,7 +124,7 @@ def _scaled(vectors: Vectors, *, turns: bool) -> tuple[float, Vectors, Array]:
 def _under_the_largest(vectors: Vectors, *, turns: bool) -> Barred:
     """Of unknowns and t: t, where it is above all sizes."""
 
-    def measured(place: Array, sharpness: float) -> Measured:
+    def measured(place: Array, sharpness: float) -> BarrierValue:
         unknown, most = place[:-1], place[-1]
         room, vector = within(unknown, turns=turns), vectors.at(unknown)
         above = most**2 - np.sum(vector**2, axis=1)
@@ -135,7 +135,7 @@ def _under_the_largest(vectors: Vectors, *, turns: bool) -> Barred:
         curvature[:-1, :-1] = vectors.across(vector, 2 / above, 4 / above**2) + room.curvature
         curvature[-1, -1] = np.sum(4 * most**2 / above**2 - 2 / above)
         curvature[:-1, -1] = curvature[-1, :-1] = vectors.along(-4 * most / above**2, vector)
-        return Measured(float(sharpness * most - np.sum(np.log(above))) + room.value, slope, curvature)
+        return BarrierValue(float(sharpness * most - np.sum(np.log(above))) + room.value, slope, curvature)
 
     return measured
 
@@ -143,12 +143,12 @@ def _under_the_largest(vectors: Vectors, *, turns: bool) -> Barred:
 def _under_a_cap(vectors: Vectors, rest: Rest, cap: float, *, turns: bool) -> Barred:
     """Of unknowns: what else matters, where a cap is above all sizes."""
 
-    def measured(place: Array, sharpness: float) -> Measured:
+    def measured(place: Array, sharpness: float) -> BarrierValue:
         vector, own = vectors.at(place), rest.with_room(place, sharpness, turns=turns)
         below = cap**2 - np.sum(vector**2, axis=1)
         if np.any(below <= 0):
             return outside(place.size)
-        return Measured(
+        return BarrierValue(
             own.value - float(np.sum(np.log(below))),
             own.slope + vectors.along(2 / below, vector),
             own.curvature + vectors.across(vector, 2 / below, 4 / below**2),
@@ -160,11 +160,11 @@ def _under_a_cap(vectors: Vectors, rest: Rest, cap: float, *, turns: bool) -> Ba
 def _over_the_mean(vectors: Vectors, share: Array, rest: Rest, *, turns: bool) -> Barred:
     """Of unknowns: the mean of the least t_k above each size, and a little of what else matters."""
 
-    def measured(place: Array, sharpness: float) -> Measured:
+    def measured(place: Array, sharpness: float) -> BarrierValue:
         own = rest.with_room(place, ALIKE * sharpness, turns=turns)
         vector, sharp = vectors.at(place), sharpness * share
         root, most = _over(sizes(vector), sharp)
-        return Measured(
+        return BarrierValue(
             own.value + float(np.sum(sharp * most - np.log(2 * most / sharp))),
             own.slope + vectors.along(sharp / most, vector),
             own.curvature + vectors.across(vector, sharp / most, -(sharp**2) / (root * most**2)),

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.synthesis.centres import Measured, outside
+from cranktrain.synthesis.centres import BarrierValue, outside
 
 _SMALL = 1e-6
 """What an unknown counts of itself among what else matters."""
@@ -56,10 +56,10 @@ class Rest(NamedTuple):
     slope: Array
     curvature: Array
 
-    def with_room(self, unknown: Array, sharpness: float, *, turns: bool) -> Measured:
+    def with_room(self, unknown: Array, sharpness: float, *, turns: bool) -> BarrierValue:
         """It, times a sharpness, with what keeps unknowns within their room."""
         room, slope = within(unknown, turns=turns), self.slope + self.curvature @ unknown
-        return Measured(
+        return BarrierValue(
             room.value + 0.5 * sharpness * float(unknown @ (slope + self.slope)),
             room.slope + sharpness * slope,
             room.curvature + sharpness * self.curvature,
@@ -85,7 +85,7 @@ def mean_square(vectors: Vectors, weight: Array) -> Rest:
     return Rest(scaled.along(weight, scaled.base), curvature + _SMALL * np.eye(len(curvature)))
 
 
-def within(unknown: Array, *, turns: bool) -> Measured:
+def within(unknown: Array, *, turns: bool) -> BarrierValue:
     """What keeps unknowns within their room: from 0 to 1, or as components of plane vectors of length 1 at most."""
     n = unknown.size
     pairs = unknown.reshape(2 if turns else 1, -1)
@@ -97,7 +97,7 @@ def within(unknown: Array, *, turns: bool) -> Measured:
         slope, curvature = np.ravel(2 * pairs / room), np.einsum("ijw,wv->iwjv", each, np.eye(n // 2)).reshape(n, n)
     else:
         slope, curvature = 1 / room[1] - 1 / room[0], np.diag(np.sum(1 / room**2, axis=0))
-    return Measured(-float(np.sum(np.log(room))), slope, curvature)
+    return BarrierValue(-float(np.sum(np.log(room))), slope, curvature)
 
 
 def sizes(vector: Array) -> Array:

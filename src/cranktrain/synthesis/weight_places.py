@@ -172,4 +172,4 @@ def _on_throw(weight: WeightSpec, machine: Machine) -> OnThrow | None:
     else:
         throw = int(np.argmin([abs(float(position) - weight.z.si) for position in positions]))
     side = -1.0 if weight.angle is None else float(np.cos(weight.angle.si - directions[throw]))
-    return OnThrow(throw, weight.mass.si * weight.radius.si * side)
+    return OnThrow(throw, float(weight.moment) * side)

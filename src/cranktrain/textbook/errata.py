@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from cranktrain.textbook.bolotin_errata import bolotin_errata
 from cranktrain.textbook.slider_crank_synthesis import wrong_steps
 from cranktrain.textbook.steam_engine_errata import steam_errata
+from cranktrain.textbook.throw_errata import throw_errata
 from cranktrain.textbook.wrong_step import WrongStep
 
 SYNTHESIS = "slider-crank-synthesis"
@@ -13,5 +14,6 @@ ERRATA: Mapping[str, Callable[[], tuple[WrongStep, ...]]] = {
     "steam-engine": steam_errata,
     SYNTHESIS: wrong_steps,
     "bolotin": bolotin_errata,
+    "crankshaft-reactions": throw_errata,
 }
 """Each gives its text's wrong steps in the text's order."""

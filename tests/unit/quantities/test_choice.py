@@ -112,3 +112,9 @@ def test_no_inertia_is_shown_as_a_flywheel_moment():
     assert units_by_dimension(["kg·m²"]) == {Dimension.INERTIA: "kg·m²"}
     with pytest.raises(InputError, match=r"--units = kgf·m²: must be units"):
         units_by_dimension(["kgf·m²"])
+
+
+def test_of_units_as_frequent_as_each_other_one_is_taken_whatever_their_order():
+    """As the tables of a file may stand in any order."""
+    one, other = (own_units(texts) for texts in (["4 in", "2 ft"], ["2 ft", "4 in"]))
+    assert one == other != {}

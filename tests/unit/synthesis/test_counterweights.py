@@ -5,6 +5,7 @@ import tomllib
 
 import numpy as np
 import pytest
+from tests.sentences import NOT_POSITIVE
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -166,9 +167,9 @@ def test_counterweights_that_are_solved_for_are_replaced_only_afresh():
         ({"weights": "some"}, "weights = some: must be one of: each, alike, mirrored, webs"),
         ({"method": "clearance"}, "method = clearance: is not linear"),
         ({"method": "splitt"}, 'write "split"'),
-        ({"largest_mass": 0.0}, "largest_mass = 0 kg: must be more than 0"),
-        ({"radius": -0.01}, "radius = -10 mm: must be more than 0"),
-        ({"largest_share": 0.0}, "largest_share = 0: must be more than 0"),
+        ({"largest_mass": 0.0}, f"largest_mass = 0 kg: {NOT_POSITIVE}"),
+        ({"radius": -0.01}, f"radius = -10 mm: {NOT_POSITIVE}"),
+        ({"largest_share": 0.0}, f"largest_share = 0: {NOT_POSITIVE}"),
         ({"throws": "0,2"}, "throws = 0: must be one of: 1, 2, 3, 4"),
         ({"throws": ""}, 'throws = "": must be one of: 1, 2, 3, 4'),
     ],
@@ -181,7 +182,7 @@ def test_what_cannot_be(asked, said):
 
 def test_what_the_file_lacks():
     with pytest.raises(InputError, match=r"need \[crankshaft\]"):
-        counterweights(ct.load("3d12"))
+        counterweights(ct.load("r_1340"))
     rigid = dict(ct.load(FOUR).declared["crankshaft"])
     del rigid["bearing_stiffness"]
     with pytest.raises(InputError, match=r"five_moment.*bearing_stiffness"):
@@ -203,6 +204,24 @@ def test_what_is_found_is_found_once():
     assert len(webs.taken_out) == 4
     assert len(anew.taken_out) == len(webs.tables)
     assert anew.value("mean_load") == pytest.approx(first.value("mean_load"), rel=1e-6)
+
+
+def test_where_no_weight_helps_none_is_proposed():
+    """The overhung crank of a slow engine, whose gas and reciprocating masses decide."""
+    proposal = counterweights(ct.load("mill_engine"))
+    assert proposal.tables == ()
+    assert proposal.value("mass(1)") == 0.0
+    assert "No counterweight there makes it less." in proposal.remarks
+
+
+@pytest.mark.parametrize("example", ["two_throw_compressor", "deltic", "3d12"])
+def test_other_arrangements(example):
+    """Two throws between bearings, one of three shafts, articulated rods: what the file then does was promised."""
+    proposal = counterweights(ct.load(example), aim="mean")
+    result = ct.run(written(proposal, example), quantities="mean_bearing_load")
+    own = [i for i, name in enumerate(result.labels["bearing"]) if name.startswith("main.") or "." not in name]
+    assert proposal.value("mean_load") == pytest.approx(np.mean(result.mean_bearing_load[0, own]), rel=1e-9)
+    assert proposal.value("mean_load") < proposal.alternatives[0].numbers[1].value
 
 
 @pytest.mark.parametrize(("aim", "name"), [("largest", "load"), ("mean", "mean_load")])

@@ -36,7 +36,12 @@ def joined(flags: Sequence[str]) -> Iterator[str]:
     ['Far off … (--full)', 'Near.']
     """
     for head, ends in grouped((one.partition(": ")[0], one) for one in flags).items():
-        yield ends[0] if len(ends) == 1 else _("{said} … (--full)").format(said=head)
+        yield ends[0] if len(ends) == 1 else _of_several(head)
+
+
+def _of_several(said: str) -> str:
+    """What flags of several have in common, before their list."""
+    return _("{said} … (--full)").format(said=said.partition(": ")[0])
 
 
 def minded_lines(result: Result, width: int) -> Iterator[str]:
@@ -44,6 +49,8 @@ def minded_lines(result: Result, width: int) -> Iterator[str]:
     for sentence in minded(result):
         said = typeset(visible(sentence))
         lines = folded(said, width, _MARK, " " * len(_MARK))
+        if len(lines) >= _MOST_LINES and "; " in said:  # a list
+            lines = folded(_of_several(said), width, _MARK, " " * len(_MARK))
         if len(lines) > _MOST_LINES:
             lines = folded(said, width, _MARK, " " * len(_MARK), at_most=_MOST_LINES)
         yield from lines

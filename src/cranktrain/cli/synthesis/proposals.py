@@ -3,7 +3,7 @@
 import re
 import shlex
 from collections.abc import Generator, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 
 from rich.console import Console
 from rich.text import Text
@@ -14,10 +14,12 @@ from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_errors_of
 from cranktrain.grouping import grouped
 from cranktrain.io.added_tables import with_tables
+from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import STANDARD_OUTPUT, write_machine_file
 from cranktrain.language import _
 from cranktrain.one_line import one_line
+from cranktrain.quantities import chosen_unit, shown_as_in
 from cranktrain.synthesis.counterweights import CounterweightProposal
 from cranktrain.synthesis.proposal import Number, Proposal
 from cranktrain.synthesis.relief import Progress
@@ -54,8 +56,16 @@ def give_proposal(
         Machine file or example that it is for, where it is for one.
     """
     file = None if source is None else read_machine(source)
+    with nullcontext() if file is None else shown_as_in(units_of(file.machine)):
+        _give_proposal(problem, typed, output, file, force=force, with_source=with_source)
+
+
+def _give_proposal(
+    problem: str, typed: Typed, output: str | None, file: MachineFile | None, *, force: bool, with_source: bool
+) -> None:
+    """Do so, in the units in which numbers are shown."""
     wanted = SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed
-    with _searching() as progress:
+    with nullcontext() if file is None else _searching() as progress:
         proposal = proposed(problem, wanted, file, progress)
     if output is not None:
         write_machine_file(output, _machine_file(proposal, file), force=force)
@@ -106,7 +116,7 @@ def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
     """Numbers one in a line; those of several members, such as `stroke(2)`, in columns."""
     single = [one for one in numbers if _OF_MEMBER.match(one.name) is None]
     if single:
-        rows = [(one.sentence, one.symbol, figure(one.value, one.unit), one.unit.removeprefix("1")) for one in single]
+        rows = [(one.sentence, one.symbol, figure(one.value, one.unit), _unit(one)) for one in single]
         yield from table(("", "", "", ""), rows, right=(2,))
     several = grouped((found["name"], one) for one in numbers if (found := _OF_MEMBER.match(one.name)))
     members = grouped((tuple(_member(one) for one in each), each) for each in several.values())
@@ -139,7 +149,12 @@ def _alternatives(proposal: Proposal, width: int) -> Iterator[str | Text]:
 def _column(like: Number, numbers: Sequence[Number | None]) -> Column:
     """A column of one kind of number; empty where a row has none."""
     texts = tuple("" if one is None else figure(one.value, one.unit) for one in numbers)
-    return Column(_symbol(like), like.unit.removeprefix("1"), texts)
+    return Column(_symbol(like), _unit(like), texts)
+
+
+def _unit(one: Number) -> str:
+    """Unit in which it is shown; nothing for a plain number."""
+    return chosen_unit(one.unit) or one.unit.removeprefix("1")
 
 
 def _legend(numbers: Sequence[Number]) -> str:

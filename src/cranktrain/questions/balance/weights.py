@@ -216,7 +216,8 @@ def balance_weights(
     if declared.counterweights is not None:
         place = np.zeros((n_designs, n_mechanisms), dtype=complex) if centres is None else centres.value
         centre = running_axes(place, clockwise=frames.clockwise)
-        lots += _counterweights(declared, frame, frames, throws, position=position, middle=middle, centre=centre)
+        at = position if axial is None else axial.throw
+        lots += _counterweights(declared, frame, frames, throws, position=at, middle=middle, centre=centre)
     for pair in declared.shafts:
         left = reduce(lambda one, lot: with_weights(one, lot.weights, middle), lots, before)
         lots.append(_shafts(pair, left, middle, frames))
@@ -268,7 +269,7 @@ def _counterweights(
 ) -> Iterator[_Named]:
     """Counterweights of every shaft, each seen as its own crank turns.
 
-    position, middle: z of the mechanisms, and the mid-plane [m]; centre: of their shafts, in the common axes [m].
+    position, middle: z of the mechanisms' throws, and the mid-plane [m]; centre: of their shafts, common axes [m].
     """
     share, planes = declared.share, declared.planes
     z = position[:, throws.first]

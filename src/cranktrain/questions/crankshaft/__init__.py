@@ -27,6 +27,7 @@ from cranktrain.questions.crankshaft.pressures import (
 )
 from cranktrain.questions.crankshaft.problems import crankshaft_problems
 from cranktrain.questions.crankshaft.section_torques import section_torques
+from cranktrain.questions.crankshaft.shaft_places import shaft_places
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
 from cranktrain.questions.crankshaft.stages import MainBearingLoads, main_bearing_loads
 from cranktrain.questions.forces.crank_pins import have_crank_pins
@@ -53,6 +54,7 @@ QUESTION = Question(
         Stage(cycle_points, applies=have_crank_pins),
         Stage(crank_pin_wear),
         Stage(laid_crankshafts, applies=with_rods),
+        Stage(shaft_places),
         Stage(crank_sizes),
         Stage(loaded_shafts),
         Stage(bearings_between_events),

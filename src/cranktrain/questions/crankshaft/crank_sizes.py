@@ -42,9 +42,8 @@ def crank_sizes(laid: LaidCrankshafts, mechanisms: Mechanisms, shafts: Shafts, m
     given = np.concatenate([_given(one, mechanisms, shafts, masses) for one in laid.each], axis=1)
     radius = np.concatenate([one.shaft.pieces.radius[:, one.pins] for one in laid.each], axis=1)
     names = tuple(name for one in laid.each for name in _names(one, shafts))
-    return CrankSizes(
-        pin, web, moment, labels={"pin": names}, flags=_doubts(names, moment[0] / radius[0], given[0] / radius[0])
-    )
+    flags = (*_flags(names, moment[0] / radius[0], given[0] / radius[0]), *_narrow(laid, names))
+    return CrankSizes(pin, web, moment, labels={"pin": names}, flags=flags)
 
 
 def _sizes(laid: LaidShaft) -> tuple[Array, Array, Array]:
@@ -94,7 +93,7 @@ def _names(laid: LaidShaft, shafts: Shafts) -> list[str]:
     return [f"{prefix}{pin}" for pin in range(1, laid.pins.size + 1)]
 
 
-def _doubts(names: tuple[str, ...], by_sizes: Array, given: Array) -> tuple[str, ...]:
+def _flags(names: tuple[str, ...], by_sizes: Array, given: Array) -> tuple[str, ...]:
     """Say where no force holds what the sizes weigh, and where [masses.crank] has more; as at the pin, in kg."""
     found: list[str] = []
     bare = np.flatnonzero(np.isnan(given)).tolist()
@@ -107,7 +106,14 @@ def _doubts(names: tuple[str, ...], by_sizes: Array, given: Array) -> tuple[str,
         doubtful = np.flatnonzero(given > _TOO_MUCH * by_sizes).tolist()
     if doubtful:
         first = doubtful[0]
-        said = _("[masses.crank] is as {given} on pin {pin}, and by their sizes pin and webs are as {mass}.")
+        said = _("[masses.crank] acts like {given} at pin {pin}, and by their sizes pin and webs like {mass}.")
         sizes = (number(float(of[first]), "kg") for of in (given, by_sizes))
         found.append(said.format(pin=names[first], **dict(zip(("given", "mass"), sizes, strict=True))))
     return tuple(found)
+
+
+def _narrow(laid: LaidCrankshafts, names: tuple[str, ...]) -> tuple[str, ...]:
+    """Say of webs that hardly are any: narrower than the pin that they hold."""
+    is_narrow = [np.any(one.declared.web_width[0] < one.declared.pin[0, :, :1], axis=-1) for one in laid.each]
+    pins = [name for name, narrow in zip(names, np.concatenate(is_narrow).tolist(), strict=True) if narrow]
+    return (_("A web is narrower than the pin that it holds: {pins}.").format(pins=", ".join(pins)),) if pins else ()

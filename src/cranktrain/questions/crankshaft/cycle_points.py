@@ -16,6 +16,8 @@ from cranktrain.record import record
 
 _WIDEST = np.pi / 9
 """Of a piece of the quadrature. [rad]"""
+_MORE = 3
+"""Points of a piece beside those that its integral needs: where a load crosses a ray is found between them."""
 
 
 class Wear(NamedTuple):
@@ -69,7 +71,7 @@ class CyclePoints:
 def cycle_points(loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle) -> CyclePoints:
     """Solve the machine between its events."""
     breaks = events.whole - crank_angle.zero[:, 0]
-    cuts = tuple(subintervals(own, _WIDEST, crank_angle.cycle) for own in breaks)
-    angle, weight = points_together(breaks, _WIDEST, crank_angle.cycle)
+    cuts = tuple(subintervals(own, _WIDEST, crank_angle.cycle, _MORE) for own in breaks)
+    angle, weight = points_together(breaks, _WIDEST, crank_angle.cycle, _MORE)
     phi = angle + crank_angle.zero
     return CyclePoints(cuts, phi, weight, crank_angle.cycle, loaded.solved(phi))

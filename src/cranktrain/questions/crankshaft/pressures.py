@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
-from cranktrain.language import N_
+from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.laid import LaidCrankshafts
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft, DeclaredCrankshafts
@@ -15,7 +15,10 @@ from cranktrain.questions.crankshaft.stages import MainBearingLoads
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
+from cranktrain.wording import Names, number
 
+_ALIKE = 1e-9
+"""Pressures that differ by less, in parts of the largest, are one; the first is named."""
 _PIN, _BEARING = ("mechanism",), ("bearing_method", "bearing")
 
 
@@ -30,6 +33,16 @@ class CrankPinPressures(StageResult):
         "p_P,m", "Pa", _PIN, N_("Mean specific pressure of the rod's bearing on the crank pin"), _THEORY
     )
 
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say the largest of all, and whose rod's it is."""
+        pressures = self.largest_crankpin_pressure[design]
+        if np.all(np.isnan(pressures)):
+            return None
+        worst = int(np.argmax(pressures >= (1 - _ALIKE) * np.nanmax(pressures)))
+        return _("Largest specific pressure of a crank pin {pressure}, by the rod of {mechanism}.").format(
+            pressure=number(float(pressures[worst]), "bar"), mechanism=names["mechanism"][worst]
+        )
+
 
 @record
 class MainBearingPressures(StageResult):
@@ -42,6 +55,16 @@ class MainBearingPressures(StageResult):
         "p_m", "Pa", _BEARING, N_("Mean specific pressure of the main bearing"), _THEORY
     )
 
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say the largest of all by the first method."""
+        pressures = self.largest_bearing_pressure[design, 0]
+        if np.all(np.isnan(pressures)):
+            return None
+        worst = int(np.argmax(pressures >= (1 - _ALIKE) * np.nanmax(pressures)))
+        return _("Largest specific pressure of a main bearing {pressure}, of bearing {bearing}.").format(
+            pressure=number(float(pressures[worst]), "bar"), bearing=names["bearing"][worst]
+        )
+
 
 def specific_pressure(load: Array, diameter: Array, width: Array) -> Array:
     """Load over diameter and width, elementwise; docs/theory/crankshaft, eq. (24.48). [Pa]
@@ -50,8 +73,8 @@ def specific_pressure(load: Array, diameter: Array, width: Array) -> Array:
     --------
     20 kN on 50 mm by 25 mm:
 
-    >>> float(specific_pressure(np.array(20e3), np.array(0.05), np.array(0.025)))
-    16000000.0
+    >>> round(float(specific_pressure(np.array(20e3), np.array(0.05), np.array(0.025))))
+    16000000
     """
     return load / (diameter * width)
 
@@ -74,8 +97,8 @@ def crank_pin_pressures(laid: LaidCrankshafts, loads: CrankPinLoads, wear: Crank
         mechanism, pin = one.rods
         own = one.declared
         each = specific_pressure(own.share[pin], own.pin[:, pin, 0], own.rod_bearing_width[:, np.newaxis])
-        for number in np.unique(mechanism).tolist():
-            per_load[:, number] = np.max(each[:, mechanism == number], axis=1)
+        for member in np.unique(mechanism).tolist():
+            per_load[:, member] = np.max(each[:, mechanism == member], axis=1)
     return CrankPinPressures(largest * per_load, wear.mean_crankpin_load * per_load)
 
 

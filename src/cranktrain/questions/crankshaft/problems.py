@@ -25,12 +25,21 @@ def crankshaft_problems(spec: CrankshaftSpec, design: Design) -> Iterator[Proble
     for name in spec.overrides:
         if name not in design.shafts:
             yield Problem(f"crankshaft.{name}", None, one_of(design.shafts))
+    yield from _spacing_of_some(design)
     tables = {name: table_of(spec, name) for name in design.shafts}
     if not any(tables.values()) and not spec.overrides:
         tables[MAIN] = spec
     for name, table in tables.items():
         if table is not None:
             yield from _OneShaft(spec, design, name, table).problems()
+
+
+def _spacing_of_some(design: Design) -> Iterator[Problem]:
+    """Find shafts that do not say where their throws stand, where others do: then no place along any is known."""
+    without = [name for name, shaft in design.shafts.items() if throw_positions(shaft) is None]
+    if any(design.shafts[name].spacing is not None for name in design.shafts if name not in without):
+        allowed = _("is missing: either all shafts say where their throws stand, or none")
+        yield from (Problem(f"shaft.{name}.spacing", None, allowed) for name in without)
 
 
 @record
@@ -162,15 +171,28 @@ class _OneShaft:
         for bearing in line.bearings:
             if not _on_journal(line, float(bearing.z)):
                 allowed = _("must stand on a journal, clear of webs and pins, and is at {z} from throw 1")
-                key = f"bearing.{bearing.name}.z" if bearing.name in self.table.bearing else "bearing_distance"
-                yield self.problem(key, None, allowed.format(z=precise(float(bearing.z))))
-        places = [float(bearing.z) for bearing in line.bearings]
-        if any(other - one <= _TOUCHING for one, other in pairwise(places)):
-            yield self.problem("bearing", None, _("must stand apart from one another along the shaft"))
+                own = self.table.bearing.get(bearing.name)
+                key = "bearing_distance" if own is None else f"bearing.{bearing.name}.z"
+                given = self.table.bearing_distance if own is None else own.z
+                said = allowed.format(z=precise(float(bearing.z)))
+                yield self.problem(key, None if given is None else given.text, said)
+        yield from self._apart(line)
         for name, pull in self.table.pull.items():
             if not _on_journal(line, pull.z.si):
                 yield self.problem(f"pull.{name}.z", pull.z.text, _("must be on a journal, clear of webs and pins"))
         yield from self._gears(line)
+
+    def _apart(self, line: ShaftLine) -> Iterator[Problem]:
+        """Find bearings at one place, and such as are too wide to stand beside each other."""
+        for one, other in pairwise(line.bearings):
+            apart = float(other.z - one.z)
+            widths = [0.0 if own.table.width is None else own.table.width.si for own in (one, other)]
+            if apart <= _TOUCHING:
+                yield self.problem("bearing", None, _("must stand apart from one another along the shaft"))
+            elif apart < sum(widths) / 2:
+                allowed = _("must stand clear of one another: {one} and {other} are {apart} apart, and wider")
+                said = allowed.format(one=one.name, other=other.name, apart=precise(apart))
+                yield self.problem("bearing", None, said)
 
     def _gears(self, line: ShaftLine) -> Iterator[Problem]:
         """Find gears on this shaft that sit in a throw."""
@@ -185,13 +207,15 @@ class _OneShaft:
                     yield Problem(f"gear.{name}.{key}", z.text, allowed.format(shaft=self.name))
 
     def _rods(self, line: ShaftLine) -> Iterator[Problem]:
-        """Find rods for which there is no place on their pin."""
+        """Find rods for which there is no place on their pin; of those as far aside the first."""
+        found = set[tuple[float, float]]()
         for place in self.design.places:
             if place.shaft != self.name or place.is_far or hasattr(place.spec, "master"):
                 continue
             number = next(i for i, pin in enumerate(line.pins) if pin.throw == place.throw)
             aside, length = abs(float(place.stagger)), float(line.pin_length[number])
-            if 2 * aside >= length:
+            if 2 * aside >= length and (aside, length) not in found:
+                found.add((aside, length))
                 allowed = _("must reach to the rod of {name}, which is {aside} from the middle of its pin")
                 said = allowed.format(name=place.name, aside=precise(aside))
                 yield self.problem("pin_length", precise(length), said)

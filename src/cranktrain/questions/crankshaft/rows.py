@@ -19,13 +19,13 @@ _ROWS = (
         "five_moment",
         N_("{load} in bearing {bearing}; a straight shaft {other}"),
     ),
-    (N_("on rigid bearings"), "frame_rigid", "split", N_("{load} in bearing {bearing}; split at bearings {other}")),
+    (N_("on rigid bearings"), "frame_rigid", "split", N_("{load} in bearing {bearing}; split {other}")),
     (N_("with clearance"), "clearance", "clearance", N_("{load} in bearing {bearing}")),
 )
 """What the bearings are taken for; the method for that, and what stands beside it; how both are said."""
 _TRUST = {
     "frame_elastic": N_("elastic frame; bearing {bearing} by all: {range}"),
-    "frame_rigid": N_("between both; bearing {bearing} by all: {range}"),
+    "frame_rigid": N_("between both; bearing {bearing}: {range}"),
 }
 """Which method to trust, by the best that the file has numbers for."""
 _ALIKE = 1e-9

@@ -27,7 +27,7 @@ Poisson = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=0.5)]
 Clearance = Annotated[Given, Quantity(Dimension.LENGTH, above=0.0, example="0.08 mm")]
 PositiveForce = Annotated[Given, Quantity(Dimension.FORCE, above=0.0)]
 PositiveStiffness = Annotated[Given, Quantity(Dimension.STIFFNESS, above=0.0)]
-ToothAngle = Annotated[Given, Quantity(Dimension.ANGLE, at_least=0.0, below=pi / 4)]
+ToothAngle = Annotated[Given, Quantity(Dimension.ANGLE, at_least=0.0, below=pi / 4, example="20 deg")]
 HelixAngle = Annotated[Given, Quantity(Dimension.ANGLE, above=-pi / 3, below=pi / 3)]
 
 NEEDED = ("journal_diameter", "pin_diameter", "pin_length", "web_thickness", "web_width")

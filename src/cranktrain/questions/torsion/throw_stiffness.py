@@ -63,7 +63,7 @@ class ThrowStiffness(StageResult):
             for place, (name, one) in enumerate(zip(names["throw_method"], every, strict=True))
             if place != self.chosen and np.isfinite(one)
         )
-        return _("The crankshaft's stiffness between throws {gap} is {stiffness} ({method}); {others}.").format(
+        return _("The crankshaft vibrates with {stiffness} between throws {gap}, {method}; {others}.").format(
             gap=names["throw_gap"][softest],
             stiffness=number(float(own), "kN·m/rad"),
             method=title_of(names["throw_method"][self.chosen]),

@@ -1,7 +1,9 @@
 """What is said of crankshafts and gears that cannot be."""
 
 import pytest
+from tests.sentences import NOT_POSITIVE
 from tests.validation.test_crankshaft_arrangements import GEAR, PLAIN, SECTIONS, TWO_SHAFTS, machine
+from tests.validation.test_examples import example
 
 import cranktrain as ct
 
@@ -41,8 +43,10 @@ WRONG = {
             "pull": {"belt": {"z": "10 mm", "force": "1 kN", "direction": "0 deg"}},
         },
         [
-            "crankshaft.bearing.1.z: must stand on a journal, clear of webs and pins, and is at -40 mm from throw 1",
-            "crankshaft.bearing.out.z: must stand on a journal, clear of webs and pins, and is at 150 mm from throw 1",
+            "crankshaft.bearing.1.z = -40 mm: must stand on a journal, clear of webs and pins, and is at -40 mm"
+            " from throw 1",
+            "crankshaft.bearing.out.z = 150 mm: must stand on a journal, clear of webs and pins, and is at 150 mm"
+            " from throw 1",
             "crankshaft.pull.belt.z = 10 mm: must be on a journal, clear of webs and pins",
         ],
     ),
@@ -78,7 +82,7 @@ WRONG = {
     "no journal at all": ({"journals": []}, ["crankshaft.journals: must name each journal once, and one at least"]),
     "no stiffness": (
         {"bearing_stiffness": "0 N/mm"},
-        ["crankshaft.bearing_stiffness = 0 N/mm: must be more than 0 N/mm"],
+        [f"crankshaft.bearing_stiffness = 0 N/mm: {NOT_POSITIVE} N/mm"],
     ),
 }
 
@@ -122,8 +126,23 @@ def test_of_more_rods_than_places_on_a_pin():
     banks = {name: {"mechanism": PLAIN, "stagger": f"{z} mm"} for name, z in (("L", -15), ("R", 15), ("S", 45))}
     found = said(lambda: machine(["0 deg", "90 deg"], bank=banks))
     assert found == [
-        f"crankshaft.pin_length = 60 mm: must reach to the rod of {n}S, which is 45 mm from the middle of its pin"
-        for n in (1, 2)
+        "crankshaft.pin_length = 60 mm: must reach to the rod of 1S, which is 45 mm from the middle of its pin"
+    ]
+
+
+def test_of_shafts_of_which_one_does_not_say_where_its_throws_stand():
+    table = example("deltic")
+    table["shaft"]["right"].pop("spacing")
+    assert said(lambda: ct.Machine(**table)) == [
+        "shaft.right.spacing: is missing: either all shafts say where their throws stand, or none"
+    ]
+
+
+def test_of_bearings_that_are_too_wide_to_stand_beside_each_other():
+    table = example("mill_engine")
+    table["crankshaft"]["bearing"]["outboard"]["z"] = "6 in"
+    assert said(lambda: ct.Machine(**table)) == [
+        "crankshaft.bearing: must stand clear of one another: outboard and 2 are 82.55 mm apart, and wider"
     ]
 
 

@@ -147,15 +147,16 @@ def _notes(shown: OneDesign, n_left_out: int) -> Sequence[str]:
     """Say what counts from where, by which method, and what is left out."""
     words = [
         _("Each load counts with its full size on all rays within 60° of its line; the hole goes where least acts."),
-        _("Up: of a pin away from the shaft, of a rod's bearing along the rod; degrees in the sense of rotation."),
+        _("Up is away from the shaft on a pin, along the rod on its bearing, and rotation is to the right."),
     ]
     if shown.has("journal_wear"):
         method = title_of(shown.result.labels["bearing_method"][0])
-        words.append(
-            _("Of a journal up is toward throw 1, of a bearing it is up; loads of bearings by: {method}.").format(
+        words += [
+            _("Journals likewise, up is toward throw 1; main bearings as seen from the free end, by: {method}.").format(
                 method=method
             )
-        )
+        ]
+    words.append(_("Degrees count from up in the sense of rotation."))
     if n_left_out > 0:
         words.append(_("{n} more diagrams are in the result.").format(n=n_left_out))
     return words

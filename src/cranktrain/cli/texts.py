@@ -1,0 +1,147 @@
+"""What may be typed after `textbook`."""
+
+from typing import Annotated
+
+import typer
+
+from cranktrain.cli.optional_source import OptionalSource
+from cranktrain.cli.options import Force, Settings, degrees
+from cranktrain.cli.task import put_off
+from cranktrain.language import _
+
+
+def add_textbook(app: typer.Typer) -> None:
+    """Add the command to the others."""
+
+    @app.command(
+        "textbook",
+        help=_(
+            "Compare the sources' own formulas with the exact motion: ranges and largest errors.\n\n"
+            "Or list the formulas of a source, with what is right and which command shows each.\n\n"
+            "\b\n"
+            "  cranktrain textbook 3d12\n"
+            "  cranktrain textbook 3d12 --table\n"
+            "  cranktrain textbook --source\n"
+            "  cranktrain textbook --source bolotin\n"
+            "  cranktrain textbook 3d12 --forces kgf/cm2 --step 10\n"
+            "  cranktrain textbook 3d12 --harmonics\n"
+            '  cranktrain textbook --throw example --set "K1=20 kN"\n'
+            "  cranktrain textbook --throw example -o throw.toml\n"
+            "  cranktrain textbook --throw throw.toml -o throw.svg\n"
+            "  cranktrain textbook errata"
+        ),
+        cls=OptionalSource,
+    )
+    @put_off
+    def _textbook(
+        file: Annotated[
+            str,
+            typer.Argument(
+                metavar="[FILE|errata]",
+                help=_("A machine file, the name of an example, or `errata` for the sources' errors."),
+                show_default=False,
+            ),
+        ] = "",
+        settings: Settings = None,
+        source: Annotated[
+            str | None,
+            typer.Option(
+                metavar="[NAME]",
+                help=_(
+                    "Of one source alone; without FILE its formulas one by one, without NAME a list of the sources."
+                ),
+            ),
+        ] = None,
+        table: Annotated[
+            bool, typer.Option("--table", help=_("Show the motion by each method, too, in steps of 30°."))
+        ] = False,
+        errata: Annotated[bool, typer.Option("--errata", help=_("Show the sources' errors, too."))] = False,
+        forces: Annotated[
+            str | None,
+            typer.Option(
+                metavar="UNIT",
+                help=_(
+                    "Show instead P, N, S, K, T and M of a piston, exact and by two harmonics: N, kN, kgf, or over the "
+                    "piston's area MPa, bar, kgf/cm2."
+                ),
+            ),
+        ] = None,
+        step: Annotated[
+            float | None,
+            typer.Option(
+                metavar="10|15|30", parser=degrees, help=_("Degrees between the rows of forces; 30 unless given.")
+            ),
+        ] = None,
+        piston: Annotated[
+            str | None, typer.Option(metavar="NAME", help=_("Whose forces, such as 2L; the first unless given."))
+        ] = None,
+        harmonics: Annotated[
+            bool,
+            typer.Option(
+                "--harmonics",
+                help=_("Show instead the harmonics of acceleration and inertia torque: exact, series, two harmonics."),
+            ),
+        ] = False,
+        crank_to_rod_ratio: Annotated[
+            str | None,
+            typer.Option(metavar="NUMBER", help=_("Show harmonics for this λ = R/L instead of a machine's.")),
+        ] = None,
+        throw: Annotated[
+            str | None,
+            typer.Option(
+                metavar="FILE|example",
+                help=_("Show instead the reactions of a throw's supports, (44) to (53), from a table of its symbols."),
+            ),
+        ] = None,
+        output: Annotated[
+            str | None,
+            typer.Option(
+                "-o",
+                "--output",
+                metavar="FILE",
+                help=_("Of a throw: its table as .toml, or its scheme, fig. 35, as .png, .svg or .pdf."),
+            ),
+        ] = None,
+        force: Force = False,
+    ) -> None:
+        values = tuple(settings or ())
+        of_forces = {"--step": None if step is None else f"{step:g}", "--piston": piston}
+        if throw is not None:
+            from cranktrain.cli.textbook.throw import show_throw
+
+            others = {
+                "FILE": file or None,
+                "--source": source,
+                "--table": "" if table else None,
+                "--errata": "" if errata else None,
+                "--forces": forces,
+                **of_forces,
+                "--harmonics": "" if harmonics else None,
+                "--crank-to-rod-ratio": crank_to_rod_ratio,
+            }
+            show_throw(throw, values, output, force=force, others=others)
+            return
+        from cranktrain.cli.textbook.throw_output import refuse_without_throw
+
+        refuse_without_throw(output, force=force)
+        if harmonics or crank_to_rod_ratio is not None:
+            from cranktrain.cli.textbook.harmonics import show_harmonics
+
+            others = {
+                "--table": "" if table else None,
+                "--errata": "" if errata else None,
+                "--source": source,
+                "--forces": forces,
+                **of_forces,
+            }
+            show_harmonics(file, values, ratio=crank_to_rod_ratio, others=others)
+            return
+        from cranktrain.cli.textbook.command import show_textbook
+        from cranktrain.cli.textbook.forces import refuse_with_forces, refuse_without_forces, show_force_tables
+
+        if forces is not None:
+            refuse_with_forces({"--source": source})
+            show_force_tables(file, values, unit=forces, step=30.0 if step is None else step, piston=piston)
+            return
+        refuse_without_forces(of_forces)
+        show_textbook(file, values, source=source, with_table=table, with_errata=errata)

@@ -1,0 +1,98 @@
+"""Every kind of motor: its kernel, compiled, gives what NumPy gives, and its breaks are all that there are."""
+
+import re
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.motors import EXAMPLES, SYNCHRONOUS
+
+from cranktrain.linkage import compiled
+from cranktrain.numerics.nested import mapped
+from cranktrain.questions.drive.motors import MOTORS
+
+FOLDER = Path(__file__).parents[2] / "src/cranktrain/questions/drive/motors"
+SPEEDS = np.array([-60.0, -1.0, 0.0, 10.0, 31.0, 60.0, 95.0, 140.0, 156.0, SYNCHRONOUS, 170.0, 192.0, 240.0])
+TIMES = (0.0, 0.1, 0.7, 1.05, 1.6, 5.0)
+OTHER_LIBRARY = 8 * np.finfo(float).eps
+
+every_motor = pytest.mark.parametrize("motor", MOTORS, ids=lambda motor: motor.name)
+
+
+def without_limit(name, geometry):
+    """An inverter whose torque has no limit: where that begins to hold moves with time."""
+    return geometry._replace(torque_limit=np.inf) if "inverter" in name else geometry
+
+
+def test_every_motor_has_an_example_and_a_name_of_its_own():
+    assert [motor.name for motor in MOTORS] == list(EXAMPLES)
+
+
+@every_motor
+def test_what_it_says_of_itself(motor):
+    assert type(EXAMPLES[motor.name]) is motor.geometry
+    assert re.match(r"docs/theory/drive, eqs?\. \(25\.\d+\)", motor.source)
+    assert motor.title
+    assert motor.range
+    assert re.search(
+        rf'^    "{motor.name}",$', "".join(p.read_text("utf-8") for p in FOLDER.glob("*.py")), re.MULTILINE
+    )
+
+
+@every_motor
+@pytest.mark.parametrize("time", TIMES)
+def test_compiled(motor, time):
+    """To the last bits, for numbers a number."""
+    geometry = EXAMPLES[motor.name]
+    kernel = compiled(motor.kernel)
+    found = [kernel(speed, time, geometry) if motor.is_timed else kernel(speed, geometry) for speed in SPEEDS.tolist()]
+    assert {type(torque) for torque in found} == {float}
+    np.testing.assert_allclose(found, motor.torque(SPEEDS, time, geometry), rtol=OTHER_LIBRARY, atol=1e-12)
+
+
+@every_motor
+def test_designs(motor):
+    """Each is what it is alone; points of tables stand along the first axis."""
+    factors = np.array([1.0, 0.7, 1.1])
+    geometry = EXAMPLES[motor.name]
+    many = mapped(
+        lambda _name, value: np.asarray(value)[..., np.newaxis, np.newaxis] * factors[:, np.newaxis], geometry
+    )
+    together = motor.torque(SPEEDS, 0.7, many)
+    assert together.shape == (3, SPEEDS.size)
+    for torque, factor in zip(together, factors, strict=True):
+        alone = mapped(lambda _name, value, by=factor: value * by, geometry)
+        np.testing.assert_array_equal(torque, motor.torque(SPEEDS, 0.7, alone))
+
+
+@every_motor
+@pytest.mark.parametrize("time", TIMES)
+def test_between_breaks_it_is_smooth(motor, time):
+    """Slopes from both sides agree everywhere else, and there are no jumps."""
+    geometry = without_limit(motor.name, EXAMPLES[motor.name])
+    # A series motor is its own generator below −R/c.
+    speeds = np.linspace(-15.0 if motor.name == "series" else -80.0, 240.0, 2001)
+    step = 1e-4
+    breaks = [float(speed) for speed in motor.breaks(geometry).speeds if np.isfinite(speed)]
+    far = np.min([np.abs(speeds - at) for at in [*breaks, 1e9]], axis=0) > 2 * step
+    before, here, after = (motor.torque(speeds + shift, time, geometry) for shift in (-step, 0.0, step))
+    bend = np.abs(after - 2 * here + before)[far]
+    assert np.max(bend) <= 1e-6 * np.max(np.abs(here))
+
+
+@every_motor
+def test_jumps_in_time_are_breaks(motor):
+    """Between them a ten-thousandth of a second changes little; a step, a change or a brake changes more."""
+    geometry = EXAMPLES[motor.name]
+    times = sorted({0.0, *(float(time) for time in motor.breaks(geometry).times), 9.0})
+    for speed in (20.0, 120.0):
+        for one, other in pairwise(times):
+            at = np.arange(one + 1e-9, other - 1e-9, 1e-4)
+            torque = np.broadcast_to(motor.torque(speed, at, geometry), at.shape)
+            assert np.max(np.abs(np.diff(torque))) < 1.0
+
+
+def test_breaks_of_kloss_alone_are_none():
+    kloss = EXAMPLES["cage"]._replace(kloss_until=np.inf)
+    assert np.all(np.isnan(MOTORS[0].breaks(kloss).speeds))
