@@ -94,7 +94,8 @@ def main():
 
         timed = interleaved_ratio(lambda: run(kernels(), drive, asked), other, n_repetitions=11)
         print(
-            f"{method:<10}{timed.ours * 1e3:7.3f} ms{timed.theirs * 1e3:7.1f} ms{1 / timed.median:8.0f}{ours:12.1e}{error:12.1e}"
+            f"{method:<10}{timed.ours * 1e3:7.3f} ms{timed.theirs * 1e3:7.1f} ms"
+            f"{1 / timed.median:8.0f}{ours:12.1e}{error:12.1e}"
         )
         if 1 / timed.median < LEAST_RATIO or timed.ours > MOST_TIME:
             missed.append(method)
