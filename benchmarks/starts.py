@@ -1,0 +1,112 @@
+"""Time of the reference start (a crank-rocker of 3 s) beside SciPy's `solve_ivp` with a right-hand side in Python.
+
+    python benchmarks/starts.py
+
+Both in processor time, in turn in one process, at the same error against a run of a thousandth of the tolerance; and a
+thousand starts on two threads by the wall.
+"""
+
+import json
+import sys
+from pathlib import Path
+from time import perf_counter
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from timing import interleaved_ratio
+
+ROOT = Path(__file__).parents[1]
+sys.path.insert(0, str(ROOT))
+
+from tests.starts import kernels, kloss, reference_drive  # noqa: E402
+
+from cranktrain.questions.drive.running.runs import run, run_all, wanted  # noqa: E402
+
+LEAST_RATIO = 20.0
+MOST_TIME, MOST_TIME_OF_ALL = 1e-3, 0.3
+N_STARTS = 1000
+
+
+def by_hand(machine):
+    """Right-hand side as one writes it: floats and formulas of the crank-rocker, nothing of the package."""
+    from math import cos, sin, sqrt
+
+    r, l, r1, d = (machine[f"{part}_length_m"] for part in ("crank", "coupler", "rocker", "ground"))
+    mass, (along, across) = machine["coupler_mass_kg"], machine["coupler_com_m"]
+    crank_mass, (ca, cb) = machine["crank_mass_kg"], machine["crank_com_m"]
+    rocker_mass, (ra, rb) = machine["rocker_mass_kg"], machine["rocker_com_m"]
+    own = machine["coupler_inertia_about_com_kgm2"]
+    crank = machine["crank_inertia_about_com_kgm2"] + crank_mass * (ca * ca + cb * cb)
+    rocker = machine["rocker_inertia_about_com_kgm2"] + rocker_mass * (ra * ra + rb * rb)
+    ratio = machine["gear_ratio"]
+    motor_inertia = machine["motor_rotor_inertia_kgm2"] * ratio * ratio
+    motor = (machine["breakdown_torque_Nm"], machine["breakdown_slip"], machine["synchronous_speed_rad_s"])
+    load, viscous, fall = machine["rocker_load_torque_Nm"], machine["rocker_viscous_Nms_per_rad"], 9.80665
+
+    def rate(_time, state):
+        phi, omega = state
+        s, c = sin(phi), cos(phi)
+        x, y = d - r * c, -r * s
+        w = x * x + y * y
+        k = (w + l * l - r1 * r1) / (2 * w)
+        h = sqrt(l * l / w - k * k)
+        px, py = k * x - h * y, k * y + h * x
+        qx, qy = px - x, py - y
+        area = px * qy - py * qx
+        turn = r * (c * qy - s * qx) * -1 / area
+        swing = r * (c * py - s * px) * -1 / area
+        ux, uy = -r * c + 0 - turn * turn * px + swing * swing * qx, -r * s - turn * turn * py + swing * swing * qy
+        turning = (ux * qx + uy * qy) / area * -1
+        swinging = (ux * px + uy * py) / area * -1
+        gx, gy = (along * px - across * py) / l, (along * py + across * px) / l
+        vx, vy = -r * s - turn * gy, r * c + turn * gx
+        ax = -r * c - turning * gy - turn * turn * gx
+        ay = -r * s + turning * gx - turn * turn * gy
+        inertia = crank + mass * (vx * vx + vy * vy) + own * turn * turn + rocker * swing * swing
+        first = 2 * (mass * (vx * ax + vy * ay) + own * turn * turning + rocker * swing * swinging)
+        weights = crank_mass * (ca * c - cb * s) + mass * vy + rocker_mass * (ra * qx - rb * qy) / r1 * swing
+        given = (load - viscous * swing * omega) * swing - fall * weights
+        driving = ratio * float(kloss(ratio * omega, motor))
+        return [omega, (driving + given - 0.5 * first * omega * omega) / (motor_inertia + inertia)]
+
+    return rate
+
+
+def main():
+    case = json.loads((ROOT / "tests/golden/startup_crank_rocker/case.json").read_text(encoding="utf-8"))
+    drive, rate = reference_drive(case["machine"]), by_hand(case["machine"])
+    asked = wanted(3.0, angle=0.3)
+    exact = run(kernels(), drive, wanted(3.0, angle=0.3, tolerance=1e-12)).end[:2]
+    ours = np.max(np.abs(run(kernels(), drive, asked).end[:2] - exact))
+    missed = []
+    print(f"{'':<10}{'ours':>10}{'theirs':>10}{'ratio':>8}{'our error':>12}{'theirs':>12}")
+    for method in ("RK45", "DOP853", "LSODA"):
+        tolerance = 1e-4
+        while True:  # the coarsest tolerance that is as good as ours
+            theirs = solve_ivp(rate, (0.0, 3.0), [0.3, 0.0], rtol=tolerance, atol=tolerance, method=method)
+            error = np.max(np.abs(theirs.y[:, -1] - exact))
+            if error <= ours or tolerance < 1e-12:
+                break
+            tolerance *= 0.7
+
+        def other(method=method, tolerance=tolerance):
+            return solve_ivp(rate, (0.0, 3.0), [0.3, 0.0], rtol=tolerance, atol=tolerance, method=method)
+
+        timed = interleaved_ratio(lambda: run(kernels(), drive, asked), other, n_repetitions=11)
+        print(
+            f"{method:<10}{timed.ours * 1e3:7.3f} ms{timed.theirs * 1e3:7.1f} ms"
+            f"{1 / timed.median:8.0f}{ours:12.1e}{error:12.1e}"
+        )
+        if 1 / timed.median < LEAST_RATIO or timed.ours > MOST_TIME:
+            missed.append(method)
+    times = []
+    for _ in range(5):
+        start = perf_counter()
+        run_all(kernels(), [(drive, asked)] * N_STARTS)
+        times.append(perf_counter() - start)
+    print(f"{N_STARTS} starts on two threads: {min(times):.3f} s")
+    return len(missed) + (min(times) > MOST_TIME_OF_ALL)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

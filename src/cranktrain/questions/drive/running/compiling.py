@@ -1,0 +1,51 @@
+"""Loops under Numba: as `linkage.compiled`, but for long functions that are called, not inlined, and by threads."""
+
+from collections.abc import Callable
+from functools import cache
+from types import CellType, FunctionType
+from typing import Any, ParamSpec, TypeVar, cast
+
+Parameters = ParamSpec("Parameters")
+Outcome = TypeVar("Outcome")
+
+
+def quick(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
+    """Compile a function, and those that it calls by its globals or that were joined into it, once.
+
+    What Numba has compiled already is taken as it is.
+    """
+    return cast(Callable[Parameters, Outcome], _quick(function))
+
+
+@cache
+def _quick(function: Any) -> Any:
+    if not isinstance(function, FunctionType):
+        return function
+    import numba
+
+    callees = {
+        name: _quick(called)
+        for name in function.__code__.co_names
+        if isinstance(called := function.__globals__.get(name), FunctionType)
+    }
+    copy = FunctionType(
+        function.__code__,
+        {**function.__globals__, **callees},
+        function.__name__,
+        closure=_cells(function.__closure__),
+    )
+    return numba.njit(error_model="numpy", nogil=True)(copy)
+
+
+def _cells(closure: tuple[CellType, ...] | None) -> tuple[CellType, ...] | None:
+    """Cells of a closure with their functions compiled, those in a named tuple too."""
+    return closure and tuple(CellType(_inner(cell.cell_contents)) for cell in closure)
+
+
+def _inner(value: Any) -> Any:
+    if isinstance(value, FunctionType):
+        return _quick(value)
+    if isinstance(value, tuple):
+        together: Any = cast(tuple[object, ...], value)
+        return type(together)(*(_inner(each) for each in together))
+    return value
