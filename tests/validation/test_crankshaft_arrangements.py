@@ -308,7 +308,7 @@ def test_what_pins_and_webs_weigh():
 
 
 def test_what_is_doubtful_about_a_crank():
-    """A web of 13 mm at hollow pins of 65 mm, and [masses.crank] of much more than pins and webs of these sizes can be."""
+    """A web of 13 mm at hollow pins of 65 mm, and [masses.crank] of much more than these sizes can be."""
     result = ct.run(machine(["0 deg", "180 deg"], crankshaft={"web_width": "13 mm", "pin_bore": "50 mm"}))
     assert "A web is narrower than the pin that it holds: 1, 2." in result.flags
     assert any(flag.startswith("[masses.crank] acts like 2.400 kg at pin 1") for flag in result.flags)

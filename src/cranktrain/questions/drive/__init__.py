@@ -1,1 +1,1 @@
-"""What drives a machine: motors and their sizing."""
+"""What drives a machine: motors, their sizing, and how it starts, runs and stops."""
