@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.linkage.forces import Body, Gravity
 from cranktrain.mechanisms import kind_named
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
-from cranktrain.questions.drive.running.equation import Drive, Kernels, no_brake, untimed
+from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, untimed
 from cranktrain.questions.drive.running.gearing import stages
 from cranktrain.questions.drive.running.mechanism import Mechanism, OutputLoad, machine_of
 
@@ -39,7 +39,7 @@ def reference_drive(machine):
     motor = tuple(machine[f"{part}"] for part in ("breakdown_torque_Nm", "breakdown_slip", "synchronous_speed_rad_s"))
     gearing = stages(machine["motor_rotor_inertia_kgm2"], (machine["gear_ratio"], 1.0, 1.0, 0.0, 0.0))
     mechanism = Mechanism(CrankRocker(*lengths, 1.0), bodies, load, Gravity(*machine["gravity_m_s2"]))
-    return Drive(mechanism, motor, 0.0, gearing)
+    return DriveTrain(mechanism, motor, 0.0, gearing)
 
 
 def heavy_drive(breakdown, efficiency=1.0, slip=0.2, load=-2000.0, backward=None, dry=0.0, viscous=0.0):
@@ -48,7 +48,7 @@ def heavy_drive(breakdown, efficiency=1.0, slip=0.2, load=-2000.0, backward=None
     geometry = CrankRocker(0.25, 0.70, 0.50, 0.80, 1.0)
     mechanism = Mechanism(geometry, bodies, OutputLoad(load, dry, viscous), Gravity(0.0, 0.0))
     back = efficiency if backward is None else backward
-    return Drive(mechanism, (breakdown, slip, SYNCHRONOUS), 0.0, stages(0.02, (40.0, efficiency, back, 0.0, 0.0)))
+    return DriveTrain(mechanism, (breakdown, slip, SYNCHRONOUS), 0.0, stages(0.02, (40.0, efficiency, back, 0.0, 0.0)))
 
 
 def wheel(_angle, _speed, sense, numbers):

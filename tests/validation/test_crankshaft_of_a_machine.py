@@ -187,3 +187,11 @@ def test_torque_along_the_shaft(four):
     # With one throw between bearings of equal distance the split shaft's pin has half of its throw's torque more.
     split = four.section_torque[four.labels["bearing_method"].index("split")]
     np.testing.assert_allclose(split[1::2], (split[:-2:2] + split[2::2]) / 2, rtol=0, atol=1e-9)
+
+
+def test_how_stiff_a_throw_bends(four):
+    """By equal moments, by one at an end, by a force in mid-pin; in its plane and across: as the case prints them."""
+    printed = {"constant_moment": (7.77, 9.77), "end_moment": (7.99, 9.06), "pin_force": (8.56, 5.14)}
+    for name, wanted in printed.items():
+        found = getattr(four, f"bending_by_{name}")
+        np.testing.assert_allclose(found, np.broadcast_to(1e3 * np.array(wanted), found.shape), rtol=0, atol=5.0)

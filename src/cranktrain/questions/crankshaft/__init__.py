@@ -30,6 +30,7 @@ from cranktrain.questions.crankshaft.section_torques import section_torques
 from cranktrain.questions.crankshaft.shaft_places import shaft_places
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
 from cranktrain.questions.crankshaft.stages import MainBearingLoads, main_bearing_loads
+from cranktrain.questions.crankshaft.throw_bending import throw_bending
 from cranktrain.questions.forces.crank_pins import have_crank_pins
 
 
@@ -56,6 +57,7 @@ QUESTION = Question(
         Stage(laid_crankshafts, applies=with_rods),
         Stage(shaft_places),
         Stage(crank_sizes),
+        Stage(throw_bending),
         Stage(loaded_shafts),
         Stage(bearings_between_events),
         Stage(main_bearing_loads),
@@ -70,6 +72,7 @@ QUESTION = Question(
         ResultDimension("bearing_method", N_("bearing method")),
         ResultDimension("bearing", N_("bearing")),
         ResultDimension("pin", N_("pin")),
+        ResultDimension("throw_plane", N_("plane of the throw")),
         ResultDimension("section", N_("section")),
         ResultDimension("ray", N_("ray"), is_number=True),
     ),

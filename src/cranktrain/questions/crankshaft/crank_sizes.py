@@ -9,7 +9,7 @@ from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.laid import LaidCrankshafts, LaidShaft
+from cranktrain.questions.crankshaft.laid import LaidCrankshafts, LaidShaft, pin_names
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.wording import number
@@ -41,7 +41,7 @@ def crank_sizes(laid: LaidCrankshafts, mechanisms: Mechanisms, shafts: Shafts, m
     pin, web, moment = (np.concatenate(parts, axis=1) for parts in zip(*found, strict=True))
     given = np.concatenate([_given(one, mechanisms, shafts, masses) for one in laid.each], axis=1)
     radius = np.concatenate([one.shaft.pieces.radius[:, one.pins] for one in laid.each], axis=1)
-    names = tuple(name for one in laid.each for name in _names(one, shafts))
+    names = tuple(name for one in laid.each for name in pin_names(one, shafts))
     flags = (*_flags(names, moment[0] / radius[0], given[0] / radius[0]), *_narrow(laid, names))
     return CrankSizes(pin, web, moment, labels={"pin": names}, flags=flags)
 
@@ -86,11 +86,6 @@ def _given(laid: LaidShaft, mechanisms: Mechanisms, shafts: Shafts, masses: Mass
     sums = (np.sum(on_pin * part[:, np.newaxis], axis=-1) * laid.declared.share for part in (moment, mass))
     whole, weighs = sums
     return np.where(weighs > 0, whole, np.nan)
-
-
-def _names(laid: LaidShaft, shafts: Shafts) -> list[str]:
-    prefix = "" if len(shafts.names) == 1 else f"{shafts.names[laid.declared.shaft]}."
-    return [f"{prefix}{pin}" for pin in range(1, laid.pins.size + 1)]
 
 
 def _flags(names: tuple[str, ...], by_sizes: Array, given: Array) -> tuple[str, ...]:

@@ -182,3 +182,9 @@ def _straight(shaft: Crankshaft, span: int) -> Array:
     """EI of a straight beam in place of a span: under a constant moment, the mean of both directions. [N·m²]"""
     begin = int(np.sum(shaft.pieces.bounds[0, 1:-1] < shaft.supports.place[0, span]))
     return np.mean(equivalent_stiffness(shaft, span, begin).constant_moment, axis=-1)
+
+
+def pin_names(laid: LaidShaft, shafts: Shafts) -> list[str]:
+    """Names of a shaft's pins: their numbers; with several shafts, `upper.1`."""
+    prefix = "" if len(shafts.names) == 1 else f"{shafts.names[laid.declared.shaft]}."
+    return [f"{prefix}{pin}" for pin in range(1, laid.pins.size + 1)]

@@ -5,7 +5,7 @@ import pytest
 from tests.starts import SYNCHRONOUS, kloss, rotor_heat, wheel
 
 from cranktrain.questions.drive.running import transient
-from cranktrain.questions.drive.running.equation import Drive, Kernels, no_brake, no_heat, no_motor, untimed
+from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, no_heat, no_motor, untimed
 from cranktrain.questions.drive.running.gearing import stages
 from cranktrain.questions.drive.running.implicit import is_stiff, run_implicitly, run_well, slip_time_constant
 from cranktrain.questions.drive.running.runs import REASONS, run, wanted
@@ -38,7 +38,7 @@ def plain(kernels, drive, asked):
 def test_start_time_and_rotor_heat(load, time, heat):
     """Unloaded by the closed forms; loaded by quadrature (golden/drive/motor.json)."""
     asked = wanted(5.0, target_speed=0.95 * SYNCHRONOUS, stops_at_target=True, tolerance=1e-11)
-    found = plain(CAGE, Drive((0.0, load, 0.0), MOTOR, 0.0, DIRECT), asked)
+    found = plain(CAGE, DriveTrain((0.0, load, 0.0), MOTOR, 0.0, DIRECT), asked)
     assert found.reason == transient.SPEED_REACHED
     assert found.end_time == pytest.approx(time, rel=1e-9)
     assert found.end[5] == pytest.approx(heat, rel=1e-9)
@@ -53,7 +53,7 @@ def test_plugging_heats_thrice():
 
     machine = Kernels(wheel, untimed(kloss), heating, no_brake)
     asked = wanted(20.0, speed=SYNCHRONOUS, most_reversals=1, tolerance=1e-11)
-    found = plain(machine, Drive((0.0, 0.0, 0.0), against, 0.0, DIRECT), asked)
+    found = plain(machine, DriveTrain((0.0, 0.0, 0.0), against, 0.0, DIRECT), asked)
     assert found.reason == transient.SWINGS
     assert found.end[5] == pytest.approx(1.5 * 0.2 * SYNCHRONOUS**2, rel=1e-9)
 
@@ -65,9 +65,9 @@ def test_rest_is_kept_between_two_torques(load):
     machine = Kernels(wheel, constant, no_heat, no_brake)
     ends = sorted([load / 10 / 0.8, load / 10 * 0.75])
     for torque, sense in [(ends[0] - 1e-9, -1), (ends[0] + 1e-9, 0), (ends[1] - 1e-9, 0), (ends[1] + 1e-9, 1)]:
-        drive = Drive((2.0, load, 0.0), (torque,), 0.0, gearing)
+        drive = DriveTrain((2.0, load, 0.0), (torque,), 0.0, gearing)
         assert transient.sense_of_start(0.0, 0.3, machine, drive) == sense
-    found = plain(machine, Drive((2.0, load, 0.0), (load / 10,), 0.0, gearing), wanted(5.0, angle=0.3))
+    found = plain(machine, DriveTrain((2.0, load, 0.0), (load / 10,), 0.0, gearing), wanted(5.0, angle=0.3))
     assert (found.reason, found.end_time, found.end[0]) == (transient.STALLED, 0.0, 0.3)
 
 
@@ -75,7 +75,7 @@ def test_self_locking_holds_without_a_motor():
     gearing = stages(0.02, (30.0, 0.3, 2 - 1 / 0.3, 0.0, 0.0))
     machine = Kernels(wheel, no_motor, no_heat, no_brake)
     for load in (50.0, -50.0):
-        found = plain(machine, Drive((4.0, load, 0.0), (), 0.0, gearing), wanted(5.0))
+        found = plain(machine, DriveTrain((4.0, load, 0.0), (), 0.0, gearing), wanted(5.0))
         assert found.reason == transient.AT_REST
 
 
@@ -83,14 +83,14 @@ def test_jam_is_said():
     """No acceleration satisfies the law: J 4, H −50, i 30, η_f 0.3, J_m 0.001, no torque, turning forward."""
     gearing = stages(0.001, (30.0, 0.3, 2 - 1 / 0.3, 0.0, 0.0))
     machine = Kernels(wheel, no_motor, no_heat, no_brake)
-    found = plain(machine, Drive((4.0, -50.0, 0.0), (), 0.0, gearing), wanted(5.0, speed=1.0))
+    found = plain(machine, DriveTrain((4.0, -50.0, 0.0), (), 0.0, gearing), wanted(5.0, speed=1.0))
     assert (found.reason, found.end_time) == (transient.GEARING_JAMS, 0.0)
 
 
 def test_coasting_to_rest_by_dry_friction():
     """t = Jω/M, φ = Jω²/2M."""
     machine = Kernels(wheel, no_motor, no_heat, no_brake)
-    found = plain(machine, Drive((1.8, 0.0, 4.0), (), 0.0, DIRECT), wanted(50.0, speed=30.0))
+    found = plain(machine, DriveTrain((1.8, 0.0, 4.0), (), 0.0, DIRECT), wanted(50.0, speed=30.0))
     assert found.reason == transient.AT_REST
     assert found.end_time == pytest.approx(15.0, abs=1e-6)
     assert found.end[0] == pytest.approx(225.0, rel=1e-9)
@@ -100,7 +100,7 @@ def test_coasting_to_rest_by_dry_friction():
 def test_brake_after_a_delay_stops_and_holds():
     """A load of 5 N·m drives 0.2 + 0.8 kg·m² for 0.25 s; then a brake of 12 N·m stops it and holds."""
     machine = Kernels(wheel, no_motor, no_heat, braking)
-    drive = Drive((0.8, -5.0, 0.0), (), (12.0, 0.25), DIRECT)
+    drive = DriveTrain((0.8, -5.0, 0.0), (), (12.0, 0.25), DIRECT)
     found = plain(machine, drive, wanted(10.0, speed=3.0, breaks=(0.25,), is_timed=True))
     fastest = 3.0 + 5.0 * 0.25
     assert found.reason == transient.AT_REST
@@ -111,7 +111,9 @@ def test_brake_after_a_delay_stops_and_holds():
 def test_a_growing_torque_breaks_away():
     """3 N·m/s against a dry load of 6 N·m: it sets off at 2 s, and φ = a t³/6J from there."""
     machine = Kernels(wheel, timed_torque, no_heat, no_brake)
-    found = plain(machine, Drive((1.8, 0.0, 6.0), (3.0,), 0.0, DIRECT), wanted(4.0, is_timed=True, tolerance=1e-11))
+    found = plain(
+        machine, DriveTrain((1.8, 0.0, 6.0), (3.0,), 0.0, DIRECT), wanted(4.0, is_timed=True, tolerance=1e-11)
+    )
     (set_off,) = found.of_kind(transient.SET_OFF)
     assert set_off.time == pytest.approx(2.0, abs=1e-9)
     assert found.reason == transient.TIME_OUT
@@ -120,13 +122,13 @@ def test_a_growing_torque_breaks_away():
 
 def test_overspeed_by_a_load_that_drives():
     machine = Kernels(wheel, no_motor, no_heat, no_brake)
-    found = plain(machine, Drive((1.8, -10.0, 0.0), (), 0.0, DIRECT), wanted(50.0, overspeed=20.0))
+    found = plain(machine, DriveTrain((1.8, -10.0, 0.0), (), 0.0, DIRECT), wanted(50.0, overspeed=20.0))
     assert found.reason == transient.OVERSPEED
     assert found.end_time == pytest.approx(4.0, abs=1e-9)
 
 
 def test_slip_time_constant_is_that_of_kloss():
-    drive = Drive((1.8, 0.0, 0.0), MOTOR, 0.0, DIRECT)
+    drive = DriveTrain((1.8, 0.0, 0.0), MOTOR, 0.0, DIRECT)
     found = slip_time_constant(CAGE, drive, SYNCHRONOUS, np.zeros(1))
     assert found == pytest.approx(2.0 * SYNCHRONOUS * 0.2 / (2 * 95.0), rel=1e-3)
     assert not is_stiff(found, SYNCHRONOUS)
@@ -139,7 +141,7 @@ def test_every_reason_has_a_sentence():
 
 
 def test_stiff_motors_go_by_an_implicit_method():
-    drive = Drive((0.0, 0.0, 0.0), (95.0, 0.003, SYNCHRONOUS), 0.0, stages(0.002))
+    drive = DriveTrain((0.0, 0.0, 0.0), (95.0, 0.003, SYNCHRONOUS), 0.0, stages(0.002))
     found = run_well(CAGE, drive, wanted(0.5, speed=0.999 * SYNCHRONOUS), SYNCHRONOUS)
     assert found.method == "LSODA"
     assert found.end[1] == pytest.approx(SYNCHRONOUS, rel=1e-6)
@@ -147,6 +149,6 @@ def test_stiff_motors_go_by_an_implicit_method():
 
 def test_implicit_runs_rest_and_stop_alike():
     machine = Kernels(wheel, no_motor, no_heat, no_brake)
-    found = run_implicitly(machine, Drive((1.8, 0.0, 4.0), (), 0.0, DIRECT), wanted(50.0, speed=30.0))
+    found = run_implicitly(machine, DriveTrain((1.8, 0.0, 4.0), (), 0.0, DIRECT), wanted(50.0, speed=30.0))
     assert found.reason == transient.AT_REST
     assert found.end_time == pytest.approx(15.0, abs=1e-6)

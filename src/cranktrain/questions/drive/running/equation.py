@@ -27,7 +27,7 @@ OPEN, JAMMED = 1, 2
 """Why there is no acceleration: links do not close; none or several satisfy the law of the gearing."""
 
 
-class Drive(NamedTuple):
+class DriveTrain(NamedTuple):
     """What the equation is made of: numbers of machine, motor and brake for their kernels; and the gearing."""
 
     machine: Any
@@ -85,7 +85,7 @@ def time_form(kernels: Kernels, law: Any, ratio_of: Any) -> Derive:
     """Join the kernels to the slopes of the state by time. docs/theory/transient, eqs. (26.8) and (26.9)."""
     machine, motor, heat, brake = kernels
 
-    def derive(time: float, state: Array, slopes: Array, sense: float, drive: Drive) -> int:
+    def derive(time: float, state: Array, slopes: Array, sense: float, drive: DriveTrain) -> int:
         angle, speed = state[0], state[1]
         inertia, first, load, _ = machine(angle, speed, sense, drive.machine)
         at_motor = speed * ratio_of(drive.gearing)

@@ -46,8 +46,8 @@ def stages(motor_inertia: float, *each: tuple[float, float, float, float, float]
     Examples
     --------
     >>> one = stages(0.02, (40.0, 0.846, 2 - 1 / 0.846, 0.0, 0.0))
-    >>> round(acceleration(100.0, 1.0, 18.0, 500.0, one)[0], 6)
-    56.067368
+    >>> round(float(acceleration(100.0, 1.0, 18.0, 500.0, one)[0]), 5)
+    63.98651
     """
     columns = np.array(each, dtype=float).reshape(-1, 5).T.copy()
     return Gearing(float(motor_inertia), columns[0], columns[1], columns[2], columns[3], columns[4])

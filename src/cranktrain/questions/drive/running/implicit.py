@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.questions.drive.running import transient
-from cranktrain.questions.drive.running.equation import N_STATE, OPEN, Drive, Kernels, joined
+from cranktrain.questions.drive.running.equation import N_STATE, OPEN, DriveTrain, Kernels, joined
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.runs import Event, Run, Wanted, energy_account, run
 from cranktrain.questions.drive.running.transient import let_go_at, sense_of_start
@@ -19,14 +19,16 @@ _CLOSER = 1e-3
 """LSODA and Radau err by much more than their tolerance over a run."""
 
 
-def slip_time_constant(kernels: Kernels, drive: Drive, top_speed: float, angles: Array, time: float = 0.0) -> float:
+def slip_time_constant(
+    kernels: Kernels, drive: DriveTrain, top_speed: float, angles: Array, time: float = 0.0
+) -> float:
     """Shortest time in which the motor's steepest fall brings its speed back. [s]
 
     Parameters
     ----------
     kernels : Kernels
         Not compiled: of the motor plain Python is called.
-    drive : Drive
+    drive : DriveTrain
     top_speed : float
         Of the motor: where it drives no more, or a little beyond. [rad/s]
     angles : Array
@@ -52,7 +54,7 @@ def is_stiff(time_constant: float, crank_speed: float) -> bool:
     return time_constant < _STIFF * 2 * np.pi / crank_speed
 
 
-def run_well(kernels: Kernels, drive: Drive, asked: Wanted, top_speed: float) -> Run:
+def run_well(kernels: Kernels, drive: DriveTrain, asked: Wanted, top_speed: float) -> Run:
     """Run by the method that suits the motor: explicit, or LSODA where it is stiff."""
     angles = np.linspace(0.0, 2 * np.pi, 61)
     constant = slip_time_constant(kernels, drive, top_speed, angles)
@@ -61,7 +63,7 @@ def run_well(kernels: Kernels, drive: Drive, asked: Wanted, top_speed: float) ->
     return run(kernels, drive, asked)
 
 
-def run_implicitly(kernels: Kernels, drive: Drive, asked: Wanted, *, method: str = "LSODA") -> Run:
+def run_implicitly(kernels: Kernels, drive: DriveTrain, asked: Wanted, *, method: str = "LSODA") -> Run:
     """Run as `runs.run` does, by `solve_ivp` of SciPy with LSODA or Radau; phases, events and reasons are the same.
 
     Raises
@@ -138,7 +140,7 @@ def run_implicitly(kernels: Kernels, drive: Drive, asked: Wanted, *, method: str
 
 
 def _phase(
-    parts: Any, drive: Drive, limits: Any, sense: float, span: tuple[float, float], state: Array, method: str
+    parts: Any, drive: DriveTrain, limits: Any, sense: float, span: tuple[float, float], state: Array, method: str
 ) -> Any:
     """Integrate with the sense as it is, to the end of the span or an event that ends the phase."""
     from scipy import integrate

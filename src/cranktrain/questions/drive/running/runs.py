@@ -10,9 +10,9 @@ from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.questions.drive.running import transient
 from cranktrain.questions.drive.running.compiling import quick
-from cranktrain.questions.drive.running.equation import N_STATE, Drive, Joined, Kernels, joined
+from cranktrain.questions.drive.running.equation import N_STATE, DriveTrain, Joined, Kernels, joined
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.transient import Limits, run_on
+from cranktrain.questions.drive.running.transient import RunLimits, run_on
 from cranktrain.record import record
 
 REASONS = {
@@ -88,7 +88,7 @@ class Wanted(NamedTuple):
     """How a run starts, ends, and where its state is wanted."""
 
     start: Array
-    limits: Limits
+    limits: RunLimits
     samples: Array
     breaks: Array
 
@@ -108,14 +108,14 @@ def wanted(
     tolerance: float = DEFAULT_TOLERANCE,
     is_timed: bool = False,
 ) -> Wanted:
-    """Say what is wanted of a run; see `Limits`. [s, rad, rad/s]
+    """Say what is wanted of a run; see `RunLimits`. [s, rad, rad/s]
 
     Examples
     --------
     >>> wanted(3.0, angle=0.3).limits.tolerance
     1e-08
     """
-    limits = Limits(
+    limits = RunLimits(
         float(end_time), float(target_speed), float(overspeed), bool(stops_at_target), most_reversals, most_steps,
         float(tolerance), bool(is_timed),
     )  # fmt: skip
@@ -125,13 +125,13 @@ def wanted(
     return Wanted(start, limits, np.array(() if samples is None else samples, dtype=float), times)
 
 
-def run(kernels: Kernels, drive: Drive, asked: Wanted, *, is_compiled: bool = True) -> Run:
+def run(kernels: Kernels, drive: DriveTrain, asked: Wanted, *, is_compiled: bool = True) -> Run:
     """Run a machine by an explicit method.
 
     Parameters
     ----------
     kernels : Kernels
-    drive : Drive
+    drive : DriveTrain
         Their numbers: floats, arrays of floats, and tuples of them.
     asked : Wanted
     is_compiled : bool, optional
@@ -167,19 +167,19 @@ def run(kernels: Kernels, drive: Drive, asked: Wanted, *, is_compiled: bool = Tr
     )
 
 
-def run_all(kernels: Kernels, cases: list[tuple[Drive, Wanted]], *, n_threads: int = 2) -> list[Run]:
+def run_all(kernels: Kernels, cases: list[tuple[DriveTrain, Wanted]], *, n_threads: int = 2) -> list[Run]:
     """Run many machines of the same kernels, compiled, on several threads."""
     first, rest = cases[0], cases[1:]
     done = [run(kernels, *first)]
 
-    def one(case: tuple[Drive, Wanted]) -> Run:
+    def one(case: tuple[DriveTrain, Wanted]) -> Run:
         return run(kernels, *case)
 
     with ThreadPoolExecutor(n_threads) as pool:
         return done + list(pool.map(one, rest))
 
 
-def energy_account(parts: Joined, drive: Drive, start: Array, end: Array) -> tuple[float, float]:
+def energy_account(parts: Joined, drive: DriveTrain, start: Array, end: Array) -> tuple[float, float]:
     """Kinetic energy gained less work given, and the work by which to judge that. [J] Eq. (26.10)"""
     turning = turning_inertia(drive.gearing)
 
@@ -192,7 +192,7 @@ def energy_account(parts: Joined, drive: Drive, start: Array, end: Array) -> tup
     return float(after - before - given), float(max(abs(end[2]) + abs(end[3]), before, after))
 
 
-def motor_speed(run: Run, drive: Drive) -> Array:
+def motor_speed(run: Run, drive: DriveTrain) -> Array:
     """Speed at the motor's shaft at the samples. [rad/s]"""
     return run.states[:, 1] * overall_ratio(drive.gearing)
 
@@ -203,7 +203,7 @@ def loop_of(parts: Joined, is_compiled: bool) -> Any:
     derive, kernels = parts
 
     def loop(
-        drive: Drive, state: Array, limits: Limits, breaks: Array, samples: Array, table: Array, marks: Array
+        drive: DriveTrain, state: Array, limits: RunLimits, breaks: Array, samples: Array, table: Array, marks: Array
     ) -> tuple[int, float, int, int]:
         return inner(derive, kernels, drive, state, 0.0, limits, breaks, samples, table, marks)
 

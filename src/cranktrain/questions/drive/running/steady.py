@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.numerics.roots import bracketed_roots
 from cranktrain.questions.drive.running.compiling import quick
-from cranktrain.questions.drive.running.equation import Drive, Kernels, joined
+from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, joined
 from cranktrain.questions.drive.running.gearing import turning_inertia
 from cranktrain.questions.drive.running.step import error_of, take_step
 from cranktrain.record import record
@@ -54,7 +54,7 @@ class SteadyCycle:
 
 
 def steady_cycle(
-    kernels: Kernels, drive: Drive, slowest: float, fastest: float, *, cycle: float = 2 * np.pi, n: int = 721,
+    kernels: Kernels, drive: DriveTrain, slowest: float, fastest: float, *, cycle: float = 2 * np.pi, n: int = 721,
     is_compiled: bool = True,
 ) -> SteadyCycle | None:  # fmt: skip
     """Find the steady cycle whose speed at crank angle 0 lies between two.
@@ -63,7 +63,7 @@ def steady_cycle(
     ----------
     kernels : Kernels
         Of a motor that does not depend on the time.
-    drive : Drive
+    drive : DriveTrain
     slowest, fastest : float
         Above 0. [rad/s]
     cycle : float, optional
@@ -105,7 +105,7 @@ def steady_cycle(
     )
 
 
-def kernels_inertia(kernels: Kernels, drive: Drive, is_compiled: bool) -> float:
+def kernels_inertia(kernels: Kernels, drive: DriveTrain, is_compiled: bool) -> float:
     """Reduced inertia at crank angle 0, of the machine alone. [kg·m²]"""
     return float(joined(kernels, is_compiled).kernels.machine(0.0, 1.0, 1.0, drive.machine)[0])
 
@@ -129,7 +129,7 @@ def _walk(kernels: Kernels, is_compiled: bool) -> Any:
         slopes[3] = _at_motor(torque, drive) ** 2 / speed
         return trouble
 
-    def walk(drive: Drive, turning: float, energy: float, angles: Array) -> Array:
+    def walk(drive: DriveTrain, turning: float, energy: float, angles: Array) -> Array:
         state, ahead, slopes = np.zeros(4), np.zeros(4), np.zeros((7, 4))
         own = (drive, turning, np.zeros(6), np.zeros(6))
         table = np.zeros((len(angles), 5))
@@ -167,7 +167,7 @@ def _walk(kernels: Kernels, is_compiled: bool) -> Any:
     return quick(walk) if is_compiled else walk
 
 
-def _at_motor(torque: float, drive: Drive) -> float:
+def _at_motor(torque: float, drive: DriveTrain) -> float:
     """Torque at the motor of one at the crank without loss."""
     overall = 1.0
     for ratio in drive.gearing.ratio:

@@ -21,7 +21,7 @@ _LEAST_WIDTH = 1e-14
 _REST_LOOKS = 400
 
 
-class Limits(NamedTuple):
+class RunLimits(NamedTuple):
     """When a run ends and how closely it is computed.
 
     Attributes
@@ -77,7 +77,7 @@ def let_go_at(time: float, until: float, angle: float, kernels: Any, drive: Any)
     return np.inf
 
 
-def _first_width(state: Array, slopes: Array, limits: Limits) -> float:
+def _first_width(state: Array, slopes: Array, limits: RunLimits) -> float:
     """A step small enough to be judged; the next ones adapt."""
     width = 1e-3 * limits.end_time
     if abs(slopes[0, 1]) > 0:
@@ -122,7 +122,7 @@ def _settled_on(
 
 
 def run_on(
-    derive: Any, kernels: Any, drive: Any, state: Array, start_time: float, limits: Limits, breaks: Array,
+    derive: Any, kernels: Any, drive: Any, state: Array, start_time: float, limits: RunLimits, breaks: Array,
     samples: Array, table: Array, marks: Array,
 ) -> tuple[int, float, int, int]:  # fmt: skip
     """Run until something ends it.
@@ -131,12 +131,12 @@ def run_on(
     ----------
     derive, kernels
         Of `equation.joined`.
-    drive : Drive
+    drive : DriveTrain
     state : Array, shape (6,)
         Changed to that at the end.
     start_time : float
         [s]
-    limits : Limits
+    limits : RunLimits
     breaks : Array, ascending
         Times at which motor or brake jump: a step ends there. [s]
     samples : Array, ascending
