@@ -17,7 +17,7 @@ LONGEST = 30.0
 
 COMPLETED = (
     ("cranktrain ne", ["new"], "new "),
-    ("cranktrain run mi", ["mine.toml"], "mine.toml "),
+    ("cranktrain run mine", ["mine.toml"], "mine.toml "),
     ("cranktrain run 3d", ["3d12", "3d12_fit_85_235", "3d12_quoted_rods"], "3d12"),
     ("cranktrain run 3d12 --set cylinder.bo", ["cylinder.bore="], "cylinder.bore="),
     ("cranktrain run 3d12 --quantities rod_angle,strok", ["rod_angle,stroke"], "rod_angle,stroke "),

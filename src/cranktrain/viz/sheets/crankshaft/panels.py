@@ -163,11 +163,13 @@ def of_shafts(names: Sequence[str]) -> list[tuple[str, str]]:
 
 
 def torque_panels(shown: OneDesign) -> Iterator[Panel]:
-    """Torque in journals, and in pins, by the first method; the one with the widest range is thick."""
+    """Torque in journals, and in pins if there is any, by the first method; that of the widest range is thick."""
     torque, ranges = shown("section_torque")[0], shown("section_torque_range")[0]
     names, journals = shown.result.labels["section"], on_journals(shown)
     for title, which in ((_("Torque in journals"), journals), (_("Torque in crank pins"), ~journals)):
         own = np.flatnonzero(which)
+        if not np.any(torque[own]):
+            continue  # as in a pin that hangs over the end
         worst = int(own[np.argmax(ranges[own])])
         curves = [
             Curve(closed(torque[i]), "whole" if i == worst else "each", "T", name=names[i])
