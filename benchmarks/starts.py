@@ -18,9 +18,9 @@ from timing import interleaved_ratio
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
-from tests.starts import kernels, kloss, reference_drive  # noqa: E402
+from tests.starts import kernels, kloss, reference_drive  # noqa: E402 - found on the path set above
 
-from cranktrain.questions.drive.running.runs import run, run_all, wanted  # noqa: E402
+from cranktrain.questions.drive.running.runs import run, run_all, wanted  # noqa: E402 - stands below the tests' import
 
 LEAST_RATIO = 20.0
 MOST_TIME, MOST_TIME_OF_ALL = 1e-3, 0.3

@@ -16,6 +16,7 @@ from cranktrain.questions.crankshaft.gears import declared_gears, gear_problems
 from cranktrain.questions.crankshaft.housing import housing_spread, in_elastic_bearings
 from cranktrain.questions.crankshaft.journal_loads import journal_loads, journal_wear
 from cranktrain.questions.crankshaft.laid import laid_crankshafts, with_rods
+from cranktrain.questions.crankshaft.loads_over_cycle import loads_over_cycle
 from cranktrain.questions.crankshaft.model import loaded_shafts
 from cranktrain.questions.crankshaft.parts import declared_crankshafts
 from cranktrain.questions.crankshaft.pin_wear import crank_pin_wear
@@ -59,6 +60,7 @@ QUESTION = Question(
         Stage(crank_sizes),
         Stage(throw_bending),
         Stage(loaded_shafts),
+        Stage(loads_over_cycle),
         Stage(bearings_between_events),
         Stage(main_bearing_loads),
         Stage(housing_spread, applies=in_elastic_bearings),

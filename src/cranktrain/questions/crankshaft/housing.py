@@ -11,12 +11,12 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
 from cranktrain.questions.crankshaft.bearings_between_events import bearing_loads_of
+from cranktrain.questions.crankshaft.loads_over_cycle import LoadsOverCycle
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.stages import bearing_load_sizes
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.peaks import largest_of_machine
-from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 
@@ -43,7 +43,7 @@ def in_elastic_bearings(declared: DeclaredCrankshafts | None) -> bool:
 
 
 def housing_spread(
-    loaded: LoadedShafts, solved: SolvedCycle, events: ForceEvents, crank_angle: CrankAngle
+    loaded: LoadedShafts, over_cycle: LoadsOverCycle, events: ForceEvents, crank_angle: CrankAngle
 ) -> HousingSpread:
     """Largest loads where the stiffness of all bearings is half and twice that of the file, refined.
 
@@ -51,11 +51,10 @@ def housing_spread(
     -----
     docs/theory/crankshaft.
     """
-    acting = loaded.loads(crank_angle.angle, solved.batches)
     largest: list[Array] = []
     for factor in (_SOFT, _STIFF):
         other = replace(loaded, each=tuple(_in_housing(one, factor) for one in loaded.each))
-        load = bearing_loads_of(other, [_FRAME], acting)[:, 0]
+        load = bearing_loads_of(other, [_FRAME], over_cycle.each)[:, 0]
         sizes = partial(bearing_load_sizes, other, [_FRAME])
         most = largest_of_machine(sizes, np.hypot(load[:, :, 0], load[:, :, 1]), events, crank_angle)
         largest.append(most.value)

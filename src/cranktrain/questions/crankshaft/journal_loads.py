@@ -7,15 +7,14 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_
-from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
 from cranktrain.questions.crankshaft.bearings_between_events import BearingsBetweenEvents
 from cranktrain.questions.crankshaft.cycle_points import CyclePoints
+from cranktrain.questions.crankshaft.loads_over_cycle import LoadsOverCycle
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
 from cranktrain.questions.crankshaft.stages import MainBearingLoads
 from cranktrain.questions.crankshaft.turning_axes import in_turning_axes
-from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 
@@ -69,16 +68,14 @@ class JournalWear(StageResult):
     )
 
 
-def journal_loads(
-    loaded: LoadedShafts, bearings: MainBearingLoads, solved: SolvedCycle, crank_angle: CrankAngle
-) -> JournalLoads:
+def journal_loads(loaded: LoadedShafts, bearings: MainBearingLoads, over_cycle: LoadsOverCycle) -> JournalLoads:
     """Turn the loads of the main bearings into axes of their shafts.
 
     Notes
     -----
     docs/theory/crankshaft, eq. (24.44).
     """
-    directions, senses = _axes(loaded, loaded.loads(crank_angle.angle, solved.batches))
+    directions, senses = _axes(loaded, over_cycle.each)
     x, y = bearings.main_bearing_load_x, bearings.main_bearing_load_y
     return JournalLoads(*in_turning_axes(x, y, directions, senses))
 

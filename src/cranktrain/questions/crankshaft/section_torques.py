@@ -16,6 +16,7 @@ from cranktrain.numerics import Curve, Peak
 from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.bearings_between_events import bearing_loads_of, methods_for
+from cranktrain.questions.crankshaft.loads_over_cycle import LoadsOverCycle
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, torques
 from cranktrain.questions.crankshaft.stages import MainBearingLoads
@@ -98,6 +99,7 @@ def section_torques(
     loaded: LoadedShafts,
     declared: DeclaredCrankshafts,
     bearings: MainBearingLoads,
+    over_cycle: LoadsOverCycle,
     solved: SolvedCycle,
     events: ForceEvents,
     crank_angle: CrankAngle,
@@ -109,7 +111,7 @@ def section_torques(
     docs/theory/crankshaft, eqs. (24.37) and (24.38).
     """
     on_axis = np.concatenate([_on_axis(one) for one in loaded.each])
-    acting = loaded.loads(crank_angle.angle, solved.batches)
+    acting = over_cycle.each
     load = np.stack([bearings.main_bearing_load_x, bearings.main_bearing_load_y], axis=3)
     methods = methods_for(declared)
     curves = np.stack([_along(loaded, acting, load[:, place]) for place in range(len(methods))], axis=1)

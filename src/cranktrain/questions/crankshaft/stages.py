@@ -20,12 +20,12 @@ from cranktrain.questions.crankshaft.bearings_between_events import (
     methods_for,
 )
 from cranktrain.questions.crankshaft.cycle_points import CyclePoints
+from cranktrain.questions.crankshaft.loads_over_cycle import LoadsOverCycle
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, on_axis
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.peaks import largest_of_machine, one_sided
-from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.wording import Names, number
@@ -69,7 +69,7 @@ class MainBearingLoads(StageResult):
 def main_bearing_loads(
     loaded: LoadedShafts,
     declared: DeclaredCrankshafts,
-    solved: SolvedCycle,
+    over_cycle: LoadsOverCycle,
     events: ForceEvents,
     crank_angle: CrankAngle,
     between: BearingsBetweenEvents,
@@ -82,7 +82,7 @@ def main_bearing_loads(
     docs/theory/crankshaft.
     """
     methods = methods_for(declared)
-    acting = loaded.loads(crank_angle.angle, solved.batches)
+    acting = over_cycle.each
     found = [[method.loads(one.shaft, own) for one, own in zip(loaded.each, acting, strict=True)] for method in methods]
     curves = np.stack([np.concatenate([own.load for own in each], axis=1) for each in found], axis=1)
     samples = np.hypot(curves[:, :, :, 0], curves[:, :, :, 1])

@@ -22,7 +22,6 @@ Motor: TypeAlias = Callable[[float, float, Any], float]
 ANGLE, SPEED, MOTOR_WORK, LOAD_WORK, LOST_WORK, HEAT = range(6)
 """Components of the state."""
 N_STATE = 6
-N_FED = 2
 OPEN, JAMMED = 1, 2
 """Why there is no acceleration: links do not close; none or several satisfy the law of the gearing."""
 

@@ -15,6 +15,8 @@ TIME_OUT, SPEED_REACHED, AT_REST, STALLED, OVERSPEED, SWINGS, TOO_MANY_STEPS, LI
 REVERSAL, DEAD_POSITION, SPEED_PASSED, HELD, SET_OFF = range(5)
 """What is noted on the way."""
 
+_OVER, _REACHED = 100, 101
+"""What else than a reversal may end a step, apart from all that is noted."""
 _LARGEST_TURN = 2 * np.pi / 50
 """In a step: with more, a speed that passes a level twice would be overlooked."""
 _LEAST_WIDTH = 1e-14
@@ -235,11 +237,11 @@ def run_on(
                 theta_end, ending, level = stop, REVERSAL, 0.0
             over = passed_level(state, slopes, width, sense * limits.overspeed, sense)
             if over < theta_end:
-                theta_end, ending, level = over, 100, sense * limits.overspeed
+                theta_end, ending, level = over, _OVER, sense * limits.overspeed
             reached = passed_level(state, slopes, width, sense * limits.target_speed, sense)
             if reached < theta_end:
                 if limits.stops_at_target:
-                    theta_end, ending, level = reached, 101, sense * limits.target_speed
+                    theta_end, ending, level = reached, _REACHED, sense * limits.target_speed
                 else:
                     passed = sense * limits.target_speed
                     part = _settled_on(
@@ -270,9 +272,9 @@ def run_on(
                 time += part
                 for component in range(n_state):
                     state[component] = trial[component]
-                if ending == 100:
+                if ending == _OVER:
                     return OVERSPEED, time, n_steps, n_marks
-                if ending == 101:
+                if ending == _REACHED:
                     n_marks = _noted(marks, n_marks, SPEED_PASSED, time, state[0], state[1])
                     return SPEED_REACHED, time, n_steps, n_marks
                 state[1] = 0.0
