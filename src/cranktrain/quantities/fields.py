@@ -33,3 +33,6 @@ HeatTransfer: TypeAlias = Annotated[Given, Quantity(Dimension.HEAT_TRANSFER, at_
 PositiveDensity: TypeAlias = Annotated[Given, Quantity(Dimension.DENSITY, above=0.0)]
 PositiveTorsionalStiffness: TypeAlias = Annotated[Given, Quantity(Dimension.TORSIONAL_STIFFNESS, above=0.0)]
 Temperature: TypeAlias = Annotated[Given, Quantity(Dimension.TEMPERATURE, above=0.0)]
+Time: TypeAlias = Annotated[Given, Quantity(Dimension.TIME, at_least=0.0)]
+PositiveTime: TypeAlias = Annotated[Given, Quantity(Dimension.TIME, above=0.0)]
+PositivePower: TypeAlias = Annotated[Given, Quantity(Dimension.POWER, above=0.0)]
