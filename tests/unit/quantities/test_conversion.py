@@ -35,6 +35,11 @@ DIMENSIONALITY = {
     Dimension.ENERGY: {M: 1, L: 2, T: -2},
     Dimension.HEAT_TRANSFER: {M: 1, T: -3, "[temperature]": -1},
     Dimension.TEMPERATURE: {"[temperature]": 1},
+    Dimension.TIME: {T: 1},
+    Dimension.FREQUENCY: {T: -1},
+    Dimension.VOLTAGE: {M: 1, L: 2, T: -3, "[current]": -1},
+    Dimension.CURRENT: {"[current]": 1},
+    Dimension.RESISTANCE: {M: 1, L: 2, T: -3, "[current]": -2},
 }
 OF_PINT = {
     "rev": "turn",

@@ -89,6 +89,16 @@ MULTIPLICATIVE = {
         LBF * INCH: ("lbf·in/rad", "in·lbf/rad", "фунт-сила·дюйм/рад"),
     },
     D.TEMPERATURE: {Fraction(1): ("K", "К")},
+    D.TIME: {
+        Fraction(1): ("s", "с"),
+        Fraction(1, 1000): ("ms", "мс"),
+        Fraction(60): ("min", "мин"),
+        Fraction(3600): ("h", "ч"),
+    },
+    D.FREQUENCY: {Fraction(1): ("Hz", "Гц")},
+    D.VOLTAGE: {Fraction(1): ("V", "В"), Fraction(1000): ("kV", "кВ")},
+    D.CURRENT: {Fraction(1): ("A", "А")},
+    D.RESISTANCE: {Fraction(1): ("Ω", "\u2126", "ohm", "Ом")},
 }
 SPELLED = [
     (dimension, factor, unit)
