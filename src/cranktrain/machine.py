@@ -143,9 +143,7 @@ class Machine(Spec, frozen=True):
         default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
     )
 
-    drive: DriveSpec | None = Field(
-        default=None, description=N_("What drives the crank, and how it starts.")
-    )
+    drive: DriveSpec | None = Field(default=None, description=N_("What drives the crank, and how it starts."))
 
     def __init__(self, /, **data: Any) -> None:
         try:

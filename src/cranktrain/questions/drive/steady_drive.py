@@ -16,6 +16,7 @@ from cranktrain.questions.drive.gear_train import Passed, through_stages
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
+from cranktrain.questions.drive.running.reduced import ReducedMachine
 from cranktrain.questions.drive.steady_cycle import Mesh, SpeedOverTurn, mesh_of, speed_over_turn
 from cranktrain.record import record
 from cranktrain.wording import Names, number
@@ -30,12 +31,13 @@ _SLOWEST = 0.02
 
 
 class DriveInTurn(NamedTuple):
-    """One design's machine, motor and gearing, as it turns forward."""
+    """One design's machine, motor and gearing, as it turns forward; `here` is the machine at some crank angles."""
 
-    machine: ReducedAt
+    machine: ReducedMachine
     motor: DeclaredMotor
     design: int
     gearing: Gearing
+    here: ReducedAt
 
     def motor_torque(self, speed: Array) -> Array:
         """At the motor, by speeds of the crank, shape (n,). [N·m]"""
@@ -49,12 +51,15 @@ class DriveInTurn(NamedTuple):
 
     def passed(self, speed: Array) -> Passed:
         """Acceleration of the crank, and torque at the output of every stage."""
-        taken = self.machine.taken(speed)
-        return through_stages(self.motor_torque(speed), self.machine.inertia, taken, self.gearing)
+        taken = self.here.taken(speed)
+        return through_stages(self.motor_torque(speed), self.here.inertia, taken, self.gearing)
 
-    def at(self, machine: ReducedAt) -> "DriveInTurn":
-        """The same at other crank angles."""
-        return self._replace(machine=machine)
+    def at(self, angle: Array) -> "DriveInTurn":
+        """The same at other crank angles, shape (n,). [rad]"""
+        return self._replace(here=reduced_at(self.machine, angle))
+
+
+_NOWHERE = ReducedAt(*np.empty((3, 0)), (), np.empty(0))
 
 
 @record
@@ -120,18 +125,7 @@ def steady_drive(
     residuals: list[float] = []
     flags: list[str] = []
     for design, gearing in enumerate(drive.gearings):
-        machine = machines.each[design]
-        corners = machines.corners[min(design, len(machines.corners) - 1)]
-        mesh = mesh_of(machines.cycle, corners)
-        turning = DriveInTurn(reduced_at(machine, mesh.nodes), motor, design, gearing)
-        found = None
-        for _round in range(_MOST_MESHES):
-            found = _cycle(turning, mesh)
-            kinks = None if found is None else _kinks(turning, found)
-            if found is None or kinks is None or kinks.size == 0:
-                break
-            mesh = mesh_of(machines.cycle, np.concatenate([corners, kinks]))
-            turning = turning.at(reduced_at(machine, mesh.nodes))
+        turning, found = _settled(DriveInTurn(machines.each[design], motor, design, gearing, _NOWHERE), machines)
         each.append(found)
         angle = np.broadcast_to(crank_angle.angle[:, 0], (len(drive.gearings), crank_angle.shown.size))[design]
         if found is None:
@@ -139,8 +133,7 @@ def steady_drive(
             rows.append((*np.full((5, angle.size), np.nan), *np.full((11, 1), np.nan)))
             residuals.append(0.0)
             continue
-        curves = turning.at(reduced_at(machine, angle))
-        rows.append((*_curves(curves, found.at(angle)), *_facts(turning, found)))
+        rows.append((*_curves(turning.at(angle), found.at(angle)), *_facts(turning, found)))
         residuals.append(_residual(turning, found))
         flags += _flags(found)
     columns = [np.stack([row[at] for row in rows]) for at in range(5)]
@@ -159,6 +152,20 @@ def steady_drive(
         ),
         flags=tuple(dict.fromkeys(flags)),
     )
+
+
+def _settled(turning: DriveInTurn, machines: ReducedMachines) -> tuple[DriveInTurn, SpeedOverTurn | None]:
+    """Steady cycle on pieces that end where loads have corners, and losses too; with the drive there."""
+    corners = machines.corners[min(turning.design, len(machines.corners) - 1)]
+    mesh = mesh_of(machines.cycle, corners)
+    for rest in reversed(range(_MOST_MESHES)):
+        turning = turning.at(mesh.nodes)
+        found = _cycle(turning, mesh)
+        kinks = np.empty(0) if found is None else _kinks(turning, found)
+        if rest == 0 or kinks.size == 0:
+            break
+        mesh = mesh_of(machines.cycle, np.concatenate([corners, kinks]))
+    return turning, found
 
 
 def _cycle(turning: DriveInTurn, mesh: Mesh) -> SpeedOverTurn | None:
@@ -206,7 +213,7 @@ def _facts(turning: DriveInTurn, found: SpeedOverTurn) -> tuple[Array, ...]:
     """Facts of one design, in the order of `SteadyDrive`."""
     speed, ratio = found.speed, overall_ratio(turning.gearing)
     torque = turning.motor_torque(speed)
-    driven = turning.machine.by_load(speed) * speed
+    driven = turning.here.by_load(speed) * speed
     power, taken = found.over_time(torque * speed * ratio), found.over_time(driven)
     whole = found.at(np.linspace(0, np.sum(found.mesh.width), 20001))
     at_whole = turning.motor_torque(whole)
@@ -238,14 +245,14 @@ def _residual(turning: DriveInTurn, found: SpeedOverTurn) -> float:
         factor = np.where(output > 0, 1 / gearing.forward[stage], gearing.backward[stage])
         ratio /= gearing.ratio[stage]
         lost = lost + (output * (factor - 1) + gearing.drag[stage] * gearing.ratio[stage]) * ratio
-    works = found.mesh.mean(np.stack([torque, turning.machine.by_load(speed), lost]))
-    scale = found.mesh.mean(np.abs(np.stack([torque, turning.machine.by_load(speed), lost])))
+    works = found.mesh.mean(np.stack([torque, turning.here.by_load(speed), lost]))
+    scale = found.mesh.mean(np.abs(np.stack([torque, turning.here.by_load(speed), lost])))
     return float(abs(works[0] - works[1] - works[2]) / np.max(scale))
 
 
 def _no_cycle(turning: DriveInTurn) -> str:
     """Say why there is no steady running."""
-    if np.any(np.isnan(turning.passed(np.full(turning.machine.load.shape, 1.0)).acceleration)):
+    if np.any(np.isnan(turning.passed(np.full(turning.here.load.shape, 1.0)).acceleration)):
         return _("No steady running: irreversible gearing jams, as no acceleration or several satisfy it.")
     return _("No steady running: the motor cannot carry the machine through the cycle.")
 
