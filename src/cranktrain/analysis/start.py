@@ -2,10 +2,11 @@
 
 from collections.abc import Callable, Mapping
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from cranktrain.analysis.dataset import with_attributes
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.stages import STAGES, lacking, leading_to, run_stages
@@ -18,9 +19,15 @@ from cranktrain.motion import Array
 from cranktrain.questions.drive.declared import DeclaredDrive, DeclaredStart
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.starting import StartCase, StartCurves, StartRun, run_start
+from cranktrain.questions.drive.running.gearing import overall_ratio
+from cranktrain.questions.drive.start_rows import start_rows
+from cranktrain.questions.drive.starting import StartCase, StartCurves, StartEvent, StartRun, run_start
 from cranktrain.questions.drive.steady_drive import SteadyDrive
 from cranktrain.record import record
+from cranktrain.rows import AnswerLine
+
+if TYPE_CHECKING:
+    import xarray
 
 Progress = Callable[[float, float], None]
 """Told the time and the speed of the crank that a run has come to. [s, rad/s]"""
@@ -35,11 +42,14 @@ class Start:
     machine : Machine
     run : StartRun
     motor : DeclaredMotor or None
+    gear_ratio : float
+        Turns of the motor for one of the crank.
     """
 
     machine: Machine
     run: StartRun
     motor: DeclaredMotor | None
+    gear_ratio: float
 
     def __getattr__(self, name: str) -> Array:
         """Give a curve over time by its name."""
@@ -56,6 +66,26 @@ class Start:
     def catalogue(self) -> Mapping[str, Entry]:
         """Curves over time by their names."""
         return {entry.name: entry for entry in entries(StartCurves)}
+
+    @property
+    def events(self) -> tuple[StartEvent, ...]:
+        """What happened on the way, in the order of time."""
+        return self.run.events
+
+    @cached_property
+    def dataset(self) -> "xarray.Dataset":
+        """As a dataset over the time, with units, symbols, sentences and sources."""
+        import xarray
+
+        variables = {
+            name: (("time",), *with_attributes(entry, getattr(self, name))) for name, entry in self.catalogue.items()
+        }
+        times = ("time", self.time, {"units": "s", "symbol": "t"})
+        return xarray.Dataset(variables, {"time": times}, {"name": self.machine.name, "reason": self.run.reason})
+
+    def rows(self) -> list[AnswerLine]:
+        """Rows of the answer."""
+        return list(start_rows(self.run))
 
 
 def start(machine: Machine, *, progress: Progress | None = None) -> Start:
@@ -87,11 +117,8 @@ def start(machine: Machine, *, progress: Progress | None = None) -> Start:
         raise InputError([Problem("drive", None, _("needs what the machine moves: {lacks}").format(lacks=lacks))])
     wanted = [kind for kind in (ReducedMachines, SteadyDrive) if kind not in absent]
     found: Any = run_stages(leading_to(STAGES, wanted), parts, absent)
-    return Start(machine, run_start(_case(parts, found), progress), _part(parts, DeclaredMotor))
-
-
-def _part(parts: Mapping[type, Any], kind: type) -> Any:
-    return parts.get(kind)
+    case = _case(parts, found)
+    return Start(machine, run_start(case, progress), case.motor, overall_ratio(case.gearing))
 
 
 def _case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCase:

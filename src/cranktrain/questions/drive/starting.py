@@ -62,6 +62,8 @@ EVENTS = {
     transient.HELD: N_("is held"),
     transient.SET_OFF: N_("sets off"),
 }
+NEARLY_STEADY = N_("98 % of its steady speed")
+SETTLED = N_("it runs as it will: two cycles more")
 
 
 @record
@@ -259,7 +261,7 @@ def _together(case: StartCase, runs: list[tuple[_Span, Run]]) -> StartRun:
     span, last = runs[-1]
     time, state = np.concatenate(times), np.concatenate(states)
     return StartRun(
-        reason=_(REASONS[last.reason]),
+        reason=_(SETTLED if case.is_to_settle and len(runs) > 1 else REASONS[last.reason]),
         time=time,
         curves=_curves(case, time, state),
         events=tuple(_events(case, runs)),
@@ -307,7 +309,12 @@ def _events(case: StartCase, runs: list[tuple[_Span, Run]]) -> Iterator[StartEve
     """What happened on the way, by time."""
     for span, found in runs:
         for event in found.events:
-            yield StartEvent(_(EVENTS[event.kind]), span.start + event.time, event.angle - case.zero, event.speed)
+            yield StartEvent(
+                _(NEARLY_STEADY if event.kind == transient.SPEED_PASSED and case.is_to_settle else EVENTS[event.kind]),
+                float(span.start + event.time),
+                float(event.angle - case.zero),
+                float(event.speed),
+            )
 
 
 def _spans(case: StartCase) -> Iterator[_Span]:
