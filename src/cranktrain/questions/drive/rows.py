@@ -25,7 +25,7 @@ def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[An
         ),
         rms=Amount(float(found.rms_static_torque[design, 0]), "N*m"),
     )
-    moments = found.flywheel_moment[design, 0]
+    moments = found.driven_flywheel_moment[design, 0]
     yield worded(
         _("GD² at {shaft}").format(shaft=labels["drive_shaft"][0]),
         _("{range}; {own} of it the drive's own"),

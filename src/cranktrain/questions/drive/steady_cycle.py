@@ -30,7 +30,7 @@ def _rule() -> tuple[Array, Array]:
 _NODES, _INTEGRALS = _rule()
 
 
-class Mesh(NamedTuple):
+class CyclePieces(NamedTuple):
     """Pieces of a cycle between its corners: their starts and widths, shape (piece,) [rad]."""
 
     start: Array
@@ -53,7 +53,7 @@ class SpeedOverTurn:
 
     Attributes
     ----------
-    mesh : Mesh
+    mesh : CyclePieces
     half_square : Array, shape (piece · node,)
         ω²/2 at the nodes. [rad²/s²]
     at_start : Array, shape (piece,)
@@ -64,7 +64,7 @@ class SpeedOverTurn:
         What is left after a cycle of a small departure of ω²: below 1 the running is stable.
     """
 
-    mesh: Mesh
+    mesh: CyclePieces
     half_square: Array
     at_start: Array
     acceleration: Array
@@ -98,23 +98,25 @@ class SpeedOverTurn:
         return np.sqrt(2 * (self.at_start[piece] + width[piece] * grown))
 
 
-def mesh_of(cycle: float, corners: Array) -> Mesh:
+def mesh_of(cycle: float, corners: Array) -> CyclePieces:
     """Pieces of a cycle, none wider than a forty-eighth of a turn, that end at all corners; NaN is none. [rad]"""
     own = np.mod(corners[np.isfinite(corners)], cycle)
     ends = np.unique(np.concatenate([np.linspace(0.0, cycle, round(cycle / _WIDEST) + 1), own]))
     ends = ends[np.append(True, np.diff(ends) > 1e-9)]
     ends[-1] = cycle
-    return Mesh(ends[:-1], np.diff(ends))
+    return CyclePieces(ends[:-1], np.diff(ends))
 
 
-def speed_over_turn(acceleration: Callable[[Array], Array], mesh: Mesh, first_speed: float) -> SpeedOverTurn | None:
+def speed_over_turn(
+    acceleration: Callable[[Array], Array], mesh: CyclePieces, first_speed: float
+) -> SpeedOverTurn | None:
     """Find the cycle that repeats itself, near a constant speed.
 
     Parameters
     ----------
     acceleration : callable
         Of the crank at the nodes of the mesh, by the speeds there, shape (n,). [rad/s → rad/s²]
-    mesh : Mesh
+    mesh : CyclePieces
     first_speed : float
         [rad/s]
 
@@ -148,7 +150,7 @@ def speed_over_turn(acceleration: Callable[[Array], Array], mesh: Mesh, first_sp
     return None
 
 
-def _linear_cycle(slope: Array, rest: Array, mesh: Mesh) -> tuple[Array, Array, Array, float]:
+def _linear_cycle(slope: Array, rest: Array, mesh: CyclePieces) -> tuple[Array, Array, Array, float]:
     """Periodic solution of y′ = a y + b: at the nodes, where pieces begin, its slope; and its multiplier."""
     width = mesh.width[:, np.newaxis, np.newaxis]
     a, b = (part.reshape(-1, _N_NODES) for part in (slope, rest))

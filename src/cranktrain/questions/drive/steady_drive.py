@@ -17,7 +17,7 @@ from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
 from cranktrain.questions.drive.running.reduced import ReducedMachine
-from cranktrain.questions.drive.steady_cycle import Mesh, SpeedOverTurn, mesh_of, speed_over_turn
+from cranktrain.questions.drive.steady_cycle import CyclePieces, SpeedOverTurn, mesh_of, speed_over_turn
 from cranktrain.record import record
 from cranktrain.wording import Names, number
 
@@ -168,13 +168,13 @@ def _settled(turning: DriveInTurn, machines: ReducedMachines) -> tuple[DriveInTu
     return turning, found
 
 
-def _cycle(turning: DriveInTurn, mesh: Mesh) -> SpeedOverTurn | None:
+def _cycle(turning: DriveInTurn, mesh: CyclePieces) -> SpeedOverTurn | None:
     """Steady cycle nearest to the speed at which mean torques balance."""
     first = _balanced_speed(turning, mesh)
     return None if first is None else speed_over_turn(lambda speed: turning.passed(speed).acceleration, mesh, first)
 
 
-def _balanced_speed(turning: DriveInTurn, mesh: Mesh) -> float | None:
+def _balanced_speed(turning: DriveInTurn, mesh: CyclePieces) -> float | None:
     """Highest constant speed of the crank at which the mean acceleration falls through 0; None without one. [rad/s]"""
     top = float(turning.motor.top_speed[turning.design]) / overall_ratio(turning.gearing)
     if not np.isfinite(top):
