@@ -21,8 +21,8 @@ from cranktrain.layout.gearing import first_axis
 from cranktrain.layout.load_tables import LoadSpec, LoadTables
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
-from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.shaft_problems import shaft_problems
+from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
 from cranktrain.layout.unit_tables import unit_problems
 from cranktrain.mechanisms import AnyMechanism

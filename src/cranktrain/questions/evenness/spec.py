@@ -31,7 +31,7 @@ Coefficient = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, below=2.0)]
 Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
 
 
-class StraightMotorSpec(Spec, frozen=True):
+class MotorSpec(Spec, frozen=True):
     """A motor on the shaft whose torque falls with the speed in a straight line, by two points of it."""
 
     torque: PositiveTorque = Field(description=N_("Torque of the motor at the speed beside it, on the crankshaft."))
@@ -68,7 +68,7 @@ class RimSpec(Spec, frozen=True):
 class EvennessSpec(Spec, frozen=True):
     """What drives the machine besides its loads, its flywheel, and how evenly it is to run."""
 
-    motor: StraightMotorSpec | None = Field(
+    motor: MotorSpec | None = Field(
         default=None,
         description=N_("A motor that drives the machine; the mean speed comes out. Without it a constant torque."),
     )
