@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import legendre
-from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.record import record
@@ -90,8 +89,7 @@ class SpeedOverTurn:
         """Speed at any crank angles of the cycle, shape (n,). [rad/s]"""
         start, width = self.mesh.start, self.mesh.width
         along = np.mod(angle - start[0], np.sum(width)) + start[0]
-        before: NDArray[np.intp] = np.searchsorted(start, along, side="right")
-        piece = np.clip(before - 1, 0, len(start) - 1)
+        piece = np.sum(along[:, np.newaxis] >= start[1:], axis=1)
         place = (along - start[piece]) / width[piece]
         slopes = self.acceleration.reshape(-1, _N_NODES)[piece]
         integrals: list[Array] = [
