@@ -8,6 +8,7 @@ from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, 
 from cranktrain.layout.uses import inner_table, table
 from cranktrain.questions.drive import rows
 from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
+from cranktrain.questions.drive.half_periods import half_periods
 from cranktrain.questions.drive.reduction import reduced_machines
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.drive.static_torques import StaticTorques, static_torques
@@ -30,11 +31,13 @@ QUESTION = Question(
     stages=(
         Stage(reduced_machines, applies=is_driven),
         Stage(static_torques),
+        Stage(half_periods),
         Stage(steady_drive),
     ),
     dimensions=(
         ResultDimension("drive_shaft", N_("shaft of the drive")),
         ResultDimension("loss_rule", N_("losses")),
+        ResultDimension("half_period", N_("half-period"), is_number=True),
     ),
     headline=("rms_motor_torque",),
     title=N_("Drive"),
