@@ -205,6 +205,11 @@ class Dimension(Enum):
         (_unit("W/m²/K", "W/(m²·K)", "Вт/м²/К"), _unit("kW/m²/K", "kW/(m²·K)", "кВт/м²/К", si=1000)),
     )
     DENSITY = (N_("a density"), "7200 kg/m³", (_unit("kg/m³", "кг/м³"), _unit("g/cm³", "г/см³", si=1000)))
+    TIME = (
+        N_("a time"),
+        "2 s",
+        (_unit("s", "с"), _unit("ms", "мс", si="0.001"), _unit("min", "мин", si=60), _unit("h", "ч", si=3600)),
+    )
     TEMPERATURE = (N_("a temperature"), "20 °C", (_unit("°C", "degC", "°С", offset=_FREEZING), _unit("K", "К")))
 
     def __init__(self, noun: str, example: str, units: tuple[Unit, ...]) -> None:

@@ -33,3 +33,4 @@ HeatTransfer: TypeAlias = Annotated[Given, Quantity(Dimension.HEAT_TRANSFER, at_
 PositiveDensity: TypeAlias = Annotated[Given, Quantity(Dimension.DENSITY, above=0.0)]
 PositiveTorsionalStiffness: TypeAlias = Annotated[Given, Quantity(Dimension.TORSIONAL_STIFFNESS, above=0.0)]
 Temperature: TypeAlias = Annotated[Given, Quantity(Dimension.TEMPERATURE, above=0.0)]
+NonNegativeTime: TypeAlias = Annotated[Given, Quantity(Dimension.TIME, at_least=0.0)]

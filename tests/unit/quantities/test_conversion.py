@@ -35,6 +35,7 @@ DIMENSIONALITY = {
     Dimension.ENERGY: {M: 1, L: 2, T: -2},
     Dimension.HEAT_TRANSFER: {M: 1, T: -3, "[temperature]": -1},
     Dimension.TEMPERATURE: {"[temperature]": 1},
+    Dimension.TIME: {T: 1},
 }
 OF_PINT = {
     "rev": "turn",

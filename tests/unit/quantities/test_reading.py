@@ -89,6 +89,12 @@ MULTIPLICATIVE = {
         LBF * INCH: ("lbf·in/rad", "in·lbf/rad", "фунт-сила·дюйм/рад"),
     },
     D.TEMPERATURE: {Fraction(1): ("K", "К")},
+    D.TIME: {
+        Fraction(1): ("s", "с"),
+        Fraction(1, 1000): ("ms", "мс"),
+        Fraction(60): ("min", "мин"),
+        Fraction(3600): ("h", "ч"),
+    },
 }
 SPELLED = [
     (dimension, factor, unit)

@@ -329,6 +329,8 @@ class _Walk:
             state[SPEED] = 0.0
             if acting.phase.is_locked:
                 state[WHEEL] = 0.0
+        elif watch.kind == _STALL:
+            state[WHEEL] = 0.0
         elif watch.kind == _MEET:
             state[WHEEL] = press.ratio * state[SPEED]
         self._move(time, state)
