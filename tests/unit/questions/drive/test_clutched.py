@@ -4,10 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from tests.presses import BARE, IDLE, KERNELS, PRESS, PRESSING, SYNCHRONOUS, bare_press
+from tests.presses import BARE, IDLE, KERNELS, PRESS, PRESSING, bare_press
 
 from cranktrain.questions.drive.clutched.courses import PRESSED, RELEASED, Grip, commanded, piece_from
 from cranktrain.questions.drive.clutched.equation import ANGLE, BRAKE_HEAT, CLUTCH_HEAT, SPEED, WHEEL, kinetic_energy
+from cranktrain.questions.drive.clutched.repeating import repeated_stroke
 from cranktrain.questions.drive.clutched.runs import (
     ANGLE_PASSED,
     AT_STAND,
@@ -27,7 +28,7 @@ from cranktrain.questions.drive.clutched.runs import (
     piece_of,
     turning,
 )
-from cranktrain.questions.drive.clutched.stopping import stop_measurement
+from cranktrain.questions.drive.clutched.stopping import stop_measurement, worst_stop
 from cranktrain.questions.drive.clutched.stroke import heat_rate_limit, single_stroke, time_limit, top_command_angle
 from cranktrain.questions.drive.clutched.walking import run_press, starting, stopping
 from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, no_heat
@@ -128,7 +129,7 @@ class TestConstantInertia:
         assert found.end.state[SPEED] == pytest.approx(ending, rel=1e-12)
 
     def test_breaks_loose_where_the_torque_falls(self):
-        """Let go in a line from 1000 N·m, it holds `held_torque` until 1000(1 − t/0.2) is less; the brake adds 1 N·m."""
+        """It holds `held_torque` until 1000(1 − t/0.2) is less; the brake adds 1 N·m."""
         press = bare_press(Grip(900.0, 1000.0, 0.0, 0.0, 0.0, 0.2))
         start = stopping(turning(press, 40.0, 0.0), press)
         found = plain(BARE, press, start, PressPlan(0.2))
@@ -136,7 +137,7 @@ class TestConstantInertia:
         assert found.of_kind(LOOSE)[0].moment.time == pytest.approx(0.2 * (1 - held / 1000.0), rel=1e-11)
 
     def test_rise(self):
-        """While the torque rises the load holds; it sets off at 150 N·m, and the momentum of both sides tells the rest."""
+        """While the torque rises the load holds; it sets off at 150 N·m, and the momentum tells the rest."""
         press = bare_press(Grip(900.0, 1000.0, 0.1, 0.3), load=0.0, dry=150.0)
         press = press._replace(machine=(6.0, 0.0, 150.0))
         found = plain(BARE, press, start_of(press), PressPlan(0.39))
@@ -324,4 +325,52 @@ def test_locked_is_the_ordinary_equation():
 
 def test_kinetic_energy():
     assert kinetic_energy(BARE, bare_press(Grip(1.0, 1.0)), turning(bare_press(Grip(1.0, 1.0)), 2.0, 0.0).state) == 92.0
-    assert SYNCHRONOUS / IDLE == pytest.approx(3.3)
+
+
+class TestRepeated:
+    """Thirty strokes a minute, each of which begins as the one before."""
+
+    found = repeated_stroke(KERNELS, PRESS, PLAN, period=2.0, idle_speed=IDLE, is_compiled=False)
+
+    def test_it_is_what_strokes_come_to(self):
+        """From the flywheel's idle speed on, one after another."""
+        speed = IDLE
+        for _ in range(12):
+            stroke = stroke_of_speed(speed, 2.0)
+            waiting = PLAN._replace(end_time=2.0, command_angle=math.inf, ends_at_rest=False)
+            speed = plain(KERNELS, PRESS, stroke.run.end, waiting).end.state[WHEEL]
+        assert self.found.wheel_speed == pytest.approx(speed, rel=1e-8)
+        assert self.found.wheel_speed < IDLE
+        assert self.found.is_in_time
+
+    def test_power(self):
+        """What the motor gives is heat, work of the load and loss of the gear; heat of the clutch and brake for two."""
+        stroke = self.found.stroke
+        taken = stroke.run.end.state[4:8].sum()
+        assert self.found.motor_power * 2.0 == pytest.approx(taken, rel=1e-8)
+        assert self.found.clutch_power * 2.0 == stroke.clutch_heat
+
+    def test_too_fast(self):
+        """It is still on its way when the next one should begin."""
+        found = repeated_stroke(KERNELS, PRESS, PLAN, period=0.5, idle_speed=IDLE, is_compiled=False)
+        assert not found.is_in_time
+        assert math.isnan(found.wheel_speed)
+
+
+def test_worst_stop():
+    """Against a denser look: the longest lies where the ram is fastest down, before the blank helps to stop it."""
+    plan = PLAN._replace(end_time=1.0, command_angle=math.inf)
+    start = turning(PRESS, IDLE / 5, 0.0, PRESSING)
+    found = worst_stop(KERNELS, PRESS, start, plan, over=(0.5, 1.6), n_angles=6, n_zooms=2, is_compiled=False)
+    passed = tuple(np.linspace(0.6, 1.1, 41))
+    dense = stop_measurement(KERNELS, PRESS, start, plan._replace(passed=passed), is_compiled=False)
+    assert found.angle == pytest.approx(np.max(dense.angle), abs=2e-5)
+    assert found.angle >= np.max(dense.angle) - 1e-7
+    assert found.time == pytest.approx(np.max(dense.time), abs=2e-6)
+    assert 0.6 < found.angle_command < 1.1
+
+
+def stroke_of_speed(speed, end_time):
+    return single_stroke(
+        KERNELS, PRESS, PLAN._replace(end_time=end_time), wheel_speed=speed, recovery_limit=0.0, is_compiled=False
+    )

@@ -12,7 +12,9 @@ def test_numbers():
     table = {"torque": "4.8 kgf·m", "delay": "30 ms", "rise_time": "0.1 s", "side": "crank"}
     clutch = validated(ClutchSpec, table)
     assert grip_of(clutch) == pytest.approx(Grip(47.07192, 47.07192, 0.03, 0.1, 0.0, 0.0))
-    brake = validated(BrakeSpec, {"torque": "2 N·m", "static_torque": "3 N·m", "release_delay": "1 s", "fall_time": "2 s"})
+    brake = validated(
+        BrakeSpec, {"torque": "2 N·m", "static_torque": "3 N·m", "release_delay": "1 s", "fall_time": "2 s"}
+    )
     assert grip_of(brake) == Grip(2.0, 3.0, 0.0, 0.0, 1.0, 2.0)
     assert brake.on == "crank"
 

@@ -6,10 +6,9 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.equation import (
-    Acting,
     N_PRESS_STATE,
+    Acting,
     Phase,
-    Press,
     free_gearing,
     locked_gearing,
 )

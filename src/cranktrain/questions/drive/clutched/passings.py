@@ -8,7 +8,8 @@ from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.equation import N_PRESS_FED
 from cranktrain.questions.drive.running.tableau import INTERPOLANT
 
-_LOOKS = np.linspace(0.0, 1.0, 17)
+LOOKS = np.linspace(0.0, 1.0, 17)
+"""Parts of a step at which it is looked at."""
 FEW_LOOKS = np.linspace(0.0, 1.0, 5)
 """For what takes long to look at, and is as smooth as the step."""
 _MOST_TRIALS = 100
@@ -22,7 +23,7 @@ def states_within(state: Array, slopes: Array, width: float, parts: Array) -> Ar
 
 
 def first_fall(
-    curve: Callable[[Array], Array], tolerance: float, parts: Array = _LOOKS
+    curve: Callable[[Array], Array], parts: Array, values: Array, tolerance: float
 ) -> tuple[float, float] | None:
     """Bracket of the first part of a step at which a curve falls from above below 0; None where it does not.
 
@@ -30,10 +31,10 @@ def first_fall(
     ----------
     curve : callable
         Of parts of the step, shape (n,).
+    parts, values : Array, shape (n,)
+        Where it has been looked at, in even steps from 0 to 1, and what was seen there.
     tolerance : float
         Below 0 by no more is rounding.
-    parts : Array, optional
-        Where it is looked at, in even steps from 0 to 1.
 
     Notes
     -----
@@ -41,15 +42,16 @@ def first_fall(
 
     Examples
     --------
-    >>> first_fall(lambda part: 0.52 - part, 0.0)
-    (0.5, 0.5625)
+    >>> first_fall(lambda part: 0.52 - part, FEW_LOOKS, 0.52 - FEW_LOOKS, 0.0)
+    (0.5, 0.75)
+    >>> first_fall(lambda part: (part - 0.6) ** 2 - 1e-4, FEW_LOOKS, (FEW_LOOKS - 0.6) ** 2 - 1e-4, 0.0)
+    (0.5, 0.6)
     """
-    values, spacing = curve(parts), parts[1]
     bottom = (values[1:-1] < values[:-2]) & (values[1:-1] <= values[2:]) & (values[1:-1] >= 0)
     if bottom.any():
         at = np.flatnonzero(bottom) + 1
         left, middle, right = values[at - 1], values[at], values[at + 1]
-        moved = parts[at] + 0.5 * (left - right) / (left - 2 * middle + right) * spacing
+        moved = parts[at] + 0.5 * (left - right) / (left - 2 * middle + right) * parts[1]
         parts = np.concatenate([parts, moved])
         values = np.concatenate([values, curve(moved)])
         order = np.argsort(parts)
@@ -64,7 +66,7 @@ def first_fall(
 
 def least_within(curve: Callable[[Array], Array]) -> float:
     """Least value of a smooth curve over a step, by a parabola about the least of its looks."""
-    values = curve(_LOOKS)
+    values = curve(LOOKS)
     at = int(np.argmin(values))
     if at in (0, len(values) - 1):
         return float(values[at])
@@ -74,7 +76,7 @@ def least_within(curve: Callable[[Array], Array]) -> float:
 
 
 def fallen_at(curve: Callable[[float], float], low: float, high: float) -> float:
-    """Where a curve, above 0 at `low` and below at `high`, passes 0: the end from which on it is not above, to rounding.
+    """Where a curve, above 0 at `low` and below at `high`, passes 0: where it is not above any more, to rounding.
 
     By false position with the weight of the end that stays halved (Illinois), and by halving where that is slow.
     """

@@ -90,9 +90,7 @@ class StrokeSpec(Spec, frozen=True):
             yield Problem("command_angle", self.command_angle.text, allowed.format(angle=self.start_angle.text))
 
 
-def press_problems(
-    clutch: ClutchSpec | None, brake: BrakeSpec | None, stroke: StrokeSpec | None
-) -> Iterator[Problem]:
+def press_problems(clutch: ClutchSpec | None, brake: BrakeSpec | None, stroke: StrokeSpec | None) -> Iterator[Problem]:
     """Find what the three tables show only together to be wrong; paths are relative to [drive]."""
     if stroke is not None:
         for key, table in (("clutch", clutch), ("brake", brake)):

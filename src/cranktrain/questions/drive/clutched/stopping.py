@@ -98,3 +98,65 @@ def _stop(
     rest = run.of_kind(AT_STAND)[-1].moment
     turned, heat = (float(rest.state[part] - moment.state[part]) for part in (ANGLE, BRAKE_HEAT))
     return turned, rest.time - moment.time, heat, run.reason
+
+
+@record
+class WorstStop:
+    """The longest stop that any command angle leads to: by angle and by time, which need not be the same one.
+
+    Attributes
+    ----------
+    angle, time : float
+        From the command until the crank rests. [rad, s]
+    angle_command, time_command : float
+        At which crank angle it is given. [rad]
+    """
+
+    angle: float
+    time: float
+    angle_command: float
+    time_command: float
+
+
+def worst_stop(
+    kernels: Kernels,
+    press: Press,
+    start: Moment,
+    plan: PressPlan,
+    *,
+    over: tuple[float, float],
+    n_angles: int = 72,
+    n_zooms: int = 4,
+    is_compiled: bool = True,
+) -> WorstStop:
+    """Find the longest stop over a range of command angles. [rad]
+
+    On even steps first, then between the neighbours of the worst of them, each time eight times as dense. NaN if a
+    command does not stop the press at all.
+    """
+
+    def measured(low: float, high: float, n: int) -> StopMeasurement:
+        angles = np.linspace(low, high, n + 1)
+        passed = tuple(float(angle) for angle in angles)
+        return stop_measurement(kernels, press, start, plan._replace(passed=passed), is_compiled=is_compiled)
+
+    found = measured(*over, n_angles)
+    if not len(found.reasons) or any(reason != RESTS for reason in found.reasons):
+        return WorstStop(math.nan, math.nan, math.nan, math.nan)
+    results: list[tuple[float, float]] = []
+    for values in ("angle", "time"):
+        near, step = found, (over[1] - over[0]) / n_angles
+        best = _largest(near, values)
+        for _ in range(n_zooms):
+            near = measured(max(over[0], best[1] - step), min(over[1], best[1] + step), 16)
+            best, step = max(best, _largest(near, values)), step / 8
+        results.append(best)
+    (angle, at_angle), (time, at_time) = results
+    return WorstStop(angle, time, at_angle, at_time)
+
+
+def _largest(found: StopMeasurement, values: str) -> tuple[float, float]:
+    """Largest of angles or times, and the angle of its command."""
+    each = found.angle if values == "angle" else found.time
+    at = int(np.nanargmax(each))
+    return float(each[at]), float(found.command_angle[at])

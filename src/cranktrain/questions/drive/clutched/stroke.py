@@ -114,8 +114,9 @@ def single_stroke(
     stands = [event.moment for event in run.of_kind(AT_STAND)] or [run.end]
     rest = stands[-1] if is_over else None
     command = commands[0].moment if commands else None
-    has_both = rest is not None and command is not None
-    recovery = _recovery(kernels, press, run, plan, recovered_part, recovery_limit, is_compiled) if is_over else math.nan
+    recovery = (
+        _recovery(kernels, press, run, plan, recovered_part, recovery_limit, is_compiled) if is_over else math.nan
+    )
     return Stroke(
         run,
         _slip_time(run),
@@ -124,10 +125,10 @@ def single_stroke(
         float(run.end.state[BRAKE_HEAT]),
         1 - run.lowest_speed / wheel_speed,
         _pressing_drop(run) / wheel_speed,
-        float(rest.state[ANGLE] - command.state[ANGLE]) if has_both else math.nan,
-        rest.time - command.time if has_both else math.nan,
-        math.remainder(float(rest.state[ANGLE]), _TURN) if rest is not None else math.nan,
-        rest.time - run.start.time if rest is not None else math.nan,
+        float(rest.state[ANGLE] - command.state[ANGLE]) if rest and command else math.nan,
+        rest.time - command.time if rest and command else math.nan,
+        math.remainder(float(rest.state[ANGLE]), _TURN) if rest else math.nan,
+        rest.time - run.start.time if rest else math.nan,
         recovery,
         recovered_part,
     )
