@@ -361,9 +361,9 @@ def test_worst_stop():
     """Against a denser look: the longest lies where the ram is fastest down, before the blank helps to stop it."""
     plan = PLAN._replace(end_time=1.0, command_angle=math.inf)
     start = turning(PRESS, IDLE / 5, 0.0, PRESSING)
-    found = worst_stop(KERNELS, PRESS, start, plan, over=(0.5, 1.6), n_angles=6, n_zooms=2, is_compiled=False)
-    passed = tuple(np.linspace(0.6, 1.1, 41))
-    dense = stop_measurement(KERNELS, PRESS, start, plan._replace(passed=passed), is_compiled=False)
+    found = worst_stop(KERNELS, PRESS, start, plan, over=(0.5, 1.6), n_angles=6, n_zooms=2)
+    passed = tuple(np.linspace(0.6, 1.1, 41).tolist())
+    dense = stop_measurement(KERNELS, PRESS, start, plan._replace(passed=passed))
     assert found.angle == pytest.approx(np.max(dense.angle), abs=2e-5)
     assert found.angle >= np.max(dense.angle) - 1e-7
     assert found.time == pytest.approx(np.max(dense.time), abs=2e-6)

@@ -88,19 +88,28 @@ def repeated_stroke(
         return stroke, run_press(kernels, press, stroke.run.end, waiting, is_compiled=is_compiled)
 
     speed, grown, before = idle_speed, math.nan, math.nan
+    stroke, wait = after(speed)
     for _ in range(_MOST_TRIALS):
-        stroke, wait = after(speed)
         if wait is None:
-            return RepeatedStroke(period, math.nan, stroke, False, math.nan, math.nan, math.nan, math.nan)
+            return _none(period, stroke, is_in_time=False)
         excess = float(wait.end.state[WHEEL]) - speed
         if abs(excess) <= _SETTLED * idle_speed:
-            break
+            return _found(period, speed, stroke, wait)
         slope = (excess - grown) / (speed - before) if math.isfinite(before) else -1.0
         before, grown = speed, excess
         speed -= excess / (slope if slope < 0 else -1.0)
-    else:
-        return RepeatedStroke(period, math.nan, stroke, True, math.nan, math.nan, math.nan, math.nan)
+        stroke, wait = after(speed)
+    return _none(period, stroke, is_in_time=True)
+
+
+def _found(period: float, speed: float, stroke: Stroke, wait: PressRun) -> RepeatedStroke:
+    """Means over the period."""
     work, heat = (float(wait.end.state[part]) / period for part in (MOTOR_WORK, MOTOR_HEAT))
     return RepeatedStroke(
         period, speed, stroke, True, work, heat, stroke.clutch_heat / period, stroke.brake_heat / period
     )
+
+
+def _none(period: float, stroke: Stroke, *, is_in_time: bool) -> RepeatedStroke:
+    """No stroke repeats itself."""
+    return RepeatedStroke(period, math.nan, stroke, is_in_time, math.nan, math.nan, math.nan, math.nan)
