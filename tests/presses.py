@@ -5,8 +5,9 @@ import math
 import numpy as np
 
 from cranktrain.questions.drive.clutched.courses import Grip
-from cranktrain.questions.drive.clutched.equation import Press
+from cranktrain.questions.drive.clutched.equation import press_of
 from cranktrain.questions.drive.running.equation import Kernels, no_brake, no_heat, no_motor
+from cranktrain.questions.drive.running.gearing import stages
 
 RADIUS, ROD, RAM = 0.065, 0.65, 900.0
 GRAVITY = 9.80665
@@ -51,22 +52,35 @@ def wheel(_angle, _speed, sense, numbers):
 
 KERNELS = Kernels(ram, high_slip, no_heat, no_brake)
 BARE = Kernels(wheel, no_motor, no_heat, no_brake)
-PRESS = Press(
-    machine=(14.0, RAM, FORCE, 150.0, *PRESSING),
-    motor=(190.0, 0.45, SYNCHRONOUS),
-    motor_ratio=3.3,
-    wheel_inertia=24.0,
-    driven_inertia=0.4,
-    ratio=5.0,
-    forward=0.96,
-    backward=0.95,
-    clutch=Grip(4800.0, 6000.0, 0.03, 0.06, 0.02, 0.03),
-    brake=Grip(2600.0, 2800.0, 0.04, 0.05, 0.01, 0.02),
-    brake_on_crank=1.0,
-)
+NUMBERS = {
+    "machine": (14.0, RAM, FORCE, 150.0, *PRESSING),
+    "motor": (190.0, 0.45, SYNCHRONOUS),
+    "motor_ratio": 3.3,
+    "wheel_inertia": 24.0,
+    "driven_inertia": 0.4,
+    "ratio": 5.0,
+    "forward": 0.96,
+    "backward": 0.95,
+    "clutch": Grip(4800.0, 6000.0, 0.03, 0.06, 0.02, 0.03),
+    "brake": Grip(2600.0, 2800.0, 0.04, 0.05, 0.01, 0.02),
+    "brake_on_crank": True,
+}
+
+
+def press_with(**changes):
+    """The eccentric press, or one that differs: a belt without loss, flywheel, clutch, one gear, crank."""
+    own = {**NUMBERS, **changes}
+    before = stages(0.0, (own["motor_ratio"], 1.0, 1.0, 0.0, own["wheel_inertia"]))
+    behind = stages(own["driven_inertia"], (own["ratio"], own["forward"], own["backward"], 0.0, 0.0))
+    return press_of(
+        own["machine"], own["motor"], before, behind, own["clutch"], own["brake"], brake_on_crank=own["brake_on_crank"]
+    )
+
+
+PRESS = press_with()
 
 
 def bare_press(clutch, brake=None, load=150.0, dry=0.0):
     """Flywheel of 40 kg·m² and a wheel of 6, without motor and gear."""
     off = Grip(1.0, 1.0) if brake is None else brake
-    return Press((6.0, load, dry), (), 1.0, 40.0, 0.0, 1.0, 1.0, 1.0, clutch, off, 1.0)
+    return press_of((6.0, load, dry), (), stages(40.0), stages(0.0), clutch, off, brake_on_crank=True)

@@ -11,8 +11,8 @@ from cranktrain.questions.drive.clutched.equation import ANGLE, BRAKE_HEAT, CLUT
 from cranktrain.questions.drive.clutched.runs import AT_STAND, COMMAND, LOCKED, LOOSE, OFF, PressPlan
 from cranktrain.questions.drive.clutched.stroke import single_stroke
 
-CRANK, FRICTION, WHEEL_INERTIA, DRIVEN = 14.0, 150.0, PRESS.wheel_inertia, PRESS.driven_inertia
-RATIO, FORWARD, BACKWARD = PRESS.ratio, PRESS.forward, PRESS.backward
+CRANK, FRICTION, WHEEL_INERTIA, DRIVEN = 14.0, 150.0, 24.0, 0.4
+RATIO, FORWARD, BACKWARD = 5.0, 0.96, 0.95
 COMMAND_ANGLE = math.radians(300.0)
 
 

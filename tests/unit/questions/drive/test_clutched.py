@@ -4,10 +4,20 @@ import math
 
 import numpy as np
 import pytest
-from tests.presses import BARE, IDLE, KERNELS, PRESS, PRESSING, bare_press
+from tests.presses import BARE, IDLE, KERNELS, PRESS, PRESSING, bare_press, press_with
 
 from cranktrain.questions.drive.clutched.courses import PRESSED, RELEASED, Grip, commanded, piece_from
-from cranktrain.questions.drive.clutched.equation import ANGLE, BRAKE_HEAT, CLUTCH_HEAT, SPEED, WHEEL, kinetic_energy
+from cranktrain.questions.drive.clutched.equation import (
+    ANGLE,
+    BRAKE_HEAT,
+    CLUTCH_HEAT,
+    LOST_WORK,
+    MOTOR_WORK,
+    SPEED,
+    WHEEL,
+    kinetic_energy,
+    press_of,
+)
 from cranktrain.questions.drive.clutched.repeating import repeated_stroke
 from cranktrain.questions.drive.clutched.runs import (
     ANGLE_PASSED,
@@ -163,7 +173,8 @@ class TestConstantInertia:
     def test_brake_before_the_gear(self):
         """Its torque passes the gear toward the crank, which gives it back with the efficiency of that way."""
         press = bare_press(Grip(900.0, 1000.0), Grip(300.0, 400.0), load=0.0)
-        press = press._replace(ratio=4.0, forward=0.9, backward=0.8, brake_on_crank=0.0, driven_inertia=0.2)
+        behind = stages(0.2, (4.0, 0.9, 0.8, 0.0, 0.0))
+        press = press_of(press.machine, (), press.before, behind, press.clutch, press.brake, brake_on_crank=False)
         found = plain(BARE, press, stopping(turning(press, 10.0, 0.0), press), PressPlan(3.0))
         slowing = 300.0 / (0.2 * 4.0 + 6.0 * 0.8 / 4.0)
         assert found.end.time == pytest.approx(10.0 / slowing, rel=1e-12)
@@ -214,7 +225,7 @@ class TestEnds:
 
     def test_flywheel_stalls(self):
         """A clutch that holds, and a work that is more than the flywheel has."""
-        small = PRESS._replace(wheel_inertia=0.5, clutch=Grip(50e3, 60e3))
+        small = press_with(wheel_inertia=0.5, clutch=Grip(50e3, 60e3))
         found = stroke_of(small)
         assert found.run.reason == WHEEL_STALLS
         assert found.run.end.state[WHEEL] == 0.0
@@ -248,7 +259,7 @@ class TestStroke:
         """With the crank at rest: t = J ∫dω/M of the motor alone."""
         speeds = np.linspace(self.found.run.end.state[WHEEL], 0.99 * IDLE, 20001)
         torque = KERNELS.motor(speeds * PRESS.motor_ratio, 0.0, PRESS.motor) * PRESS.motor_ratio
-        time = PRESS.wheel_inertia * np.trapezoid(1 / torque, speeds)
+        time = 24.0 * np.trapezoid(1 / torque, speeds)
         rested = self.found.run.of_kind(AT_STAND)[-1].moment.time
         assert self.found.recovery_time == pytest.approx(time + self.found.run.end.time - rested, rel=1e-8)
 
@@ -310,17 +321,63 @@ class TestStops:
 
 
 def test_locked_is_the_ordinary_equation():
-    """Running on with its clutch locked, it is a motor with a gear: (A + J)ε + ½J′ω² against that equation's run."""
-    press = PRESS._replace(machine=(14.0, 900.0, 0.0, 150.0, *PRESSING), motor_ratio=1.0,
-                           motor=(600.0, 0.45, IDLE))  # fmt: skip
+    """Running on with its clutch locked, it is a motor with belt and gear: against that equation's own run."""
+    belt, gear = (3.3, 0.95, 0.93, 2.0, 20.0), (5.0, 0.96, 0.95, 1.0, 3.0)
+    press = press_of(
+        (14.0, 900.0, 0.0, 150.0, *PRESSING), PRESS.motor, stages(0.1, belt), stages(0.4, gear), PRESS.clutch,
+        PRESS.brake, brake_on_crank=True,
+    )  # fmt: skip
     plan = PressPlan(1.5, passed=(3.0, 8.0), ends_at_rest=False, tolerance=1e-12)
     found = plain(KERNELS, press, turning(press, 9.0, 0.3), plan)
-    gearing = stages(24.4, (5.0, 0.96, 0.95, 0.0, 0.0))
-    drive = DriveTrain(press.machine, press.motor, 0.0, gearing)
+    drive = DriveTrain(press.machine, press.motor, 0.0, stages(0.1, (*belt[:4], 20.4), gear))
     other = run(KERNELS, drive, wanted(1.5, angle=0.3, speed=9.0, tolerance=1e-12), is_compiled=False)
     assert found.reason == TIME_IS_OVER
     np.testing.assert_allclose(found.end.state[[ANGLE, SPEED]], other.end[:2], rtol=1e-9)
+    np.testing.assert_allclose(found.end.state[[MOTOR_WORK, LOST_WORK]], other.end[[2, 4]], rtol=1e-8)
     assert [event.moment.state[ANGLE] for event in found.of_kind(ANGLE_PASSED)] == pytest.approx([3.0, 8.0], rel=1e-13)
+
+
+class TestStages:
+    """Belt and gear with losses, about a clutch, of constant torques: speeds are lines."""
+
+    belt, gear = (3.0, 0.9, 0.8, 1.5, 20.0), (5.0, 0.95, 0.9, 2.0, 3.0)
+    motor = Kernels(BARE.machine, constant, no_heat, no_brake)
+
+    def press(self, torque, brake, *, on_crank):
+        before, behind = stages(0.1, self.belt), stages(0.4, self.gear)
+        clutch = Grip(600.0, 700.0, 0.0, 0.0, 0.5, 0.0)
+        return press_of((6.0, 100.0, 0.0), (torque,), before, behind, clutch, brake, brake_on_crank=on_crank)
+
+    def test_slipping(self):
+        press = self.press(80.0, Grip(1.0, 1.0), on_crank=True)
+        found = plain(self.motor, press, start_of(press, 60.0), PressPlan(0.05))
+        off = (600.0 - 2.0) * 5.0 * 0.95  # at the crank, before its own inertias
+        speed = 0.05 * (off - 100.0) / (6.0 + 3.0 + 0.4 * 25.0 * 0.95)
+        back = 60.0 + 0.05 * ((80.0 - 1.5) * 3.0 * 0.8**-1 - 600.0) / (20.0 + 0.1 * 9.0 / 0.8)
+        driven = 60.0 + 0.05 * ((80.0 - 1.5) * 3.0 * 0.9 - 600.0) / (20.0 + 0.1 * 9.0 * 0.9)
+        assert found.end.state[SPEED] == pytest.approx(speed, rel=1e-12)
+        assert found.end.state[WHEEL] == pytest.approx(driven, rel=1e-12)
+        assert abs(driven - back) > 0.1
+        assert abs(found.residual) < 1e-12 * found.supplied
+
+    @pytest.mark.parametrize("on_crank", [False, True])
+    def test_braking_against_the_locked_clutch(self, on_crank):
+        """Before the clutch lets go, the brake slows the motor as well, through the gears its own place has."""
+        press = self.press(0.0, Grip(300.0, 300.0), on_crank=on_crank)
+        found = plain(self.motor, press, stopping(turning(press, 12.0, 0.0), press), PressPlan(0.2))
+        # all is slowed: the motor and the flywheel drive, the crank's side is driven or drives
+        slowed = (12.0 - found.end.state[SPEED]) / 0.2
+        assert np.ptp(np.diff(found.states[:, SPEED]) / np.diff(found.times)) < 1e-8
+        brake_speed = 1.0 if on_crank else 5.0
+        turned = found.end.state[ANGLE]
+        assert found.end.state[BRAKE_HEAT] == pytest.approx(300.0 * brake_speed * turned, rel=1e-11)
+        assert found.end.state[WHEEL] == pytest.approx(5.0 * found.end.state[SPEED], rel=1e-13)
+        at_belt = 0.1 * 15.0 * slowed - 1.5  # what the rotor gives, less the belt's drag
+        entering = at_belt * 3.0 * (0.9 if at_belt > 0 else 1 / 0.8) + 20.4 * 5.0 * slowed - (0.0 if on_crank else 300.0) - 2.0
+        efficiency = 0.95 if entering > 0 else 1 / 0.9
+        balance = entering * 5.0 * efficiency + (6.0 + 3.0) * slowed - 100.0 - (300.0 if on_crank else 0.0)
+        assert balance == pytest.approx(0.0, abs=1e-7)
+        assert abs(found.residual) < 1e-12 * found.supplied
 
 
 def test_kinetic_energy():

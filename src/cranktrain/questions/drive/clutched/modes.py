@@ -6,11 +6,12 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.equation import (
+    ANGLE,
     N_PRESS_STATE,
+    SPEED,
     Acting,
     Phase,
-    free_gearing,
-    locked_gearing,
+    needed_torque,
 )
 from cranktrain.questions.drive.running.equation import Kernels
 from cranktrain.questions.drive.running.gearing import acceleration
@@ -22,10 +23,14 @@ _HALVINGS = 80
 
 def transmitted(derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: Acting) -> float:
     """Torque that a locked clutch hands on to what it drives. [N·m] docs/theory/clutched-drive, eq. (30.4)."""
-    press, slopes = acting.press, np.zeros(N_PRESS_STATE)
+    press, phase, slopes = acting.press, acting.phase, np.zeros(N_PRESS_STATE)
     derive(time, state, slopes, sense, acting)
-    driving = kernels.motor(float(state[0] * press.motor_ratio), time, press.motor) * press.motor_ratio
-    return float(driving - press.wheel_inertia * slopes[0])
+    angle, speed = min(max(float(state[ANGLE]), phase.low), phase.high), float(state[SPEED])
+    inertia, first, load, _ = kernels.machine(angle, speed, sense, press.machine)
+    drag = press.brake.torque * (phase.brake_level + phase.brake_slope * (time - phase.start)) * sense
+    on_crank = drag * press.brake_on_crank
+    facing = load + 0.5 * first * speed * speed + on_crank
+    return float(needed_torque(slopes[SPEED], sense, inertia, facing, press.behind)) + drag - on_crank
 
 
 def static_margin(derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: Acting) -> float:
@@ -43,12 +48,12 @@ def locked_or_slipping(
     It must slip where it has just broken loose: there what it hands on is what it holds, to rounding.
     """
     press, phase = acting.press, acting.phase
-    locked = phase._replace(is_locked=True, gearing=locked_gearing(press))
+    locked = phase._replace(is_locked=True)
     trial = Acting(press, locked)
     if not must_slip and static_margin(derive, kernels, time, state, sense, trial) >= 0:
         return locked
     way = math.copysign(1.0, transmitted(derive, kernels, time, state, sense, trial))
-    return phase._replace(is_locked=False, way=way, gearing=free_gearing(press))
+    return phase._replace(is_locked=False, way=way)
 
 
 def urge(kernels: Kernels, time: float, angle: float, sense: float, acting: Acting) -> float:
@@ -60,7 +65,7 @@ def urge(kernels: Kernels, time: float, angle: float, sense: float, acting: Acti
     grip = phase.way * press.clutch.torque * (phase.clutch_level + phase.clutch_slope * since)
     hold = press.brake.static_torque * (phase.brake_level + phase.brake_slope * since) * sense
     on_crank = hold * press.brake_on_crank
-    grown, _, count = acceleration(grip - hold + on_crank, sense, inertia, load + on_crank, phase.gearing)
+    grown, _, count = acceleration(grip - hold + on_crank, sense, inertia, load + on_crank, press.behind)
     return grown * sense if count == 0 else -math.inf
 
 

@@ -13,7 +13,6 @@ from cranktrain.questions.drive.clutched.equation import (
     Acting,
     Phase,
     Press,
-    free_gearing,
 )
 from cranktrain.questions.drive.clutched.modes import locked_or_slipping, sense_from_rest, set_off_at
 from cranktrain.questions.drive.clutched.runs import (
@@ -84,7 +83,7 @@ def _drawn(press: Press, now: Moment, plan: PressPlan) -> tuple[Acting, float, f
     slip = 0.0 if now.is_locked else float(now.state[WHEEL] - press.ratio * now.state[SPEED])
     phase = Phase(
         now.time, clutch.level, clutch.slope, brake.level, brake.slope, float(np.sign(slip)), False,
-        low + _BESIDE, high - _BESIDE, free_gearing(press),
+        low + _BESIDE, high - _BESIDE,
     )  # fmt: skip
     return Acting(press, phase), float(np.sign(now.state[SPEED])), min(clutch.end, brake.end, plan.end_time)
 
