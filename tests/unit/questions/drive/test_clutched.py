@@ -373,7 +373,9 @@ class TestStages:
         assert found.end.state[BRAKE_HEAT] == pytest.approx(300.0 * brake_speed * turned, rel=1e-11)
         assert found.end.state[WHEEL] == pytest.approx(5.0 * found.end.state[SPEED], rel=1e-13)
         at_belt = 0.1 * 15.0 * slowed - 1.5  # what the rotor gives, less the belt's drag
-        entering = at_belt * 3.0 * (0.9 if at_belt > 0 else 1 / 0.8) + 20.4 * 5.0 * slowed - (0.0 if on_crank else 300.0) - 2.0
+        entering = (
+            at_belt * 3.0 * (0.9 if at_belt > 0 else 1 / 0.8) + 20.4 * 5.0 * slowed - (0.0 if on_crank else 300.0) - 2.0
+        )
         efficiency = 0.95 if entering > 0 else 1 / 0.9
         balance = entering * 5.0 * efficiency + (6.0 + 3.0) * slowed - 100.0 - (300.0 if on_crank else 0.0)
         assert balance == pytest.approx(0.0, abs=1e-7)

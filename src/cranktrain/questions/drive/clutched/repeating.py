@@ -4,7 +4,7 @@ import math
 
 from cranktrain.questions.drive.clutched.equation import MOTOR_HEAT, MOTOR_WORK, WHEEL, Press
 from cranktrain.questions.drive.clutched.runs import RESTS, PressPlan, PressRun
-from cranktrain.questions.drive.clutched.stroke import Stroke, single_stroke
+from cranktrain.questions.drive.clutched.stroke import PressStroke, single_stroke
 from cranktrain.questions.drive.clutched.walking import run_press
 from cranktrain.questions.drive.running.equation import Kernels
 from cranktrain.record import record
@@ -23,7 +23,7 @@ class RepeatedStroke:
         [s]
     wheel_speed : float
         Of the flywheel at the beginning. [rad/s]
-    stroke : Stroke
+    stroke : PressStroke
         The last one tried: where it does not end at rest, its run says why.
     is_in_time : bool
         Whether it is at rest before the next one begins.
@@ -33,7 +33,7 @@ class RepeatedStroke:
 
     period: float
     wheel_speed: float
-    stroke: Stroke
+    stroke: PressStroke
     is_in_time: bool
     motor_power: float
     motor_heat: float
@@ -51,7 +51,7 @@ def repeated_stroke(
     start_angle: float = 0.0,
     is_compiled: bool = True,
 ) -> RepeatedStroke:
-    """Stroke that repeats itself every so often, all beginning at the same crank angle.
+    """PressStroke that repeats itself every so often, all beginning at the same crank angle.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def repeated_stroke(
     """
     whole = plan._replace(end_time=period)
 
-    def after(speed: float) -> tuple[Stroke, PressRun | None]:
+    def after(speed: float) -> tuple[PressStroke, PressRun | None]:
         stroke = single_stroke(
             kernels, press, whole, wheel_speed=speed, start_angle=start_angle, recovery_limit=0.0,
             is_compiled=is_compiled,
@@ -102,7 +102,7 @@ def repeated_stroke(
     return _none(period, stroke, is_in_time=True)
 
 
-def _found(period: float, speed: float, stroke: Stroke, wait: PressRun) -> RepeatedStroke:
+def _found(period: float, speed: float, stroke: PressStroke, wait: PressRun) -> RepeatedStroke:
     """Means over the period."""
     work, heat = (float(wait.end.state[part]) / period for part in (MOTOR_WORK, MOTOR_HEAT))
     return RepeatedStroke(
@@ -110,6 +110,6 @@ def _found(period: float, speed: float, stroke: Stroke, wait: PressRun) -> Repea
     )
 
 
-def _none(period: float, stroke: Stroke, *, is_in_time: bool) -> RepeatedStroke:
+def _none(period: float, stroke: PressStroke, *, is_in_time: bool) -> RepeatedStroke:
     """No stroke repeats itself."""
     return RepeatedStroke(period, math.nan, stroke, is_in_time, math.nan, math.nan, math.nan, math.nan)

@@ -7,16 +7,21 @@ from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
-from cranktrain.quantities import Given, NonNegativeInertia, NonNegativeTime, PositiveRatio, PositiveTorque, TurnedAngle
-from cranktrain.quantities.dimensions import Dimension
-from cranktrain.quantities.given import Quantity
+from cranktrain.quantities import (
+    Given,
+    NonNegativeInertia,
+    NonNegativeTime,
+    PositivePower,
+    PositiveRatio,
+    PositiveTorque,
+    TurnedAngle,
+)
 from cranktrain.questions.drive.clutched.courses import Grip
 from cranktrain.spec import Spec
 
 _AT_ONCE = Given(0.0, "0 s")
 _NOTHING = Given(0.0, "0 kg·m²")
 _TOP = Given(0.0, "0 deg")
-_MeanPower = Annotated[Given, Quantity(Dimension.POWER, above=0.0)]
 
 
 class GripSpec(Spec, frozen=True):
@@ -38,7 +43,7 @@ class GripSpec(Spec, frozen=True):
     fall_time: NonNegativeTime = Field(
         default=_AT_ONCE, description=N_("In which a full torque falls to none, in a line; none unless given.")
     )
-    mean_power: _MeanPower | None = Field(
+    mean_power: PositivePower | None = Field(
         default=None, description=N_("Heat that it gives off in the mean, and so may take up; limits strokes.")
     )
 
@@ -52,9 +57,11 @@ class GripSpec(Spec, frozen=True):
 class ClutchSpec(GripSpec, frozen=True):
     """A clutch between the flywheel, which turns on, and the crank."""
 
-    side: Literal["flywheel", "crank"] = Field(
-        default="flywheel",
-        description=N_("On whose shaft it sits: before the last stage of [[drive.stage]], or on the crankshaft."),
+    on: Literal["motor"] | Annotated[int, Field(ge=1)] = Field(
+        description=N_(
+            "Which shaft it divides: the motor's, or that behind a stage, by its number. What [drive.part] has on that "
+            "shaft turns with its driving side."
+        )
     )
     driven_inertia: NonNegativeInertia = Field(
         default=_NOTHING, description=N_("Of what turns with its driven side alone; none unless given.")
@@ -90,13 +97,20 @@ class StrokeSpec(Spec, frozen=True):
             yield Problem("command_angle", self.command_angle.text, allowed.format(angle=self.start_angle.text))
 
 
-def press_problems(clutch: ClutchSpec | None, brake: BrakeSpec | None, stroke: StrokeSpec | None) -> Iterator[Problem]:
-    """Find what the three tables show only together to be wrong; paths are relative to [drive]."""
+def press_problems(
+    clutch: ClutchSpec | None, brake: BrakeSpec | None, stroke: StrokeSpec | None, n_stages: int
+) -> Iterator[Problem]:
+    """Find what the three tables show only together, or with the stages, to be wrong; paths are relative to [drive]."""
+    if clutch is not None and clutch.on != "motor" and clutch.on > n_stages:
+        allowed = _('must be "motor" or the number of a stage, of which there are {n}').format(n=n_stages)
+        yield Problem("clutch.on", str(clutch.on), allowed)
     if stroke is not None:
         for key, table in (("clutch", clutch), ("brake", brake)):
             if table is None:
                 yield Problem("stroke", None, _("needs [drive.{key}] as well").format(key=key))
-    if clutch is not None and brake is not None and brake.on in ("motor", "flywheel"):
+    if clutch is None and brake is not None and brake.on in ("clutch", "flywheel"):
+        yield Problem("brake.on", f'"{brake.on}"', _("needs [drive.clutch] as well"), _('write "motor" or "crank"'))
+    elif clutch is not None and brake is not None and brake.on in ("motor", "flywheel"):
         allowed = _("leaves the crank free as soon as the clutch is let go: the brake must be behind the clutch")
         yield Problem("brake.on", f'"{brake.on}"', allowed, _('write "crank" or "clutch"'))
 

@@ -28,7 +28,7 @@ _TURN = 2 * math.pi
 
 
 @record
-class Stroke:
+class PressStroke:
     """A single stroke; NaN for what did not happen.
 
     Attributes
@@ -81,7 +81,7 @@ def single_stroke(
     recovered_part: float = RECOVERED_PART,
     recovery_limit: float = 60.0,
     is_compiled: bool = True,
-) -> Stroke:
+) -> PressStroke:
     """Run a stroke from a crank at rest, clutch in at once, clutch out and brake on at the plan's command angle.
 
     Parameters
@@ -101,7 +101,7 @@ def single_stroke(
 
     Returns
     -------
-    Stroke
+    PressStroke
 
     Notes
     -----
@@ -117,7 +117,7 @@ def single_stroke(
     recovery = (
         _recovery(kernels, press, run, plan, recovered_part, recovery_limit, is_compiled) if is_over else math.nan
     )
-    return Stroke(
+    return PressStroke(
         run,
         _slip_time(run),
         float(locks[0].moment.state[ANGLE]) if locks else math.nan,
@@ -213,7 +213,7 @@ def top_command_angle(
     return float(bracketed_roots(each, np.array([low]), np.array([high]))[0])
 
 
-def heat_rate_limit(stroke: Stroke, clutch_power: float, brake_power: float) -> float:
+def heat_rate_limit(stroke: PressStroke, clutch_power: float, brake_power: float) -> float:
     """Strokes a second that clutch and brake bear, by the power that each gives off in the mean. [1/s]
 
     docs/theory/clutched-drive, eq. (30.12).
@@ -226,6 +226,6 @@ def heat_rate_limit(stroke: Stroke, clutch_power: float, brake_power: float) -> 
     return min(each, default=math.inf)
 
 
-def time_limit(stroke: Stroke) -> float:
+def time_limit(stroke: PressStroke) -> float:
     """Strokes a second between which the flywheel recovers. [1/s]"""
     return 1 / (stroke.stroke_time + stroke.recovery_time)
