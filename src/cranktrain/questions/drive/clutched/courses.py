@@ -28,7 +28,7 @@ class Grip(NamedTuple):
 
 
 @record
-class Course:
+class GripCourse:
     """How far it is pressed on, from 0 to 1, as corners joined by lines; two at one time are a jump.
 
     Attributes
@@ -52,11 +52,11 @@ class CoursePiece:
     end: float
 
 
-RELEASED = Course((0.0,), (0.0,))
-PRESSED = Course((0.0,), (1.0,))
+RELEASED = GripCourse((0.0,), (0.0,))
+PRESSED = GripCourse((0.0,), (1.0,))
 
 
-def piece_from(course: Course, time: float) -> CoursePiece:
+def piece_from(course: GripCourse, time: float) -> CoursePiece:
     """Piece that begins at a time, or in which it lies: of a jump what is behind it.
 
     Examples
@@ -74,7 +74,7 @@ def piece_from(course: Course, time: float) -> CoursePiece:
     return CoursePiece(levels[behind - 1] + slope * (time - times[behind - 1]), slope, times[behind])
 
 
-def commanded(course: Course, grip: Grip, time: float, *, is_on: bool) -> Course:
+def commanded(course: GripCourse, grip: Grip, time: float, *, is_on: bool) -> GripCourse:
     """Course with a command at a time, to press on or to let go: until its delay is over it goes on as before.
 
     From there the level goes from what it is to 1 or 0 with the slope of the rise or fall.
@@ -85,4 +85,4 @@ def commanded(course: Course, grip: Grip, time: float, *, is_on: bool) -> Course
     kept = [(at, level) for at, level in zip(course.times, course.levels, strict=True) if at <= begin]
     level = piece_from(course, begin).level
     corners = [*kept, (begin, level), (begin + span * abs(aim - level), aim)]
-    return Course(tuple(at for at, _ in corners), tuple(level for _, level in corners))
+    return GripCourse(tuple(at for at, _ in corners), tuple(level for _, level in corners))

@@ -70,7 +70,7 @@ def press_of(
     return Press(machine, motor, before, behind, locked, motor_ratio, ratio, clutch, brake, on_crank)
 
 
-class Phase(NamedTuple):
+class PressPhase(NamedTuple):
     """Between two events, where all is smooth.
 
     Attributes
@@ -97,11 +97,11 @@ class Phase(NamedTuple):
     high: float
 
 
-class Acting(NamedTuple):
+class ActingPress(NamedTuple):
     """A press in a phase."""
 
     press: Press
-    phase: Phase
+    phase: PressPhase
 
 
 def needed_torque(grown: float, sense: float, inertia: float, facing: float, gearing: Gearing) -> float:
@@ -133,7 +133,7 @@ def press_form(kernels: Kernels, law: Any, braked: Any) -> Derive:
     """
     machine, motor, heat, _ = kernels
 
-    def derive(time: float, state: Array, slopes: Array, sense: float, acting: Acting) -> int:
+    def derive(time: float, state: Array, slopes: Array, sense: float, acting: ActingPress) -> int:
         press, phase = acting.press, acting.phase
         wheel, speed, since = state[0], state[2], time - phase.start
         angle = min(max(state[1], phase.low), phase.high)

@@ -9,8 +9,8 @@ from cranktrain.questions.drive.clutched.equation import (
     ANGLE,
     N_PRESS_STATE,
     SPEED,
-    Acting,
-    Phase,
+    ActingPress,
+    PressPhase,
     needed_torque,
 )
 from cranktrain.questions.drive.running.equation import Kernels
@@ -21,7 +21,9 @@ _LOOKS = 64
 _HALVINGS = 80
 
 
-def transmitted(derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: Acting) -> float:
+def transmitted(
+    derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: ActingPress
+) -> float:
     """Torque that a locked clutch hands on to what it drives. [N·m] docs/theory/clutched-drive, eq. (30.4)."""
     press, phase, slopes = acting.press, acting.phase, np.zeros(N_PRESS_STATE)
     derive(time, state, slopes, sense, acting)
@@ -33,7 +35,9 @@ def transmitted(derive: Derive, kernels: Kernels, time: float, state: Array, sen
     return float(needed_torque(slopes[SPEED], sense, inertia, facing, press.behind)) + drag - on_crank
 
 
-def static_margin(derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: Acting) -> float:
+def static_margin(
+    derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: ActingPress
+) -> float:
     """By how much a locked clutch could hand on more than it does; below 0 it breaks loose. [N·m]"""
     phase = acting.phase
     level = phase.clutch_level + phase.clutch_slope * (time - phase.start)
@@ -41,22 +45,22 @@ def static_margin(derive: Derive, kernels: Kernels, time: float, state: Array, s
 
 
 def locked_or_slipping(
-    derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: Acting, *, must_slip: bool
-) -> Phase:
+    derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: ActingPress, *, must_slip: bool
+) -> PressPhase:
     """Phase of a clutch whose sides turn alike: locked, or slipping the way that it is driven beyond what it holds.
 
     It must slip where it has just broken loose: there what it hands on is what it holds, to rounding.
     """
     press, phase = acting.press, acting.phase
     locked = phase._replace(is_locked=True)
-    trial = Acting(press, locked)
+    trial = ActingPress(press, locked)
     if not must_slip and static_margin(derive, kernels, time, state, sense, trial) >= 0:
         return locked
     way = math.copysign(1.0, transmitted(derive, kernels, time, state, sense, trial))
     return phase._replace(is_locked=False, way=way)
 
 
-def urge(kernels: Kernels, time: float, angle: float, sense: float, acting: Acting) -> float:
+def urge(kernels: Kernels, time: float, angle: float, sense: float, acting: ActingPress) -> float:
     """Acceleration in a sense of a crank at rest, against what the brake holds; below 0 it stays. [rad/s²]"""
     press, phase = acting.press, acting.phase
     since = time - phase.start
@@ -69,12 +73,12 @@ def urge(kernels: Kernels, time: float, angle: float, sense: float, acting: Acti
     return grown * sense if count == 0 else -math.inf
 
 
-def sense_from_rest(kernels: Kernels, time: float, angle: float, acting: Acting) -> float:
+def sense_from_rest(kernels: Kernels, time: float, angle: float, acting: ActingPress) -> float:
     """Which way a crank at rest sets off: 1 forward, −1 back, 0 held. docs/theory/clutched-drive, eq. (30.5)."""
     return next((sense for sense in (1.0, -1.0) if urge(kernels, time, angle, sense, acting) > 0), 0.0)
 
 
-def set_off_at(kernels: Kernels, time: float, until: float, angle: float, acting: Acting) -> float:
+def set_off_at(kernels: Kernels, time: float, until: float, angle: float, acting: ActingPress) -> float:
     """When a crank that is held sets off, infinite if not before `until`; the courses are lines up to there. [s]"""
     if not math.isfinite(until):
         return math.inf

@@ -10,9 +10,9 @@ from cranktrain.questions.drive.clutched.equation import (
     ANGLE,
     SPEED,
     WHEEL,
-    Acting,
-    Phase,
+    ActingPress,
     Press,
+    PressPhase,
 )
 from cranktrain.questions.drive.clutched.modes import locked_or_slipping, sense_from_rest, set_off_at
 from cranktrain.questions.drive.clutched.runs import (
@@ -42,7 +42,7 @@ class Ahead:
 
     Attributes
     ----------
-    acting : Acting
+    acting : ActingPress
     sense : float
         Of the crank, 0 if it is held.
     until : float
@@ -53,7 +53,7 @@ class Ahead:
         Why the run ends here, if it does.
     """
 
-    acting: Acting
+    acting: ActingPress
     sense: float
     until: float
     happened: tuple[int, ...] = ()
@@ -69,23 +69,23 @@ def ahead_of(derive: Derive, kernels: Kernels, press: Press, now: Moment, plan: 
     happened: tuple[int, ...] = ()
     if acting.phase.way == 0 and sense != 0 and is_gripping:
         phase = locked_or_slipping(derive, kernels, now.time, now.state, sense, acting, must_slip=must_slip)
-        acting = Acting(press, phase)
+        acting = ActingPress(press, phase)
     if acting.phase.is_locked != now.is_locked:
         happened = (LOCKED if acting.phase.is_locked else LOOSE,)
     begun = Ahead(acting, sense, until, happened)
     return _from_rest(kernels, now, plan, begun, is_gripping) if sense == 0 else begun
 
 
-def _drawn(press: Press, now: Moment, plan: PressPlan) -> tuple[Acting, float, float]:
+def _drawn(press: Press, now: Moment, plan: PressPlan) -> tuple[ActingPress, float, float]:
     """Phase with its clutch not locked, the crank's sense, and how long the courses are lines."""
     clutch, brake = piece_from(now.clutch, now.time), piece_from(now.brake, now.time)
     low, high = piece_ends(now.piece, plan.jumps)
     slip = 0.0 if now.is_locked else float(now.state[WHEEL] - press.ratio * now.state[SPEED])
-    phase = Phase(
+    phase = PressPhase(
         now.time, clutch.level, clutch.slope, brake.level, brake.slope, float(np.sign(slip)), False,
         low + _BESIDE, high - _BESIDE,
     )  # fmt: skip
-    return Acting(press, phase), float(np.sign(now.state[SPEED])), min(clutch.end, brake.end, plan.end_time)
+    return ActingPress(press, phase), float(np.sign(now.state[SPEED])), min(clutch.end, brake.end, plan.end_time)
 
 
 def _from_rest(kernels: Kernels, now: Moment, plan: PressPlan, begun: Ahead, is_gripping: bool) -> Ahead:

@@ -9,7 +9,7 @@ import numpy as np
 
 from cranktrain.language import N_
 from cranktrain.motion import Array
-from cranktrain.questions.drive.clutched.courses import PRESSED, RELEASED, Course
+from cranktrain.questions.drive.clutched.courses import PRESSED, RELEASED, GripCourse
 from cranktrain.questions.drive.clutched.equation import ANGLE, N_PRESS_STATE, SPEED, WHEEL, Press, kinetic_energy
 from cranktrain.questions.drive.running.equation import Kernels
 from cranktrain.record import record
@@ -48,7 +48,7 @@ class Moment:
     state : Array, shape (9,)
         As `equation` names its components.
     is_locked : bool
-    clutch, brake : Course
+    clutch, brake : GripCourse
         With the commands given so far.
     piece : int
         Which part between two angles at which the load jumps the crank is in, counted on through all turns.
@@ -59,8 +59,8 @@ class Moment:
     time: float
     state: Array
     is_locked: bool
-    clutch: Course
-    brake: Course
+    clutch: GripCourse
+    brake: GripCourse
     piece: int
     is_stopping: bool
 
