@@ -12,7 +12,7 @@ from cranktrain.questions.drive.running.gearing import stages
 RADIUS, ROD, RAM = 0.065, 0.65, 900.0
 GRAVITY = 9.80665
 PRESSING = (math.radians(156.3), math.pi)
-"""The blank is met some 6 mm before the bottom and pressed to there; angles count from the upper dead centre."""
+"""The blank is met some 5 mm before the bottom and pressed to there; angles count from the upper dead centre."""
 FORCE = 600e3
 SYNCHRONOUS = 50 * math.pi
 IDLE = SYNCHRONOUS / 3.3

@@ -268,11 +268,6 @@ class TestStroke:
         assert rate == min(500.0 / self.found.clutch_heat, 800.0 / self.found.brake_heat)
         assert time_limit(self.found) == 1 / (self.found.stroke_time + self.found.recovery_time)
 
-    def test_compiled_is_the_same(self):
-        found = single_stroke(KERNELS, PRESS, PLAN, wheel_speed=IDLE)
-        np.testing.assert_allclose(found.run.end.state, self.found.run.end.state, rtol=1e-9, atol=1e-12)
-        assert found.locked_at == pytest.approx(self.found.locked_at, rel=1e-9)
-
     def test_tolerance(self):
         found = stroke_of(PRESS, PLAN._replace(tolerance=1e-12))
         assert found.stop_angle == pytest.approx(self.found.stop_angle, abs=1e-8)
@@ -433,3 +428,9 @@ def stroke_of_speed(speed, end_time):
     return single_stroke(
         KERNELS, PRESS, PLAN._replace(end_time=end_time), wheel_speed=speed, recovery_limit=0.0, is_compiled=False
     )
+
+
+def test_compiled_press_is_the_same():
+    found, other = single_stroke(KERNELS, PRESS, PLAN, wheel_speed=IDLE), stroke_of(PRESS)
+    np.testing.assert_allclose(found.run.end.state, other.run.end.state, rtol=1e-9, atol=1e-12)
+    assert found.locked_at == pytest.approx(other.locked_at, rel=1e-9)

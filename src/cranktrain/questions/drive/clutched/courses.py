@@ -61,8 +61,8 @@ def piece_from(course: GripCourse, time: float) -> CoursePiece:
 
     Examples
     --------
-    >>> piece_from(commanded(RELEASED, Grip(900.0, 900.0, 0.1, 0.2), 0.0, is_on=True), 0.2)
-    CoursePiece(level=0.5, slope=5.0, end=0.30000000000000004)
+    >>> piece_from(commanded(RELEASED, Grip(900.0, 900.0, 0.125, 0.25), 0.0, is_on=True), 0.25)
+    CoursePiece(level=0.5, slope=4.0, end=0.375)
     """
     times, levels = course.times, course.levels
     behind = next((index for index, corner in enumerate(times) if corner > time), len(times))

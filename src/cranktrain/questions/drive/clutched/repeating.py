@@ -51,7 +51,7 @@ def repeated_stroke(
     start_angle: float = 0.0,
     is_compiled: bool = True,
 ) -> RepeatedStroke:
-    """PressStroke that repeats itself every so often, all beginning at the same crank angle.
+    """Stroke that repeats itself every so often, all beginning at the same crank angle.
 
     Parameters
     ----------
