@@ -181,6 +181,31 @@ class TestConstantInertia:
         assert abs(found.residual) < 1e-11 * found.supplied
 
 
+class TestMoments:
+    """What lasts for a moment, or passes nothing on."""
+
+    def test_an_idle_gear(self):
+        """Behind an open clutch without inertia the gear hands on nothing: the crank is slowed by what is on it."""
+        behind = stages(0.0, (5.0, 0.9, 0.8, 0.0, 0.0))
+        press = bare_press(Grip(900.0, 1000.0), Grip(300.0, 300.0))
+        press = press_of(press.machine, (), press.before, behind, press.clutch, press.brake, brake_on_crank=True)
+        found = plain(BARE, press, stopping(turning(press, 10.0, 0.0), press), PressPlan(3.0))
+        assert found.reason == RESTS
+        assert found.end.time == pytest.approx(10.0 * 6.0 / (300.0 + 150.0), rel=1e-11)
+
+    def test_falls_back_until_the_clutch_pulls(self):
+        """A load that drives back has its way for as long as the clutch takes to rise: speeds of a line's integral."""
+        press = bare_press(Grip(900.0, 1000.0, 0.0, 0.003), load=150.0)
+        found = plain(BARE, press, start_of(press), PressPlan(0.0025))
+        # ω̇ = (900 t/0.003 − 150)/6 turns at 0.0005 s, ω is 0 again at 0.001 s
+        kinds = [(event.kind, event.moment.time) for event in found.events]
+        assert [kind for kind, _ in kinds] == [OFF, AT_STAND, OFF]
+        assert kinds[1][1] == pytest.approx(0.001, rel=1e-9)
+        assert kinds[2][1] == kinds[1][1]
+        speed = (900.0 / 0.003 * 0.0025**2 / 2 - 150.0 * 0.0025) / 6.0
+        assert found.end.state[SPEED] == pytest.approx(speed, rel=1e-9)
+
+
 class TestEnds:
     def test_slips_on_under_load(self):
         """The load brings the crank to a stand while the flywheel turns on."""

@@ -5,12 +5,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage import compiled
 from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.courses import Grip
 from cranktrain.questions.drive.running.compiling import quick
 from cranktrain.questions.drive.running.equation import Kernels, joined
-from cranktrain.questions.drive.running.gearing import Gearing, acceleration, overall_ratio, turning_inertia
+from cranktrain.questions.drive.running.gearing import NONE, Gearing, acceleration, overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.step import Derive
 
 WHEEL, ANGLE, SPEED, MOTOR_WORK, LOAD_WORK, CLUTCH_HEAT, BRAKE_HEAT, LOST_WORK, MOTOR_HEAT = range(9)
@@ -18,6 +17,7 @@ WHEEL, ANGLE, SPEED, MOTOR_WORK, LOAD_WORK, CLUTCH_HEAT, BRAKE_HEAT, LOST_WORK, 
 N_PRESS_STATE, N_PRESS_FED = 9, 3
 LINKS_DO_NOT_CLOSE, GEAR_HAS_NO_ANSWER = 1, 2
 """Why there is no acceleration."""
+_ROUNDING = 1e-12
 
 
 class Press(NamedTuple):
@@ -118,6 +118,25 @@ def needed_torque(grown: float, sense: float, inertia: float, facing: float, gea
     return passed + gearing.motor_inertia * overall * grown
 
 
+def firm_acceleration(
+    torque: float, sense: float, inertia: float, load: float, gearing: Gearing
+) -> tuple[float, float, int]:
+    """As `gearing.acceleration`, where a stage hands on nothing, too: there rounding lets neither of its signs fit.
+
+    An open clutch without inertia behind it leaves a gear that idles. A torque that differs by rounding then has one.
+    """
+    grown, taken, count = acceleration(torque, sense, inertia, load, gearing)
+    if count == NONE:
+        overall = 1.0
+        for ratio in gearing.ratio:
+            overall *= ratio
+        beside = _ROUNDING * (abs(torque) + abs(load) / overall)
+        grown, taken, count = acceleration(torque + beside, sense, inertia, load, gearing)
+        if count == NONE:
+            grown, taken, count = acceleration(torque - beside, sense, inertia, load, gearing)
+    return grown, taken, count
+
+
 def _braked(gearing: Gearing, stage: int, torque: float) -> Gearing:
     """Gearing with a torque more that a stage takes at its input."""
     drag = gearing.drag.copy()
@@ -178,9 +197,9 @@ def press_form(kernels: Kernels, law: Any, braked: Any) -> Derive:
 def joined_press(kernels: Kernels, is_compiled: bool) -> tuple[Derive, Kernels]:
     """Join kernels once, compiled with Numba or as they are: slopes by time, and the kernels."""
     if not is_compiled:
-        return press_form(kernels, acceleration, _braked), kernels
+        return press_form(kernels, firm_acceleration, _braked), kernels
     own = joined(kernels, True).kernels
-    return quick(press_form(own, compiled(acceleration), quick(_braked))), own
+    return quick(press_form(own, quick(firm_acceleration), quick(_braked))), own
 
 
 def kinetic_energy(kernels: Kernels, press: Press, state: Array) -> float:

@@ -11,10 +11,10 @@ from cranktrain.questions.drive.clutched.equation import (
     SPEED,
     ActingPress,
     PressPhase,
+    firm_acceleration,
     needed_torque,
 )
 from cranktrain.questions.drive.running.equation import Kernels
-from cranktrain.questions.drive.running.gearing import acceleration
 from cranktrain.questions.drive.running.step import Derive
 
 _LOOKS = 64
@@ -69,7 +69,7 @@ def urge(kernels: Kernels, time: float, angle: float, sense: float, acting: Acti
     grip = phase.way * press.clutch.torque * (phase.clutch_level + phase.clutch_slope * since)
     hold = press.brake.static_torque * (phase.brake_level + phase.brake_slope * since) * sense
     on_crank = hold * press.brake_on_crank
-    grown, _, count = acceleration(grip - hold + on_crank, sense, inertia, load + on_crank, press.behind)
+    grown, _, count = firm_acceleration(grip - hold + on_crank, sense, inertia, load + on_crank, press.behind)
     return grown * sense if count == 0 else -math.inf
 
 

@@ -13,6 +13,7 @@ LOOKS = np.linspace(0.0, 1.0, 17)
 FEW_LOOKS = np.linspace(0.0, 1.0, 5)
 """For what takes long to look at, and is as smooth as the step."""
 _MOST_TRIALS = 100
+_MOST_HALVINGS = 40
 
 
 def states_within(state: Array, slopes: Array, width: float, parts: Array) -> Array:
@@ -82,7 +83,12 @@ def fallen_at(curve: Callable[[float], float], low: float, high: float) -> float
     """
     value_low, value_high = curve(low), curve(high)
     if not value_low > 0:
-        return low
+        # it begins at 0: above it at once, if only for a moment, or not at all
+        nearer = (low + (high - low) * 0.5**n for n in range(1, _MOST_HALVINGS))
+        above = next((part for part in nearer if curve(part) > 0), None)
+        if above is None:
+            return low
+        low, value_low = above, curve(above)
     for trial in range(_MOST_TRIALS):
         if high - low <= 4 * np.spacing(high):
             break
