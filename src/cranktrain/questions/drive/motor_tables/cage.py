@@ -12,26 +12,23 @@ from cranktrain.quantities import (
     Dimension,
     Given,
     PositiveCurrent,
-    PositiveFrequency,
     PositivePower,
     PositiveRatio,
-    PositiveSpeed,
     PositiveTorque,
     Quantity,
 )
 from cranktrain.questions.drive.motor_tables import cage_numbers, cage_problems
 from cranktrain.questions.drive.motor_tables.declared import DeclaredMotor
-from cranktrain.questions.drive.motor_tables.spec import MotorSpec, RatedSpec
+from cranktrain.questions.drive.motor_tables.induction import AboveOne, AtLeastOne, InductionSpec, Part
+from cranktrain.questions.drive.motor_tables.spec import MotorSpec
+from cranktrain.questions.drive.motor_tables.starters import AnyStarter
 
-AboveOne = Annotated[Given, Quantity(Dimension.RATIO, above=1.0)]
-AtLeastOne = Annotated[Given, Quantity(Dimension.RATIO, at_least=1.0)]
 Slip = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, below=1.0)]
 Asymmetry = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=2.0)]
-Part = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)]
 VoltageRatio = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.5)]
 
 
-class CageSpec(RatedSpec, frozen=True):
+class CageSpec(InductionSpec, frozen=True):
     """A cage motor: rated point and ratios of a catalogue, a size, or Kloss's formula."""
 
     kind: Literal["cage"] = Field(description=N_("Kind of motor."))
@@ -41,11 +38,6 @@ class CageSpec(RatedSpec, frozen=True):
             "Rated power of a typical four-pole motor at 50 Hz, in place of a plate; what else stands holds."
         ),
     )
-    synchronous_speed: PositiveSpeed | None = Field(
-        default=None, description=N_("Of the field; the nearest one above the rated speed at 50 Hz unless given.")
-    )
-    frequency: PositiveFrequency | None = Field(default=None, description=N_("Of the line; 50 Hz unless given."))
-    poles: int | None = Field(default=None, ge=2, le=100, multiple_of=2, description=N_("Number of poles."))
     curve: Literal["catalogue", "kloss", "kloss_full"] = Field(
         default="catalogue",
         description=N_("Torque by slip: through a catalogue's points, or by Kloss's formula, simplified or in full."),
@@ -77,11 +69,20 @@ class CageSpec(RatedSpec, frozen=True):
     starting_current_ratio: AtLeastOne | None = Field(
         default=None, description=N_("Line current at standstill over the rated one.")
     )
+    starter: AnyStarter | None = Field(
+        default=None, description=N_("What it is started by; direct on line without it.")
+    )
 
     def _problems(self) -> Iterator[Problem]:
         """Find what does not go together."""
         yield from super()._problems() if self.size is None else MotorSpec._problems(self)
         yield from cage_problems.cage_problems(self)
+        if self.starter is not None:
+            yield from self.starter.problems_with(starting_current_is_known=self._starting_current_is_known)
+
+    @property
+    def _starting_current_is_known(self) -> bool:
+        return self.starting_current_ratio is not None or self.size is not None
 
     @property
     def rotor_inertia(self) -> Array | None:

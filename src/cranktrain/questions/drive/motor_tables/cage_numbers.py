@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from cranktrain.language import _
 from cranktrain.motion import Array, single
-from cranktrain.quantities import shown
 from cranktrain.questions.drive.motor_tables.declared import UNKNOWN, DeclaredMotor, Rating
+from cranktrain.questions.drive.motor_tables.spec import first
 from cranktrain.questions.drive.motors.breakdown_slip import contradiction, full_fit, slip_from_rated
 from cranktrain.questions.drive.motors.cage import (
     CAGE,
@@ -21,17 +21,13 @@ from cranktrain.questions.drive.motors.cage import (
     slip_of,
 )
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
-from cranktrain.questions.drive.motors.current import CageCurrent, cage_current
 from cranktrain.questions.drive.motors.heat import cage_heat
+from cranktrain.questions.drive.motors.line_current import CageCurrent, cage_current
 
 if TYPE_CHECKING:
     from cranktrain.quantities import Given
     from cranktrain.questions.drive.motor_tables.cage import CageSpec
 
-LINE_FREQUENCY = 50.0
-"""Unless the table says another. [Hz]"""
-MOST_RATED_SLIP = 0.1
-"""Of motors whose synchronous speed is guessed from the rated one; with more, another frequency may be meant."""
 _MOST_APART = 0.1
 """By which a formula may miss what the plate says without a word."""
 
@@ -80,19 +76,8 @@ def rating_of(spec: "CageSpec") -> Rating:
 
 
 def synchronous_speed_of(spec: "CageSpec") -> Array:
-    """Synchronous speed of a table: written, by frequency and poles, or the nearest above the rated speed. [rad/s]
-
-    NaN where nothing of these is there.
-    """
-    if spec.synchronous_speed is not None:
-        return spec.synchronous_speed.array
-    if spec.size is not None:
-        return of_size(spec).synchronous_speed
-    of_a_pair = 2 * np.pi * (single(LINE_FREQUENCY) if spec.frequency is None else spec.frequency.array)
-    if spec.poles is not None:
-        return of_a_pair / (spec.poles / 2)
-    pairs = np.ceil(of_a_pair / spec.rating.speed) - 1
-    return np.where(pairs > 0, of_a_pair / np.maximum(1, pairs), np.nan)
+    """Synchronous speed of the table, or of its size. [rad/s]"""
+    return of_size(spec).synchronous_speed if spec.size is not None else spec.field_speed
 
 
 def ratio_of(spec: "CageSpec", name: str) -> Array:
@@ -149,11 +134,11 @@ def at_voltage(motor: CageMotor, ratio: Array) -> CageMotor:
 
 
 def declared_cage(spec: "CageSpec") -> DeclaredMotor:
-    """Motor of a table, direct on line."""
+    """Motor of a table, direct on line or by its starter."""
     curve = cage_curve(spec)
     start = ratio_of(spec, "starting_current_ratio") * spec.voltage_ratio.array
     is_known = not np.any(np.isnan(start))
-    return DeclaredMotor(
+    direct = DeclaredMotor(
         CAGE,
         curve,
         rating_of(spec),
@@ -166,6 +151,7 @@ def declared_cage(spec: "CageSpec") -> DeclaredMotor:
         tuple(cage_notes(spec)),
         tuple(cage_flags(spec)),
     )
+    return direct if spec.starter is None else spec.starter.started(direct)
 
 
 def cage_notes(spec: "CageSpec") -> Iterator[str]:
@@ -173,9 +159,8 @@ def cage_notes(spec: "CageSpec") -> Iterator[str]:
     if spec.size is not None:
         said = _("{size}: typical values of a four-pole motor at 50 Hz, nobody's catalogue.")
         yield said.format(size=spec.size.text)
-    elif spec.synchronous_speed is None and spec.poles is None:
-        speed = f"{shown(first(synchronous_speed_of(spec)), 'rpm'):.6g} rpm"
-        yield _("The synchronous speed is {speed}, the nearest above the rated one.").format(speed=speed)
+    else:
+        yield from spec.field_notes()
     if spec.curve == "catalogue" and spec.size is None and spec.pull_up_ratio is None:
         yield _("The pull-up torque is that at standstill.")
 
@@ -208,8 +193,3 @@ def contradiction_text(spec: "CageSpec") -> str | None:
         'says {wanted}: the bars of real cages are deep. curve = "catalogue" passes through both.'
     )
     return said.format(start=f"{by_rated:.2f}", wanted=f"{wanted:.3g}")
-
-
-def first(number: Array) -> float:
-    """Number of the first design."""
-    return float(np.ravel(number)[0])

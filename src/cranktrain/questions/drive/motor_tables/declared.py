@@ -59,13 +59,13 @@ class DeclaredMotor:
     needs: ClassVar[str] = N_("[drive.motor]")
 
     motor: Motor[Any]
-    numbers: tuple[Any, ...]
+    numbers: Any
     rating: Rating
     top_speed: Array
     inertia: Array | None = None
     heat: ByTime | None = None
     current: ByTime | None = None
-    current_numbers: tuple[Any, ...] = ()
+    current_numbers: Any = ()
     rated_current: Array = UNKNOWN
     notes: tuple[str, ...] = ()
     flags: tuple[str, ...] = ()
@@ -104,7 +104,7 @@ class DeclaredMotor:
         """Numbers of one design, plain floats, as kernels of one machine take them; of points of a curve an array."""
         return mapped(lambda _name, number: _plain(number[..., design]), self.numbers)
 
-    def _by_time(self, kernel: ByTime | None, numbers: tuple[Any, ...], speed: Array, time: Array | float) -> Array:
+    def _by_time(self, kernel: ByTime | None, numbers: Any, speed: Array, time: Array | float) -> Array:
         if kernel is None:
             return np.full((self.n_designs, np.shape(speed)[-1]), np.nan)
         return kernel(speed, cast(Array, time), _over_speeds(numbers))

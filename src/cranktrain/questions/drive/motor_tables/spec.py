@@ -4,6 +4,7 @@ from abc import abstractmethod
 from collections.abc import Iterable, Iterator
 from typing import Annotated
 
+import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
@@ -69,6 +70,11 @@ class RatedSpec(MotorSpec, frozen=True):
             yield Problem("torque", None, _("is missing; give torque or power beside speed"))
 
     @property
+    def has_no_plate(self) -> bool:
+        """Whether nothing of a rated point is there."""
+        return self.speed is None and self.power is None and self.torque is None
+
+    @property
     def is_rated(self) -> bool:
         """Whether it has a rated point."""
         return self.speed is not None and (self.power is not None or self.torque is not None)
@@ -95,3 +101,8 @@ def out_of_place(spec: Spec, names: Iterable[str], allowed: str) -> Iterator[Pro
     for name in names:
         if getattr(spec, name) is not None:
             yield Problem(name, None, allowed)
+
+
+def first(number: Array) -> float:
+    """Number of the first design."""
+    return float(np.ravel(number)[0])
