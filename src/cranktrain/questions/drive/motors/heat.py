@@ -47,8 +47,8 @@ def flux_inverter_heat(speed: Array, time: Array, geometry: FluxInverter) -> Arr
     synchronous = ramp_speed(time, geometry.ramp)
     breakdown = geometry.breakdown_slip * geometry.base_speed
     flux = 1 / np.maximum(1, np.abs(synchronous / geometry.base_speed))
-    above = np.maximum(1, geometry.breakdown_torque * flux * flux / np.maximum(np.abs(torque), 1e-300))
-    needed = breakdown / (above + np.sqrt((above - 1) * (above + 1)))
+    part = np.minimum(1, np.abs(torque) / (geometry.breakdown_torque * flux * flux))
+    needed = breakdown * part / (1 + np.sqrt((1 - part) * (1 + part)))
     slip_speed = np.abs(synchronous - speed)
     at_limit = np.abs(torque) >= geometry.torque_limit
     return np.abs(torque) * chosen(at_limit, np.minimum(needed, slip_speed), slip_speed)
