@@ -171,7 +171,7 @@ class TestDuty:
         assert duty_factor("S1") == 1.0
 
     def test_constant_losses_that_go_on_do_not_matter(self):
-        """(1 − ab)(1 − q_c) over (1 − a)(1 − q_c): in S6 they cancel; a motor that cools at rest as at speed equals it."""
+        """(1 − ab)(1 − q_c) over (1 − a)(1 − q_c): in S6 they cancel, as in S3 where rest cools as speed does."""
         a, b = np.exp(-240 / 1800), np.exp(-360 / 1800)
         expected = np.sqrt((1 - a * b) / (1 - a))
         for factor in (duty_factor("S6"), duty_factor("S6", constant_share=0.3), duty_factor("S3", cooling=1.0)):
