@@ -29,7 +29,7 @@ class TorqueOnShaft(NamedTuple):
         In which its size counts as the shaft runs: −1 where it resists.
     law : Law
         Of its size. [N·m] One that balances the machine has its shape here: 1 at 1 rad/s, or the torques as given.
-    is_balanced : bool
+    is_balanced, resists : bool
     """
 
     name: str
@@ -37,6 +37,7 @@ class TorqueOnShaft(NamedTuple):
     sense: float
     law: Law
     is_balanced: bool
+    resists: bool
 
     def value(self, shown: Array, speed: Array) -> Array:
         """Torque as the shaft runs, at crank angles as they are shown and speeds, shape (design, 1, n). [N·m]"""
@@ -72,6 +73,7 @@ def shaft_loads_of(designs: Designs, together: LoadTables) -> LoadsOnShafts | No
             -1.0 if spec.sense == "resisting" or is_against else 1.0,
             law_of(designs.by_design, spec),
             spec.is_balanced,
+            spec.sense == "resisting",
         )
         for name, spec in together.get(LOAD, {}).items()
         if is_on_shaft(LOAD, spec, designs.together.shafts)

@@ -1,0 +1,269 @@
+"""From a declared machine to the reduced machines of all its designs, which the equation of motion turns."""
+
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from cranktrain.fluids.compressor.pressure import Compressor
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law
+from cranktrain.layout.loads import LinkLoad
+from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
+from cranktrain.motion import Array
+from cranktrain.numerics.polyline import Polyline
+from cranktrain.questions.drive.running.reduced import (
+    BY_ANGLE,
+    BY_SPEED,
+    BY_TRAVEL,
+    ReducedChamber,
+    ReducedLoad,
+    ReducedMachine,
+)
+from cranktrain.questions.drive.smooth import smooth_pieces
+from cranktrain.questions.evenness.spec import GivenFlywheel
+from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.gas.chambers import AMBIENT, Filling
+from cranktrain.record import record
+
+_OF_ALL = 3
+"""Coefficients that every machine has: J, weights, x′ of what is driven."""
+_ASIDE = 1e-9
+"""Of a jump, on both its sides. [rad]"""
+_CLOSE = 1e-8
+"""Of the gas torque's peak: what straight lines between its points may miss."""
+_MOST_POINTS = 40_000
+
+
+@record
+class ReducedMachines:
+    """The reduced machine of every design, and where its loads have jumps or corners.
+
+    Attributes
+    ----------
+    each : tuple of ReducedMachine
+    corners : Array, shape (design, corner)
+        φ; NaN fills up. [rad]
+    cycle : float
+        After which all comes again. [rad]
+    """
+
+    each: tuple[ReducedMachine, ...]
+    corners: Array
+    cycle: float
+
+
+class _Way(NamedTuple):
+    """A load on a link, and the places of its coefficients: rate, or its square, and place."""
+
+    load: LinkLoad
+    is_squared: bool
+    rate: int
+    place: int
+
+    @property
+    def n_coefficients(self) -> int:
+        """How many it takes."""
+        return 1 if self.place < 0 else 2
+
+
+def reduced_machines(
+    loaded: LoadedMachine,
+    on_shafts: LoadsOnShafts | None,
+    flywheel: GivenFlywheel | None,
+    events: ForceEvents,
+    crank_angle: CrankAngle,
+) -> ReducedMachines:
+    """Reduce a machine, as its file declares it, to the crank.
+
+    Notes
+    -----
+    docs/theory/reduced-machine, eqs. (31.1) to (31.5). Friction in guides is not in it; gas other than a compressor's
+    comes back with the crank angle, over its cycle.
+    """
+    ways = _ways(() if loaded.loads is None else loaded.loads.each)
+    remembering = [] if loaded.gas is None else loaded.gas.filled_with(Compressor)
+    pieces = smooth_pieces(_coefficients(loaded, ways, remembering))
+    if flywheel is not None:
+        pieces[:, :, 0, 0] += flywheel.inertia[:, np.newaxis]
+    first_volume = _OF_ALL + sum(way.n_coefficients for way in ways)
+    cyclic = _gas_over_cycle(loaded, remembering, crank_angle, events)
+    on_shaft = () if on_shafts is None else on_shafts.given
+    return ReducedMachines(
+        tuple(
+            ReducedMachine(
+                own.reshape(len(own), -1),
+                *_loads(loaded, ways, on_shaft, cyclic, design, float(crank_angle.zero[design, 0, 0])),
+                *_chambers(remembering, first_volume, design),
+            )
+            for design, own in enumerate(pieces)
+        ),
+        events.whole,
+        crank_angle.cycle,
+    )
+
+
+def _ways(loads: Sequence[LinkLoad]) -> list[_Way]:
+    """Places of the coefficients of loads, after those that every machine has."""
+    found: list[_Way] = []
+    at = _OF_ALL
+    for load in loads:
+        goes_anywhere = load.resists and not (load.is_torque or load.is_slider)
+        is_squared = goes_anywhere and load.radius is None and load.direction is None
+        has_place = isinstance(load.law, ByTravel)
+        found.append(_Way(load, is_squared, at, at + 1 if has_place else -1))
+        at += found[-1].n_coefficients
+    return found
+
+
+def _coefficients(
+    loaded: LoadedMachine, ways: Sequence[_Way], remembering: Sequence[Filling]
+) -> Callable[[Array], Array]:
+    """Smooth coefficients of a machine at φ, shape (n,), in their order, shape (design, coefficient, n)."""
+
+    def at(angle: Array) -> Array:
+        motions = loaded.motions(angle)
+        inertia, weight = _reduced(loaded, motions)
+        output = next(m for m, b in zip(motions, loaded.mechanisms.batches, strict=True) if 0 in b.index)
+        driven = output.slider if hasattr(output, "slider") else output.rocker.angle
+        rows = [inertia, weight, driven.first[:, 0]]
+        for way in ways:
+            along = loaded.load_way(way.load, angle)
+            rows.append((along.rate * along.rate if way.is_squared else along.rate)[:, 0])
+            rows += [along.place[:, 0]] if way.place >= 0 else []
+        if loaded.gas is not None and remembering:
+            volume = loaded.gas.volume(angle).value
+            rows += [volume[:, place] for filling in remembering for place in filling.places]
+        shape = (max(map(len, rows)), angle.size)
+        return np.stack([np.broadcast_to(row, shape) for row in rows], axis=1)
+
+    return at
+
+
+def _reduced(loaded: LoadedMachine, motions: Sequence[Any]) -> tuple[Array, Array]:
+    """J, and the torque that weights take at the crank, shape (design, n). [kg·m², N·m]"""
+    inertia, weight = np.zeros((2, 1, 1))
+    for batch, motion, made in zip(loaded.mechanisms.batches, motions, loaded.masses.batches, strict=True):
+        dynamics, size = batch.kind.dynamics, batch.members.geometry
+        unloaded = dynamics.load(motion, size, np.zeros((1, 1, 1)))
+        found = dynamics.reduced(motion, size, made.bodies, unloaded, made.gravity)
+        inertia = inertia + np.sum(found.inertia.value, axis=1)
+        weight = weight - np.sum(found.load + 0 * found.inertia.value, axis=1)
+    return inertia, weight
+
+
+def _loads(
+    loaded: LoadedMachine,
+    ways: Sequence[_Way],
+    on_shaft: Sequence[TorqueOnShaft],
+    cyclic: Sequence[Polyline] | None,
+    design: int,
+    zero: float,
+) -> tuple[Array, Array]:
+    """Rows of all loads of a design, and their points."""
+    rows: list[ReducedLoad] = []
+    points: list[tuple[float, float, float]] = []
+    for way in ways:
+        load = way.load
+        row = _NOTHING._replace(
+            rate=way.rate, place=way.place, is_squared=way.is_squared, resists=load.resists, counts=load.counts
+        )
+        rows.append(_with_law(row, load.law, design, zero, points))
+        if isinstance(load.law, ByTravel):
+            rows[-1] = rows[-1]._replace(origin=float(_of(loaded.travel_starts[load.name], design)))
+    for torque in on_shaft:
+        row = _NOTHING._replace(counts=1.0 if torque.resists else torque.sense, resists=torque.resists)
+        rows.append(_with_law(row, torque.law, design, zero, points))
+    if cyclic is not None:
+        rows.append(_round(_NOTHING, cyclic[design], 0.0, points))
+    return _table(rows, ReducedLoad), np.array(points, dtype=float).reshape(-1, 3)
+
+
+_NOTHING = ReducedLoad(BY_SPEED, -1, -1, False, False, 1.0, 0.0, 1.0, 0.0, 0, 0, 0.0, 1.0)
+"""A torque of 0 on the shaft."""
+
+
+def _with_law(
+    row: ReducedLoad, law: Law, design: int, zero: float, points: list[tuple[float, float, float]]
+) -> ReducedLoad:
+    """A load with its law, whose points are put to those of others."""
+    if isinstance(law, BySpeed):
+        size, at, exponent = (float(_of(part, design)) for part in law)
+        return row._replace(law=BY_SPEED, size=size, at=at, exponent=exponent)
+    if isinstance(law, ByAngle):
+        lines = law.polylines
+        return _round(row, lines[min(design, len(lines) - 1)], zero, points)
+    own = zip(*(part[min(design, len(part) - 1)] for part in law), strict=True)
+    first = len(points)
+    points += [(float(place), float(out), float(back)) for place, out, back in own]
+    return row._replace(law=BY_TRAVEL, first=first, n_points=len(points) - first)
+
+
+def _round(row: ReducedLoad, lines: Polyline, origin: float, points: list[tuple[float, float, float]]) -> ReducedLoad:
+    """A load by straight lines over crank angles: with the last point before the first, and the first after it."""
+    angles = [float(lines.angles[-1]) - lines.period, *lines.angles.tolist(), float(lines.angles[0]) + lines.period]
+    values = [float(lines.values[-1]), *lines.values.tolist(), float(lines.values[0])]
+    first = len(points)
+    points += [(angle, value, value) for angle, value in zip(angles, values, strict=True)]
+    return row._replace(law=BY_ANGLE, first=first, n_points=len(angles), origin=origin, period=lines.period)
+
+
+def _of(part: Array, design: int) -> Any:
+    """The number of one design, or that of all."""
+    return part[min(design, len(part) - 1)].item()
+
+
+def _table(rows: Sequence[tuple[Any, ...]], kind: type) -> Array:
+    """Rows of numbers as an array, of the right width where there is none."""
+    return np.array(rows, dtype=float).reshape(-1, len(kind._fields))
+
+
+def _chambers(remembering: Sequence[Filling], first_volume: int, design: int) -> tuple[Array, Array]:
+    """Chambers of compressors of one design, and room for what they remember."""
+    rows: list[ReducedChamber] = []
+    for filling in remembering:
+        for place in filling.places.tolist():
+            gas: Compressor = filling.of_chamber(design, place)
+            own = (gas.suction_pressure, gas.discharge_pressure, gas.compression_exponent, gas.expansion_exponent)
+            rows.append(ReducedChamber(first_volume + len(rows), *(float(np.ravel(one)[0]) for one in own), AMBIENT))
+    return _table(rows, ReducedChamber), np.zeros((len(rows), 2))
+
+
+def _gas_over_cycle(
+    loaded: LoadedMachine, remembering: Sequence[Filling], crank_angle: CrankAngle, events: ForceEvents
+) -> list[Polyline] | None:
+    """Torque that all other gas gives to the crank over its cycle, by φ; None without such gas."""
+    gas = loaded.gas
+    if gas is None or len(remembering) == len(gas.fillings):
+        return None
+    own = np.ones(gas.chambers.areas.shape[-1], dtype=np.bool_)
+    for filling in remembering:
+        own[filling.places] = False
+
+    def torque(angle: Array) -> Array:
+        volume = gas.volume(angle)
+        return np.sum(((gas.pressure(angle, volume) - AMBIENT) * volume.first)[:, own], axis=1)
+
+    cycle = crank_angle.cycle
+    return [_lines(lambda angle, at=at: torque(angle)[at], events.whole[at], cycle) for at in range(len(events.whole))]
+
+
+def _lines(curve: Callable[[Array], Array], kinks: Array, cycle: float) -> Polyline:
+    """Straight lines so close to a curve over its cycle that they miss next to nothing of its peak."""
+    own = np.unique(np.mod(kinks[np.isfinite(kinks)], cycle))
+    aside = _ASIDE * np.array([-1.0, 1.0])
+    angles = np.unique(np.mod([*np.linspace(0, cycle, 721)[:-1], *np.ravel(own[:, np.newaxis] + aside)], cycle))
+    values = curve(angles)
+    peak = np.max(np.abs(values))
+    while angles.size < _MOST_POINTS:
+        wrapped = np.append(angles, angles[0] + cycle)
+        middles = 0.5 * (wrapped[1:] + wrapped[:-1])
+        found = curve(middles)
+        misses = np.abs(found - 0.5 * (values + np.roll(values, -1))) > _CLOSE * peak
+        misses &= np.diff(wrapped) > 4 * _ASIDE
+        if not np.any(misses):
+            break
+        order = np.argsort(np.mod([*angles, *middles[misses]], cycle))
+        angles, values = (np.concatenate(pair)[order] for pair in ((angles, middles[misses]), (values, found[misses])))
+    return Polyline(angles, values, cycle)
