@@ -79,7 +79,7 @@ class SizeChoice(NamedTuple):
     start_time, rotor_heat : Array, shape (..., motor)
         Of a start at the lowest voltage; NaN where the size gets stuck. [s, J]
     inertia_ratio : Array, shape (..., motor)
-        Inertia of what is driven over the rotor's.
+        Inertia of what is driven over the rotor's; NaN where that is not known.
     """
 
     uses: Array
@@ -200,7 +200,8 @@ def size_choice(
     uses = motor_uses(demand, motors, reserve)
     uses = np.concatenate((uses, np.broadcast_to(in_time, uses.shape[:-1])[..., np.newaxis]), axis=-1)
     driven = np.asarray(start.inertia)[..., np.newaxis]
-    return SizeChoice(uses, choice_of(uses), rms, peak, *begun, inertia_ratio(driven, single(1.0), motors.inertia))
+    rotor = np.where(motors.inertia > 0, motors.inertia, np.nan)
+    return SizeChoice(uses, choice_of(uses), rms, peak, *begun, inertia_ratio(driven, single(1.0), rotor))
 
 
 def _starts(start: StartDemand, motors: MotorRange, reserve: float) -> tuple[Array, Array]:

@@ -26,6 +26,8 @@ from cranktrain.questions.drive.choosing_ratio import (
     rms_by_ratio,
     transmitted_torque,
 )
+from cranktrain.questions.drive.motor_tables.cage import CageSpec
+from cranktrain.questions.drive.motor_tables.cage_range import motor_range
 from cranktrain.questions.drive.motors.cage import cage_torque, catalogue_curve
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.sizing.torque_means import rms_torque
@@ -129,6 +131,31 @@ class TestStart:
         stuck = np.isnan(found.start_time)
         assert np.any(stuck)
         assert np.all(np.isinf(found.uses[stuck, -1]))
+
+
+class TestOwnMotors:
+    plate = {"kind": "cage", "breakdown_ratio": 3.2, "starting_ratio": 2.3, "pull_up_ratio": 1.8}  # noqa: RUF012
+
+    def test_of_typical_sizes_it_is_the_catalogue(self):
+        sizes = [CageSpec(kind="cage", size=f"{power} kW") for power in (5.5, 3, 4)]
+        found, places = motor_range(sizes), [PLACE[power] for power in (3.0, 4.0, 5.5)]
+        for ours, listed in zip(found.values, MOTORS.values, strict=True):
+            np.testing.assert_array_equal(ours, listed[places])
+        np.testing.assert_array_equal(found.inertia, MOTORS.inertia[places])
+        assert found.is_typical
+
+    def test_makers_motors_are_checked_as_well(self):
+        """4 kW at 1460 rpm with the ratios of the reference's pick, beside a smaller one."""
+        motors = motor_range(
+            [
+                CageSpec(**self.plate, power="4 kW", speed="1460 rpm", inertia="0.014 kg·m²"),
+                CageSpec(**self.plate, power="3 kW", speed="1455 rpm"),
+            ]
+        )
+        found = size_choice(HISTORY, StartDemand(np.max(STATIC)), motors)
+        assert found.choice.motor == 1
+        assert motors.values.rated_torque[1] == pytest.approx(SIZING["picked"]["Tn"], rel=1e-12)
+        assert motors.inertia.tolist() == [0.0, 0.014]
 
 
 class TestHistory:

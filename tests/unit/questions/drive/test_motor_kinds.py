@@ -126,6 +126,13 @@ def test_designs_together_give_what_each_gives_alone(name):
             np.testing.assert_array_equal(getattr(together, ask)(SPEEDS, time), each, ask)
 
 
+@pytest.mark.parametrize("name", ["star_delta", "soft_start", "flux_inverter", "timed_rotor"])
+def test_unless_a_time_is_given_it_is_long_since_on(name):
+    found = motor(**TABLES[name])
+    np.testing.assert_array_equal(found.torque(SPEEDS), found.torque(SPEEDS, 1e6))
+    np.testing.assert_array_equal(found.heating(SPEEDS), found.heating(SPEEDS, 1e6))
+
+
 class TestHeatAndCurrent:
     def test_of_slip_rings_the_rotor_has_its_part(self):
         found = motor(**SLIP_RINGS, resistance_ratio=2.5)

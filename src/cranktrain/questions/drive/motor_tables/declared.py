@@ -15,6 +15,8 @@ ByTime: TypeAlias = Callable[[Any, Any, Any], Any]
 """(speed at its own shaft, time since it was switched on, numbers) → a power or a current."""
 
 UNKNOWN = single(float("nan"))
+LONG_SINCE = float("inf")
+"""Time since it was switched on after which no starter matters any more: what steady running asks for. [s]"""
 
 
 class Rating(NamedTuple):
@@ -75,15 +77,15 @@ class DeclaredMotor:
         """How many designs it is of."""
         return self.top_speed.shape[-1]
 
-    def torque(self, speed: Array, time: Array | float = 0.0) -> Array:
+    def torque(self, speed: Array, time: Array | float = LONG_SINCE) -> Array:
         """Torque at its shaft.
 
         Parameters
         ----------
         speed : Array, shape (design, n) or (n,)
             [rad/s]
-        time : Array, broadcastable
-            Since it was switched on. [s]
+        time : Array, broadcastable, optional
+            Since it was switched on; long since, unless given. [s]
 
         Returns
         -------
@@ -92,11 +94,11 @@ class DeclaredMotor:
         """
         return self.motor.torque(speed, cast(Array, time), _over_speeds(self.numbers))
 
-    def heating(self, speed: Array, time: Array | float = 0.0) -> Array:
+    def heating(self, speed: Array, time: Array | float = LONG_SINCE) -> Array:
         """Power that heats it, shapes as of `torque`; NaN where nothing is known. [W]"""
         return self._by_time(self.heat, self.numbers, speed, time)
 
-    def current_ratio(self, speed: Array, time: Array | float = 0.0) -> Array:
+    def current_ratio(self, speed: Array, time: Array | float = LONG_SINCE) -> Array:
         """Line current over the rated one, shapes as of `torque`; NaN where nothing is known. [1]"""
         return self._by_time(self.current, self.current_numbers, speed, time)
 
