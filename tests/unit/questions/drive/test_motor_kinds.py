@@ -5,6 +5,7 @@ from typing import get_args
 import numpy as np
 import pytest
 from tests.motors import CAGE, CIRCUIT, EXAMPLES, ROTOR, SYNCHRONOUS
+from tests.sentences import NOT_POSITIVE
 from tests.unit.questions.drive.test_motor_tables import PLATE, SHUNT, motor, problems, spec_of
 
 from cranktrain.columns import in_columns
@@ -223,7 +224,7 @@ class TestOtherWords:
         (
             {**PLATE, "starter": {"kind": "star_delta", "change_time": "-1 s"}},
             "motor.starter.change_time",
-            "must be more than 0 s",
+            NOT_POSITIVE,
         ),
         ({**PLATE, "starter": {"kind": "star_delta"}}, "motor.starter.change_time", "must be a time in s, ms, min, h"),
         ({**PLATE, "starter": {"kind": "soft_start"}}, "motor.starter.current_limit", "or first_voltage and ramp_time"),

@@ -1,13 +1,13 @@
 """What is wrong with the table of a cage motor, seen together."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.quantities import Given, shown
+from cranktrain.questions.drive.motor_tables.cage_keys import CageKeys
 from cranktrain.questions.drive.motor_tables.cage_numbers import (
     breakdown_over_rated,
     cage_curve,
@@ -20,15 +20,12 @@ from cranktrain.questions.drive.motors.breakdown_slip import slip_from_rated
 from cranktrain.questions.drive.motors.cage import slip_of
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 
-if TYPE_CHECKING:
-    from cranktrain.questions.drive.motor_tables.cage import CageSpec
-
 _OF_SIZE = ("power", "torque", "speed", "synchronous_speed", "frequency", "poles")
 """What a size says by itself; torques by their ratios, current and inertia may be the maker's."""
 _ROUNDING = 1e-9
 
 
-def cage_problems(spec: "CageSpec") -> Iterator[Problem]:
+def cage_problems(spec: CageKeys) -> Iterator[Problem]:
     """Find what does not go together: first what is missing or too much, then numbers."""
     ways = [*_plate_problems(spec), *_curve_problems(spec)]
     yield from ways
@@ -40,7 +37,7 @@ def cage_problems(spec: "CageSpec") -> Iterator[Problem]:
         yield from _fit_problems(spec)
 
 
-def _plate_problems(spec: "CageSpec") -> Iterator[Problem]:
+def _plate_problems(spec: CageKeys) -> Iterator[Problem]:
     """A size with what it says by itself, or one that the catalogue has not; a plate without its point."""
     if spec.size is not None:
         yield from out_of_place(spec, _OF_SIZE, _("must not stand beside size, which says it"))
@@ -55,12 +52,12 @@ def _plate_problems(spec: "CageSpec") -> Iterator[Problem]:
         yield Problem("power", None, allowed)
 
 
-def _is_by_formula(spec: "CageSpec") -> bool:
+def _is_by_formula(spec: CageKeys) -> bool:
     """Whether it needs no rated point."""
     return spec.curve != "catalogue" and spec.breakdown_torque is not None and spec.breakdown_slip is not None
 
 
-def _curve_problems(spec: "CageSpec") -> Iterator[Problem]:
+def _curve_problems(spec: CageKeys) -> Iterator[Problem]:
     """Keys that another curve is made by, and those that this one needs."""
     if spec.curve == "catalogue":
         of_kloss = ("breakdown_torque", "breakdown_slip", "asymmetry")
@@ -81,7 +78,7 @@ def _curve_problems(spec: "CageSpec") -> Iterator[Problem]:
         yield from missing_keys(spec, ("breakdown_ratio",))
 
 
-def _ratio_problems(spec: "CageSpec") -> Iterator[Problem]:
+def _ratio_problems(spec: CageKeys) -> Iterator[Problem]:
     """Torques in the wrong order."""
     breakdown, start = first(breakdown_over_rated(spec)), first(ratio_of(spec, "starting_ratio"))
     if spec.breakdown_torque is not None and breakdown <= 1:
@@ -99,7 +96,7 @@ def _beyond(given: Given | None, size: float, key: str, limit: float) -> tuple[s
     return f"{size:g}" if given is None else given.text, allowed
 
 
-def _fit_problems(spec: "CageSpec") -> Iterator[Problem]:
+def _fit_problems(spec: CageKeys) -> Iterator[Problem]:
     """A curve that cannot be: a breakdown beyond the pull-up, a full formula through points that it cannot have."""
     values = catalogue_values(spec)
     if spec.curve == "catalogue":

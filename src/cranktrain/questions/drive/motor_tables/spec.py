@@ -25,7 +25,7 @@ from cranktrain.spec import Spec, missing
 NonNegativeMoment = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT, at_least=0.0)]
 
 
-class MotorSpec(Spec, frozen=True):
+class DrivingMotorSpec(Spec, frozen=True):
     """What every motor of a machine file declares; all speeds and torques are those of its own shaft."""
 
     kind: str
@@ -52,7 +52,7 @@ class MotorSpec(Spec, frozen=True):
         return None if self.flywheel_moment is None else self.flywheel_moment.array / 4
 
 
-class RatedSpec(MotorSpec, frozen=True):
+class RatedSpec(DrivingMotorSpec, frozen=True):
     """A motor whose plate may say a rated point: its speed, and power or torque."""
 
     power: PositivePower | None = Field(default=None, description=N_("Rated power at the shaft; or torque."))
