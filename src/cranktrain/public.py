@@ -16,7 +16,7 @@ from cranktrain.quantities import shown_by, units_by_dimension
 
 if TYPE_CHECKING:
     from cranktrain.analysis import SpeedWanted
-    from cranktrain.analysis.start import Progress, Start
+    from cranktrain.study.start import Progress, Start
     from cranktrain.io.any_machine import MachineLike
 
 
@@ -111,7 +111,7 @@ def start(
     >>> found.motor_torque.shape == found.time.shape
     True
     """
-    from cranktrain.analysis.start import start as run_over_time
+    from cranktrain.study.start import start as run_over_time
 
     source = sources_of(machine, set, partial=False)[0][0]
     with problems_as(source.placed):

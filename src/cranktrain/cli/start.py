@@ -8,7 +8,7 @@ from pathlib import PurePath
 import numpy as np
 from rich.text import Text
 
-from cranktrain.analysis.start import Start, start
+from cranktrain.study.start import Start, start
 from cranktrain.cli.asked import Asked, units_asked_for
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.text import page, show_lines
