@@ -34,7 +34,7 @@ def _quick(function: Any) -> Any:
         function.__name__,
         closure=_cells(function.__closure__),
     )
-    return numba.njit(error_model="numpy", nogil=True)(copy)
+    return numba.njit(error_model="numpy", nogil=True, fastmath={"contract"})(copy)
 
 
 def _cells(closure: tuple[CellType, ...] | None) -> tuple[CellType, ...] | None:
