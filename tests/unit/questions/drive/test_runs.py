@@ -5,7 +5,7 @@ import pytest
 from tests.starts import SYNCHRONOUS, kloss, rotor_heat, wheel
 
 from cranktrain.questions.drive.running import endings
-from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, no_heat, no_motor, untimed
+from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, no_heat, no_motor, train_of, untimed
 from cranktrain.questions.drive.running.gearing import stages
 from cranktrain.questions.drive.running.implicit import is_stiff, run_implicitly, run_well, slip_time_constant
 from cranktrain.questions.drive.running.rest import sense_of_start
@@ -67,7 +67,7 @@ def test_rest_is_kept_between_two_torques(load):
     ends = sorted([load / 10 / 0.8, load / 10 * 0.75])
     for torque, sense in [(ends[0] - 1e-9, -1), (ends[0] + 1e-9, 0), (ends[1] - 1e-9, 0), (ends[1] + 1e-9, 1)]:
         drive = DriveTrain((2.0, load, 0.0), (torque,), 0.0, gearing)
-        assert sense_of_start(0.0, 0.3, machine, drive) == sense
+        assert sense_of_start(0.0, 0.3, machine, train_of(drive, machine, False)) == sense
     found = plain(machine, DriveTrain((2.0, load, 0.0), (load / 10,), 0.0, gearing), wanted(5.0, angle=0.3))
     assert (found.reason, found.end_time, found.end[0]) == (endings.STALLED, 0.0, 0.3)
 

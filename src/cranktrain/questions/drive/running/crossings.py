@@ -78,7 +78,7 @@ def passed_angle(course: Any, width: float, angle: float) -> float:
 
 def angle_of_dead_position(machine: Any, numbers: Any, sense: float, low: float, high: float) -> float:
     """Crank angle between two at which x′ of what is driven passes 0."""
-    return crossing(output_rate, low, high, 0.0, (machine, numbers, sense))
+    return crossing(output_rate, low, high, 0.0, (numbers, machine, sense))
 
 
 def speed_less(theta: float, parts: Any) -> float:
@@ -95,5 +95,5 @@ def angle_less(theta: float, parts: Any) -> float:
 
 def output_rate(angle: float, parts: Any) -> float:
     """x′ of what is driven, at rest. [m/rad or 1]"""
-    machine, numbers, sense = parts
+    numbers, machine, sense = parts
     return machine(angle, 0.0, sense, numbers)[3]

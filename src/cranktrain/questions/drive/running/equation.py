@@ -6,6 +6,8 @@ from functools import cache
 from types import FunctionType
 from typing import Any, NamedTuple, TypeAlias
 
+import numpy as np
+
 from cranktrain.linkage import compiled
 from cranktrain.questions.drive.running.compiling import quick
 from cranktrain.questions.drive.running.gearing import Gearing
@@ -77,22 +79,25 @@ class Kernels(NamedTuple):
 
 
 class Train(NamedTuple):
-    """A `DriveTrain` as the loop takes it: its one stage, or none, as plain numbers."""
+    """A `DriveTrain` as the loop takes it: its one stage, or none, as plain numbers; the rows of several.
+
+    Every array costs a call of the loop seven words to pass on.
+    """
 
     machine: Any
     motor: Any
     brake: Any
-    gearing: Gearing
     one: OneStage
+    rows: Any
 
 
 def train_of(drive: DriveTrain, kernels: Kernels, is_compiled: bool) -> Train:
     """Prepare a drive for a run: with a memory of its own, and without Numba with lists, which are quicker there."""
     machine = drive.machine if kernels.settle is no_memory else deepcopy(drive.machine)
-    gearing: Any = drive.gearing
-    if not is_compiled:
-        gearing = Gearing(gearing.motor_inertia, *(each.tolist() for each in gearing[1:]))
-    return Train(machine, drive.motor, drive.brake, gearing, in_one_stage(drive.gearing))
+    rows = np.array(drive.gearing[1:])
+    return Train(
+        machine, drive.motor, drive.brake, in_one_stage(drive.gearing), rows if is_compiled else rows.tolist()
+    )
 
 
 @cache
@@ -121,7 +126,7 @@ def time_form(kernels: Kernels, law: Any) -> Derive:
         inertia, load, torque = float(inertia), float(load), float(motor(at_motor, time, train.motor))
         drag = brake(time, train.brake) * sense
         needed = load + 0.5 * float(first) * speed * speed
-        grown, taken = law(torque - drag, sense, inertia, needed, train.gearing, train.one)
+        grown, taken = law(torque - drag, sense, inertia, needed, train.one, train.rows)
         slopes[place] = speed
         slopes[place + 1] = grown
         slopes[place + 2] = torque * at_motor

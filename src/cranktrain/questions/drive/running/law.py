@@ -1,6 +1,6 @@
 """The law of gearing as the equation of motion asks for it again and again: one stage or none written out."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,8 +15,8 @@ class OneStage(NamedTuple):
     is_all : bool
     ratio, forward, backward, drag, inertia
         As of `Gearing`; forward is 1 over the efficiency.
-    motor : float
-        Inertia of the motor at the crank. [kg·m²]
+    motor_inertia, motor : float
+        Inertia of the motor, its own and at the crank. [kg·m²]
     """
 
     is_all: bool
@@ -25,25 +25,26 @@ class OneStage(NamedTuple):
     backward: float
     drag: float
     inertia: float
+    motor_inertia: float
     motor: float
 
 
 def in_one_stage(gearing: Gearing) -> OneStage:
     """Numbers of the one stage, or of none."""
-    ratio = float(overall_ratio(gearing))
+    ratio, own = float(overall_ratio(gearing)), float(gearing.motor_inertia)
     if len(gearing.ratio) != 1:
         is_all = len(gearing.ratio) == 0
-        return OneStage(is_all, ratio, 1.0, 1.0, 0.0, 0.0, gearing.motor_inertia * ratio * ratio)
+        return OneStage(is_all, ratio, 1.0, 1.0, 0.0, 0.0, own, own * ratio * ratio)
     _, _, forward, backward, drag, inertia = (float(np.ravel(each)[0]) for each in gearing)
-    return OneStage(True, ratio, 1.0 / forward, backward, drag, inertia, gearing.motor_inertia * ratio * ratio)
+    return OneStage(True, ratio, 1.0 / forward, backward, drag, inertia, own, own * ratio * ratio)
 
 
 def accelerated(
-    torque: float, sense: float, inertia: float, load: float, gearing: Gearing, one: OneStage
+    torque: float, sense: float, inertia: float, load: float, one: OneStage, rows: Any
 ) -> tuple[float, float]:
     """Acceleration of the crank, and what losses take there, NaN where none or several satisfy the law. [rad/s², N·m]
 
-    As `gearing.acceleration`; docs/theory/transient, eq. (26.4) with drag.
+    As `gearing.acceleration`, with the stages' numbers in rows; docs/theory/transient, eq. (26.4) with drag.
     """
     whole = inertia + one.inertia
     if one.is_all and one.motor + one.backward * whole > 0:
@@ -53,6 +54,7 @@ def accelerated(
         factor = one.forward if passed_on > 0 else one.backward
         grown = (driving - factor * load) / (one.motor + factor * whole)
         return grown, (factor - 1.0) * (whole * grown + load) + rubbed
+    gearing = Gearing(one.motor_inertia, rows[0], rows[1], rows[2], rows[3], rows[4])
     grown, lost, count = acceleration(torque, sense, inertia, load, gearing)
     if count != UNIQUE:
         return np.nan, np.nan

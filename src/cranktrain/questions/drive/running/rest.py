@@ -7,7 +7,7 @@ from cranktrain.questions.drive.running.corners import on_the_way
 from cranktrain.questions.drive.running.course import IS_FRESH, SAMPLE, SENSE, TIME, note
 from cranktrain.questions.drive.running.endings import AT_REST, GOING, HELD, LINKS_OPEN, SET_OFF, STALLED, TIME_OUT
 from cranktrain.questions.drive.running.equation import HEAT, is_open
-from cranktrain.questions.drive.running.gearing import acceleration
+from cranktrain.questions.drive.running.law import accelerated
 from cranktrain.questions.drive.running.step import N_STATE
 
 _REST_LOOKS = 400
@@ -15,31 +15,31 @@ _MOST_HALVINGS = 60
 
 
 def sense_of_start(
-    time: float, angle: float, kernels: Any, drive: Any, corners: Any = (), period: float = 2 * math.pi
+    time: float, angle: float, kernels: Any, train: Any, corners: Any = (), period: float = 2 * math.pi
 ) -> float:
     """Which way a crank at rest sets off: 1 forward, −1 back, 0 held. docs/theory/transient, eq. (26.7)."""
-    torque = kernels.motor(0.0, time, drive.motor)
-    drag = kernels.brake(time, drive.brake)
+    torque = kernels.motor(0.0, time, train.motor)
+    drag = kernels.brake(time, train.brake)
     for sense in (1.0, -1.0):
         seen = on_the_way(angle, sense, corners, period)
-        inertia, _, load, _ = kernels.machine(seen, 0.0, sense, drive.machine)
-        grown, _, count = acceleration(torque - drag * sense, sense, inertia, load, drive.gearing)
-        if count == 0 and grown * sense > 0:
+        inertia, _, load, _ = kernels.machine(seen, 0.0, sense, train.machine)
+        grown, _ = accelerated(torque - drag * sense, sense, inertia, load, train.one, train.rows)
+        if grown * sense > 0:
             return sense
     return 0.0
 
 
 def let_go_at(
-    time: float, until: float, angle: float, kernels: Any, drive: Any, corners: Any = (), period: float = 2 * math.pi
+    time: float, until: float, angle: float, kernels: Any, train: Any, corners: Any = (), period: float = 2 * math.pi
 ) -> float:
     """When a crank that is held begins to move; infinite if not before `until`. [s]"""
     before = time
     for look in range(1, _REST_LOOKS + 1):
         at = time + (until - time) * look / _REST_LOOKS
-        if sense_of_start(at, angle, kernels, drive, corners, period) != 0.0:
+        if sense_of_start(at, angle, kernels, train, corners, period) != 0.0:
             for _ in range(_MOST_HALVINGS):
                 middle = 0.5 * (before + at)
-                if sense_of_start(middle, angle, kernels, drive, corners, period) != 0.0:
+                if sense_of_start(middle, angle, kernels, train, corners, period) != 0.0:
                     at = middle
                 else:
                     before = middle
@@ -48,9 +48,9 @@ def let_go_at(
     return math.inf
 
 
-def kind_of_rest(time: float, kernels: Any, drive: Any) -> int:
+def kind_of_rest(time: float, kernels: Any, train: Any) -> int:
     """Whether a motor pulls at a crank that is held, or nothing does."""
-    return STALLED if abs(kernels.motor(0.0, time, drive.motor)) > 0 else AT_REST
+    return STALLED if abs(kernels.motor(0.0, time, train.motor)) > 0 else AT_REST
 
 
 def set_off(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, table: Any, marks: Any) -> int:

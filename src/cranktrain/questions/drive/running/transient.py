@@ -149,19 +149,19 @@ def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, t
         width = _width_to_corner(derive, course, width, train)
     error = _error(course, width, limits.tolerance)
     if not error <= 1.0:
-        return _try_shorter(course, width, max(0.1, 0.9 * error**-0.2) if error > 1.0 else 0.1, limits.end_time)
+        return try_shorter(course, width, max(0.1, 0.9 * error**-0.2) if error > 1.0 else 0.1, limits.end_time)
     if landing != AT_TIME:
         landing = AT_CORNER if abs(ahead[0] - bound) <= _AT * beside(ahead[0]) else NOWHERE
     theta, event, level = _first_event(limits, course, width)
     if sense * (_angle_at(course, width, theta) - bound) > _AT * beside(ahead[0]):
-        return _try_shorter(course, width, 0.5, limits.end_time)
+        return try_shorter(course, width, 0.5, limits.end_time)
     if event < 0 and ahead[1] * sense < 0:  # it sets off the other way: nearer to where it stands
-        reason = _try_shorter(course, width, 0.25, limits.end_time)
+        reason = try_shorter(course, width, 0.25, limits.end_time)
         return reason if reason == GOING else kind_of_rest(here[TIME], kernels, train)
     integrate_along(width, course.state, slopes, ahead)
     now = _note_on_the_way(derive, kernels, train, limits, course, width, theta, marks)
     if event >= 0:
-        width = _step_to(derive, train, course, theta, width, 1, level)
+        width = step_to(derive, train, course, theta, width, 1, level)
         _sample(asked.samples, course, course.again, width, table)
         go_ahead(course, here[TIME] + width, course.trial)
         kernels.settle(course.state[0], train.machine)
@@ -178,19 +178,19 @@ def _width_and_landing(asked: Any, course: Any) -> tuple[float, int]:
     """How wide a step is to be tried, and where it should end."""
     here, counts, end_time = course.here, course.counts, asked.limits.end_time
     speed, grown = abs(course.state[1]), here[SENSE] * course.slopes[1]
-    width, landing = min(here[WIDTH], _time_over(_LARGEST_TURN, speed, abs(grown))), NOWHERE
+    width, landing = min(here[WIDTH], time_over(_LARGEST_TURN, speed, abs(grown))), NOWHERE
     until, short = end_time, 0.0
     if counts[BREAK] < len(asked.breaks) and asked.breaks[counts[BREAK]] < end_time:
         until, short = asked.breaks[counts[BREAK]], _SHORT_OF_BREAK * end_time
     if here[TIME] + width * _A_LITTLE_MORE >= until:
         width, landing = until - here[TIME] - short, AT_TIME
-    to_corner = _time_over(here[SENSE] * (here[BOUND] - course.state[0]), speed, grown)
+    to_corner = time_over(here[SENSE] * (here[BOUND] - course.state[0]), speed, grown)
     if to_corner <= width:
         return to_corner, AT_CORNER
     return width, landing
 
 
-def _time_over(turn: float, speed: float, grown: float) -> float:
+def time_over(turn: float, speed: float, grown: float) -> float:
     """How long a turn takes at a constant acceleration; infinite where it is never made. [s]"""
     square = speed * speed + 2 * grown * turn
     return 2 * turn / (speed + math.sqrt(square) + 1e-300) if 0 <= square < math.inf else math.inf
@@ -217,7 +217,7 @@ def _error(course: Any, width: float, tolerance: float) -> float:
     return of_angle if of_speed <= of_angle else of_speed
 
 
-def _try_shorter(course: Any, width: float, factor: float, end_time: float) -> int:
+def try_shorter(course: Any, width: float, factor: float, end_time: float) -> int:
     """Have a step tried again, shorter; where it gets too short, the reason why there are no slopes, if so."""
     course.here[WIDTH] = width * factor
     if course.here[WIDTH] >= _LEAST_WIDTH * max(course.here[TIME], 1e-3 * end_time):
@@ -261,19 +261,19 @@ def _note_on_the_way(
         level = sense * limits.target_speed
         reached = passed_level(course, width, level, sense)
         if reached <= theta:
-            part = _step_to(derive, train, course, reached, width, 1, level)
+            part = step_to(derive, train, course, reached, width, 1, level)
             note(course, marks, SPEED_PASSED, here[TIME] + part, trial[0], trial[1])
     now = kernels.machine(course.ahead[0], course.ahead[1], sense, train.machine)[3]
     if now * here[OUTPUT] < 0:
         dead = angle_of_dead_position(kernels.machine, train.machine, sense, state[0], course.ahead[0])
         at = passed_angle(course, width, dead)
         if at <= theta:
-            part = _step_to(derive, train, course, at, width, 0, dead)
+            part = step_to(derive, train, course, at, width, 0, dead)
             note(course, marks, DEAD_POSITION, here[TIME] + part, trial[0], trial[1])
     return now
 
 
-def _step_to(derive: Any, train: Any, course: Any, theta: float, width: float, which: int, level: float) -> float:
+def step_to(derive: Any, train: Any, course: Any, theta: float, width: float, which: int, level: float) -> float:
     """Width of a step to where angle (0) or speed (1) has the level, by Newton's method over steps of that length.
 
     The interpolant is of a lower order than the step, so it only gives the start. Eq. (26.12)
