@@ -5,7 +5,15 @@ import pytest
 from tests.starts import SYNCHRONOUS, kloss, rotor_heat, wheel
 
 from cranktrain.questions.drive.running import endings
-from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, no_heat, no_motor, train_of, untimed
+from cranktrain.questions.drive.running.equation import (
+    DriveTrain,
+    Kernels,
+    no_brake,
+    no_heat,
+    no_motor,
+    train_of,
+    untimed,
+)
 from cranktrain.questions.drive.running.gearing import stages
 from cranktrain.questions.drive.running.implicit import is_stiff, run_implicitly, run_well, slip_time_constant
 from cranktrain.questions.drive.running.rest import sense_of_start

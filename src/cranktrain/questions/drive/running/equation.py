@@ -95,9 +95,7 @@ def train_of(drive: DriveTrain, kernels: Kernels, is_compiled: bool) -> Train:
     """Prepare a drive for a run: with a memory of its own, and without Numba with lists, which are quicker there."""
     machine = drive.machine if kernels.settle is no_memory else deepcopy(drive.machine)
     rows = np.array(drive.gearing[1:])
-    return Train(
-        machine, drive.motor, drive.brake, in_one_stage(drive.gearing), rows if is_compiled else rows.tolist()
-    )
+    return Train(machine, drive.motor, drive.brake, in_one_stage(drive.gearing), rows if is_compiled else rows.tolist())
 
 
 @cache

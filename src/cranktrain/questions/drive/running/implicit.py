@@ -9,7 +9,16 @@ from cranktrain.motion import Array
 from cranktrain.questions.drive.running import endings
 from cranktrain.questions.drive.running.corners import corner_ahead, on_the_way
 from cranktrain.questions.drive.running.endings import GOING
-from cranktrain.questions.drive.running.equation import DriveTrain, Joined, Kernels, Train, is_open, joined, train_of
+from cranktrain.questions.drive.running.equation import (
+    DriveTrain,
+    Joined,
+    Kernels,
+    Train,
+    is_open,
+    joined,
+    no_memory,
+    train_of,
+)
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.rest import kind_of_rest, let_go_at, sense_of_start
 from cranktrain.questions.drive.running.runs import Event, Run, Wanted, energy_account, run
@@ -42,7 +51,7 @@ def slip_time_constant(
     Returns
     -------
     float
-        (J_m + J/i²)/max(−dM/dω); of Kloss's formula (J_m + J/i²) ω_s s_b/(2 M_b). docs/theory/transient, eq. (26.14).
+        (J_m + J/i²)/max(−dM/dω); of Kloss's formula (J_m + J/i²) ω_s s_b/(2 M_b). docs/theory/transient, eq. (26.15).
     """
     speeds = np.linspace(0.0, top_speed, _N_SPEEDS)
     torques = np.array([kernels.motor(float(speed), time, drive.motor) for speed in speeds])
@@ -61,7 +70,8 @@ def run_well(kernels: Kernels, drive: DriveTrain, asked: Wanted, top_speed: floa
     """Run by the method that suits the motor: explicit, or LSODA where it is stiff."""
     angles = np.linspace(0.0, 2 * np.pi, 61)
     constant = slip_time_constant(kernels, drive, top_speed, angles)
-    if is_stiff(constant, top_speed / overall_ratio(drive.gearing)):
+    # an implicit method tries steps that it does not take: a machine that remembers would remember those
+    if kernels.settle is no_memory and is_stiff(constant, top_speed / overall_ratio(drive.gearing)):
         return run_implicitly(kernels, drive, asked)
     return run(kernels, drive, asked)
 
@@ -79,6 +89,8 @@ class _Going(NamedTuple):
 
 def run_implicitly(kernels: Kernels, drive: DriveTrain, asked: Wanted, *, method: str = "LSODA") -> Run:
     """Run as `runs.run` does, by `solve_ivp` of SciPy with LSODA or Radau; phases, events and reasons are the same.
+
+    A machine that remembers does so at the ends of phases only: `run_well` runs it by the explicit method.
 
     Raises
     ------

@@ -208,7 +208,7 @@ def run(
 
     Notes
     -----
-    docs/theory/transient, eqs. (26.7) to (26.12).
+    docs/theory/transient, eqs. (26.7) to (26.13).
     """
     loop = loop_of(joined(kernels, is_compiled), is_compiled)
     train, course = train_of(drive, kernels, is_compiled), course_from(asked.start, is_compiled)

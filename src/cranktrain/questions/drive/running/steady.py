@@ -80,7 +80,7 @@ def steady_cycle(
 
     Notes
     -----
-    docs/theory/transient, eq. (26.13).
+    docs/theory/transient, eq. (26.14).
     """
     walk = _walk(kernels, is_compiled)
     turning = turning_inertia(drive.gearing)

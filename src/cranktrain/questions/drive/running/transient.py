@@ -117,7 +117,10 @@ def _begin_phase(derive: Any, kernels: Any, train: Any, asked: Any, course: Any,
     _, grown = derive(here[TIME], state[0], state[1], sense, here[BOUND], course.slopes, 0, train)
     if grown != grown:
         return LINKS_OPEN if is_open(course.slopes, 0) else GEARING_JAMS
-    here[OUTPUT] = kernels.machine(state[0], state[1], sense, train.machine)[3]
+    output = kernels.machine(state[0], state[1], sense, train.machine)[3]
+    if output * here[OUTPUT] < 0:  # a corner that is a dead position too lies between two phases
+        note(course, marks, DEAD_POSITION, here[TIME], state[0], state[1])
+    here[OUTPUT] = output
     if here[WIDTH] == 0.0:
         here[WIDTH] = _first_width(abs(state[1]), abs(grown), asked.limits.end_time)
     counts[IS_FRESH] = 0
