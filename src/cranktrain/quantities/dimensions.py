@@ -206,6 +206,19 @@ class Dimension(Enum):
     )
     DENSITY = (N_("a density"), "7200 kg/m³", (_unit("kg/m³", "кг/м³"), _unit("g/cm³", "г/см³", si=1000)))
     TEMPERATURE = (N_("a temperature"), "20 °C", (_unit("°C", "degC", "°С", offset=_FREEZING), _unit("K", "К")))
+    TIME = (
+        N_("a time"),
+        "2 s",
+        (_unit("s", "с"), _unit("ms", "мс", si="0.001"), _unit("min", "мин", si=60), _unit("h", "ч", si=3600)),
+    )
+    FREQUENCY = (N_("a frequency"), "50 Hz", (_unit("Hz", "Гц"), _unit("1/h", "1/ч", si=Fraction(1, 3600))))
+    CURRENT = (N_("an electric current"), "15 A", (_unit("A", "А"), _unit("kA", "кА", si=1000)))
+    VOLTAGE = (N_("a voltage"), "400 V", (_unit("V", "В"), _unit("kV", "кВ", si=1000)))
+    RESISTANCE = (
+        N_("an electric resistance"),
+        "0.5 Ω",
+        (_unit("Ω", "\u2126", "ohm", "Ом"), _unit("mΩ", "mohm", "мОм", si="0.001")),
+    )
 
     def __init__(self, noun: str, example: str, units: tuple[Unit, ...]) -> None:
         self.noun = noun

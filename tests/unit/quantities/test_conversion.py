@@ -35,6 +35,11 @@ DIMENSIONALITY = {
     Dimension.ENERGY: {M: 1, L: 2, T: -2},
     Dimension.HEAT_TRANSFER: {M: 1, T: -3, "[temperature]": -1},
     Dimension.TEMPERATURE: {"[temperature]": 1},
+    Dimension.TIME: {T: 1},
+    Dimension.FREQUENCY: {T: -1},
+    Dimension.CURRENT: {"[current]": 1},
+    Dimension.VOLTAGE: {M: 1, L: 2, T: -3, "[current]": -1},
+    Dimension.RESISTANCE: {M: 1, L: 2, T: -3, "[current]": -2},
 }
 OF_PINT = {
     "rev": "turn",
@@ -123,5 +128,5 @@ def test_decimal_units_are_shown_with_one_rounding() -> None:
 
 
 def test_unit_outside_the_list_is_refused_with_the_list() -> None:
-    with pytest.raises(QuantityError, match=r"furlong: must be one of the units %, mm, cm, m, in, ft, .*°C, K$"):
+    with pytest.raises(QuantityError, match=r"furlong: must be one of the units %, mm, cm, m, in, ft, .*°C, K, .*mΩ$"):
         shown(1.0, "furlong")

@@ -1,1 +1,58 @@
-"""What drives a machine: motors, their sizing, and how it starts, runs and stops."""
+"""Drive: what the motor must give through its gearing, and how the machine runs with it."""
+
+from collections.abc import Iterator
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
+from cranktrain.layout.design import Design, Designs
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.shaft_loads import on_shafts
+from cranktrain.layout.uses import inner_table, table
+from cranktrain.questions.drive import rows
+from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
+from cranktrain.questions.drive.driven_speed import driven_speed
+from cranktrain.questions.drive.reduction import reduced_machines
+from cranktrain.questions.drive.spec import DriveSpec
+from cranktrain.questions.drive.static_torques import StaticTorques, static_torques
+from cranktrain.questions.drive.steady_drive import SteadyDrive, steady_drive
+
+
+def _problems(design: Design) -> Iterator[Problem]:
+    """Find loads that would balance what a motor balances."""
+    spec = design.table(DriveSpec)
+    if spec is not None and spec.motor is not None:
+        allowed = _("must not stand beside [drive.motor], which balances the machine")
+        balanced = (name for name, load in on_shafts(design).items() if load.is_balanced)
+        yield from (Problem(f"load.{name}.scale", "balanced", allowed) for name in balanced)
+
+
+def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
+    yield from drive_parts(designs)
+
+
+def is_driven(drive: DeclaredDrive | None) -> bool:
+    """Whether a drive is declared: only then anybody asks for the reduced machine."""
+    return drive is not None
+
+
+QUESTION = Question(
+    "drive",
+    tables={"drive": DriveSpec},
+    problems=_problems,
+    parts=_parts,
+    stages=(
+        Stage(reduced_machines, applies=is_driven),
+        Stage(static_torques),
+        Stage(steady_drive),
+        Stage(driven_speed),
+    ),
+    dimensions=(
+        ResultDimension("drive_shaft", N_("shaft of the drive")),
+        ResultDimension("loss_rule", N_("losses")),
+    ),
+    headline=("rms_motor_torque",),
+    title=N_("Drive"),
+    rows=(rows.static_rows, rows.running_rows),
+    offers={"motor_torque": N_("torque of the motor")},
+    uses=(Use(table("drive"), (StaticTorques,)), Use(inner_table("drive", "motor"), (SteadyDrive,))),
+)

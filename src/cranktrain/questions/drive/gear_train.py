@@ -1,0 +1,99 @@
+"""Torques through gear and belt stages over crank angles: what the motor must give, how the crank accelerates."""
+
+from collections.abc import Iterator
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.motion import Array
+from cranktrain.questions.drive.running.gearing import Gearing, input_torque
+
+
+class Passed(NamedTuple):
+    """What stages pass on.
+
+    Attributes
+    ----------
+    acceleration : Array, shape (n,)
+        Of the crank; NaN where no pattern of signs fits itself, or several do. [rad/s²]
+    outputs : Array, shape (stage, n)
+        Torque at each stage's output, load and inertia behind it together. [N·m]
+    """
+
+    acceleration: Array
+    outputs: Array
+
+
+def torque_through(load: Array, sense: Array, gearing: Gearing) -> Array:
+    """Torque on every shaft for one on the crank, without inertia: the motor's first, the crank's last.
+
+    Parameters
+    ----------
+    load : Array, shape (n,)
+        That the crank takes. [N·m]
+    sense : Array, broadcastable
+        Sign of the speed.
+    gearing : Gearing
+
+    Returns
+    -------
+    Array, shape (stage + 1, n)
+        [N·m] docs/theory/transient, eq. (26.1).
+    """
+    found = [load]
+    for stage in reversed(range(len(gearing.ratio))):
+        at_input = input_torque(found[0], sense, gearing.ratio[stage], gearing.forward[stage], gearing.backward[stage])
+        found.insert(0, at_input + gearing.drag[stage] * sense)
+    return np.stack(found)
+
+
+def through_stages(torque: Array, inertia: Array, load: Array, gearing: Gearing) -> Passed:
+    """Acceleration of a crank that turns forward, and what each stage passes on.
+
+    Parameters
+    ----------
+    torque, inertia, load : Array, shape (n,)
+        Of the motor [N·m]; reduced to the crank, without what turns in the gearing [kg·m²]; that load and ½J′ω² take
+        at the crank [N·m].
+    gearing : Gearing
+
+    Notes
+    -----
+    docs/theory/transient, eq. (26.5): of all patterns of signs the one that fits itself.
+    """
+    found = np.full(load.shape, np.nan)
+    outputs = np.full((len(gearing.ratio), *load.shape), np.nan)
+    n_fits = np.zeros(load.shape, dtype=np.intp)
+    for signs in product((True, False), repeat=len(gearing.ratio)):
+        acceleration, passed = _of_pattern(signs, torque, inertia, load, gearing)
+        fits = np.all([(x > 0) == sign for x, sign in zip(passed, signs, strict=True)], axis=0) | (not signs)
+        found = np.where(fits, acceleration, found)
+        outputs = np.where(fits, passed, outputs)
+        n_fits += fits
+    return Passed(np.where(n_fits == 1, found, np.nan), outputs)
+
+
+def _of_pattern(
+    signs: tuple[bool, ...], torque: Array, inertia: Array, load: Array, gearing: Gearing
+) -> tuple[Array, Array]:
+    """Acceleration where every stage passes on torque of a given sign, and these torques."""
+    lines = list(_lines(signs, inertia, load, gearing))
+    by_acceleration, constant = lines[-1]
+    acceleration = (torque - constant) / by_acceleration
+    passed = [slope * acceleration + at for slope, at in reversed(lines[:-1])]
+    return acceleration, np.array(passed).reshape(-1, *np.shape(load))
+
+
+def _lines(signs: tuple[bool, ...], inertia: Array, load: Array, gearing: Gearing) -> Iterator[tuple[Array, Array]]:
+    """Torque at each stage's output from the crank on, and at the motor, as slope by the acceleration and constant."""
+    slope: NDArray[np.float64] = inertia + 0.0
+    constant, turned = load, 1.0
+    for stage in reversed(range(len(signs))):
+        slope = slope + gearing.inertia[stage] * turned
+        yield slope, constant
+        factor = (1 / gearing.forward[stage] if signs[stage] else gearing.backward[stage]) / gearing.ratio[stage]
+        slope, constant = factor * slope, factor * constant + gearing.drag[stage]
+        turned *= gearing.ratio[stage]
+    yield slope + gearing.motor_inertia * turned, constant

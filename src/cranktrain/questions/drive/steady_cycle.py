@@ -1,0 +1,169 @@
+"""The steady cycle of a machine with its motor: the speed over the crank angle with which a cycle ends as it began."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial import legendre
+
+from cranktrain.motion import Array
+from cranktrain.record import record
+
+_N_NODES = 12
+_WIDEST = 2 * np.pi / 48
+_MOST_STEPS = 60
+_SETTLED = 1e-11
+"""Of ω²: after such a step of Newton's method the next one is less than rounding."""
+_NEAR = 1e-7
+"""In parts of ω²: of the difference by which slopes are taken."""
+
+
+def _rule() -> tuple[Array, Array]:
+    """Gauss's nodes in 0…1, and integrals from 0 to each of them, and to 1, of what is known there."""
+    nodes = legendre.leggauss(_N_NODES)[0]
+    fitted = np.linalg.inv(legendre.legvander(nodes, _N_NODES - 1))
+    ends = np.append(nodes, 1.0)
+    integrals = np.stack([legendre.legval(ends, legendre.legint(row, lbnd=-1)) for row in np.eye(_N_NODES)], axis=1)
+    return (nodes + 1) / 2, integrals @ fitted / 2
+
+
+_NODES, _INTEGRALS = _rule()
+
+
+class Mesh(NamedTuple):
+    """Pieces of a cycle between its corners: their starts and widths, shape (piece,) [rad]."""
+
+    start: Array
+    width: Array
+
+    @property
+    def nodes(self) -> Array:
+        """Angles at which the equation is met, shape (piece · node,). [rad]"""
+        return np.ravel(self.start[:, np.newaxis] + self.width[:, np.newaxis] * _NODES)
+
+    def mean(self, values: Array) -> Array:
+        """Mean over the angle of values at the nodes, shape (..., piece · node) → (...)."""
+        apart = values.reshape(*values.shape[:-1], len(self.start), _N_NODES)
+        return np.sum(apart @ _INTEGRALS[-1] * self.width, axis=-1) / np.sum(self.width)
+
+
+@record
+class SpeedOverTurn:
+    """Speed over a cycle that repeats itself.
+
+    Attributes
+    ----------
+    mesh : Mesh
+    half_square : Array, shape (piece · node,)
+        ω²/2 at the nodes. [rad²/s²]
+    at_start : Array, shape (piece,)
+        The same where pieces begin. [rad²/s²]
+    acceleration : Array, shape (piece · node,)
+        [rad/s²]
+    multiplier : float
+        What is left after a cycle of a small departure of ω²: below 1 the running is stable.
+    """
+
+    mesh: Mesh
+    half_square: Array
+    at_start: Array
+    acceleration: Array
+    multiplier: float
+
+    @property
+    def speed(self) -> Array:
+        """At the nodes, shape (piece · node,). [rad/s]"""
+        return np.sqrt(2 * self.half_square)
+
+    @property
+    def period(self) -> float:
+        """[s]"""
+        return float(self.mesh.mean(1 / self.speed) * np.sum(self.mesh.width))
+
+    def over_time(self, values: Array) -> Array:
+        """Mean over the time of values at the nodes, shape (..., piece · node) → (...)."""
+        slowness = 1 / self.speed
+        return self.mesh.mean(values * slowness) / self.mesh.mean(slowness)
+
+    def at(self, angle: Array) -> Array:
+        """Speed at any crank angles of the cycle, shape (n,). [rad/s]"""
+        start, width = self.mesh
+        along = np.mod(angle - start[0], np.sum(width)) + start[0]
+        piece = np.clip(np.searchsorted(start, along, side="right") - 1, 0, len(start) - 1)
+        place = (along - start[piece]) / width[piece]
+        slopes = self.acceleration.reshape(-1, _N_NODES)[piece]
+        fitted = np.linalg.inv(legendre.legvander(2 * _NODES - 1, _N_NODES - 1))
+        basis = np.stack([legendre.legval(2 * place - 1, legendre.legint(row, lbnd=-1)) for row in np.eye(_N_NODES)])
+        grown = np.einsum("mp,mn,pn->p", basis, fitted, slopes) / 2
+        return np.sqrt(2 * (self.at_start[piece] + width[piece] * grown))
+
+
+def mesh_of(cycle: float, corners: Array) -> Mesh:
+    """Pieces of a cycle, none wider than a forty-eighth of a turn, that end at all corners; NaN is none. [rad]"""
+    own = np.mod(corners[np.isfinite(corners)], cycle)
+    ends = np.unique(np.concatenate([np.linspace(0.0, cycle, round(cycle / _WIDEST) + 1), own]))
+    ends = ends[np.append(True, np.diff(ends) > 1e-9)]
+    ends[-1] = cycle
+    return Mesh(ends[:-1], np.diff(ends))
+
+
+def speed_over_turn(acceleration: Callable[[Array], Array], mesh: Mesh, first_speed: float) -> SpeedOverTurn | None:
+    """Find the cycle that repeats itself, near a constant speed.
+
+    Parameters
+    ----------
+    acceleration : callable
+        Of the crank at the nodes of the mesh, by the speeds there, shape (n,). [rad/s → rad/s²]
+    mesh : Mesh
+    first_speed : float
+        [rad/s]
+
+    Returns
+    -------
+    SpeedOverTurn or None
+        None where there is none: the shaft would stop within the cycle.
+
+    Notes
+    -----
+    docs/theory/reduced-machine, eqs. (31.6) to (31.8): ω²/2 has the slope ε by the angle. Newton's method on Gauss's
+    points of all pieces, so that a motor may be as stiff as it likes.
+    """
+    half = np.full(len(mesh.start) * _N_NODES, 0.5 * first_speed**2)
+    for _ in range(_MOST_STEPS):
+        with np.errstate(all="ignore"):
+            now = acceleration(np.sqrt(2 * half))
+            near = acceleration(np.sqrt(2 * half * (1 + _NEAR)))
+        slope = (near - now) / (half * _NEAR)
+        if not np.all(np.isfinite(slope)):
+            return None
+        better, at_start, _, multiplier = _linear_cycle(slope, now - slope * half, mesh)
+        if not np.all(np.isfinite(better)):
+            return None
+        # A step that would stop the shaft goes part of the way.
+        better = np.clip(better, half / 4, half * 4)
+        move = np.max(np.abs(better - half) / half)
+        half = better
+        if move < _SETTLED:
+            return SpeedOverTurn(mesh, half, at_start, acceleration(np.sqrt(2 * half)), multiplier)
+    return None
+
+
+def _linear_cycle(slope: Array, rest: Array, mesh: Mesh) -> tuple[Array, Array, Array, float]:
+    """Periodic solution of y′ = a y + b: at the nodes, where pieces begin, its slope; and its multiplier."""
+    width = mesh.width[:, np.newaxis, np.newaxis]
+    a, b = (part.reshape(-1, _N_NODES) for part in (slope, rest))
+    system = np.eye(_N_NODES) - width * _INTEGRALS[:-1] * a[:, np.newaxis, :]
+    right = np.stack([np.ones_like(b), (width[:, 0] * (b @ _INTEGRALS[:-1].T))], axis=-1)
+    of_start, of_rest = np.moveaxis(np.linalg.solve(system, right), -1, 0)
+    weight = mesh.width[:, np.newaxis] * _INTEGRALS[-1]
+    grows = 1 + np.sum(weight * a * of_start, axis=1)
+    gains = np.sum(weight * (a * of_rest + b), axis=1)
+    product, total = 1.0, 0.0
+    for factor, gain in zip(grows.tolist(), gains.tolist(), strict=True):
+        product, total = product * factor, total * factor + gain
+    starts = [total / (1 - product)]
+    for factor, gain in zip(grows[:-1].tolist(), gains[:-1].tolist(), strict=True):
+        starts.append(starts[-1] * factor + gain)
+    at_start = np.array(starts)
+    found = of_start * at_start[:, np.newaxis] + of_rest
+    return np.ravel(found), at_start, np.ravel(a * found + b), product
