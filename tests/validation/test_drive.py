@@ -63,7 +63,7 @@ def test_static_torque_of_an_active_load():
     assert result.largest_static_torque[0] == pytest.approx(peaks["half_k_positive"][1], rel=1e-12)
     assert result.smallest_static_torque[0] == pytest.approx(peaks["half_k_negative"][1], rel=1e-12)
     for found, half in ((result.largest_static_torque_at, "positive"), (result.smallest_static_torque_at, "negative")):
-        assert found[0] == pytest.approx(BLOCK_B["peaks"]["k"][f"half_k_{half}"][0], abs=1e-6)
+        assert found[0] == pytest.approx(BLOCK_B["peaks"]["k"][f"half_k_{half}"][0], abs=5e-6)
     assert result.mean_static_torque[0] == pytest.approx(2000 * SWING * (1 / 0.846 - 0.846) / (80 * np.pi), rel=1e-11)
     assert result.rms_static_torque[0] == pytest.approx(BLOCK_B["rms_over_turn"]["M_right"], rel=1e-11)
 
@@ -139,7 +139,10 @@ def test_steady_cycles(name, stage):
 
 
 def test_a_motor_of_the_catalogue_on_dry_friction():
-    result, expected = ct.run(table(sense="resisting", motor={"kind": "cage", "size": "4 kW"})), SIZING["periodic"]
+    result, expected = (
+        ct.run(table(sense="resisting", motor={"kind": "cage", "size": "4 kW"})),
+        SIZING["sizing"]["periodic"],
+    )
     assert result.cycle_time == pytest.approx(expected["period"], rel=1e-9)
     assert result.rms_motor_torque == pytest.approx(expected["T_rms_time"], rel=1e-9)
     assert result.mean_motor_torque == pytest.approx(expected["T_mean_time"], rel=1e-9)
@@ -161,7 +164,7 @@ def test_a_stiff_motor():
 
 def test_the_check_of_energy_can_fail():
     """With a speed that is not the solution's the works no longer balance."""
-    from cranktrain.questions.drive.steady_drive import _residual  # noqa: PLC2701
+    from cranktrain.questions.drive.steady_drive import _residual
 
     result = ct.run(table(motor=CAGE))
     found = next(one for one in result.outcomes if isinstance(one, SteadyDrive)).running[0]
@@ -178,7 +181,7 @@ def _turning(result):
     from cranktrain.questions.drive.declared import DeclaredDrive
     from cranktrain.questions.drive.motor_tables import DeclaredMotor
     from cranktrain.questions.drive.reduction import ReducedMachines
-    from cranktrain.questions.drive.steady_drive import _NOWHERE, DriveInTurn  # noqa: PLC2701
+    from cranktrain.questions.drive.steady_drive import _NOWHERE, DriveInTurn
 
     parts = parts_of([result.machines[0]], step=np.radians(1))
     drive, motor = parts[DeclaredDrive], parts[DeclaredMotor]

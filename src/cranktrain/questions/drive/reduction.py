@@ -110,9 +110,17 @@ def reduced_machines(
             )
             for design, own in enumerate(pieces)
         ),
-        events.whole,
+        _corners(events, on_shaft, crank_angle),
         crank_angle.cycle,
     )
+
+
+def _corners(events: ForceEvents, on_shaft: Sequence[TorqueOnShaft], crank_angle: CrankAngle) -> Array:
+    """Where loads, gas and friction have jumps or corners, those on shafts too, shape (design, corner). [rad]"""
+    own = [load.law.kinks(crank_angle.cycle) for load in on_shaft if isinstance(load.law, ByAngle)]
+    shape = (len(events.whole), -1)
+    kinks = [np.broadcast_to(each, (shape[0], each.shape[-1])) + crank_angle.zero[..., 0] for each in own]
+    return np.concatenate([events.whole, *kinks], axis=-1)
 
 
 def _ways(loads: Sequence[LinkLoad]) -> list[_Way]:

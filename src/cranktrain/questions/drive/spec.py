@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Literal
 
+import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
@@ -59,6 +60,10 @@ class StageSpec(Spec, frozen=True):
         if len(angles) == 1:
             missing = "friction_angle" if angles == ["lead_angle"] else "lead_angle"
             yield Problem(missing, None, _("is missing; a worm needs both its angles"))
+        if self.lead_angle is not None and self.friction_angle is not None:
+            if self.lead_angle.si + self.friction_angle.si >= np.pi / 2:
+                allowed = _("must be, with friction_angle, less than 90 deg: beyond it the worm cannot turn its wheel")
+                yield Problem("lead_angle", self.lead_angle.text, allowed)
         given = [name for name in ("efficiency", "efficiency_back") if getattr(self, name) is not None]
         if angles:
             beside = _("must not stand beside the angles of a worm, which give it")
