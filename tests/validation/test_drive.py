@@ -1,4 +1,4 @@
-"""The drive of a machine file against 50-digit arithmetic and other integrators (golden/drive, golden/reduction_gd2)."""
+"""The drive of a machine file against 50-digit arithmetic and other integrators (golden/drive, reduction_gd2)."""
 
 import json
 from dataclasses import replace
