@@ -12,7 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.quantities import Given
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.running import transient
+from cranktrain.questions.drive.running import endings
 from cranktrain.questions.drive.running.equation import (
     ANGLE,
     HEAT,
@@ -56,11 +56,11 @@ _LONGEST = 60.0
 MOST_SAMPLES = 1_000_000
 
 EVENTS = {
-    transient.REVERSAL: N_("turns round"),
-    transient.DEAD_POSITION: N_("dead position"),
-    transient.SPEED_PASSED: N_("speed reached"),
-    transient.HELD: N_("is held"),
-    transient.SET_OFF: N_("sets off"),
+    endings.REVERSAL: N_("turns round"),
+    endings.DEAD_POSITION: N_("dead position"),
+    endings.SPEED_PASSED: N_("speed reached"),
+    endings.HELD: N_("is held"),
+    endings.SET_OFF: N_("sets off"),
 }
 NEARLY_STEADY = N_("98 % of its steady speed")
 SETTLED = N_("it runs as it will: two cycles more")
@@ -239,7 +239,7 @@ def _runs(
         until = _followed(case, span, found)
         if until > ended:
             spans = [_Span(ended, until, np.inf, span.machine)]
-        elif found.reason != transient.TIME_OUT:
+        elif found.reason != endings.TIME_OUT:
             return
 
 
@@ -310,7 +310,7 @@ def _events(case: StartCase, runs: list[tuple[_Span, Run]]) -> Iterator[StartEve
     for span, found in runs:
         for event in found.events:
             yield StartEvent(
-                _(NEARLY_STEADY if event.kind == transient.SPEED_PASSED and case.is_to_settle else EVENTS[event.kind]),
+                _(NEARLY_STEADY if event.kind == endings.SPEED_PASSED and case.is_to_settle else EVENTS[event.kind]),
                 float(span.start + event.time),
                 float(event.angle - case.zero),
                 float(event.speed),
@@ -331,7 +331,7 @@ def _spans(case: StartCase) -> Iterator[_Span]:
 def _followed(case: StartCase, span: _Span, found: Run) -> float:
     """When a span is over that follows on one that ended; no later than that where none does. [s]"""
     ended = span.start + found.end_time
-    if found.reason == transient.SPEED_REACHED and case.is_to_settle:
+    if found.reason == endings.SPEED_REACHED and case.is_to_settle:
         return ended + _MORE_CYCLES * case.cycle_time
     return ended
 
