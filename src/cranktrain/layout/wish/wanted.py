@@ -1,0 +1,131 @@
+"""A wanted motion over its period: pieces one after another, each with its law."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial import Polynomial
+from numpy.typing import NDArray
+
+from cranktrain.layout.wish.laws import Law, Moved, polynomial_law
+from cranktrain.motion import Array
+from cranktrain.numerics.spline import periodic_slopes
+
+
+class Piece(NamedTuple):
+    """A part of a wanted motion: from one position to another in a time; without a law it stands.
+
+    Attributes
+    ----------
+    start, span : float
+        [s]
+    begin, rise : float
+        Where it begins, and by how much it goes on. [m or rad]
+    law : Law or None
+    """
+
+    start: float
+    span: float
+    begin: float
+    rise: float
+    law: Law | None
+
+
+class WantedMotion(NamedTuple):
+    """Position of what the crank drives over time, with a period.
+
+    Attributes
+    ----------
+    pieces : tuple of Piece
+        One after another from time 0.
+    period : float
+        [s]
+    """
+
+    pieces: tuple[Piece, ...]
+    period: float
+
+    def at(self, time: Array) -> Moved:
+        """Position and its first three derivatives at times, shape (n,). [m or rad, …/s, …/s², …/s³]"""
+        return moved(self, time)
+
+
+def moved(wanted: WantedMotion, time: Array) -> Moved:
+    """Position and derivatives of a wanted motion at times, shape (n,)."""
+    within = np.mod(time, wanted.period)
+    starts = np.array([piece.start for piece in wanted.pieces])
+    place: NDArray[np.intp] = np.clip(np.searchsorted(starts, within, side="right") - 1, 0, len(starts) - 1)
+    found = np.zeros((4, *np.shape(time)))
+    for n in np.unique(place).tolist():
+        own = place == n
+        found[:, own] = in_piece(wanted.pieces[n], within[own] - wanted.pieces[n].start)
+    return Moved(*found)
+
+
+def in_piece(piece: Piece, time: Array) -> Moved:
+    """Position and derivatives within a piece, at times from its start."""
+    if piece.law is None:
+        return Moved(np.full_like(time, piece.begin), *np.zeros((3, *time.shape)))
+    whole = piece.law.shape(time / piece.span)
+    scaled = (part * piece.rise / piece.span**order for order, part in enumerate(whole))
+    value = next(scaled)
+    return Moved(piece.begin + value, *scaled)
+
+
+def from_pieces(pieces: tuple[Piece, ...]) -> WantedMotion:
+    """Put pieces one after another; what stands several times in a row stands once."""
+    found: list[Piece] = []
+    for piece in pieces:
+        if found and piece.law is None and found[-1].law is None:
+            found[-1] = found[-1]._replace(span=found[-1].span + piece.span)
+        else:
+            found.append(piece)
+    return WantedMotion(tuple(found), found[-1].start + found[-1].span)
+
+
+def through_positions(times: Array, positions: Array, period: float) -> WantedMotion:
+    """Lay the periodic cubic spline through positions, cut where it turns round.
+
+    Parameters
+    ----------
+    times, positions : Array, shape (n,)
+        Rising within one period; at least three. [s; m or rad]
+    period : float
+        [s]
+    """
+    slopes = periodic_slopes(times, positions, period)
+    spans = np.diff(times, append=times[0] + period)
+    rise, after = np.roll(positions, -1) - positions, np.roll(slopes, -1)
+    second = (3 * rise / spans - 2 * slopes - after) / spans
+    third = (slopes + after - 2 * rise / spans) / spans**2
+    pieces: list[Piece] = []
+    for start, span, *powers in zip(times, spans, positions, slopes, second, third, strict=True):
+        pieces += _cut(float(start), float(span), Polynomial(np.array(powers)))
+    late = float(times[0])
+    return WantedMotion(tuple(piece._replace(start=piece.start - late) for piece in pieces), period)
+
+
+def _cut(start: float, span: float, cubic: Polynomial) -> list[Piece]:
+    """Pieces of a cubic between its ends and its turning points, at which the linear term is none."""
+    roots = cubic.deriv().roots()
+    # A turning point at a point of the table is its end, and no cut.
+    turns = sorted(float(r.real) for r in roots if abs(r.imag) == 0 and 1e-9 * span < r.real < (1 - 1e-9) * span)
+    ends = [0.0, *turns, span]
+    near = [bool(np.any(np.abs(roots - end) <= 1e-9 * span)) for end in ends]
+    return [
+        _cubic_piece(start, low, high, cubic, turns_at=(near[n], near[n + 1]))
+        for n, (low, high) in enumerate(zip(ends, ends[1:], strict=False))
+    ]
+
+
+def _cubic_piece(start: float, low: float, high: float, cubic: Polynomial, *, turns_at: tuple[bool, bool]) -> Piece:
+    """Part of a cubic from one time to another."""
+    span = high - low
+    forth = cubic(Polynomial([low, span])).coef
+    back = -cubic(Polynomial([high, -span])).coef
+    rise = float(np.sum(forth[1:]))
+    for series, turns in zip((forth, back), turns_at, strict=True):
+        series[0] = 0.0
+        series[1] = 0.0 if turns else series[1]
+    scale = rise if rise != 0 else 1.0
+    law = polynomial_law(forth / scale)._replace(end=back / scale)
+    return Piece(start + low, span, float(cubic(low)), scale, law)
