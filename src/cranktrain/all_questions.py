@@ -1,7 +1,19 @@
 """Every question that can be asked of a machine, in the order in which people ask them."""
 
 from cranktrain.layout.question import Question
-from cranktrain.questions import balance, crankshaft, cylinders, evenness, forces, gas, loads, motion, torque, torsion
+from cranktrain.questions import (
+    balance,
+    crankshaft,
+    cylinders,
+    drive,
+    evenness,
+    forces,
+    gas,
+    loads,
+    motion,
+    torque,
+    torsion,
+)
 
 QUESTIONS: tuple[Question, ...] = (
     motion.QUESTION,
@@ -14,4 +26,5 @@ QUESTIONS: tuple[Question, ...] = (
     evenness.QUESTION,
     crankshaft.QUESTION,
     torsion.QUESTION,
+    drive.QUESTION,
 )

@@ -33,6 +33,7 @@ from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
 from cranktrain.questions.cylinders.spec import CylindersSpec
+from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.gas.spec import GasTables
 from cranktrain.questions.torsion.spec import TorsionSpec
@@ -141,6 +142,8 @@ class Machine(Spec, frozen=True):
     torsion: TorsionSpec | None = Field(
         default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
     )
+
+    drive: DriveSpec | None = Field(default=None, description=N_("What drives the crank, and how it starts."))
 
     def __init__(self, /, **data: Any) -> None:
         try:

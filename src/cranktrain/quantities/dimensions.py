@@ -217,7 +217,7 @@ class Dimension(Enum):
     RESISTANCE = (
         N_("an electric resistance"),
         "0.5 Ω",
-        (_unit("Ω", "ohm", "Ом"), _unit("mΩ", "mohm", "мОм", si="0.001")),
+        (_unit("Ω", "\u2126", "ohm", "Ом"), _unit("mΩ", "mohm", "мОм", si="0.001")),
     )
 
     def __init__(self, noun: str, example: str, units: tuple[Unit, ...]) -> None:

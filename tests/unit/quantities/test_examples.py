@@ -11,6 +11,7 @@ from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.machine import Machine
 from cranktrain.quantities import Quantity
 from cranktrain.quantities.examples import EXAMPLES
+from cranktrain.questions.drive.motor_tables import AnyMotor
 from cranktrain.spec import Spec, quantity_of, validated
 
 SLIDER = {"kind": "slider_crank", "crank_radius": "40 mm", "rod_length": "136 mm"}
@@ -35,7 +36,13 @@ def quantities(spec=Machine, seen=None):
                 yield from quantities(part, seen)
 
 
-FIELDS = sorted(set(quantities()), key=repr)
+class Drive(Spec, frozen=True):
+    """A table that has a motor, of any kind."""
+
+    motor: AnyMotor
+
+
+FIELDS = sorted({*quantities(), *quantities(Drive)}, key=repr)
 
 
 @pytest.mark.parametrize(("key", "quantity"), FIELDS)
@@ -54,8 +61,19 @@ def test_every_number_without_a_unit_has_an_example_of_its_own():
 
 GENERAL = (
     *("acceleration", "angle", "backward", "bore", "crank_zero", "density", "fixed", "flywheel", "flywheel_moment"),
-    *("forward", "inertia", "length", "mass", "near", "no_load_speed", "permissible_pressure_angle", "phase", "place"),
-    *("planes", "shift", "speed", "stiffness", "stroke", "z"),
+    *(
+        "forward",
+        "frequency",
+        "inertia",
+        "length",
+        "mass",
+        "near",
+        "no_load_speed",
+        "permissible_pressure_angle",
+        "phase",
+        "place",
+    ),
+    *("planes", "rated_current", "shift", "speed", "stiffness", "stroke", "synchronous_speed", "z"),
 )
 """Keys that the example of their dimension suits: 90 mm for a bore, 1500 rpm for a speed."""
 

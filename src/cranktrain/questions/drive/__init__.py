@@ -1,1 +1,44 @@
-"""What drives a machine: motors, their sizing, and how it starts, runs and stops."""
+"""Drive: what the motor must give through its gearing, and how the machine runs with it."""
+
+from collections.abc import Iterator
+
+from cranktrain.language import N_
+from cranktrain.layout.design import Designs
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.uses import inner_table, table
+from cranktrain.questions.drive import rows
+from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
+from cranktrain.questions.drive.reduction import reduced_machines
+from cranktrain.questions.drive.spec import DriveSpec
+from cranktrain.questions.drive.static_torques import StaticTorques, static_torques
+from cranktrain.questions.drive.steady_drive import SteadyDrive, steady_drive
+
+
+def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
+    yield from drive_parts(designs)
+
+
+def is_driven(drive: DeclaredDrive | None) -> bool:
+    """Whether a drive is declared: only then anybody asks for the reduced machine."""
+    return drive is not None
+
+
+QUESTION = Question(
+    "drive",
+    tables={"drive": DriveSpec},
+    parts=_parts,
+    stages=(
+        Stage(reduced_machines, applies=is_driven),
+        Stage(static_torques),
+        Stage(steady_drive),
+    ),
+    dimensions=(
+        ResultDimension("drive_shaft", N_("shaft of the drive")),
+        ResultDimension("loss_rule", N_("losses")),
+    ),
+    headline=("rms_motor_torque",),
+    title=N_("Drive"),
+    rows=(rows.static_rows, rows.running_rows),
+    offers={"motor_torque": N_("torque of the motor")},
+    uses=(Use(table("drive"), (StaticTorques,)), Use(inner_table("drive", "motor"), (SteadyDrive,))),
+)

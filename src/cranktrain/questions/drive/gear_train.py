@@ -1,4 +1,4 @@
-"""Torques through gear and belt stages for arrays of crank angles: what the motor must give, how the crank accelerates."""
+"""Torques through gear and belt stages over crank angles: what the motor must give, how the crank accelerates."""
 
 from collections.abc import Iterator
 from itertools import product

@@ -149,7 +149,7 @@ def speed_over_turn(acceleration: Callable[[Array], Array], mesh: Mesh, first_sp
 
 
 def _linear_cycle(slope: Array, rest: Array, mesh: Mesh) -> tuple[Array, Array, Array, float]:
-    """Periodic solution of y′ = a y + b, given at the nodes: there, where pieces begin, its slope; and its multiplier."""
+    """Periodic solution of y′ = a y + b: at the nodes, where pieces begin, its slope; and its multiplier."""
     width = mesh.width[:, np.newaxis, np.newaxis]
     a, b = (part.reshape(-1, _N_NODES) for part in (slope, rest))
     system = np.eye(_N_NODES) - width * _INTEGRALS[:-1] * a[:, np.newaxis, :]

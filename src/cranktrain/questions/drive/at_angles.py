@@ -1,0 +1,133 @@
+"""A reduced machine at many crank angles at once, as it turns forward through its cycle."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.questions.drive.running.reduced import (
+    AMBIENT,
+    AT,
+    BY_ANGLE,
+    BY_SPEED,
+    COMPRESSION,
+    COUNTS,
+    DEGREE,
+    EXPONENT,
+    FIRST,
+    INERTIA,
+    IS_SQUARED,
+    LAW,
+    N_POINTS,
+    ORIGIN,
+    OUTPUT,
+    PERIOD,
+    PLACE,
+    RATE,
+    RESISTS,
+    SIZE,
+    SUCTION,
+    TURN,
+    VOLUME,
+    WEIGHT,
+    ReducedMachine,
+    gas_in,
+)
+from cranktrain.questions.evenness.speed_law import Power
+
+
+class ReducedAt(NamedTuple):
+    """What the equation of motion asks of a machine at some crank angles, each of shape (n,).
+
+    Attributes
+    ----------
+    inertia, slope : Array
+        J and J′. [kg·m², kg·m²/rad]
+    load : Array
+        Torque that it takes at the crank, without what depends on the speed. [N·m]
+    powers : tuple of Power
+        The rest of it, by the speed of the crank.
+    output : Array
+        x′ of what is driven. [m/rad or 1]
+    """
+
+    inertia: Array
+    slope: Array
+    load: Array
+    powers: tuple[Power, ...]
+    output: Array
+
+    def taken(self, speed: Array) -> Array:
+        """Torque that load and ½J′ω² take at the crank, at speeds of the crank, shape (n,). [N·m]"""
+        return self.by_load(speed) + 0.5 * self.slope * speed * speed
+
+    def by_load(self, speed: Array) -> Array:
+        """Torque that the load takes at the crank, at speeds of the crank, shape (n,). [N·m]"""
+        return sum((one.torque(speed) for one in self.powers), self.load + 0.0 * speed)
+
+
+def reduced_at(machine: ReducedMachine, angle: Array) -> ReducedAt:
+    """A machine that turns forward, at crank angles, shape (n,) [rad], in its steady state.
+
+    docs/theory/reduced-machine, eqs. (31.1) to (31.5).
+    """
+    turns = angle / TURN
+    along = (turns - np.floor(turns)) * len(machine.pieces)
+    piece = np.minimum(along.astype(np.intp), len(machine.pieces) - 1)
+    rows, x = np.asarray(machine.pieces)[piece], 2 * (along - piece) - 1
+    by_angle = len(machine.pieces) / np.pi
+
+    def value(which: float) -> Array:
+        return _polynomial(rows, int(which), x)
+
+    def slope(which: float) -> Array:
+        return _polynomial(rows, int(which), x, order=1) * by_angle
+
+    load, powers = value(WEIGHT), list[Power]()
+    for row in np.asarray(machine.loads).tolist():
+        rate = np.full(angle.shape, row[COUNTS]) if row[RATE] < 0 else value(row[RATE])
+        rate = np.sqrt(np.maximum(rate, 0.0)) if row[IS_SQUARED] > 0 else rate
+        taken = np.abs(rate) if row[RESISTS] > 0 else -rate
+        if row[LAW] == BY_SPEED and row[EXPONENT] != 0:
+            powers.append(Power(taken * row[SIZE] * (np.abs(rate) / row[AT]) ** row[EXPONENT], row[EXPONENT]))
+        else:
+            load = load + taken * _size(machine, row, rate, value, angle)
+    for chamber, pressure in zip(machine.chambers, _steady_pressures(machine, angle, value), strict=True):
+        load = load - (pressure - chamber[AMBIENT]) * slope(chamber[VOLUME])
+    return ReducedAt(value(INERTIA), slope(INERTIA), load, tuple(powers), value(OUTPUT))
+
+
+def _polynomial(rows: Array, which: int, x: Array, *, order: int = 0) -> Array:
+    """A coefficient, or its slope, at places −1…1 within pieces."""
+    own = rows[:, which * (DEGREE + 1) : (which + 1) * (DEGREE + 1)]
+    powers = np.arange(order, DEGREE + 1)
+    scaled = own[:, order:] * (powers if order else 1)
+    return np.sum(scaled * x[:, np.newaxis] ** (powers - order), axis=1)
+
+
+def _size(machine: ReducedMachine, row: list[float], rate: Array, value: Any, angle: Array) -> Array:
+    """Size of a load that does not depend on the speed."""
+    if row[LAW] == BY_SPEED:
+        return np.full(angle.shape, row[SIZE])
+    first = int(row[FIRST])
+    at, out, back = np.asarray(machine.points)[first : first + int(row[N_POINTS])].T
+    if row[LAW] == BY_ANGLE:
+        return np.interp(np.mod(angle - row[ORIGIN], row[PERIOD]), at, out)
+    travel = row[COUNTS] * value(row[PLACE]) - row[ORIGIN]
+    return np.where(row[COUNTS] * rate >= 0, np.interp(travel, at, out), np.interp(travel, at, back))
+
+
+def _steady_pressures(machine: ReducedMachine, angle: Array, value: Any) -> list[Array]:
+    """Pressure in each chamber after it has gone through its cycle, shape (n,). [Pa]"""
+    order = np.argsort(np.mod(angle, TURN), kind="stable")
+    found: list[Array] = []
+    for chamber in np.asarray(machine.chambers).tolist():
+        volumes = value(chamber[VOLUME])
+        exponent = chamber[COMPRESSION]
+        constant = chamber[SUCTION] * float(np.max(volumes)) ** exponent
+        pressure = np.empty(angle.shape)
+        for _ in range(2):
+            for place in order.tolist():
+                pressure[place], constant, exponent = gas_in(chamber, constant, exponent, float(volumes[place]))
+        found.append(pressure)
+    return found

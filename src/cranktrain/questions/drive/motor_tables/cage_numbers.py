@@ -1,0 +1,215 @@
+"""A cage motor's numbers from its table: rated point, synchronous speed, the curve, what its size stands for."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.language import _
+from cranktrain.motion import Array, single
+from cranktrain.quantities import shown
+from cranktrain.questions.drive.motor_tables.declared import UNKNOWN, DeclaredMotor, Rating
+from cranktrain.questions.drive.motors.breakdown_slip import contradiction, full_fit, slip_from_rated
+from cranktrain.questions.drive.motors.cage import (
+    CAGE,
+    CageMotor,
+    CatalogueValues,
+    cage_torque,
+    catalogue_curve,
+    kloss_curve,
+    slip_of,
+)
+from cranktrain.questions.drive.motors.catalogue import four_pole_motors
+from cranktrain.questions.drive.motors.current import CageCurrent, cage_current
+from cranktrain.questions.drive.motors.heat import cage_heat
+
+if TYPE_CHECKING:
+    from cranktrain.quantities import Given
+    from cranktrain.questions.drive.motor_tables.cage import CageSpec
+
+LINE_FREQUENCY = 50.0
+"""Unless the table says another. [Hz]"""
+MOST_RATED_SLIP = 0.1
+"""Of motors whose synchronous speed is guessed from the rated one; with more, another frequency may be meant."""
+_MOST_APART = 0.1
+"""By which a formula may miss what the plate says without a word."""
+
+
+class Size(NamedTuple):
+    """What a size of the small catalogue stands for, one number or shape (design,), in SI."""
+
+    rating: Rating
+    synchronous_speed: Array
+    breakdown_ratio: Array
+    starting_ratio: Array
+    pull_up_ratio: Array
+    inertia: Array
+    starting_current_ratio: Array
+    efficiency: Array
+    power_factor: Array
+
+
+def place_of(size: "Given") -> NDArray[np.intp]:
+    """Place of a size in the small catalogue, the nearest one."""
+    return np.argmin(np.abs(four_pole_motors().power - np.expand_dims(size.array, -1)), axis=-1)
+
+
+def of_size(spec: "CageSpec") -> Size:
+    """What the size of a table stands for; NaN where it has none."""
+    if spec.size is None:
+        return Size(Rating(), *(UNKNOWN,) * 8)
+    motors, place = four_pole_motors(), place_of(spec.size)
+    values = motors.values
+    rest = (
+        values.synchronous_speed,
+        values.breakdown_ratio,
+        values.starting_ratio,
+        values.pull_up_ratio,
+        motors.inertia,
+        motors.starting_current_ratio,
+        motors.efficiency,
+        motors.power_factor,
+    )
+    return Size(Rating(values.rated_torque[place], values.rated_speed[place]), *(number[place] for number in rest))
+
+
+def rating_of(spec: "CageSpec") -> Rating:
+    """Rated point of the table, or of its size."""
+    return of_size(spec).rating if spec.size is not None else spec.rating
+
+
+def synchronous_speed_of(spec: "CageSpec") -> Array:
+    """Synchronous speed of a table: written, by frequency and poles, or the nearest above the rated speed. [rad/s]
+
+    NaN where nothing of these is there.
+    """
+    if spec.synchronous_speed is not None:
+        return spec.synchronous_speed.array
+    if spec.size is not None:
+        return of_size(spec).synchronous_speed
+    of_a_pair = 2 * np.pi * (single(LINE_FREQUENCY) if spec.frequency is None else spec.frequency.array)
+    if spec.poles is not None:
+        return of_a_pair / (spec.poles / 2)
+    pairs = np.ceil(of_a_pair / spec.rating.speed) - 1
+    return np.where(pairs > 0, of_a_pair / np.maximum(1, pairs), np.nan)
+
+
+def ratio_of(spec: "CageSpec", name: str) -> Array:
+    """A ratio of the table, or that of its size; NaN where neither has it."""
+    given: Given | None = getattr(spec, name)
+    return getattr(of_size(spec), name) if given is None else given.array
+
+
+def catalogue_values(spec: "CageSpec") -> CatalogueValues:
+    """Rated point and ratios; where the table has no pull-up torque, it is that at standstill."""
+    rating, start, pull_up = rating_of(spec), ratio_of(spec, "starting_ratio"), ratio_of(spec, "pull_up_ratio")
+    pull_up = np.where(np.isnan(pull_up), start, np.minimum(pull_up, start))
+    breakdown = ratio_of(spec, "breakdown_ratio")
+    return CatalogueValues(rating.torque, rating.speed, synchronous_speed_of(spec), breakdown, start, pull_up)
+
+
+def cage_curve(spec: "CageSpec") -> CageMotor:
+    """Curve of a table, at the voltage that is there."""
+    values = catalogue_values(spec)
+    if spec.curve == "catalogue":
+        return at_voltage(catalogue_curve(values, spec.pull_up_slip.array), spec.voltage_ratio.array)
+    slip, asymmetry = _kloss_slip(spec, values)
+    torque = values.breakdown_ratio * values.rated_torque
+    torque = torque if spec.breakdown_torque is None else spec.breakdown_torque.array
+    return at_voltage(kloss_curve(values.synchronous_speed, torque, slip, asymmetry), spec.voltage_ratio.array)
+
+
+def _kloss_slip(spec: "CageSpec", values: CatalogueValues) -> tuple[Array, Array]:
+    """Breakdown slip and asymmetry of Kloss's formula: written, or through the points of the plate."""
+    if spec.breakdown_slip is not None:
+        return spec.breakdown_slip.array, single(0.0) if spec.asymmetry is None else spec.asymmetry.array
+    rated_slip = slip_of(values.rated_speed, values.synchronous_speed)
+    breakdown = breakdown_over_rated(spec)
+    if spec.curve == "kloss":
+        return slip_from_rated(rated_slip, breakdown), single(0.0)
+    return full_fit(rated_slip, breakdown, values.starting_ratio)
+
+
+def breakdown_over_rated(spec: "CageSpec") -> Array:
+    """Breakdown torque in parts of the rated one, whichever way it is given."""
+    if spec.breakdown_torque is not None:
+        return spec.breakdown_torque.array / rating_of(spec).torque
+    return ratio_of(spec, "breakdown_ratio")
+
+
+def at_voltage(motor: CageMotor, ratio: Array) -> CageMotor:
+    """The same motor at another voltage: all torques go with its square. docs/theory/drive, section Starters."""
+    part = ratio * ratio
+    return motor._replace(
+        breakdown_torque=part * motor.breakdown_torque,
+        pull_up_torque=part * motor.pull_up_torque,
+        starting_torque=part * motor.starting_torque,
+    )
+
+
+def declared_cage(spec: "CageSpec") -> DeclaredMotor:
+    """Motor of a table, direct on line."""
+    curve = cage_curve(spec)
+    start = ratio_of(spec, "starting_current_ratio") * spec.voltage_ratio.array
+    is_known = not np.any(np.isnan(start))
+    return DeclaredMotor(
+        CAGE,
+        curve,
+        rating_of(spec),
+        curve.synchronous_speed,
+        spec.rotor_inertia,
+        cage_heat,
+        cage_current if is_known else None,
+        CageCurrent(curve.synchronous_speed, curve.breakdown_slip, start) if is_known else (),
+        UNKNOWN if spec.rated_current is None else spec.rated_current.array,
+        tuple(cage_notes(spec)),
+        tuple(cage_flags(spec)),
+    )
+
+
+def cage_notes(spec: "CageSpec") -> Iterator[str]:
+    """What was taken where the table says nothing; of the first design."""
+    if spec.size is not None:
+        said = _("{size}: typical values of a four-pole motor at 50 Hz, nobody's catalogue.")
+        yield said.format(size=spec.size.text)
+    elif spec.synchronous_speed is None and spec.poles is None:
+        speed = f"{shown(first(synchronous_speed_of(spec)), 'rpm'):.6g} rpm"
+        yield _("The synchronous speed is {speed}, the nearest above the rated one.").format(speed=speed)
+    if spec.curve == "catalogue" and spec.size is None and spec.pull_up_ratio is None:
+        yield _("The pull-up torque is that at standstill.")
+
+
+def cage_flags(spec: "CageSpec") -> Iterator[str]:
+    """Where Kloss's formula contradicts the plate; of the first design."""
+    if spec.curve == "kloss" and (said := contradiction_text(spec)):
+        yield said
+    if spec.curve != "catalogue" and spec.breakdown_slip is not None:
+        rating, curve = rating_of(spec), cage_curve(spec)
+        torque, rated = (first(number) for number in (cage_torque(rating.speed, curve), rating.torque))
+        if abs(torque / rated - 1) > _MOST_APART:
+            said = _("Kloss's formula has {torque} N·m at the rated speed, where the plate says {rated} N·m.")
+            yield said.format(torque=f"{torque:.4g}", rated=f"{rated:.4g}")
+
+
+def contradiction_text(spec: "CageSpec") -> str | None:
+    """Say how far Kloss's simplified formula is off at standstill, where it passes through the rated point.
+
+    None where the plate does not say both, or they go together within 10 %.
+    """
+    values = catalogue_values(spec)
+    slip = slip_of(values.rated_speed, values.synchronous_speed)
+    found = contradiction(slip, breakdown_over_rated(spec), values.starting_ratio)
+    by_rated, wanted = first(found.start_by_rated), first(values.starting_ratio)
+    if spec.breakdown_slip is not None or not abs(by_rated / wanted - 1) > _MOST_APART:
+        return None
+    said = _(
+        "Kloss's formula through the rated point has {start} times the rated torque at standstill, where the plate "
+        'says {wanted}: the bars of real cages are deep. curve = "catalogue" passes through both.'
+    )
+    return said.format(start=f"{by_rated:.2f}", wanted=f"{wanted:.3g}")
+
+
+def first(number: Array) -> float:
+    """Number of the first design."""
+    return float(np.ravel(number)[0])

@@ -1,0 +1,58 @@
+"""What the drive says in the answer: static torque and flywheel moment at the motor, and how it runs with the motor."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.questions.drive.static_torques import StaticTorques
+from cranktrain.questions.drive.steady_drive import SteadyDrive
+from cranktrain.rows import Amount, AnswerLine, Extent, worded
+from cranktrain.wording import Names
+
+
+def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[AnswerLine]:
+    """Range of the static torque at the first shaft, and of the flywheel moment there."""
+    most, least = found.largest_static_torque, found.smallest_static_torque
+    yield worded(
+        _("static torque at {shaft}").format(shaft=labels["drive_shaft"][0]),
+        _("{range}; effective {rms}"),
+        range=Extent(
+            float(least.value[design, 0]),
+            float(most.value[design, 0]),
+            "N*m",
+            (float(least.angle[design, 0]), float(most.angle[design, 0])),
+        ),
+        rms=Amount(float(found.rms_static_torque[design, 0]), "N*m"),
+    )
+    moments = found.flywheel_moment[design, 0]
+    yield worded(
+        _("GD² at {shaft}").format(shaft=labels["drive_shaft"][0]),
+        _("{range}; {own} of it the drive's own"),
+        range=Extent(float(np.min(moments)), float(np.max(moments)), "kg*m^2"),
+        own=Amount(float(found.gear_flywheel_moment[design, 0]), "kg*m^2"),
+    )
+
+
+def running_rows(labels: Names, design: int, found: SteadyDrive) -> Iterator[AnswerLine]:
+    """How the motor runs in the steady state."""
+    yield worded(
+        _("motor runs at"),
+        _("{speed}, fluctuation {delta}; a cycle takes {time}"),
+        speed=Amount(float(found.mean_motor_speed[design]), "rpm"),
+        delta=Amount(float(found.drive_fluctuation[design]), "1"),
+        time=Amount(float(found.cycle_time[design]), "s"),
+    )
+    yield worded(
+        _("torque of the motor"),
+        _("{range}; effective {rms}"),
+        range=Extent(float(found.smallest_motor_torque[design]), float(found.largest_motor_torque[design]), "N*m"),
+        rms=Amount(float(found.rms_motor_torque[design]), "N*m"),
+    )
+    yield worded(
+        _("power of the motor"),
+        _("{power}; loads take {taken}, the drive loses {lost}"),
+        power=Amount(float(found.motor_power[design]), "W"),
+        taken=Amount(float(found.driven_power[design]), "W"),
+        lost=Amount(float(found.lost_power[design]), "W"),
+    )

@@ -1,0 +1,151 @@
+"""The table [drive] of the machine file: what drives the crank, through which gearing, and how it starts."""
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.paths import path_text
+from cranktrain.quantities import (
+    Angle,
+    Dimension,
+    FlywheelMoment,
+    Given,
+    NonNegativeInertia,
+    NonNegativeTime,
+    PositiveRatio,
+    PositiveSpeed,
+    PositiveTime,
+    Quantity,
+    Speed,
+)
+from cranktrain.questions.drive.motor_tables import AnyMotor
+from cranktrain.spec import Spec
+
+Efficiency = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)]
+EfficiencyBack = Annotated[Given, Quantity(Dimension.RATIO, at_most=1.0)]
+GearAngle = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0)]
+Drag = Annotated[Given, Quantity(Dimension.TORQUE, at_least=0.0)]
+Tolerance = Annotated[Given, Quantity(Dimension.RATIO, at_least=1e-12, at_most=1e-3)]
+
+_LOSSLESS = Given(1.0, "1")
+
+
+class StageSpec(Spec, frozen=True):
+    """A gear or belt stage; the first one stands at the motor, the last one at the crank."""
+
+    ratio: PositiveRatio = Field(description=N_("Turns of its input for one turn of its output."))
+    efficiency: Efficiency | None = Field(
+        default=None, description=N_("While power flows toward the crank; 1 unless given, or by the angles of a worm.")
+    )
+    efficiency_back: EfficiencyBack | None = Field(
+        default=None,
+        description=N_(
+            "While the crank drives; as much friction both ways, 2 − 1/efficiency, unless given. Less than 0: it holds."
+        ),
+    )
+    lead_angle: GearAngle | None = Field(default=None, description=N_("Of a worm, instead of efficiencies."))
+    friction_angle: GearAngle | None = Field(default=None, description=N_("Of a worm, beside its lead_angle."))
+    drag: Drag = Field(
+        default=Given(0.0, "0 N·m"), description=N_("Torque that it takes at its input, whatever it passes on.")
+    )
+
+    def _problems(self) -> Iterator[Problem]:
+        """Find a worm of one angle, and one beside efficiencies."""
+        angles = [name for name in ("lead_angle", "friction_angle") if getattr(self, name) is not None]
+        if len(angles) == 1:
+            missing = "friction_angle" if angles == ["lead_angle"] else "lead_angle"
+            yield Problem(missing, None, _("is missing; a worm needs both its angles"))
+        given = [name for name in ("efficiency", "efficiency_back") if getattr(self, name) is not None]
+        if angles:
+            beside = _("must not stand beside the angles of a worm, which give it")
+            yield from (Problem(name, getattr(self, name).text, beside) for name in given)
+
+    @property
+    def efficiencies(self) -> tuple[Array, Array]:
+        """While power flows toward the crank, and while the crank drives. [1]"""
+        from cranktrain.questions.drive.running.gearing import equal_friction, worm_efficiencies
+
+        if self.lead_angle is not None and self.friction_angle is not None:
+            return worm_efficiencies(self.lead_angle.array, self.friction_angle.array)
+        forward = (self.efficiency or _LOSSLESS).array
+        return forward, equal_friction(forward) if self.efficiency_back is None else self.efficiency_back.array
+
+
+class PartSpec(Spec, frozen=True):
+    """What turns with a shaft of the drive: coupling, brake pulley, gear wheel, flywheel."""
+
+    on: Literal["motor"] | Annotated[int, Field(ge=1)] = Field(
+        default="motor", description=N_("On which shaft: the motor's, or that behind a stage, by its number.")
+    )
+    inertia: NonNegativeInertia | None = Field(default=None, description=N_("About its own axis."))
+    flywheel_moment: FlywheelMoment | None = Field(
+        default=None, description=N_("GD², four times the moment of inertia; instead of inertia.")
+    )
+
+    def _problems(self) -> Iterator[Problem]:
+        """Find a part without inertia, and one with two."""
+        if self.inertia is None and self.flywheel_moment is None:
+            yield Problem("inertia", None, _("is missing; or give flywheel_moment, GD²"))
+        elif self.inertia is not None and self.flywheel_moment is not None:
+            yield Problem("flywheel_moment", None, _("must not stand beside inertia; GD² = 4 J says the same"))
+
+    @property
+    def moment(self) -> Array:
+        """Moment of inertia, however it is given. [kg·m²]"""
+        given = self.flywheel_moment
+        return self.inertia.array if self.inertia is not None else (given.array / 4 if given is not None else 0.0)  # pyright: ignore[reportReturnType]
+
+
+class StartSpec(Spec, frozen=True):
+    """How a run begins, what happens in it, and when it ends."""
+
+    angle: Angle = Field(default=Given(0.0, "0 deg"), description=N_("Crank angle, as shown, at which it begins."))
+    speed: Speed = Field(default=Given(0.0, "0 rpm"), description=N_("Of the crank at the beginning."))
+    duration: PositiveTime = Field(
+        default=Given(60.0, "60 s"),
+        description=N_("The most that is computed; it ends before if nothing more happens."),
+    )
+    until_speed: PositiveSpeed | None = Field(
+        default=None, description=N_("Of the crank: it ends when this is reached.")
+    )
+    overspeed: PositiveSpeed | None = Field(
+        default=None, description=N_("Of the crank: it ends when a load drives it beyond.")
+    )
+    motor_off: NonNegativeTime | None = Field(
+        default=None, description=N_("When the motor is switched off; then it coasts.")
+    )
+    motor_reversed: NonNegativeTime | None = Field(
+        default=None, description=N_("When the motor is switched to turn the other way: plugging.")
+    )
+    brake_on: NonNegativeTime | None = Field(default=None, description=N_("When the brake is commanded."))
+    unloaded_until: NonNegativeTime | None = Field(
+        default=None, description=N_("Until when a compressor's suction valves are held open.")
+    )
+    interval: PositiveTime | None = Field(default=None, description=N_("Between the times that are shown."))
+    tolerance: Tolerance = Field(
+        default=Given(1e-8, "1e-8"), description=N_("Of one step: of the angle in rad, of the speed in parts of it.")
+    )
+
+
+class DriveSpec(Spec, frozen=True):
+    """What drives the crank of shaft main: a motor, stages between, what turns with their shafts, and a start."""
+
+    motor: AnyMotor | None = Field(default=None, description=N_("The motor; all its numbers at its own shaft."))
+    stage: tuple[StageSpec, ...] = Field(
+        default=(), description=N_("Gear and belt stages from the motor to the crank, in their order.")
+    )
+    part: Mapping[str, PartSpec] = Field(
+        default={}, description=N_("What turns with a shaft of the drive, by name: couplings, pulleys, flywheels.")
+    )
+    start: StartSpec = Field(default=StartSpec(), description=N_("How a run begins and when it ends."))
+
+    def _problems(self) -> Iterator[Problem]:
+        """Find parts on shafts that are not there."""
+        for name, part in self.part.items():
+            if part.on != "motor" and part.on > len(self.stage):
+                allowed = _('must be "motor" or the number of a stage, of which there are {n}')
+                yield Problem(path_text(("part", name, "on")), str(part.on), allowed.format(n=len(self.stage)))

@@ -1,0 +1,162 @@
+"""Static torque and inertia reduced to every shaft of a drive: what the motor must hold, and what it must speed up."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import StageResult
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle, within
+from cranktrain.motion import ONE, Array
+from cranktrain.numerics import Extreme, largest_between
+from cranktrain.questions.drive.at_angles import reduced_at
+from cranktrain.questions.drive.declared import DeclaredDrive
+from cranktrain.questions.drive.gear_train import torque_through
+from cranktrain.questions.drive.reduction import ReducedMachines
+from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
+from cranktrain.questions.drive.steady_cycle import mesh_of
+from cranktrain.record import record
+
+THEORY = "docs/theory/reduced-machine"
+RULES = (N_("by transmitted torque"), N_("always dividing"))
+"""Where losses go: by the sign of what a stage passes on; or against the motor always, as [gandzha] has it."""
+
+_SHAFT = ("drive_shaft",)
+_CURVE = ("drive_shaft", "crank_angle")
+
+
+@record
+class StaticTorques(StageResult):
+    """Static torque and inertia at every shaft of the drive."""
+
+    labels: dict[str, tuple[str, ...]]
+    static_torque: Array = quantity(
+        "M_st", "N*m", _CURVE, N_("Torque that holds the machine against its loads, at each shaft of the drive"), THEORY
+    )
+    static_motor_torque: Array = quantity(
+        "M_st,m",
+        "N*m",
+        ("loss_rule", "crank_angle"),
+        N_("Static torque at the motor, by where losses go"),
+        "[gandzha] (14)",
+    )
+    driven_inertia: Array = quantity(
+        "J_k", "kg*m^2", _CURVE, N_("Inertia of drive and machine together, reduced to each shaft"), THEORY
+    )
+    flywheel_moment: Array = quantity(
+        "GD²", "kg*m^2", _CURVE, N_("Flywheel moment at each shaft, four times the inertia"), "[gandzha] (20)"
+    )
+    gear_flywheel_moment: Array = quantity(
+        "(GD²)₀", "kg*m^2", _SHAFT, N_("Flywheel moment of the drive without the machine"), "[gandzha] (18)"
+    )
+    largest_static_torque: Extreme = extreme(
+        "M_st,max", "N*m", _SHAFT, N_("Largest static torque"), N_("Crank angle of the largest static torque"), THEORY
+    )
+    smallest_static_torque: Extreme = extreme(
+        "M_st,min",
+        "N*m",
+        _SHAFT,
+        N_("Smallest static torque, or largest that drives"),
+        N_("Crank angle of the smallest static torque"),
+        THEORY,
+    )
+    mean_static_torque: Array = quantity(
+        "M_st,mean", "N*m", _SHAFT, N_("Mean static torque over the crank angle"), THEORY
+    )
+    rms_static_torque: Array = quantity(
+        "M_st,rms", "N*m", _SHAFT, N_("Root mean square of the static torque over the crank angle"), THEORY
+    )
+
+
+class _Facts(NamedTuple):
+    """Static torque of one design at every shaft: extremes, mean and root mean square, each of shape (shaft,)."""
+
+    largest: Extreme
+    smallest: Extreme
+    mean: Array
+    rms: Array
+
+
+def static_torques(drive: DeclaredDrive, machines: ReducedMachines, crank_angle: CrankAngle) -> StaticTorques:
+    """Reduce loads and inertia to every shaft of the drive.
+
+    Notes
+    -----
+    docs/theory/reduced-machine, eqs. (31.9) and (31.10).
+    """
+    grid = np.broadcast_to(crank_angle.angle[:, 0], (len(machines.each), crank_angle.shown.size))
+    torque, dividing, inertia = list[Array](), list[Array](), list[Array]()
+    facts: list[_Facts] = []
+    for design, (machine, gearing) in enumerate(zip(machines.each, drive.gearings, strict=True)):
+        at = reduced_at(machine, grid[design])
+        still = at.by_load(0.0 * grid[design])
+        torque.append(torque_through(still, ONE, gearing))
+        dividing.append(torque_through(still, ONE, _always_dividing(gearing))[0])
+        inertia.append(_inertias(at.inertia, gearing))
+        facts.append(_facts(machines, design, gearing, crank_angle))
+    driven = np.stack(inertia)
+    of_drive = np.stack([_inertias(np.zeros(1), gearing)[:, 0] for gearing in drive.gearings])
+    at_motor = np.stack([own[0] for own in torque])
+    return StaticTorques(
+        labels={"drive_shaft": drive.shafts, "loss_rule": tuple(_(rule) for rule in RULES)},
+        static_torque=np.stack(torque),
+        static_motor_torque=np.stack([at_motor, np.stack(dividing)], axis=1),
+        driven_inertia=driven,
+        flywheel_moment=4 * driven,
+        gear_flywheel_moment=4 * of_drive,
+        largest_static_torque=_together([own.largest for own in facts]),
+        smallest_static_torque=_together([own.smallest for own in facts]),
+        mean_static_torque=np.stack([own.mean for own in facts]),
+        rms_static_torque=np.stack([own.rms for own in facts]),
+        flags=tuple(_flags(drive)),
+    )
+
+
+def _always_dividing(gearing: Gearing) -> Gearing:
+    """Gearing in whose loss the sign of the torque does not matter: as much too little comes back."""
+    return gearing._replace(backward=1 / gearing.forward)
+
+
+def _inertias(machine: Array, gearing: Gearing) -> Array:
+    """Inertia of drive and machine reduced to every shaft, the motor's first, shape (shaft, n). [kg·m²]"""
+    turned = np.cumprod(np.append(1.0, gearing.ratio))  # turns of the motor for one of each shaft
+    at_motor = gearing.motor_inertia + np.sum(gearing.inertia / turned[1:] ** 2) + machine / overall_ratio(gearing) ** 2
+    return at_motor * turned[:, np.newaxis] ** 2
+
+
+def _facts(machines: ReducedMachines, design: int, gearing: Gearing, crank_angle: CrankAngle) -> _Facts:
+    """Extremes between corners, and means by quadrature between them."""
+    machine = machines.each[design]
+    corners = machines.corners[min(design, len(machines.corners) - 1)]
+    mesh = mesh_of(machines.cycle, corners)
+
+    def torque(angle: Array) -> Array:
+        still = reduced_at(machine, np.ravel(angle)).by_load(np.zeros(angle.size))
+        return torque_through(still, ONE, gearing).reshape(-1, *angle.shape)
+
+    zero = float(crank_angle.zero[min(design, len(crank_angle.zero) - 1), 0, 0])
+    samples = torque(crank_angle.shown + zero)
+
+    def peak(sign: float) -> Extreme:
+        def curves(which: NDArray[np.intp], shown: Array) -> Array:
+            return sign * torque(shown + zero)[which, np.arange(len(which))]
+
+        found = largest_between(curves, crank_angle.shown, sign * samples, corners - zero)
+        return Extreme(within(found.angle, machines.cycle), sign * found.value)
+
+    at_nodes = torque(mesh.nodes)
+    return _Facts(peak(1.0), peak(-1.0), mesh.mean(at_nodes), np.sqrt(mesh.mean(at_nodes**2)))
+
+
+def _together(each: Sequence[Extreme]) -> Extreme:
+    """Extremes of all designs, shape (design, shaft)."""
+    return Extreme(np.stack([own.angle for own in each]), np.stack([own.value for own in each]))
+
+
+def _flags(drive: DeclaredDrive) -> Iterator[str]:
+    """Flag irreversible gearing."""
+    if any(np.any(gearing.backward < 0) for gearing in drive.gearings):
+        yield _("A stage of the drive is irreversible: the motor must drive even while the load pulls.")

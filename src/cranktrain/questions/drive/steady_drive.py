@@ -1,0 +1,263 @@
+"""Steady running with the motor: speed, torques and losses over the cycle that repeats itself."""
+
+from collections.abc import Iterator
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check, StageResult
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.motion import Array
+from cranktrain.questions.drive.at_angles import ReducedAt, reduced_at
+from cranktrain.questions.drive.declared import DeclaredDrive
+from cranktrain.questions.drive.gear_train import Passed, through_stages
+from cranktrain.questions.drive.motor_tables import DeclaredMotor
+from cranktrain.questions.drive.reduction import ReducedMachines
+from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
+from cranktrain.questions.drive.running.reduced import ReducedMachine
+from cranktrain.questions.drive.steady_cycle import Mesh, SpeedOverTurn, mesh_of, speed_over_turn
+from cranktrain.record import record
+from cranktrain.wording import Names, number
+
+_THEORY = "docs/theory/reduced-machine"
+_CURVE = ("crank_angle",)
+_ENERGY_LIMIT = 1e-9
+_MOST_MESHES = 4
+_N_SPEEDS = 400
+_SLOWEST = 0.02
+"""Of the motor's top speed: slower it counts as stalled."""
+
+
+class DriveInTurn(NamedTuple):
+    """One design's machine, motor and gearing, as it turns forward; `here` is the machine at some crank angles."""
+
+    machine: ReducedMachine
+    motor: DeclaredMotor
+    design: int
+    gearing: Gearing
+    here: ReducedAt
+
+    def motor_torque(self, speed: Array) -> Array:
+        """At the motor, by speeds of the crank, shape (n,). [N·m]"""
+        at_motor = speed * overall_ratio(self.gearing)
+        return self.motor.torque(np.broadcast_to(at_motor, (self.motor.n_designs, *speed.shape)))[self.design]
+
+    def heat(self, speed: Array) -> Array:
+        """Power that heats the motor, by speeds of the crank, shape (n,). [W]"""
+        at_motor = speed * overall_ratio(self.gearing)
+        return self.motor.heating(np.broadcast_to(at_motor, (self.motor.n_designs, *speed.shape)))[self.design]
+
+    def passed(self, speed: Array) -> Passed:
+        """Acceleration of the crank, and torque at the output of every stage."""
+        taken = self.here.taken(speed)
+        return through_stages(self.motor_torque(speed), self.here.inertia, taken, self.gearing)
+
+    def at(self, angle: Array) -> "DriveInTurn":
+        """The same at other crank angles, shape (n,). [rad]"""
+        return self._replace(here=reduced_at(self.machine, angle))
+
+
+_NOWHERE = ReducedAt(*np.empty((3, 0)), (), np.empty(0))
+
+
+@record
+class SteadyDrive(StageResult):
+    """Steady running with the motor."""
+
+    running: tuple[SpeedOverTurn | None, ...]
+    drive_speed: Array = quantity(
+        "ω_s", "rad/s", _CURVE, N_("Speed of the crank over the cycle, with its motor"), _THEORY
+    )
+    drive_acceleration: Array = quantity(
+        "ε_s", "rad/s^2", _CURVE, N_("Angular acceleration of the crank, with its motor"), _THEORY
+    )
+    motor_speed: Array = quantity("ω_m", "rad/s", _CURVE, N_("Speed of the motor"), _THEORY)
+    motor_torque: Array = quantity("M_m", "N*m", _CURVE, N_("Torque of the motor at its own shaft"), _THEORY)
+    transmitted_torque: Array = quantity(
+        "x", "N*m", _CURVE, N_("Torque that the drive passes on to the crank, load and inertia together"), _THEORY
+    )
+    cycle_time: Array = quantity("T", "s", (), N_("Time of a cycle in steady running"), _THEORY)
+    mean_motor_speed: Array = quantity("ω_m,mean", "rad/s", (), N_("Mean speed of the motor over time"), _THEORY)
+    drive_fluctuation: Array = quantity(
+        "δ_s", "1", (), N_("Coefficient of fluctuation of the crank's speed, with its motor"), _THEORY
+    )
+    mean_motor_torque: Array = quantity("M_m,mean", "N*m", (), N_("Mean torque of the motor over time"), _THEORY)
+    rms_motor_torque: Array = quantity(
+        "M_m,rms", "N*m", (), N_("Root mean square of the motor's torque over time"), _THEORY
+    )
+    largest_motor_torque: Array = quantity("M_m,max", "N*m", (), N_("Largest torque of the motor"), _THEORY)
+    smallest_motor_torque: Array = quantity("M_m,min", "N*m", (), N_("Smallest torque of the motor"), _THEORY)
+    motor_power: Array = quantity("P_m", "W", (), N_("Mean power of the motor at its shaft"), _THEORY)
+    driven_power: Array = quantity("P_Q", "W", (), N_("Mean power that the loads take"), _THEORY)
+    lost_power: Array = quantity("P_v", "W", (), N_("Mean power that the drive's stages lose"), _THEORY)
+    motor_heat: Array = quantity("P_w", "W", (), N_("Mean power that heats the motor's rotor"), _THEORY)
+
+    needs_motor: ClassVar[str] = DeclaredMotor.needs
+
+    def answer(self, _names: Names, design: int) -> str:
+        """Say how the motor runs."""
+        if np.isnan(self.cycle_time[design]):
+            return ""
+        return _(
+            "The motor runs at {speed}, torque {least} to {most}, effective {rms}; it gives {power} at its shaft."
+        ).format(
+            speed=number(float(self.mean_motor_speed[design]), "rpm"),
+            least=number(float(self.smallest_motor_torque[design]), "N*m"),
+            most=number(float(self.largest_motor_torque[design]), "N*m"),
+            rms=number(float(self.rms_motor_torque[design]), "N*m"),
+            power=number(float(self.motor_power[design]), "W"),
+        )
+
+
+def steady_drive(
+    drive: DeclaredDrive, motor: DeclaredMotor, machines: ReducedMachines, crank_angle: CrankAngle
+) -> SteadyDrive:
+    """Find the steady cycle of every design, and what the motor and its drive do in it.
+
+    Notes
+    -----
+    docs/theory/reduced-machine, eqs. (31.6) to (31.8).
+    """
+    each: list[SpeedOverTurn | None] = []
+    rows: list[tuple[Array, ...]] = []
+    residuals: list[float] = []
+    flags: list[str] = []
+    for design, gearing in enumerate(drive.gearings):
+        turning, found = _settled(DriveInTurn(machines.each[design], motor, design, gearing, _NOWHERE), machines)
+        each.append(found)
+        angle = np.broadcast_to(crank_angle.angle[:, 0], (len(drive.gearings), crank_angle.shown.size))[design]
+        if found is None:
+            flags.append(_no_cycle(turning))
+            rows.append((*np.full((5, angle.size), np.nan), *np.full((11, 1), np.nan)))
+            residuals.append(0.0)
+            continue
+        rows.append((*_curves(turning.at(angle), found.at(angle)), *_facts(turning, found)))
+        residuals.append(_residual(turning, found))
+        flags += _flags(found)
+    columns = [np.stack([row[at] for row in rows]) for at in range(5)]
+    facts = [np.array([float(np.ravel(row[at])[0]) for row in rows]) for at in range(5, len(rows[0]))]
+    return SteadyDrive(
+        tuple(each),
+        *columns,
+        *facts,
+        checks=(
+            Check(
+                "drive_energy",
+                _("Work of the motor over a cycle less that of loads and losses, relative to the largest of these"),
+                np.array(residuals),
+                _ENERGY_LIMIT,
+            ),
+        ),
+        flags=tuple(dict.fromkeys(flags)),
+    )
+
+
+def _settled(turning: DriveInTurn, machines: ReducedMachines) -> tuple[DriveInTurn, SpeedOverTurn | None]:
+    """Steady cycle on pieces that end where loads have corners, and losses too; with the drive there."""
+    corners = machines.corners[min(turning.design, len(machines.corners) - 1)]
+    mesh = mesh_of(machines.cycle, corners)
+    for rest in reversed(range(_MOST_MESHES)):
+        turning = turning.at(mesh.nodes)
+        found = _cycle(turning, mesh)
+        kinks = np.empty(0) if found is None else _kinks(turning, found)
+        if rest == 0 or kinks.size == 0:
+            break
+        mesh = mesh_of(machines.cycle, np.concatenate([corners, kinks]))
+    return turning, found
+
+
+def _cycle(turning: DriveInTurn, mesh: Mesh) -> SpeedOverTurn | None:
+    """Steady cycle nearest to the speed at which mean torques balance."""
+    first = _balanced_speed(turning, mesh)
+    return None if first is None else speed_over_turn(lambda speed: turning.passed(speed).acceleration, mesh, first)
+
+
+def _balanced_speed(turning: DriveInTurn, mesh: Mesh) -> float | None:
+    """Highest constant speed of the crank at which the mean acceleration falls through 0; None without one. [rad/s]"""
+    top = float(turning.motor.top_speed[turning.design]) / overall_ratio(turning.gearing)
+    if not np.isfinite(top):
+        top = 3 * float(turning.motor.rating.speed[turning.design]) / overall_ratio(turning.gearing)
+    speeds = np.linspace(_SLOWEST, 1.3, _N_SPEEDS) * top
+    means = np.array([float(mesh.mean(_work(turning, np.full(mesh.nodes.shape, speed)))) for speed in speeds])
+    falls = np.flatnonzero((means[:-1] > 0) & (means[1:] <= 0))
+    if falls.size == 0:
+        return None
+    low = falls[-1]
+    return float(speeds[low] + (speeds[low + 1] - speeds[low]) * means[low] / (means[low] - means[low + 1]))
+
+
+def _work(turning: DriveInTurn, speed: Array) -> Array:
+    """What drives the crank at a constant speed, less what holds it. [rad/s²]"""
+    return turning.passed(speed).acceleration
+
+
+def _kinks(turning: DriveInTurn, found: SpeedOverTurn) -> Array:
+    """Crank angles at which a stage's torque changes its sign: there the losses have a kink. [rad]"""
+    outputs, nodes = turning.passed(found.speed).outputs, found.mesh.nodes
+    row, place = np.nonzero(np.sign(outputs[:, :-1]) * np.sign(outputs[:, 1:]) < 0)
+    low, high = outputs[row, place], outputs[row, place + 1]
+    return nodes[place] + (nodes[place + 1] - nodes[place]) * low / (low - high)
+
+
+def _curves(turning: DriveInTurn, speed: Array) -> tuple[Array, ...]:
+    """Speeds and torques over the crank angle."""
+    torque, passed = turning.motor_torque(speed), turning.passed(speed)
+    ratio = overall_ratio(turning.gearing)
+    onward = passed.outputs[-1] if len(passed.outputs) else torque - turning.gearing.motor_inertia * passed.acceleration
+    return speed, passed.acceleration, speed * ratio, torque, onward
+
+
+def _facts(turning: DriveInTurn, found: SpeedOverTurn) -> tuple[Array, ...]:
+    """Facts of one design, in the order of `SteadyDrive`."""
+    speed, ratio = found.speed, overall_ratio(turning.gearing)
+    torque = turning.motor_torque(speed)
+    driven = turning.here.by_load(speed) * speed
+    power, taken = found.over_time(torque * speed * ratio), found.over_time(driven)
+    whole = found.at(np.linspace(0, np.sum(found.mesh.width), 20001))
+    at_whole = turning.motor_torque(whole)
+    mean = ratio * np.sum(found.mesh.width) / found.period
+    return tuple(
+        np.atleast_1d(each)
+        for each in (
+            found.period,
+            mean,
+            np.ptp(whole) * ratio / mean,
+            found.over_time(torque),
+            np.sqrt(found.over_time(torque**2)),
+            np.max(at_whole),
+            np.min(at_whole),
+            power,
+            taken,
+            power - taken,
+            found.over_time(turning.heat(speed)),
+        )
+    )
+
+
+def _residual(turning: DriveInTurn, found: SpeedOverTurn) -> float:
+    """What a cycle's works leave, relative to the largest of them: losses by what each stage passes on."""
+    speed, gearing = found.speed, turning.gearing
+    outputs = turning.passed(speed).outputs
+    torque, lost, ratio = turning.motor_torque(speed) * overall_ratio(gearing), 0.0 * speed, overall_ratio(gearing)
+    for stage, output in enumerate(outputs):
+        factor = np.where(output > 0, 1 / gearing.forward[stage], gearing.backward[stage])
+        ratio /= gearing.ratio[stage]
+        lost = lost + (output * (factor - 1) + gearing.drag[stage] * gearing.ratio[stage]) * ratio
+    works = found.mesh.mean(np.stack([torque, turning.here.by_load(speed), lost]))
+    scale = found.mesh.mean(np.abs(np.stack([torque, turning.here.by_load(speed), lost])))
+    return float(abs(works[0] - works[1] - works[2]) / np.max(scale))
+
+
+def _no_cycle(turning: DriveInTurn) -> str:
+    """Say why there is no steady running."""
+    if np.any(np.isnan(turning.passed(np.full(turning.here.load.shape, 1.0)).acceleration)):
+        return _("No steady running: irreversible gearing jams, as no acceleration or several satisfy it.")
+    return _("No steady running: the motor cannot carry the machine through the cycle.")
+
+
+def _flags(found: SpeedOverTurn) -> Iterator[str]:
+    """Flag unstable running."""
+    if found.multiplier > 1:
+        yield _("The running with this motor is not stable: a small departure from it grows.")
