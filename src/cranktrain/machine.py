@@ -24,6 +24,7 @@ from cranktrain.layout.places import PlacedMechanism, places_of
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
 from cranktrain.layout.unit_tables import unit_problems
+from cranktrain.layout.wish.declared import wish_problems
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.motion import Array
@@ -239,7 +240,7 @@ class Machine(Spec, frozen=True):
         """Find what only the main shaft has, or only another, and shafts that carry nothing."""
         used = {shaft for bank in self.banks.values() for shaft in bank.shafts}
         for name, shaft in self.shaft.items():
-            foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve")
+            foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve", "motion")
             allowed = _("is for another shaft; angles and places count from [shaft.main]")
             if name != MAIN:
                 allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")
@@ -341,6 +342,7 @@ class Machine(Spec, frozen=True):
         places, found = self.arranged
         return found or (
             *standing_problems(self.shafts, places, self.orientation),
+            *wish_problems(self.design),
             *(problem for question in QUESTIONS for problem in question.problems(self.design)),
         )
 

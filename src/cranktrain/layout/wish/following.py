@@ -111,7 +111,7 @@ def _after(time: float, other: float, period: float) -> float:
 def _of_piece(piece: Piece, *, at_end: bool) -> Turning:
     if piece.law is None:
         raise AssertionError
-    return of_series(piece.law.end if at_end else piece.law.start, piece.rise, piece.span)
+    return of_series(piece.law.end if at_end else piece.law.start, piece.rise, piece.span, piece.law.reach)
 
 
 def crank_at(made: Following, time: Array) -> CrankMotion:

@@ -30,11 +30,14 @@ class Law(NamedTuple):
         From shares of the time, shape (n,), to `Moved`.
     start, end : Array, shape (power,)
         Its power series from the start; and of what is left, 1 − y, by what is left of the time.
+    reach : float
+        Share of the time, from each end, in which they hold to rounding.
     """
 
     shape: Callable[[Array], Moved]
     start: Array
     end: Array
+    reach: float = 0.5
 
     @property
     def orders(self) -> tuple[int, int]:

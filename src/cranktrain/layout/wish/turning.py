@@ -7,6 +7,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.polynomial import polynomial as powers
 
+from cranktrain.layout.wish.laws import leading
 from cranktrain.motion import Array, Coefficient
 
 _DEGREE = 18
@@ -14,8 +15,6 @@ _WIDEST, _NARROWEST = 0.4, 0.01
 _CLOSE = 2e-14
 """Of x″: what its polynomial about a dead centre may miss."""
 _MOST_STEPS = 12
-_SHARE = 0.5
-"""Of a law's time, from each of its ends, in which its series from there counts."""
 
 
 class Turning(NamedTuple):
@@ -87,11 +86,14 @@ def mirrored(turning: Turning) -> Turning:
     return turning._replace(series=turning.series * (-1.0) ** np.arange(turning.series.size))
 
 
-def of_series(series: Array, rise: float, span: float) -> Turning:
-    """Turning of a law from its power series over a span of time, on the way that `rise` measures."""
-    order = next(n for n in range(1, len(series)) if abs(series[n]) > 0)
+def of_series(series: Array, rise: float, span: float, reach: float) -> Turning:
+    """Turning of a law from its power series over a span of time, on the way that `rise` measures.
+
+    It holds for a share of the span.
+    """
+    order = leading(series)
     own = abs(rise) * np.sign(series[order]) * series[order:]
-    return Turning(order, own * _SHARE ** np.arange(own.size) / span**order, _SHARE * span)
+    return Turning(order, own * reach ** np.arange(own.size) / span**order, reach * span)
 
 
 def about_dead_centre(motion: Callable[[Array], Coefficient], angle: float) -> Turning:

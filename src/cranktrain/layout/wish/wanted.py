@@ -21,6 +21,8 @@ class Piece(NamedTuple):
     begin, rise : float
         Where it begins, and by how much it goes on. [m or rad]
     law : Law or None
+    number : int
+        Which one of the file's it is, from 0.
     """
 
     start: float
@@ -28,6 +30,15 @@ class Piece(NamedTuple):
     begin: float
     rise: float
     law: Law | None
+    number: int = 0
+
+    @property
+    def speeds(self) -> tuple[float, float]:
+        """With which it begins and ends. [m/s or rad/s]"""
+        if self.law is None:
+            return 0.0, 0.0
+        scale = self.rise / self.span
+        return float(self.law.start[1]) * scale, float(self.law.end[1]) * scale
 
 
 class WantedMotion(NamedTuple):
@@ -36,21 +47,25 @@ class WantedMotion(NamedTuple):
     Attributes
     ----------
     pieces : tuple of Piece
-        One after another from time 0.
+        One after another, from time 0.
     period : float
         [s]
+    zero : float
+        What the file's clock shows then. [s]
     """
 
     pieces: tuple[Piece, ...]
     period: float
+    zero: float = 0.0
 
-    def at(self, time: Array) -> Moved:
-        """Position and its first three derivatives at times, shape (n,). [m or rad, …/s, …/s², …/s³]"""
-        return moved(self, time)
+    def scaled(self, factor: float, shift: float) -> "WantedMotion":
+        """The motion with all positions times a factor, and a shift."""
+        pieces = (one._replace(begin=factor * one.begin + shift, rise=factor * one.rise) for one in self.pieces)
+        return self._replace(pieces=tuple(pieces))
 
 
 def moved(wanted: WantedMotion, time: Array) -> Moved:
-    """Position and derivatives of a wanted motion at times, shape (n,)."""
+    """Position of a wanted motion and its first three derivatives at times, shape (n,). [m or rad, …/s, …/s², …/s³]"""
     within = np.mod(time, wanted.period)
     starts = np.array([piece.start for piece in wanted.pieces])
     place: NDArray[np.intp] = np.clip(np.searchsorted(starts, within, side="right") - 1, 0, len(starts) - 1)
@@ -98,10 +113,11 @@ def through_positions(times: Array, positions: Array, period: float) -> WantedMo
     second = (3 * rise / spans - 2 * slopes - after) / spans
     third = (slopes + after - 2 * rise / spans) / spans**2
     pieces: list[Piece] = []
-    for start, span, *powers in zip(times, spans, positions, slopes, second, third, strict=True):
-        pieces += _cut(float(start), float(span), Polynomial(np.array(powers)))
-    late = float(times[0])
-    return WantedMotion(tuple(piece._replace(start=piece.start - late) for piece in pieces), period)
+    rows = zip(times, spans, positions, slopes, second, third, strict=True)
+    for number, (start, span, *powers) in enumerate(rows):
+        own = _cut(float(start - times[0]), float(span), Polynomial(np.array(powers)))
+        pieces += [piece._replace(number=number) for piece in own]
+    return WantedMotion(tuple(pieces), period, float(times[0]))
 
 
 def _cut(start: float, span: float, cubic: Polynomial) -> list[Piece]:
