@@ -26,6 +26,8 @@ class SpeedCurve:
         Whether it is what the machine's torques, load and flywheel make of it, and not given.
     moment : Array, shape (design, 1, 1), or None
         Of one moment, which may be at any crank angle, the angular acceleration; the speed is then one. [rad/s²]
+    corners : Array, shape (design, corner), or None
+        φ at which the angular acceleration jumps, over the cycle; NaN for none. [rad]
     """
 
     square: PeriodicCurve
@@ -33,6 +35,7 @@ class SpeedCurve:
     mean: Array
     is_steady_running: bool
     moment: Array | None = None
+    corners: Array | None = None
 
     def drive(self, angle: Array) -> Drive:
         """How the crank turns at φ [rad], shape (n,) or (design, m, n): arrays of shape (design, m or 1, n).

@@ -1,11 +1,12 @@
 """The wanted motions that machines declare: of all designs, and what is wrong with one."""
 
 from collections.abc import Iterator
+from typing import ClassVar
 
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.mechanisms import Mechanisms, mechanisms_of
 from cranktrain.layout.part_tables import part_name
@@ -13,7 +14,7 @@ from cranktrain.layout.specs import MAIN
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.layout.wish.constant_crank import constant_crank
 from cranktrain.layout.wish.fitting import Way, fitted, refuse_outside
-from cranktrain.layout.wish.following import Following, crank_by_angle
+from cranktrain.layout.wish.following import Following, corners, crank_by_angle
 from cranktrain.layout.wish.laws import LAWS, NEAREST
 from cranktrain.layout.wish.rocking import Rocking
 from cranktrain.layout.wish.stroke import Output, output_of
@@ -39,6 +40,8 @@ class WantedMotions:
     unit : str
         Of positions: m, or rad of a rocker.
     """
+
+    needs: ClassVar[str] = N_("[shaft.main.motion]")
 
     each: tuple[Following, ...]
     unit: str
@@ -105,7 +108,17 @@ def wanted_speed(wanted: WantedMotions, n_points: int, cycle: float, *, zero: Ar
     together = side_by_side(squares)
     square = together._replace(samples=np.stack([one.samples for one in squares]))
     mean = np.array([TURN / made.wanted.period for made in wanted.each])
-    return SpeedCurve(square, zero, mean[:, np.newaxis, np.newaxis], is_steady_running=False)
+    own = [corners(made) for made in wanted.each]
+    most = max(one.size for one in own)
+    kinks = np.stack([np.pad(one, (0, most - one.size), constant_values=np.nan) for one in own])
+    turns = TURN * np.arange(round(cycle / TURN))
+    return SpeedCurve(
+        square,
+        zero,
+        mean[:, np.newaxis, np.newaxis],
+        is_steady_running=False,
+        corners=np.concatenate([kinks + turn for turn in turns], axis=-1),
+    )
 
 
 def _square(made: Following, n_points: int, cycle: float, zero: float) -> PeriodicCurve:

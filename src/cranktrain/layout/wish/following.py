@@ -69,6 +69,12 @@ class Following(NamedTuple):
         return tuple(found)
 
 
+def corners(made: Following) -> Array:
+    """Crank angles at which one piece goes over into another, where the acceleration may jump, shape (corner,). [rad]"""
+    times = np.array([piece.start for piece in made.wanted.pieces])
+    return np.unique(np.mod(crank_at(made, times).angle, TURN))
+
+
 def following(output: Output, wanted: WantedMotion, high: tuple[int, int], low: tuple[int, int]) -> Following:
     """Put a wanted motion to an output.
 

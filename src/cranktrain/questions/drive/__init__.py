@@ -9,6 +9,7 @@ from cranktrain.layout.uses import inner_table, table
 from cranktrain.questions.drive import rows
 from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
 from cranktrain.questions.drive.reduction import reduced_machines
+from cranktrain.questions.drive.servo.stages import is_wanted, servo_drive, wanted_crank
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.drive.static_torques import StaticTorques, static_torques
 from cranktrain.questions.drive.steady_drive import SteadyDrive, steady_drive
@@ -31,6 +32,8 @@ QUESTION = Question(
         Stage(reduced_machines, applies=is_driven),
         Stage(static_torques),
         Stage(steady_drive),
+        Stage(wanted_crank, applies=is_wanted),
+        Stage(servo_drive, applies=is_wanted),
     ),
     dimensions=(
         ResultDimension("drive_shaft", N_("shaft of the drive")),
