@@ -240,7 +240,9 @@ class Machine(Spec, frozen=True):
         """Find what only the main shaft has, or only another, and shafts that carry nothing."""
         used = {shaft for bank in self.banks.values() for shaft in bank.shafts}
         for name, shaft in self.shaft.items():
-            foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve", "motion")
+            foreign = (
+                ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve", "motion")
+            )
             allowed = _("is for another shaft; angles and places count from [shaft.main]")
             if name != MAIN:
                 allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")

@@ -105,7 +105,7 @@ class ShaftSpec(Spec, frozen=True):
             yield Problem("acceleration", None, allowed)
         elif self.acceleration is not None and self.speed is None:
             yield Problem("speed", None, _("is missing; a moment has a speed and an acceleration"))
-        if self.motion is not None:
+        if self.makes_motion:
             beside = _("must not stand beside motion, from which the speed of the crank follows")
             given = ("speed", "acceleration", "speed_curve")
             yield from (Problem(name, None, beside) for name in given if getattr(self, name) is not None)

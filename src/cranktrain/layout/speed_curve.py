@@ -62,16 +62,21 @@ class SpeedCurve:
             )
             acceleration = number(float(self.moment[design, 0, 0]), "rad/s^2")
             return said.format(speed=number(float(speeds[0]), "rpm"), acceleration=acceleration)
+        if self.corners is not None:
+            said = _("All of this is at the speed that the wanted motion takes, {least} to {most}, {mean} over time.")
+            return said.format(**_speeds(speeds, float(self.mean[design, 0, 0])))
         said = (
             _("All of this is at the speed of steady running, {least} to {most} over the cycle, {mean} over time.")
             if self.is_steady_running
             else _("All of this is at the speed that was given, {least} to {most} over the cycle, {mean} over time.")
         )
-        return said.format(
-            least=number(float(np.min(speeds)), "rpm"),
-            most=number(float(np.max(speeds)), "rpm"),
-            mean=number(float(self.mean[design, 0, 0]), "rpm"),
-        )
+        return said.format(**_speeds(speeds, float(self.mean[design, 0, 0])))
+
+
+def _speeds(speeds: Array, mean: float) -> dict[str, str]:
+    """Write the least speed, the greatest and their mean over time."""
+    found = {"least": float(np.min(speeds)), "most": float(np.max(speeds)), "mean": mean}
+    return {name: number(speed, "rpm") for name, speed in found.items()}
 
 
 def speed_curve(

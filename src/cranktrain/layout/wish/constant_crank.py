@@ -8,7 +8,7 @@ from cranktrain.layout.wish.turning import Turning, mirrored
 from cranktrain.motion import Array
 from cranktrain.numerics import turn_grid
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.numerics.periodic import fourier_curve
+from cranktrain.numerics.periodic import fourier_curve, spline_curve
 
 
 def constant_crank(output: Output, *, is_falling: bool) -> Law:
@@ -16,11 +16,12 @@ def constant_crank(output: Output, *, is_falling: bool) -> Law:
 
     Notes
     -----
-    x‴ is the slope of the Fourier series of x″. docs/theory/servo, eq. (29.7).
+    x‴ is the slope of the Fourier series of x″, between 720 points of it a spline. docs/theory/servo, eq. (29.7).
     """
     begin, end = (output.high, output.low) if is_falling else (output.low, output.high)
     turned = float(np.mod(end.angle - begin.angle, TURN))
-    bend = fourier_curve(output.motion(turn_grid()).second)
+    grid = turn_grid()
+    third = spline_curve(fourier_curve(output.motion(grid).second).slope(grid))
     rise = end.position - begin.position
 
     def shape(share: Array) -> Moved:
@@ -30,7 +31,7 @@ def constant_crank(output: Output, *, is_falling: bool) -> Law:
             (place.value - begin.position) / rise,
             place.first * turned / rise,
             place.second * turned**2 / rise,
-            bend.slope(angle) * turned**3 / rise,
+            third.value(angle) * turned**3 / rise,
         )
 
     return Law(

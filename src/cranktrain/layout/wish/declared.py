@@ -135,7 +135,9 @@ def _square(made: Following, n_points: int, cycle: float, zero: float) -> Period
 def _unit_problems(spec: WantedMotionSpec, *, is_slider: bool) -> Iterator[Problem]:
     """Find lengths for a rocker, and angles for a slider."""
     wrong, right = ("swing", "to") if is_slider else ("to", "swing")
-    allowed = _("is for a rocker; a slider has lengths") if is_slider else _("is for a slider; a rocker has angles, swing")
+    allowed = (
+        _("is for a rocker; a slider has lengths") if is_slider else _("is for a slider; a rocker has angles, swing")
+    )
     for place, piece in enumerate(spec.piece):
         if getattr(piece, wrong) is not None:
             yield Problem(f"{PATH}.piece[{place}].{wrong}", getattr(piece, wrong).text, allowed, f"`{right}`")
@@ -185,9 +187,7 @@ def _wanted(spec: WantedMotionSpec, output: Output, way: Way) -> WantedMotion:
     return from_pieces(tuple(pieces))
 
 
-def _piece(
-    spec: MotionPieceSpec, start: float, at: float, to: float, output: Output, way: Way, number: int
-) -> Piece:
+def _piece(spec: MotionPieceSpec, start: float, at: float, to: float, output: Output, way: Way, number: int) -> Piece:
     """A piece of the motion; a way to where it is already is a rest."""
     if to == at:
         return Piece(start, spec.duration.si, at, 0.0, None, number)

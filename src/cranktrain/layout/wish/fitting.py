@@ -1,4 +1,4 @@
-"""Whether an output can make a wanted motion, with what it asks of the crank; what is wrong, and the nearest that goes."""
+"""Whether an output can make a wanted motion, and what that asks of the crank; of others the nearest that goes."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -58,7 +58,9 @@ def fitted(output: Output, wanted: WantedMotion, way: Way) -> Following:
     factor = stroke / (highest - lowest)
     put = wanted.scaled(factor, output.high.position - factor * highest)
     high, low = (_around(put, sense) for sense in (1.0, -1.0))
-    _refuse([*_dead_problems(output, put, way, high, is_high=True), *_dead_problems(output, put, way, low, is_high=False)])
+    _refuse(
+        [*_dead_problems(output, put, way, high, is_high=True), *_dead_problems(output, put, way, low, is_high=False)]
+    )
     return following(output, put, high, low)
 
 
@@ -68,7 +70,9 @@ def refuse_outside(output: Output, wanted: WantedMotion, way: Way) -> None:
     inner = _NEAR * output.stroke
     found = [*_joint_problems(wanted, way)]
     if highest > output.high.position - inner or lowest < output.low.position + inner:
-        allowed = _("must stay within the stroke, {low} to {high}, where no dead centre is: the crank swings between two")
+        allowed = _(
+            "must stay within the stroke, {low} to {high}, where no dead centre is: the crank swings between two"
+        )
         said = _("{low} to {high}").format(low=way.said(lowest), high=way.said(highest))
         found.append(Problem(way.path, said, allowed.format(**_ends(output, way))))
     _refuse(found)
@@ -101,9 +105,7 @@ def _turn_problems(wanted: WantedMotion, way: Way) -> Iterator[Problem]:
     senses = np.sign([piece.rise for piece in moving])
     n_turns = int(np.sum(senses != np.roll(senses, 1)))
     if n_turns != 2:
-        allowed = _(
-            "must go from one end of the stroke to the other and back once a period; it turns round {n} times"
-        )
+        allowed = _("must go from one end of the stroke to the other and back once a period; it turns round {n} times")
         repair = _('for a crank that swings within the stroke write mode = "rocking"')
         repair = _("give rests as pieces that stand") if way.is_table and n_turns > 2 else repair
         yield Problem(way.path, None, allowed.format(n=n_turns), repair)
@@ -116,7 +118,9 @@ def _joint_problems(wanted: WantedMotion, way: Way) -> Iterator[Problem]:
     for before, piece in zip(pieces[-1:] + pieces[:-1], pieces, strict=True):
         jump = piece.speeds[0] - before.speeds[1]
         if abs(jump) > _SMOOTH * largest:
-            allowed = _("must begin with the velocity with which the piece before ends, {end}: this law begins with {own}")
+            allowed = _(
+                "must begin with the velocity with which the piece before ends, {end}: this law begins with {own}"
+            )
             unit = "m/s" if way.unit == "mm" else "rad/s"
             end, own = (number(speed * way.sense, unit) for speed in (before.speeds[1], piece.speeds[0]))
             faulty = piece if piece.law is not None and piece.speeds[0] != 0 else before
@@ -132,7 +136,7 @@ def _nearest(output: Output, highest: float, lowest: float, way: Way) -> Problem
     )
     factor = output.stroke / (highest - lowest)
     ends = (output.low.position, output.high.position)
-    at_least = min(((end - way.zero) * way.sense for end in ends))
+    at_least = min((end - way.zero) * way.sense for end in ends)
     shift = at_least - factor * (low - way.zero) * way.sense
     repair = _('the nearest: its positions times {factor} plus {shift}; or write mode = "rocking"')
     return Problem(

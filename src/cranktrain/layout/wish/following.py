@@ -70,7 +70,7 @@ class Following(NamedTuple):
 
 
 def corners(made: Following) -> Array:
-    """Crank angles at which one piece goes over into another, where the acceleration may jump, shape (corner,). [rad]"""
+    """Crank angles where one piece goes over into another, and ε may jump, shape (corner,). [rad]"""
     times = np.array([piece.start for piece in made.wanted.pieces])
     return np.unique(np.mod(crank_at(made, times).angle, TURN))
 
@@ -93,9 +93,7 @@ def following(output: Output, wanted: WantedMotion, high: tuple[int, int], low: 
     return Following(output, wanted, (down, up))
 
 
-def _stroke(
-    wanted: WantedMotion, ways: tuple[DeadCentre, DeadCentre], first: int, last: int, *, late: float
-) -> Stroke:
+def _stroke(wanted: WantedMotion, ways: tuple[DeadCentre, DeadCentre], first: int, last: int, *, late: float) -> Stroke:
     """A stroke by the pieces with which it begins and ends, after a time."""
     leaving, coming = wanted.pieces[first], wanted.pieces[last]
     start = _after(leaving.start, late, wanted.period)

@@ -60,8 +60,9 @@ def polynomial_law(series: Array) -> Law:
     def shape(share: Array) -> Moved:
         return Moved(*(part(share) for part in parts))
 
-    end = np.array([1.0, *np.zeros(len(series) - 1)]) - whole(Polynomial([1.0, -1.0])).coef
-    end[0] = 0.0
+    mirrored: Polynomial = whole(Polynomial([1.0, -1.0]))
+    end = np.zeros(len(series))
+    end[1 : len(mirrored.coef)] = -mirrored.coef[1:]
     # What powers leave of one another in the other end's series is rounding.
     return Law(shape, series, np.where(np.abs(end) < 1e-12 * np.max(np.abs(series)), 0.0, end))
 
@@ -132,9 +133,7 @@ LAWS: dict[str, Law] = {
     "5-6-7-8-9": polynomial_law(np.array([0.0, 0, 0, 0, 0, 126, -420, 540, -315, 70])),
     "3-4-5": polynomial_law(np.array([0.0, 0, 0, 10, -15, 6])),
     "cycloidal": _series_law(_cycloidal, _sine_series(2 * np.pi, 1.0, 1 / (2 * np.pi))),
-    "modified sine": _series_law(
-        _modified_sine, _sine_series(4 * np.pi, np.pi / (4 + np.pi), 1 / (4 * (4 + np.pi)))
-    ),
+    "modified sine": _series_law(_modified_sine, _sine_series(4 * np.pi, np.pi / (4 + np.pi), 1 / (4 * (4 + np.pi)))),
     "harmonic": _series_law(_harmonic, _harmonic_series()),
     "constant velocity": _LINE,
 }

@@ -59,7 +59,9 @@ def root_of_distance(turning: Turning, away: Array) -> Root:
     ahead = n * (n - 1)
     curved = 0.0 if ahead == 0 else ahead * away ** (n - 2) * root
     return Root(
-        away**n * root, n * away ** (n - 1) * root + away**n * slope, curved + 2 * n * away ** (n - 1) * slope + away**n * bend
+        away**n * root,
+        n * away ** (n - 1) * root + away**n * slope,
+        curved + 2 * n * away ** (n - 1) * slope + away**n * bend,
     )
 
 

@@ -1,5 +1,6 @@
 """A wanted motion over its period: pieces one after another, each with its law."""
 
+import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -52,16 +53,20 @@ class WantedMotion(NamedTuple):
         [s]
     zero : float
         What the file's clock shows then. [s]
+    cubics : Array, shape (4, piece), or None
+        Of a table, what all its pieces are by powers of the time from their starts.
     """
 
     pieces: tuple[Piece, ...]
     period: float
     zero: float = 0.0
+    cubics: Array | None = None
 
     def scaled(self, factor: float, shift: float) -> "WantedMotion":
         """The motion with all positions times a factor, and a shift."""
         pieces = (one._replace(begin=factor * one.begin + shift, rise=factor * one.rise) for one in self.pieces)
-        return self._replace(pieces=tuple(pieces))
+        cubics = None if self.cubics is None else self.cubics * factor + shift * np.eye(4)[:, :1]
+        return self._replace(pieces=tuple(pieces), cubics=cubics)
 
 
 def moved(wanted: WantedMotion, time: Array) -> Moved:
@@ -69,11 +74,20 @@ def moved(wanted: WantedMotion, time: Array) -> Moved:
     within = np.mod(time, wanted.period)
     starts = np.array([piece.start for piece in wanted.pieces])
     place: NDArray[np.intp] = np.clip(np.searchsorted(starts, within, side="right") - 1, 0, len(starts) - 1)
+    if wanted.cubics is not None:
+        return _of_cubics(wanted.cubics[:, place], within - starts[place])
     found = np.zeros((4, *np.shape(time)))
     for n in np.unique(place).tolist():
         own = place == n
         found[:, own] = in_piece(wanted.pieces[n], within[own] - wanted.pieces[n].start)
     return Moved(*found)
+
+
+def _of_cubics(powers: Array, x: Array) -> Moved:
+    """Values and derivatives of cubics, each at its own time."""
+    a, b, c, d = powers
+    value = a + x * (b + x * (c + x * d))
+    return Moved(value, b + x * (2 * c + 3 * x * d), 2 * c + 6 * x * d, 6 * d)
 
 
 def in_piece(piece: Piece, time: Array) -> Moved:
@@ -117,7 +131,13 @@ def through_positions(times: Array, positions: Array, period: float) -> WantedMo
     for number, (start, span, *powers) in enumerate(rows):
         own = _cut(float(start - times[0]), float(span), Polynomial(np.array(powers)))
         pieces += [piece._replace(number=number) for piece in own]
-    return WantedMotion(tuple(pieces), period, float(times[0]))
+    return WantedMotion(tuple(pieces), period, float(times[0]), np.stack([_powers(piece) for piece in pieces], axis=1))
+
+
+def _powers(piece: Piece) -> Array:
+    """Powers of a cubic piece by the time from its start."""
+    series = np.zeros(4) if piece.law is None else piece.law.start
+    return piece.rise * series / piece.span ** np.arange(4) + piece.begin * np.eye(4)[0]
 
 
 def _cut(start: float, span: float, cubic: Polynomial) -> list[Piece]:
@@ -129,19 +149,25 @@ def _cut(start: float, span: float, cubic: Polynomial) -> list[Piece]:
     near = [bool(np.any(np.abs(roots - end) <= 1e-9 * span)) for end in ends]
     return [
         _cubic_piece(start, low, high, cubic, turns_at=(near[n], near[n + 1]))
-        for n, (low, high) in enumerate(zip(ends, ends[1:], strict=False))
+        for n, (low, high) in enumerate(itertools.pairwise(ends))
     ]
 
 
 def _cubic_piece(start: float, low: float, high: float, cubic: Polynomial, *, turns_at: tuple[bool, bool]) -> Piece:
     """Part of a cubic from one time to another."""
     span = high - low
-    forth = cubic(Polynomial([low, span])).coef
-    back = -cubic(Polynomial([high, -span])).coef
+    # The arithmetic of polynomials leaves highest powers out that are 0.
+    forth, back = np.zeros((2, 4))
+    for series, moved_to in ((forth, Polynomial([low, span])), (back, Polynomial([high, -span]))):
+        own = cubic(moved_to).coef
+        series[: len(own)] = own
+    back = -back
     rise = float(np.sum(forth[1:]))
     for series, turns in zip((forth, back), turns_at, strict=True):
         series[0] = 0.0
         series[1] = 0.0 if turns else series[1]
+    if not np.any(forth[1:]):
+        return Piece(start + low, span, float(cubic(low)), 0.0, None)
     scale = rise if rise != 0 else 1.0
     law = polynomial_law(forth / scale)._replace(end=back / scale)
     return Piece(start + low, span, float(cubic(low)), scale, law)

@@ -9,6 +9,7 @@ from cranktrain.layout.uses import inner_table, table
 from cranktrain.questions.drive import rows
 from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
 from cranktrain.questions.drive.reduction import reduced_machines
+from cranktrain.questions.drive.servo.rocking import is_rocking, rocking_course, rocking_drive
 from cranktrain.questions.drive.servo.stages import is_wanted, servo_drive, wanted_crank
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.drive.static_torques import StaticTorques, static_torques
@@ -34,6 +35,8 @@ QUESTION = Question(
         Stage(steady_drive),
         Stage(wanted_crank, applies=is_wanted),
         Stage(servo_drive, applies=is_wanted),
+        Stage(rocking_course, applies=is_rocking),
+        Stage(rocking_drive, applies=is_rocking),
     ),
     dimensions=(
         ResultDimension("drive_shaft", N_("shaft of the drive")),

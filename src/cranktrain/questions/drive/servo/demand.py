@@ -1,5 +1,6 @@
 """Torque at crank and motor over the time of a wanted motion."""
 
+import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -99,7 +100,7 @@ def _rule(period: float, starts: list[float], corners: Array) -> tuple[Array, Ar
     """Times and weights of Gauss's rule between the ends of pieces and the corners."""
     wholes = np.append(np.array(starts), period)
     fine = np.concatenate(
-        [np.linspace(low, high, _N_PARTS + 1) for low, high in zip(wholes, wholes[1:], strict=False)] + [corners]
+        [np.linspace(low, high, _N_PARTS + 1) for low, high in itertools.pairwise(wholes)] + [corners]
     )
     ends = np.unique(fine)
     ends = ends[np.append(True, np.diff(ends) > _SAME * period)]

@@ -1,4 +1,4 @@
-"""Results of a wanted motion: how the crank moves over its cycle, how far a constant speed misses, what the motor does."""
+"""Results of a wanted motion: how the crank moves, how far a constant speed misses it, what the motor does."""
 
 import numpy as np
 
@@ -75,7 +75,9 @@ def wanted_crank(wanted: WantedMotions, crank_angle: CrankAngle) -> WantedCrank:
         for made, own, turn in places
     ]
     return WantedCrank(
-        wanted_time=np.stack([_shown(made.wanted.period, made.wanted.zero, turn) for made, turn in zip(wanted.each, turns, strict=True)]),
+        wanted_time=np.stack(
+            [_shown(made.wanted.period, made.wanted.zero, turn) for made, turn in zip(wanted.each, turns, strict=True)]
+        ),
         wanted_crank_speed=np.stack([turn.speed for turn in turns]),
         wanted_crank_acceleration=np.stack([turn.acceleration for turn in turns]),
         wanted_period=np.array([made.wanted.period for made in wanted.each]),
@@ -128,7 +130,7 @@ class ServoDrive(StageResult):
             peak=number(float(self.servo_peak_torque[design]), "N*m"),
             rms=number(float(self.servo_rms_torque[design]), "N*m"),
             speed=number(float(self.servo_peak_speed[design]), "rpm"),
-            power=number(float(self.servo_peak_power[design]), "W"),
+            power=number(float(self.servo_peak_power[design]), "kW"),
             energy=number(float(self.servo_energy_back[design]), "J"),
         )
 
@@ -183,5 +185,3 @@ def _energy_check(demands: list[ServoDemand], machines: ReducedMachines) -> Chec
 def is_wanted(wanted: WantedMotions | None) -> bool:
     """Whether there is a wanted motion: nobody else misses what it would give."""
     return wanted is not None
-
-
