@@ -129,15 +129,15 @@ def crank_at(made: Following, time: Array) -> CrankMotion:
     down, up = made.strokes
     turns = np.floor((time - down.begin.time) / made.wanted.period)
     own = time - turns * made.wanted.period
-    angle, speed, acceleration = np.empty((3, *time.shape))
+    found = np.empty((3, *time.shape))
     for stroke, until in ((down, up.begin), (up, None)):
         ends = np.inf if until is None else until.time
         chosen = (own >= stroke.begin.time) & (own < ends) if stroke is down else own >= stroke.begin.time
-        angle[chosen], speed[chosen], acceleration[chosen] = _by_time(made, stroke, own[chosen])
-    return CrankMotion(time, angle + turns * TURN, speed, acceleration)
+        found[:, chosen] = _by_time(made, stroke, own[chosen])
+    return CrankMotion(time, found[0] + turns * TURN, found[1], found[2])
 
 
-def _by_time(made: Following, stroke: Stroke, time: Array) -> tuple[Array, Array, Array]:
+def _by_time(made: Following, stroke: Stroke, time: Array) -> Array:
     """Angle, speed and acceleration at times within a stroke, or in the rest after it."""
     inner = np.clip(time, stroke.begin.time, stroke.end.time)
     whole = moved(made.wanted, inner)
@@ -153,7 +153,7 @@ def _by_time(made: Following, stroke: Stroke, time: Array) -> tuple[Array, Array
         about = np.stack([end.angle + end.side * turned, *_about(end, of_time, turned)])
         found = np.where(near, about, found)
     found[1:, time > stroke.end.time] = 0.0
-    return found[0], found[1], found[2]
+    return found
 
 
 def _away(made: Following, angle: Array, first: Array, second: Array) -> tuple[Array, Array]:
@@ -182,13 +182,13 @@ def crank_by_angle(made: Following, angle: Array) -> CrankMotion:
     turns = np.floor((angle - down.begin.angle) / TURN)
     own = angle - turns * TURN
     is_down: NDArray[np.bool_] = own < up.begin.angle
-    time, speed, acceleration = np.empty((3, *angle.shape))
+    found = np.empty((3, *angle.shape))
     for stroke, chosen in ((down, is_down), (up, ~is_down)):
-        time[chosen], speed[chosen], acceleration[chosen] = _by_angle(made, stroke, own[chosen])
-    return CrankMotion(time + turns * made.wanted.period, angle, speed, acceleration)
+        found[:, chosen] = _by_angle(made, stroke, own[chosen])
+    return CrankMotion(found[0] + turns * made.wanted.period, angle, found[1], found[2])
 
 
-def _by_angle(made: Following, stroke: Stroke, angle: Array) -> tuple[Array, Array, Array]:
+def _by_angle(made: Following, stroke: Stroke, angle: Array) -> Array:
     """Time, speed and acceleration at angles within a stroke."""
     place = made.output.motion(angle)
     low, high = (np.full(angle.shape, end.time) for end in stroke)
@@ -203,4 +203,4 @@ def _by_angle(made: Following, stroke: Stroke, angle: Array) -> tuple[Array, Arr
         of_time = root_of_distance(end.of_time, np.minimum(away, end.of_time.reach))
         about = np.stack([end.time + end.side * away, *_about(end, of_time, turned)])
         found = np.where(near, about, found)
-    return found[0], found[1], found[2]
+    return found

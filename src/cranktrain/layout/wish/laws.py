@@ -122,11 +122,11 @@ def _sine_series(rate: float, slope: float, height: float) -> Array:
     return series
 
 
-_LINE = Law(
-    lambda share: Moved(share, np.ones_like(share), np.zeros_like(share), np.zeros_like(share)),
-    np.array([0.0, 1.0]),
-    np.array([0.0, 1.0]),
-)
+def _linear(share: Array) -> Moved:
+    return Moved(share, np.ones_like(share), np.zeros_like(share), np.zeros_like(share))
+
+
+_LINE = _series_law(_linear, np.array([0.0, 1.0]))
 
 LAWS: dict[str, Law] = {
     "4-5-6-7": polynomial_law(np.array([0.0, 0, 0, 0, 35, -84, 70, -20])),

@@ -1,4 +1,4 @@
-"""The table of a machine file for a wanted motion of what the crank drives: pieces with laws, or positions over time."""
+"""The table of a machine file for a wanted motion: pieces with laws, or positions over time."""
 
 from collections.abc import Iterator
 from typing import Annotated, Literal

@@ -69,14 +69,14 @@ def away_at(turning: Turning, root: Array) -> Array:
     """Distance u ≥ 0 at which the root is this, shape (n,) and not below 0; beyond the reach it may be anything."""
     m = turning.order
     target = root ** (2 / m)
-    away = np.minimum(target / turning.series[0] ** (1 / m), turning.reach)
-    slopes = powers.polyder(turning.series)
+    away: Array = np.minimum(target / turning.series[0] ** (1 / m), turning.reach)
+    slopes: Array = powers.polyder(turning.series)
     for _ in range(_MOST_STEPS):
-        share = away / turning.reach
-        inner = np.maximum(powers.polyval(share, turning.series), 1e-300)
+        share: Array = away / turning.reach
+        inner: Array = np.maximum(powers.polyval(share, turning.series), 1e-300)
         factor = inner ** (1 / m)
-        slope = factor * (1 + share * powers.polyval(share, slopes) / (m * inner))
-        step = (away * factor - target) / slope
+        slope: Array = factor * (1 + share * powers.polyval(share, slopes) / (m * inner))
+        step: Array = (away * factor - target) / slope
         away = np.clip(away - step, 0.0, 2 * turning.reach)
         if np.all(np.abs(step) <= 1e-16 * turning.reach):
             break

@@ -1,7 +1,7 @@
 """A wanted motion over its period: pieces one after another, each with its law."""
 
 import itertools
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.polynomial import Polynomial
@@ -72,15 +72,16 @@ class WantedMotion(NamedTuple):
 def moved(wanted: WantedMotion, time: Array) -> Moved:
     """Position of a wanted motion and its first three derivatives at times, shape (n,). [m or rad, …/s, …/s², …/s³]"""
     within = np.mod(time, wanted.period)
-    starts = np.array([piece.start for piece in wanted.pieces])
-    place: NDArray[np.intp] = np.clip(np.searchsorted(starts, within, side="right") - 1, 0, len(starts) - 1)
+    starts: Array = np.array([piece.start for piece in wanted.pieces])
+    after = cast("NDArray[np.intp]", np.searchsorted(starts, within, side="right"))
+    place: NDArray[np.intp] = np.clip(after - 1, 0, len(starts) - 1)
     if wanted.cubics is not None:
         return _of_cubics(wanted.cubics[:, place], within - starts[place])
     found = np.zeros((4, *np.shape(time)))
     for n in np.unique(place).tolist():
         own = place == n
         found[:, own] = in_piece(wanted.pieces[n], within[own] - wanted.pieces[n].start)
-    return Moved(*found)
+    return Moved(found[0], found[1], found[2], found[3])
 
 
 def _of_cubics(powers: Array, x: Array) -> Moved:
@@ -93,11 +94,15 @@ def _of_cubics(powers: Array, x: Array) -> Moved:
 def in_piece(piece: Piece, time: Array) -> Moved:
     """Position and derivatives within a piece, at times from its start."""
     if piece.law is None:
-        return Moved(np.full_like(time, piece.begin), *np.zeros((3, *time.shape)))
-    whole = piece.law.shape(time / piece.span)
-    scaled = (part * piece.rise / piece.span**order for order, part in enumerate(whole))
-    value = next(scaled)
-    return Moved(piece.begin + value, *scaled)
+        still = np.zeros_like(time)
+        return Moved(still + piece.begin, still, still, still)
+    whole, rise, span = piece.law.shape(time / piece.span), piece.rise, piece.span
+    return Moved(
+        piece.begin + rise * whole.value,
+        rise / span * whole.first,
+        rise / span**2 * whole.second,
+        rise / span**3 * whole.third,
+    )
 
 
 def from_pieces(pieces: tuple[Piece, ...]) -> WantedMotion:
@@ -142,9 +147,9 @@ def _powers(piece: Piece) -> Array:
 
 def _cut(start: float, span: float, cubic: Polynomial) -> list[Piece]:
     """Pieces of a cubic between its ends and its turning points, at which the linear term is none."""
-    roots = cubic.deriv().roots()
+    roots: NDArray[np.complex128] = np.asarray(cubic.deriv().roots(), dtype=np.complex128)
     # A turning point at a point of the table is its end, and no cut.
-    turns = sorted(float(r.real) for r in roots if abs(r.imag) == 0 and 1e-9 * span < r.real < (1 - 1e-9) * span)
+    turns = sorted(float(r.real) for r in roots.tolist() if r.imag == 0 and 1e-9 * span < r.real < (1 - 1e-9) * span)
     ends = [0.0, *turns, span]
     near = [bool(np.any(np.abs(roots - end) <= 1e-9 * span)) for end in ends]
     return [

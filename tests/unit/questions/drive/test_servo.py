@@ -6,6 +6,7 @@ from scipy.integrate import quad
 
 import cranktrain as ct
 from cranktrain.questions.drive.motors.servo import Servo
+from cranktrain.questions.drive.servo.rocking import RockingDrive
 from cranktrain.questions.drive.servo.stages import ServoDrive
 from cranktrain.questions.drive.sizing.servo_uses import servo_uses
 
@@ -140,3 +141,21 @@ def test_a_servo_is_asked_for_a_share_of_its_limits(result):
     )
     assert float(uses.peak) == float(by_lines.peak)
     assert float(uses.rms) == pytest.approx(float(by_lines.rms), rel=2e-2)
+
+
+def test_a_rocking_crank_works_against_friction_both_ways():
+    """1000 N over 30 mm out and 30 mm back, once a second, is 60 W; what moves takes none over a period."""
+    pieces = [
+        {"duration": "0.5 s", "to": "60 mm", "law": "3-4-5"},
+        {"duration": "0.5 s", "to": "30 mm", "law": "3-4-5"},
+    ]
+    machine = press(
+        motion={"mode": "rocking", "piece": pieces},
+        load={"friction": {"on": "piston", "force": "1000 N"}},
+    ).with_({"shaft.main.speed": "30 rpm"})
+    result = ct.run(machine)
+    (demand,) = result.get(RockingDrive).demands
+    assert demand.mean(demand.power) == pytest.approx(60.0, rel=1e-9)
+    assert result.rocking_peak_power == pytest.approx(np.max(np.abs(demand.power)))
+    least, most = np.arccos([1 - 0.03 / RADIUS, 1 - 0.06 / RADIUS])
+    assert (result.least_rocking_angle, result.greatest_rocking_angle) == pytest.approx((least, most), rel=1e-9)

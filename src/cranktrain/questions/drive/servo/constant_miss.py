@@ -26,7 +26,7 @@ def constant_miss(made: Following) -> ConstantMiss:
 
     docs/theory/servo, eq. (29.9).
     """
-    time = np.arange(_N_TIMES) * (made.wanted.period / _N_TIMES)
+    time: Array = np.arange(_N_TIMES, dtype=np.float64) * (made.wanted.period / _N_TIMES)
     wanted = moved(made.wanted, time).value
     turned = TURN * np.arange(_N_TIMES) / _N_TIMES
 
@@ -37,7 +37,7 @@ def constant_miss(made: Following) -> ConstantMiss:
         return np.max(np.abs(places - wanted), axis=1)
 
     step = TURN / _N_PHASES
-    phases = np.arange(_N_PHASES) * step
+    phases: Array = np.arange(_N_PHASES, dtype=np.float64) * step
     best = float(phases[np.argmin(largest(phases))])
     low, high = best - step, best + step
     for _ in range(_N_STEPS):

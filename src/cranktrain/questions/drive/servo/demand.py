@@ -1,6 +1,6 @@
 """Torque at crank and motor over the time of a wanted motion."""
 
-import itertools
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -12,7 +12,7 @@ from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.drive.at_angles import ReducedAt, reduced_at
 from cranktrain.questions.drive.motors.servo import Servo, servo_limit
 from cranktrain.questions.drive.running.gearing import Gearing, input_torque, overall_ratio
-from cranktrain.questions.drive.running.reduced import ReducedMachine
+from cranktrain.questions.drive.running.reduced import ReducedMachine, reduced_machine
 from cranktrain.questions.drive.sizing.servo_uses import ServoUses
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
@@ -63,7 +63,7 @@ class ServoDemand(NamedTuple):
     def uses(self, servo: Servo, continuous_torque: float) -> ServoUses:
         """Share of a servo motor's limits that is asked for: torque and power at once, torque for long [N·m]."""
         at_once = np.max(np.abs(self.motor_torque) / servo_limit(self.motor_speed, servo))
-        return ServoUses(at_once, np.asarray(self.rms / continuous_torque))
+        return ServoUses(np.asarray(at_once), np.asarray(self.rms / continuous_torque))
 
 
 def servo_demand(made: Following, machine: ReducedMachine, gearing: Gearing, corners: Array) -> ServoDemand:
@@ -84,33 +84,39 @@ def servo_demand(made: Following, machine: ReducedMachine, gearing: Gearing, cor
     angles = np.mod(corners[np.isfinite(corners)], TURN)
     at_corners = np.mod(crank_by_angle(made, angles).time, made.wanted.period)
     time, weight = _rule(made.wanted.period, [piece.start for piece in made.wanted.pieces], at_corners)
-    return _demand(crank_at(made, time), weight, machine, gearing)
+    crank = crank_at(made, time)
+    return _demand(crank, weight, crank_torque(crank, reduced_at(machine, crank.angle)), gearing)
 
 
 def rocking_demand(made: Rocking, machine: ReducedMachine, gearing: Gearing) -> ServoDemand:
     """What the motor must do so that a rocking crank follows.
 
-    Loads that count by the crank angle are as at that angle; a load over a travel is as on the way that it then goes.
+    Loads are as on the way that it then goes: what resists does so both ways.
     """
     time, weight = _rule(made.wanted.period, [piece.start for piece in made.wanted.pieces], np.empty(0))
-    return _demand(rocking_crank(made, time), weight, machine, gearing)
+    crank = rocking_crank(made, time)
+    ways = zip(crank.angle.tolist(), crank.speed.tolist(), crank.acceleration.tolist(), strict=True)
+    torque = np.array([_torque_either_way(*way, machine) for way in ways])
+    return _demand(crank, weight, torque, gearing)
+
+
+def _torque_either_way(angle: float, speed: float, acceleration: float, machine: ReducedMachine) -> float:
+    """Torque that the crank takes at one angle, whichever way it goes. [N·m]"""
+    inertia, slope, load, _output = reduced_machine(angle, speed, -1.0 if speed < 0 else 1.0, machine)
+    return float(inertia * acceleration + 0.5 * slope * speed * speed + load)
 
 
 def _rule(period: float, starts: list[float], corners: Array) -> tuple[Array, Array]:
     """Times and weights of Gauss's rule between the ends of pieces and the corners."""
-    wholes = np.append(np.array(starts), period)
-    fine = np.concatenate(
-        [np.linspace(low, high, _N_PARTS + 1) for low, high in itertools.pairwise(wholes)] + [corners]
-    )
-    ends = np.unique(fine)
+    fine = [corners, *(np.linspace(low, high, _N_PARTS + 1) for low, high in pairwise([*starts, period]))]
+    ends: Array = np.unique(np.concatenate(fine))
     ends = ends[np.append(True, np.diff(ends) > _SAME * period)]
     half = np.diff(ends)[:, np.newaxis] / 2
     return np.ravel(ends[:-1, np.newaxis] + half * (1 + _NODES)), np.ravel(half * _WEIGHTS)
 
 
-def _demand(crank: CrankMotion, weight: Array, machine: ReducedMachine, gearing: Gearing) -> ServoDemand:
+def _demand(crank: CrankMotion, weight: Array, torque: Array, gearing: Gearing) -> ServoDemand:
     """Torques at the times of a crank's motion."""
-    torque = crank_torque(crank, reduced_at(machine, crank.angle))
     at_motor = motor_torque(torque, crank, gearing)
     return ServoDemand(crank, weight, torque, at_motor, crank.speed * overall_ratio(gearing))
 
@@ -145,7 +151,8 @@ def motor_torque(torque: Array, crank: CrankMotion, gearing: Gearing) -> Array:
         turned *= float(gearing.ratio[stage])
         rests = crank.speed == 0
         sense = np.where(rests, -np.sign(passed), np.sign(crank.speed))
-        backward = np.where(rests, np.maximum(gearing.backward[stage], 0.0), gearing.backward[stage])
+        own = float(gearing.backward[stage])
+        backward = np.where(rests, max(own, 0.0), own)
         at_input = input_torque(passed, sense, gearing.ratio[stage], gearing.forward[stage], backward)
         passed = at_input + gearing.drag[stage] * np.sign(crank.speed)
     return passed + gearing.motor_inertia * turned * crank.acceleration
