@@ -84,10 +84,8 @@ TABLES = {
         "cylinder": {**WORKED["cylinder"], "mechanical_efficiency": 0.8},
     },
     "a motor": {
-        "evenness": {
-            "flywheel": "2 kg*m^2",
-            "motor": {"torque": "90 N*m", "speed": "950 rpm", "no_load_speed": "1000 rpm"},
-        }
+        "evenness": {"flywheel": "2 kg*m^2"},
+        "drive": {"motor": {"kind": "shunt", "torque": "90 N*m", "speed": "950 rpm", "no_load_speed": "1000 rpm"}},
     },
     "loads": {
         "load": {

@@ -88,10 +88,11 @@ def reduced_at(machine: ReducedMachine, angle: Array) -> ReducedAt:
         rate = np.full(angle.shape, row[COUNTS]) if row[RATE] < 0 else value(row[RATE])
         rate = np.sqrt(np.maximum(rate, 0.0)) if row[IS_SQUARED] > 0 else rate
         taken = np.abs(rate) if row[RESISTS] > 0 else -rate
-        if row[LAW] == BY_SPEED and row[EXPONENT] != 0:
-            powers.append(Power(taken * row[SIZE] * (np.abs(rate) / row[AT]) ** row[EXPONENT], row[EXPONENT]))
+        size = _size(machine, row, rate, value, angle)
+        if row[EXPONENT] != 0:
+            powers.append(Power(taken * size * (np.abs(rate) / row[AT]) ** row[EXPONENT], row[EXPONENT]))
         else:
-            load = load + taken * _size(machine, row, rate, value, angle)
+            load = load + taken * size
     for chamber, pressure in zip(machine.chambers, _steady_pressures(machine, angle, value), strict=True):
         load = load - (pressure - chamber[AMBIENT]) * slope(chamber[VOLUME])
     return ReducedAt(value(INERTIA), slope(INERTIA), load, tuple(powers), value(OUTPUT))
@@ -106,7 +107,7 @@ def _polynomial(rows: Array, which: int, x: Array, *, order: int = 0) -> Array:
 
 
 def _size(machine: ReducedMachine, row: list[float], rate: Array, value: Any, angle: Array) -> Array:
-    """Size of a load that does not depend on the speed."""
+    """Size of a load; of one that goes with a power of the speed where that is its own."""
     if row[LAW] == BY_SPEED:
         return np.full(angle.shape, row[SIZE])
     first = int(row[FIRST])

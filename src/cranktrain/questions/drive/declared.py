@@ -11,6 +11,7 @@ from cranktrain.motion import Array
 from cranktrain.questions.drive.motor_tables import DeclaredMotor, declared_motor
 from cranktrain.questions.drive.running.gearing import Gearing
 from cranktrain.questions.drive.spec import DriveSpec, StartSpec
+from cranktrain.questions.evenness.spec import DrivenByMotor
 from cranktrain.record import record
 
 
@@ -49,6 +50,7 @@ def drive_parts(designs: Designs) -> Iterator[object]:
     yield DeclaredStart(spec.start)
     if motor is not None:
         yield motor
+        yield DrivenByMotor()
 
 
 def shaft_names(n_stages: int) -> tuple[str, ...]:

@@ -15,7 +15,7 @@ from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.gear_train import Passed, through_stages
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
+from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.reduced import ReducedMachine
 from cranktrain.questions.drive.steady_cycle import Mesh, SpeedOverTurn, mesh_of, speed_over_turn
 from cranktrain.record import record
@@ -189,8 +189,9 @@ def _balanced_speed(turning: DriveInTurn, mesh: Mesh) -> float | None:
 
 
 def _work(turning: DriveInTurn, speed: Array) -> Array:
-    """What drives the crank at a constant speed, less what holds it. [rad/s²]"""
-    return turning.passed(speed).acceleration
+    """What drives the crank at a constant speed, less what holds it: what inertia would take. [N·m]"""
+    whole = turning.here.inertia + turning_inertia(turning.gearing)
+    return whole * turning.passed(speed).acceleration + 0.5 * turning.here.slope * speed**2
 
 
 def _kinks(turning: DriveInTurn, found: SpeedOverTurn) -> Array:
