@@ -70,7 +70,7 @@ def away_at(turning: Turning, root: Array) -> Array:
     m = turning.order
     target = root ** (2 / m)
     away: Array = np.minimum(target / turning.series[0] ** (1 / m), turning.reach)
-    slopes: Array = powers.polyder(turning.series)
+    slopes = np.asarray(powers.polyder(turning.series), dtype=np.float64)
     for _ in range(_MOST_STEPS):
         share: Array = away / turning.reach
         inner: Array = np.maximum(powers.polyval(share, turning.series), 1e-300)

@@ -1,7 +1,7 @@
 """A wanted motion over its period: pieces one after another, each with its law."""
 
 import itertools
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import Polynomial
@@ -73,14 +73,15 @@ def moved(wanted: WantedMotion, time: Array) -> Moved:
     """Position of a wanted motion and its first three derivatives at times, shape (n,). [m or rad, …/s, …/s², …/s³]"""
     within = np.mod(time, wanted.period)
     starts: Array = np.array([piece.start for piece in wanted.pieces])
-    after = cast("NDArray[np.intp]", np.searchsorted(starts, within, side="right"))
+    after = np.searchsorted(starts, within, side="right")
     place: NDArray[np.intp] = np.clip(after - 1, 0, len(starts) - 1)
     if wanted.cubics is not None:
         return _of_cubics(wanted.cubics[:, place], within - starts[place])
     found = np.zeros((4, *np.shape(time)))
-    for n in np.unique(place).tolist():
+    for n, piece in enumerate(wanted.pieces):
         own = place == n
-        found[:, own] = in_piece(wanted.pieces[n], within[own] - wanted.pieces[n].start)
+        if np.any(own):
+            found[:, own] = in_piece(piece, within[own] - piece.start)
     return Moved(found[0], found[1], found[2], found[3])
 
 
