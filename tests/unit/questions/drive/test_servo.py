@@ -157,5 +157,5 @@ def test_a_rocking_crank_works_against_friction_both_ways():
     (demand,) = result.get(RockingDrive).demands
     assert demand.mean(demand.power) == pytest.approx(60.0, rel=1e-9)
     assert result.rocking_peak_power == pytest.approx(np.max(np.abs(demand.power)))
-    least, most = np.arccos([1 - 0.03 / RADIUS, 1 - 0.06 / RADIUS])
+    least, most = np.degrees(np.arccos([1 - 0.03 / RADIUS, 1 - 0.06 / RADIUS]))
     assert (result.least_rocking_angle, result.greatest_rocking_angle) == pytest.approx((least, most), rel=1e-9)
