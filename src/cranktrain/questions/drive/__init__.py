@@ -12,7 +12,6 @@ from cranktrain.questions.drive import rows
 from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
 from cranktrain.questions.drive.driven_speed import driven_speed
 from cranktrain.questions.drive.reduction import reduced_machines
-from cranktrain.questions.drive.servo import rows as of_servo
 from cranktrain.questions.drive.servo.rocking import is_rocking, rocking_course, rocking_drive
 from cranktrain.questions.drive.servo.stages import is_wanted, servo_drive, wanted_crank
 from cranktrain.questions.drive.spec import DriveSpec
@@ -62,10 +61,10 @@ QUESTION = Question(
     rows=(
         rows.static_rows,
         rows.running_rows,
-        of_servo.wanted_rows,
-        of_servo.servo_rows,
-        of_servo.rocking_rows,
-        of_servo.rocking_drive_rows,
+        rows.wanted_rows,
+        rows.servo_rows,
+        rows.rocking_rows,
+        rows.rocking_drive_rows,
     ),
     offers={"motor_torque": N_("torque of the motor")},
     uses=(Use(table("drive"), (StaticTorques,)), Use(inner_table("drive", "motor"), (SteadyDrive,))),
