@@ -25,6 +25,7 @@ from cranktrain.layout.shaft_problems import shaft_problems
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
 from cranktrain.layout.unit_tables import unit_problems
+from cranktrain.layout.wish.declared import wish_problems
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.motion import Array
@@ -324,6 +325,7 @@ class Machine(Spec, frozen=True):
         places, found = self.arranged
         return found or (
             *standing_problems(self.shafts, places, self.orientation),
+            *wish_problems(self.design),
             *(problem for question in QUESTIONS for problem in question.problems(self.design)),
         )
 
