@@ -36,6 +36,7 @@ from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.gas.spec import GasTables
+from cranktrain.questions.pumping.spec import PumpingSpec
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.spec import Spec, problems, with_tuples
 
@@ -142,8 +143,8 @@ class Machine(Spec, frozen=True):
     torsion: TorsionSpec | None = Field(
         default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
     )
-
     drive: DriveSpec | None = Field(default=None, description=N_("What drives the crank, and how it starts."))
+    pumping: PumpingSpec | None = Field(default=None, description=N_("A beam pumping unit: its loads and ratings."))
 
     def __init__(self, /, **data: Any) -> None:
         try:
@@ -246,11 +247,8 @@ class Machine(Spec, frozen=True):
                 if name not in used:
                     nothing = _("carries no bank: name it in [bank.NAME] shaft, or take it out")
                     yield Problem(path_text(("shaft", name)), None, nothing)
-            yield from (
-                Problem(path_text(("shaft", name, key)), None, allowed)
-                for key in foreign
-                if key in shaft.model_fields_set
-            )
+            wrong = [key for key in foreign if key in shaft.model_fields_set]
+            yield from (Problem(path_text(("shaft", name, key)), None, allowed) for key in wrong)
 
     @property
     def shafts(self) -> Mapping[str, ShaftSpec]:
