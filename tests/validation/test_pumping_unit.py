@@ -1,7 +1,8 @@
 """The pumping unit against numbers of other programs and by hand, all in inches and pounds.
 
 * `drive_pumping_unit`: API 11E's chain of angles and a dyad in 50 digits; both counterbalances under the invented card.
-  Its peaks were searched for on a grid and miss the exact ones by 8e-9; here they are held to 1e-8, the smaller least to 1e-7, and to rounding
+  Its peaks were searched for on a grid and miss the exact ones by 8e-9; here they are held to 1e-8, the smaller least to 1e-7,
+  and to rounding
   against a search of this file's own.
 * Geometry of API 11E, written out here in its letters, for other units as well.
 """
@@ -59,7 +60,9 @@ def test_equal_peaks_and_least_rms(declared):
     }
     for name, value in found.items():
         assert float(getattr(declared, name)) / POUND_INCH == pytest.approx(value, rel=1e-8), name
-    assert float(declared.least_rms_torque / declared.mean_gearbox_torque) == pytest.approx(1.3377105431868517, rel=3e-9)
+    assert float(declared.least_rms_torque / declared.mean_gearbox_torque) == pytest.approx(
+        1.3377105431868517, rel=3e-9
+    )
     assert float(declared.polished_rod_power) == pytest.approx(147334.52434966623 * POUND_INCH / 6, rel=3e-9)
 
 

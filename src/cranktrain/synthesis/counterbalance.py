@@ -149,7 +149,9 @@ def _numbers(machine: Machine) -> Iterator[Number]:
     yield Number("force", "F", _si(machine), "N", _("Force of the counterbalance at its arm"))
     yield Number("moment", "M", float(of.counterbalance_moment[0]), "N·m", _("Moment of the counterbalance"))
     yield Number("upstroke_peak", "T_u", float(of.upstroke_peak.value[0]), "N·m", _("Peak torque of the upstroke"))
-    yield Number("downstroke_peak", "T_d", float(of.downstroke_peak.value[0]), "N·m", _("Peak torque of the downstroke"))
+    yield Number(
+        "downstroke_peak", "T_d", float(of.downstroke_peak.value[0]), "N·m", _("Peak torque of the downstroke")
+    )
     yield Number("least", "T_min", least, "N·m", _("Least torque; less than 0 it drives the gearbox"))
     yield Number("mean", "T_m", float(of.mean_gearbox_torque[0]), "N·m", _("Mean torque"))
     yield Number("rms", "T_rms", float(of.rms_gearbox_torque[0]), "N·m", _("Root mean square of the torque"))

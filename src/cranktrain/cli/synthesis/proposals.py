@@ -14,8 +14,8 @@ from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_errors_of
 from cranktrain.grouping import grouped
 from cranktrain.io.added_tables import with_tables
-from cranktrain.io.editing import with_value
 from cranktrain.io.description import units_of
+from cranktrain.io.editing import with_value
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import STANDARD_OUTPUT, write_machine_file
 from cranktrain.language import _

@@ -212,7 +212,9 @@ def _facts(unit: Unit, design: int, events: Array) -> _Facts:
     bottom, top = float(unit.bottom[design]), float(unit.top[design])
     top = bottom + (top - bottom) % TURN
     pieces = turn_pieces(np.concatenate([events, [bottom, top]]), TURN)
-    own = [part[design] for part in unit.at(np.broadcast_to(pieces.cut.angle, (len(unit.bottom), pieces.cut.angle.size)))]
+    own = [
+        part[design] for part in unit.at(np.broadcast_to(pieces.cut.angle, (len(unit.bottom), pieces.cut.angle.size)))
+    ]
     at = Acting(*own)
     torque = at.rod + at.weights
     best = balanced(pieces, at.rod, at.weights, (bottom, top))

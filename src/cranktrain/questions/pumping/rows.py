@@ -1,4 +1,4 @@
-"""What the pumping unit says in the answer: its gearbox torque with its peaks, ratings, and the best counterbalances."""
+"""What the pumping unit says in the answer: gearbox torque with its peaks, ratings, and the best counterbalances."""
 
 from collections.abc import Iterator
 

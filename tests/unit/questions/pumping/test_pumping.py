@@ -25,7 +25,11 @@ def load_of(name):
         ({"pumping.counterbalance": "weights"}, "pumping.counterbalance", "must be the name of a load"),
         ({"pumping.counterbalance": "invented_card"}, "pumping.counterbalance", "must not be the load"),
         ({"pumping.counterbalance": "unbalance"}, "pumping.counterbalance", "on the crank"),
-        ({"pumping.card": "counterbalance", "pumping.counterbalance": "unbalance"}, "pumping.card", "a rope off its arc"),
+        (
+            {"pumping.card": "counterbalance", "pumping.counterbalance": "unbalance"},
+            "pumping.card",
+            "a rope off its arc",
+        ),
         ({"pumping.rated_torque": "0 N*m"}, "pumping.rated_torque", "more than 0"),
         ({"pumping.rated_load": "0 N"}, "pumping.rated_load", "more than 0"),
     ],
@@ -93,4 +97,6 @@ def test_designs_are_as_each_alone():
     alone = [ct.run(UNIT, set={"load.counterbalance.force": force}) for force in forces]
     together = ct.run([ct.load(UNIT, set={"load.counterbalance.force": force}) for force in forces])
     for name in ("upstroke_peak", "equal_peaks_moment", "cyclic_load_factor", "rms_gearbox_torque"):
-        assert np.ravel(getattr(together, name)) == pytest.approx([float(getattr(one, name)) for one in alone], rel=1e-12)
+        assert np.ravel(getattr(together, name)) == pytest.approx(
+            [float(getattr(one, name)) for one in alone], rel=1e-12
+        )
