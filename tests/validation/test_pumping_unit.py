@@ -1,9 +1,8 @@
 """The pumping unit against numbers of other programs and by hand, all in inches and pounds.
 
 * `drive_pumping_unit`: API 11E's chain of angles and a dyad in 50 digits; both counterbalances under the invented card.
-  Its peaks were searched for on a grid and miss the exact ones by 8e-9; here they are held to 1e-8, the smaller least to 1e-7,
-  and to rounding
-  against a search of this file's own.
+  Its peaks were searched for on a grid and miss the exact ones by 8e-9; here they are held to 1e-8, the smaller least
+  to 1e-7, and the peaks to rounding against a search of this file's own.
 * Geometry of API 11E, written out here in its letters, for other units as well.
 """
 

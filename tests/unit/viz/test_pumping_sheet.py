@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 
 import cranktrain as ct
 from cranktrain.viz.panel import OneDesign
@@ -34,6 +35,6 @@ def test_card_meets_its_permissible_load_where_the_torque_is_at_its_rating():
 @pytest.mark.parametrize("paths", [{}, WITHOUT])
 def test_is_drawn(paths):
     figure = sheet_pumping(ct.run(UNIT, set=paths))
-    words = " ".join(text.get_text() for text in figure.texts)
+    words = " ".join(text.get_text() for text in figure.findobj(Text))
     assert ("most going up" in words) is not bool(paths)
     assert ("No permissible loads" in words) is bool(paths)

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.language import _
 from cranktrain.motion import Array
@@ -78,7 +79,7 @@ def card_curves(shown: OneDesign) -> CardCurves:
     )
 
 
-def _stroke(position: Array, allowed: Array, is_own: Array) -> tuple[Array, Array]:
+def _stroke(position: Array, allowed: Array, is_own: NDArray[np.bool_]) -> tuple[Array, Array]:
     """Permissible loads of one stroke by rising position."""
     own = np.flatnonzero(is_own)
     order = own[np.argsort(position[own])]
