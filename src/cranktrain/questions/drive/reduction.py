@@ -110,9 +110,17 @@ def reduced_machines(
             )
             for design, own in enumerate(pieces)
         ),
-        events.whole,
+        _corners(events, on_shaft, crank_angle),
         crank_angle.cycle,
     )
+
+
+def _corners(events: ForceEvents, on_shaft: Sequence[TorqueOnShaft], crank_angle: CrankAngle) -> Array:
+    """Where loads, gas and friction have jumps or corners, those on shafts too, shape (design, corner). [rad]"""
+    own = [load.law.kinks(crank_angle.cycle) for load in on_shaft if isinstance(load.law, ByAngle)]
+    shape = (len(events.whole), -1)
+    kinks = [np.broadcast_to(each, (shape[0], each.shape[-1])) + crank_angle.zero[..., 0] for each in own]
+    return np.concatenate([events.whole, *kinks], axis=-1)
 
 
 def _ways(loads: Sequence[LinkLoad]) -> list[_Way]:
@@ -189,7 +197,7 @@ def _loads(
     for curve in others:
         row = _NOTHING._replace(resists=curve.resists, at=float(_of(curve.at, design)), exponent=curve.exponent)
         rows.append(_round(row, curve.lines[design], 0.0, points))
-    return _table(rows, ReducedLoad), np.array(points, dtype=float).reshape(-1, 3)
+    return _table(rows, len(_NOTHING)), np.array(points, dtype=float).reshape(-1, 3)
 
 
 _NOTHING = ReducedLoad(BY_SPEED, -1, -1, False, False, 1.0, 0.0, 1.0, 0.0, 0, 0, 0.0, 1.0)
@@ -226,9 +234,9 @@ def _of(part: Array, design: int) -> Any:
     return part[min(design, len(part) - 1)].item()
 
 
-def _table(rows: Sequence[tuple[Any, ...]], kind: type) -> Array:
+def _table(rows: Sequence[tuple[Any, ...]], width: int) -> Array:
     """Rows of numbers as an array, of the right width where there is none."""
-    return np.array(rows, dtype=float).reshape(-1, len(kind._fields))
+    return np.array(rows, dtype=float).reshape(-1, width)
 
 
 def _chambers(remembering: Sequence[Filling], first_volume: int, design: int) -> tuple[Array, Array]:
@@ -237,9 +245,22 @@ def _chambers(remembering: Sequence[Filling], first_volume: int, design: int) ->
     for filling in remembering:
         for place in filling.places.tolist():
             gas: Compressor = filling.of_chamber(design, place)
-            own = (gas.suction_pressure, gas.discharge_pressure, gas.compression_exponent, gas.expansion_exponent)
-            rows.append(ReducedChamber(first_volume + len(rows), *(float(np.ravel(one)[0]) for one in own), AMBIENT))
-    return _table(rows, ReducedChamber), np.zeros((len(rows), 2))
+            rows.append(
+                ReducedChamber(
+                    volume=first_volume + len(rows),
+                    suction_pressure=_only(gas.suction_pressure),
+                    discharge_pressure=_only(gas.discharge_pressure),
+                    compression_exponent=_only(gas.compression_exponent),
+                    expansion_exponent=_only(gas.expansion_exponent),
+                    ambient=AMBIENT,
+                )
+            )
+    return _table(rows, len(ReducedChamber._fields)), np.zeros((len(rows), 2))
+
+
+def _only(number: Array) -> float:
+    """A number that stands alone in its array."""
+    return float(np.ravel(number)[0])
 
 
 def _gas_over_cycle(
@@ -267,7 +288,8 @@ def _friction(loaded: LoadedMachine, crank_angle: CrankAngle, events: ForceEvent
     at_rest = replace(loaded, speed=Speed(np.zeros_like(loaded.speed.value)))
 
     def rubbed(machine: LoadedMachine, angle: Array) -> Array:
-        return -sum(np.sum(one.forces.friction_torque + 0 * angle, axis=1) for one in machine.solved(angle))
+        each = [np.sum(one.forces.friction_torque + 0 * angle, axis=1) for one in machine.solved(angle)]
+        return -sum(each, np.zeros(angle.shape))
 
     still = _each_design(lambda angle: rubbed(at_rest, angle), crank_angle, events)
     more = _each_design(lambda angle: rubbed(loaded, angle) - rubbed(at_rest, angle), crank_angle, events)
