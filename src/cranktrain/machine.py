@@ -38,6 +38,7 @@ from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.gas.spec import GasTables
+from cranktrain.questions.pumping.spec import PumpingSpec
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.spec import Spec, problems, with_tuples
 
@@ -145,6 +146,7 @@ class Machine(Spec, frozen=True):
         default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
     )
     drive: DriveSpec | None = Field(default=None, description=N_("What drives the crank, and how it starts."))
+    pumping: PumpingSpec | None = Field(default=None, description=N_("A beam pumping unit: its loads and ratings."))
 
     def __init__(self, /, **data: Any) -> None:
         try:
