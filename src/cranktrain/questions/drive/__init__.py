@@ -13,6 +13,8 @@ from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
 from cranktrain.questions.drive.driven_speed import driven_speed
 from cranktrain.questions.drive.half_periods import half_periods
 from cranktrain.questions.drive.reduction import reduced_machines
+from cranktrain.questions.drive.servo.rocking import is_rocking, rocking_course, rocking_drive
+from cranktrain.questions.drive.servo.stages import is_wanted, servo_drive, wanted_crank
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.drive.static_torques import StaticTorques, static_torques
 from cranktrain.questions.drive.steady_drive import SteadyDrive, steady_drive
@@ -46,6 +48,10 @@ QUESTION = Question(
         Stage(static_torques),
         Stage(half_periods),
         Stage(steady_drive),
+        Stage(wanted_crank, applies=is_wanted),
+        Stage(servo_drive, applies=is_wanted),
+        Stage(rocking_course, applies=is_rocking),
+        Stage(rocking_drive, applies=is_rocking),
         Stage(driven_speed),
     ),
     dimensions=(
@@ -55,7 +61,14 @@ QUESTION = Question(
     ),
     headline=("rms_motor_torque",),
     title=N_("Drive"),
-    rows=(rows.static_rows, rows.running_rows),
+    rows=(
+        rows.static_rows,
+        rows.running_rows,
+        rows.wanted_rows,
+        rows.servo_rows,
+        rows.rocking_rows,
+        rows.rocking_drive_rows,
+    ),
     offers={"motor_torque": N_("torque of the motor")},
     uses=(Use(table("drive"), (StaticTorques,)), Use(inner_table("drive", "motor"), (SteadyDrive,))),
 )
