@@ -78,7 +78,7 @@ def centre_distances(rod_length: Array, at: Directions) -> tuple[Array, Array]:
     Returns
     -------
     tuple of two Arrays
-        Along rocker and crank; less than 0 on the pivots' other side; infinite where crank and rocker are parallel. The
+        From the pins away from the pivots, less than 0 toward them; infinite where crank and rocker are parallel. The
         angle at C is α₁ − α, at A π − (α₁ − β), at B α − β.
 
     Notes
