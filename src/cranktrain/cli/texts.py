@@ -107,7 +107,9 @@ def add_textbook(app: typer.Typer) -> None:
         at: Annotated[
             float | None,
             typer.Option(
-                metavar="DEG", parser=degrees, help=_("Of a drive: crank angle from the line of the pivots; 60 unless given.")
+                metavar="DEG",
+                parser=degrees,
+                help=_("Of a drive: crank angle from the line of the pivots; 60 unless given."),
             ),
         ] = None,
         output: Annotated[
@@ -117,8 +119,8 @@ def add_textbook(app: typer.Typer) -> None:
                 "--output",
                 metavar="FILE",
                 help=_(
-                    "Of a throw: its table as .toml, or its scheme, fig. 35, as .png, .svg or .pdf. Of a drive: its table, "
-                    "its curves as .csv, or fig. 2."
+                    "Of a throw: its table as .toml, or its scheme, fig. 35, as .png, .svg or .pdf. Of a drive: its "
+                    "table, its curves as .csv, or fig. 2."
                 ),
             ),
         ] = None,

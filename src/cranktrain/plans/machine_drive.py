@@ -21,8 +21,8 @@ def drive_data(machine: Machine, mechanism: str | None = None) -> dict[str, obje
     Parameters
     ----------
     machine : Machine
-        Its [drive], if any, gives i, eta_p and GD2_0; [masses] gives m, p, q, I, J and GD2_O1; loads on the rocker of one
-        size give Q.
+        Its [drive], if any, gives i, eta_p and GD2_0; [masses] gives m, p, q, I, J and GD2_O1; loads on the rocker of
+        one size give Q.
     mechanism : str, optional
         Name of the crank-rocker; the first unless given.
 
@@ -71,9 +71,7 @@ def _of_masses(machine: Machine, place: PlacedMechanism) -> Iterator[tuple[str, 
     """The rod, and what turns about the fixed pivots: inertia about its centre of mass and its mass at its distance."""
     (bodies,) = (batch.bodies for batch in masses_of((place,), machine.weighed, 1).batches)
     moving = dict(zip(place.kind.dynamics.moving, bodies, strict=True))
-    crank, rod, rocker = (
-        tuple(float(np.ravel(one)[0]) for one in moving[name]) for name in ("crank", "rod", "rocker")
-    )
+    crank, rod, rocker = (tuple(float(np.ravel(one)[0]) for one in moving[name]) for name in ("crank", "rod", "rocker"))
     about = [own + mass * (along**2 + across**2) for mass, along, across, own in (crank, rocker)]
     yield "J", _written(about[0], "kg*m^2")
     yield "GD2_O1", _written(4 * about[1], "kg*m^2")

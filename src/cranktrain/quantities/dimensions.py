@@ -151,7 +151,11 @@ class Dimension(Enum):
             _unit("lb", "фунт", si=_POUND),
         ),
     )
-    INERTIA = (N_("a moment of inertia"), "0.5 kg·m²", (_unit("kg·m²", "кг·м²"), _unit("lb·ft²", "фунт·фут²", si=_POUND * _FOOT**2)))
+    INERTIA = (
+        N_("a moment of inertia"),
+        "0.5 kg·m²",
+        (_unit("kg·m²", "кг·м²"), _unit("lb·ft²", "фунт·фут²", si=_POUND * _FOOT**2)),
+    )
     FLYWHEEL_MOMENT = (
         N_("a flywheel moment GD²"),
         "2 kgf·m²",

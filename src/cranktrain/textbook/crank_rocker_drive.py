@@ -91,7 +91,7 @@ def centre_distances(rod_length: Array, at: Directions) -> tuple[Array, Array]:
 
 
 def crank_torque(load: Array, radius: Array, train: Drivetrain, at: Directions) -> Array:
-    """Static torque on the crank's shaft by (12), T r/η_ш; with the rocker's length for r it is (13) as printed. [N·m]"""
+    """Static torque on the crank's shaft by (12), T r/η_ш; with the rocker's length for r (13) as printed. [N·m]"""
     return crank_pin_force(load, at) * radius / train.linkage_efficiency
 
 
@@ -168,7 +168,7 @@ def refuted_flywheel_moment(own: Array, weight: Array, radius: Array, train: Dri
 
 
 class RigidRod(NamedTuple):
-    """A rod: mass [kg], centre of mass p along it from the crank pin and q to its left [m], inertia about it [kg·m²]."""
+    """A rod: mass [kg]; centre of mass, p along it from the crank pin, q to its left [m]; inertia about that [kg·m²]."""
 
     mass: Array
     along: Array
@@ -183,9 +183,7 @@ class ReducedInertia(NamedTuple):
     slope: Array
 
 
-def reduced_inertia(
-    angle: Array, geometry: CrankRocker, crank: Array, rod: RigidRod, rocker: Array
-) -> ReducedInertia:
+def reduced_inertia(angle: Array, geometry: CrankRocker, crank: Array, rod: RigidRod, rocker: Array) -> ReducedInertia:
     """Inertia of a whole crank-rocker reduced to its crank, the rod's mass with it, which (20) leaves out.
 
     Parameters
@@ -212,10 +210,7 @@ def reduced_inertia(
     x, sine, cosine = p / l, np.sin(angle - beta.value), np.cos(angle - beta.value)
     between = x * (1 - x) * l**2
     value = m * (
-        (1 - x) * r**2
-        + x * (r1 * alpha1.first) ** 2
-        - (between - q**2) * beta.first**2
-        + 2 * q * r * beta.first * sine
+        (1 - x) * r**2 + x * (r1 * alpha1.first) ** 2 - (between - q**2) * beta.first**2 + 2 * q * r * beta.first * sine
     )
     slope = m * (
         x * r1**2 * alpha1.first * alpha1.second

@@ -174,9 +174,7 @@ def _torques(drive: CrankRockerDrive) -> Iterator[DriveCurve]:
         "ratio",
         lambda ratio: by_transmitted_torque(on_crank * ratio, train),
     )
-    yield DriveCurve(
-        "(14)", N_("at the motor, dry friction"), "N*m", "right", "ratio", lambda k: np.abs(refuted * k)
-    )
+    yield DriveCurve("(14)", N_("at the motor, dry friction"), "N*m", "right", "ratio", lambda k: np.abs(refuted * k))
     yield DriveCurve("(14)", N_("at the motor, η always dividing"), "N*m", "source", "ratio", lambda k: refuted * k)
     yield DriveCurve(
         "(14)", N_("at the motor, by Kunitsky and Popov"), "N*m", "refuted", "product", lambda one: refuted * one
@@ -190,7 +188,12 @@ def _moments(drive: CrankRockerDrive) -> Iterator[DriveCurve]:
     yield DriveCurve("(17)", N_("G_B of G_A"), "kg", "right", "ratio", lambda ratio: weight * ratio**2)
     yield DriveCurve("(18)", N_("at the crank"), unit, "right", "ratio", lambda ratio: on_crank * ratio**2)
     yield DriveCurve(
-        "(19)", N_("at the crank, over η_ш"), unit, "source", "ratio", lambda k: on_crank * k**2 / train.linkage_efficiency
+        "(19)",
+        N_("at the crank, over η_ш"),
+        unit,
+        "source",
+        "ratio",
+        lambda k: on_crank * k**2 / train.linkage_efficiency,
     )
     yield DriveCurve(
         "(20)",
@@ -268,7 +271,9 @@ def curve_facts(drive: CrankRockerDrive, curve: DriveCurve) -> CurveFacts:
     dead = dead_positions(drive.geometry)
     peaks = [_peak(drive, curve, half) for half in (dead.advance, dead.back)]
     mean, square = (
-        sum(integral(lambda angle, n=n: values_at(drive, curve, angle) ** n, half) for half in (dead.advance, dead.back))
+        sum(
+            integral(lambda angle, n=n: values_at(drive, curve, angle) ** n, half) for half in (dead.advance, dead.back)
+        )
         / (2 * np.pi)
         for n in (1, 2)
     )

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from cranktrain.language import N_
+from cranktrain.numerics import Extreme, extremes
 from cranktrain.textbook.crank_rocker_drive import efficiency
-from cranktrain.numerics import extremes, Extreme
 from cranktrain.textbook.drive_curves import CurveFacts, Verdict, carried, curve_facts, drive_curves
 from cranktrain.textbook.drive_table import CrankRockerDrive, read_drive
 from cranktrain.textbook.drive_verdicts import absurdities
@@ -54,8 +54,9 @@ def drive_errata() -> tuple[WrongStep, ...]:
             facts("(14)", "right").returning.value,
             "N*m",
             N_(
-                "η divides while the motor drives alone; where the load drives, losses help to hold it, and η multiplies. "
-                "By the sign of the torque that is passed on, inertia's part with it. Here the peak as the rocker goes back"
+                "η divides while the motor drives alone; where the load drives, losses help to hold it, and η "
+                "multiplies. By the sign of the torque that is passed on, inertia's part with it. Here the peak as the rocker goes "
+                "back"
             ),
         ),
         WrongStep(
@@ -80,7 +81,7 @@ def drive_errata() -> tuple[WrongStep, ...]:
             facts("(20)", "right").returning.value,
             facts("(20)", "right", 1).returning.value,
             "kg*m^2",
-            N_("left out are the rod's mass and the crank's; with them GD² does not fall to (GD²)₀ at the dead positions"),
+            N_("left out are the rod's mass and the crank's; with them GD² stays above (GD²)₀ at the dead positions"),
         ),
         WrongStep(
             N_("torque that is constant in idle running, before (21)"),
@@ -97,8 +98,8 @@ def drive_errata() -> tuple[WrongStep, ...]:
             facts("(21)", "right").returning.value,
             "N*m",
             N_(
-                "friction, of which idle running consists, reverses with the rocker, and its torque is |(21)|; a weight's "
-                "or a spring's alone changes its sign. Here the peak as the rocker goes back"
+                "friction, of which idle running consists, reverses with the rocker, and its torque is |(21)|; "
+                "a weight's or a spring's alone changes its sign. Here the peak as the rocker goes back"
             ),
         ),
         WrongStep(

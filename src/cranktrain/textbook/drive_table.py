@@ -88,7 +88,9 @@ class DriveTable(Spec, frozen=True):
     def _problems(self) -> Iterator[Problem]:
         """Find a linkage that is no crank-rocker, half a rod, and friction without pins."""
         if int(np.ravel(grashof_class(self.geometry))[0]) != 0:
-            allowed = _("must be a crank-rocker: r the shortest link, and r + the longest less than both others together")
+            allowed = _(
+                "must be a crank-rocker: r the shortest link, and r + the longest less than both others together"
+            )
             yield Problem("r", self.r.text, allowed)
         of_rod = {"rod_along": self.rod_along, "rod_inertia": self.rod_inertia}
         for name, given in of_rod.items():
@@ -97,7 +99,9 @@ class DriveTable(Spec, frozen=True):
                 allowed = _("is missing; m has it") if has_mass else _("must be left out without m")
                 yield Problem(_key(name), None if given is None else given.text, allowed)
         if self.friction is not None and all(getattr(self, name) is None for name in _OF_PINS):
-            yield Problem(_key("shaft_pin"), None, _("is missing, with r_B, r_A, r_O1: radii of the pins that f rubs on"))
+            yield Problem(
+                _key("shaft_pin"), None, _("is missing, with r_B, r_A, r_O1: radii of the pins that f rubs on")
+            )
         for name in ("gear_moment", "driven_moment"):
             given = getattr(self, name)
             if given.si < 0:
@@ -106,7 +110,8 @@ class DriveTable(Spec, frozen=True):
     @property
     def geometry(self) -> CrankRocker:
         """Four lengths and the side. [m]"""
-        return CrankRocker(*(np.array(one.si) for one in (self.r, self.l, self.r1, self.d)), np.array(_SIDES[self.branch]))
+        r, l, r1, d = (np.array(one.si) for one in (self.r, self.l, self.r1, self.d))
+        return CrankRocker(r, l, r1, d, np.array(_SIDES[self.branch]))
 
 
 DRIVE_KEYS = tuple(_key(name) for name in DriveTable.model_fields)
@@ -139,7 +144,8 @@ def read_drive(data: Mapping[str, object]) -> CrankRockerDrive:
     ----------
     data : mapping
         By the source's symbols, each text with its unit: r, l, r1, d, branch, i, eta_p, eta_sh, Q, M_xx0, GD2_0, GD2_O1;
-        beyond the source m, p, q, I of the rod, J of the crank; f and r_O, r_B, r_A, r_O1 of pins that rub.
+        beyond the source m, p, q, I of the rod, J of the crank; f and r_O, r_B, r_A, r_O1 of pins
+        that rub.
 
     Returns
     -------

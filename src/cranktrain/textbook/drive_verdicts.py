@@ -1,5 +1,6 @@
 """What is absurd about wrong formulas of a crank-rocker's drive, as numbers, and how pin friction compares with η."""
 
+import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -10,7 +11,6 @@ from cranktrain.textbook.crank_rocker_drive import directions, efficiency
 from cranktrain.textbook.drive_curves import Half, carried, curve_facts, dead_positions, drive_curves, integral
 from cranktrain.textbook.drive_table import CrankRockerDrive
 from cranktrain.textbook.friction_circles import FrictionRadii, rubbing_links
-
 
 _TRIED = 3601
 """Angles of a half-period at which the load is asked whether it drives."""
@@ -108,10 +108,7 @@ def pin_friction(drive: CrankRockerDrive, radii: FrictionRadii) -> PinFriction |
         return rubbing_links(angle, drive.geometry, load, radii).torque
 
     dead = dead_positions(drive.geometry)
-    work = [
-        sum(integral(torque, part, 16) for part in _between_jumps(half))
-        for half in (dead.advance, dead.back)
-    ]
+    work = [sum(integral(torque, part, 16) for part in _between_jumps(half)) for half in (dead.advance, dead.back)]
     ideal = float(load) * swing(drive)
     resisting, helping = (0, 1) if ideal > 0 else (1, 0)
     helped = (dead.advance, dead.back)[helping]
@@ -136,7 +133,7 @@ def _between_jumps(half: Half) -> list[Half]:
     """Parts of a half-period between the angles at which the crank lies along the ground line."""
     inside = [jump for jump in np.arange(0.0, 4 * np.pi, np.pi) if half.start < jump < half.end]
     edges = [half.start, *inside, half.end]
-    return [Half(*pair) for pair in zip(edges[:-1], edges[1:], strict=True)]
+    return [Half(*pair) for pair in itertools.pairwise(edges)]
 
 
 def _zero(torque: Curve, inside: float, way: int) -> float:

@@ -7,7 +7,6 @@ import numpy as np
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.motion import Array
 
-
 _STANDS = 1e-12
 """Turning of a pin for a radian of the crank that is but rounding."""
 

@@ -37,7 +37,8 @@ def test_gear_of_two_stages():
 
 def test_masses_off_their_pivots():
     """GD² about O₁: 4 (50 + 800 · 0.1²)."""
-    machine = ct.load("tilting_table").with_({"masses": {"rocker": {"along": "100 mm"}}})
+    rocker = {"mass": "800 kg", "along": "100 mm", "inertia": "50 kg*m^2"}
+    machine = ct.load("tilting_table").with_({"masses": {"rocker": rocker}})
     assert si(drive_data(machine))["GD2_O1"] == pytest.approx(4 * (50 + 8), rel=1e-14)
 
 

@@ -241,8 +241,8 @@ def _verdicts(drive: CrankRockerDrive) -> Iterator[tuple[str, str]]:
     yield (
         "-",
         _(
-            "Kunitsky and Popov: a turn with an active load and no losses takes {work}, which must be 0; their GD² falls "
-            "below (GD²)₀ over {below:.2f}° of a turn, to {least}; their Q′ put into (1) needs sin²(α₁ − β) = 1, and "
+            "Kunitsky and Popov: a turn with an active load and no losses takes {work}, which must be 0; their GD² "
+            "falls below (GD²)₀ over {below:.2f}° of a turn, to {least}; their Q′ put into (1) needs sin²(α₁ − β) = 1, and "
             "it is down to {square:.4f}; their idle torque is a flat line."
         ).format(
             work=number(found.refuted_work, "J"),
@@ -255,8 +255,8 @@ def _verdicts(drive: CrankRockerDrive) -> Iterator[tuple[str, str]]:
     yield (
         "-",
         _(
-            "(14) divides by η whether the load resists or drives: over a turn of an active load it loses nothing, where "
-            "{lost} are lost."
+            "(14) divides by η whether the load resists or drives: over a turn of an active load it loses nothing, "
+            "where {lost} are lost."
         ).format(lost=number(found.lost, "J")),
     )
     yield (
@@ -280,10 +280,13 @@ def _friction_lines(drive: CrankRockerDrive) -> Iterator[str]:
     if found is None:
         yield _("The pins lock the links, or no load drives them.")
         return
-    parts = _(" and ").join(f"{np.degrees(one.start) % 360:.3f}–{np.degrees(one.end) % 360:.3f}°" for one in found.locked)
+    parts = _(" and ").join(
+        f"{np.degrees(one.start) % 360:.3f}–{np.degrees(one.end) % 360:.3f}°" for one in found.locked
+    )
     yield _(
         "Mean efficiency {driving:.6f} while an active load resists and {driven:.6f} while it drives. Torque from "
-        "{smallest} to {largest}; at the dead positions {extended} and {folded}, not 0. The load cannot drive in {parts}."
+        "{smallest} to {largest}; at the dead positions {extended} and {folded}, not 0. The load cannot drive "
+        "in {parts}."
     ).format(
         driving=found.driving,
         driven=found.driven,
