@@ -89,11 +89,12 @@ if TYPE_CHECKING:
     from cranktrain import viz
     from cranktrain.analysis import Result
     from cranktrain.analysis.comparison import Comparison
+    from cranktrain.study.start import Start
     from cranktrain.errors import InputError, Problem
     from cranktrain.io.any_machine import load
     from cranktrain.io.examples import example_names
     from cranktrain.machine import Machine
-    from cranktrain.public import compare, run, units
+    from cranktrain.public import compare, run, start, units
 
 __all__ = [
     "Comparison",
@@ -101,11 +102,13 @@ __all__ = [
     "Machine",
     "Problem",
     "Result",
+    "Start",
     "__version__",
     "compare",
     "example_names",
     "load",
     "run",
+    "start",
     "units",
     "viz",
 ]
@@ -119,10 +122,12 @@ _HOMES = {
     "Machine": "machine",
     "Problem": "errors",
     "Result": "analysis",
+    "Start": "study.start",
     "compare": "public",
     "example_names": "io.examples",
     "load": "io.any_machine",
     "run": "public",
+    "start": "public",
     "units": "public",
     "viz": "viz",
 }

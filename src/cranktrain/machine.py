@@ -21,6 +21,7 @@ from cranktrain.layout.gearing import first_axis
 from cranktrain.layout.load_tables import LoadSpec, LoadTables
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
+from cranktrain.layout.shaft_problems import shaft_problems
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
 from cranktrain.layout.unit_tables import unit_problems
@@ -142,7 +143,6 @@ class Machine(Spec, frozen=True):
     torsion: TorsionSpec | None = Field(
         default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
     )
-
     drive: DriveSpec | None = Field(default=None, description=N_("What drives the crank, and how it starts."))
 
     def __init__(self, /, **data: Any) -> None:
@@ -232,25 +232,8 @@ class Machine(Spec, frozen=True):
         if n_mechanisms > MOST_MECHANISMS:
             allowed = _("gives {n} mechanisms; a machine may have at most {limit}")
             yield Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS))
-        yield from self._shaft_problems()
+        yield from shaft_problems(self.shaft, self.banks)
         yield from unit_problems(self.units)
-
-    def _shaft_problems(self) -> Iterator[Problem]:
-        """Find what only the main shaft has, or only another, and shafts that carry nothing."""
-        used = {shaft for bank in self.banks.values() for shaft in bank.shafts}
-        for name, shaft in self.shaft.items():
-            foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve")
-            allowed = _("is for another shaft; angles and places count from [shaft.main]")
-            if name != MAIN:
-                allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")
-                if name not in used:
-                    nothing = _("carries no bank: name it in [bank.NAME] shaft, or take it out")
-                    yield Problem(path_text(("shaft", name)), None, nothing)
-            yield from (
-                Problem(path_text(("shaft", name, key)), None, allowed)
-                for key in foreign
-                if key in shaft.model_fields_set
-            )
 
     @property
     def shafts(self) -> Mapping[str, ShaftSpec]:

@@ -16,6 +16,7 @@ from cranktrain.quantities import shown_by, units_by_dimension
 
 if TYPE_CHECKING:
     from cranktrain.analysis import SpeedWanted
+    from cranktrain.study.start import Progress, Start
     from cranktrain.io.any_machine import MachineLike
 
 
@@ -75,6 +76,46 @@ def run(
         return replace(found(machines), asked=asked)
     with problems_as(sources[0].placed):
         return replace(found(machines[0]), asked=asked)
+
+
+def start(
+    machine: "MachineLike",
+    *,
+    set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
+    progress: "Progress | None" = None,
+) -> "Start":
+    """Run a machine with its motor over time, as its table [drive.start] says.
+
+    Parameters
+    ----------
+    machine : str, path-like, dict or Machine
+        As `run` takes it; with [drive].
+    set : mapping of str, optional
+        Other values by path, as `Machine.with_` takes them.
+    progress : callable, optional
+        Told the time [s] and the speed of the crank [rad/s] that the run has come to.
+
+    Returns
+    -------
+    Start
+        Its `time` and curves by name, `events`, `rows()` and `dataset`.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with the machine, or what it lacks for a start.
+
+    Examples
+    --------
+    >>> found = start("tilting_table", set={"drive.start.duration": "0.5 s"})
+    >>> found.motor_torque.shape == found.time.shape
+    True
+    """
+    from cranktrain.study.start import start as run_over_time
+
+    source = sources_of(machine, set, partial=False)[0][0]
+    with problems_as(source.placed):
+        return run_over_time(source.machine, progress=progress)
 
 
 def compare(

@@ -84,9 +84,54 @@ TABLES = {
         "cylinder": {**WORKED["cylinder"], "mechanical_efficiency": 0.8},
     },
     "a motor": {
-        "evenness": {
-            "flywheel": "2 kg*m^2",
-            "motor": {"torque": "90 N*m", "speed": "950 rpm", "no_load_speed": "1000 rpm"},
+        "evenness": {"flywheel": "2 kg*m^2"},
+        "drive": {"motor": {"kind": "shunt", "torque": "90 N*m", "speed": "950 rpm", "no_load_speed": "1000 rpm"}},
+    },
+    "a motor by its plate": {
+        "drive": {
+            "motor": {
+                "kind": "cage",
+                "power": "7.5 kW",
+                "speed": "1465 rpm",
+                "breakdown_ratio": 3.0,
+                "starting_ratio": 2.3,
+                "pull_up_ratio": 1.8,
+                "flywheel_moment": "0.2 kg*m^2",
+            }
+        }
+    },
+    "a drive": {
+        "drive": {
+            "motor": {
+                "kind": "cage",
+                "curve": "kloss",
+                "breakdown_torque": "95 N*m",
+                "breakdown_slip": 0.2,
+                "synchronous_speed": "1500 rpm",
+                "inertia": "0.02 kg*m^2",
+            },
+            "stage": [
+                {"ratio": 3, "efficiency": 0.95, "drag": "0.2 N*m"},
+                {"ratio": 2, "efficiency": 0.9, "efficiency_back": 0.8},
+                {"ratio": 5, "lead_angle": "10 deg", "friction_angle": "4 deg"},
+            ],
+            "part": {
+                "coupling": {"inertia": "0.05 kg*m^2"},
+                "wheel": {"on": 2, "flywheel_moment": "3 kg*m^2"},
+                "gear": {"on": 3, "inertia": "2 kg*m^2"},
+            },
+            "start": {
+                "angle": "60 deg",
+                "speed": "1 rpm",
+                "duration": "5 s",
+                "until_speed": "37 rpm",
+                "overspeed": "60 rpm",
+                "motor_off": "3 s",
+                "motor_reversed": "4 s",
+                "brake_on": "4 s",
+                "unloaded_until": "1 s",
+                "interval": "0.01 s",
+            },
         }
     },
     "loads": {
@@ -206,6 +251,8 @@ SAYS_NOTHING = (
     re.compile(r"firing_angles\.\d+$"),  # says the turn; the crank pins say where in it
     re.compile(r"crank\.\w+\.ratio$"),  # of a chain's crank is 1
     re.compile(r"leg\.\d+\.near\.\d$"),  # chooses a way of putting together, but does not move it
+    re.compile(r"^drive\.motor\.pull_up_slip"),  # of a curve without a saddle
+    re.compile(r"^drive\.start\."),  # of a run over time, which is of one design
     re.compile(r"^gas\.(ambient|peg\.(pressure|exponent|angle|start|end))$"),  # of a card that says otherwise
 )
 """Numbers by which nothing that is laid out need change."""

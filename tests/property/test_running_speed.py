@@ -211,8 +211,8 @@ def test_a_constant_curve_is_a_constant_speed():
 
 def test_powers_are_of_the_mean_over_time():
     """A motor has its own speed: powers go with it."""
-    motor = {"torque": "50 N·m", "speed": "590 rpm", "no_load_speed": "600 rpm"}
-    machine = ct.Machine(**SLIDER_CRANK, **GAS, evenness={"flywheel": "2 kg·m²", "motor": motor})
+    motor = {"kind": "shunt", "torque": "50 N·m", "speed": "590 rpm", "no_load_speed": "600 rpm"}
+    machine = ct.Machine(**SLIDER_CRANK, **GAS, evenness={"flywheel": "2 kg·m²"}, drive={"motor": motor})
     first, second = ct.run(machine), ct.run(machine, speed="running")
     ratio = first.mean_speed_over_time / SPEED
     assert ratio > 1.002

@@ -19,6 +19,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.speed import Speed
 from cranktrain.numerics.periodic import cycle_grid, fourier_curve, plus
+from cranktrain.questions.drive.steady_cycle import mesh_of, speed_over_turn
 from cranktrain.questions.evenness.applied_torque import applied_torque
 from cranktrain.questions.evenness.flywheel import FlywheelSize, flywheel_size
 from cranktrain.questions.evenness.flywheel_inertia import exact_flywheel, flywheels_by_method, textbook_inertia
@@ -26,7 +27,7 @@ from cranktrain.questions.evenness.load_torque import load_torque
 from cranktrain.questions.evenness.running_speed import RunningSpeed, running_speed
 from cranktrain.questions.evenness.shaft_work import shaft_work
 from cranktrain.questions.evenness.spec import Balancing, GivenFlywheel, WantedCoefficient
-from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, motor, speed_under_law
+from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, speed_under_law
 from cranktrain.questions.evenness.speed_over_cycle import steady_speed
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
@@ -95,6 +96,11 @@ def test_quadratic_load():
     assert np.sqrt(np.mean(found.speed.speed**2)) == pytest.approx(case["mean_square_speed_root"], rel=1e-13)
 
 
+def motor(no_load_speed, stiffness):
+    """M = c (ω_s − ω)."""
+    return TorqueLaw(stiffness * no_load_speed, (Power(-stiffness, np.array(1.0)),))
+
+
 def test_linear_motor():
     case = EXPECTED["linear_motor"]
     law = motor(np.array(case["omega_s"]), np.array(case["c"]))
@@ -130,13 +136,15 @@ def whole_machine(torque, speed, load: dict[str, Any] | None = None, **evenness:
     sources = TorqueSources((), rest, *np.zeros((2, *rest[:, 0].shape)), np.zeros(1))
     given = None
     if LoadsOnShafts in known:
-        given = load_torque(known[LoadsOnShafts], balancing, applied, sources, torques, known[Speed], angle)
+        given = load_torque(known[LoadsOnShafts], None, applied, sources, torques, known[Speed], angle)
     work = shaft_work(applied, sources, given, torques, angle)
     if WantedCoefficient in known:
-        known[FlywheelSize] = flywheel_size(balancing, known[WantedCoefficient], None, work, known[Speed])
+        known[FlywheelSize] = flywheel_size(balancing, known[WantedCoefficient], None, None, work, known[Speed])
     if GivenFlywheel in known:
         flywheel = known[GivenFlywheel]
-        known[RunningSpeed] = running_speed(balancing, flywheel, applied, given, work, torques, known[Speed], angle)
+        known[RunningSpeed] = running_speed(
+            balancing, flywheel, None, applied, given, work, torques, known[Speed], angle
+        )
     return known
 
 
@@ -166,13 +174,19 @@ def test_quadratic_load_of_a_whole_machine():
     assert found.coefficient_of_fluctuation[0] == pytest.approx(case["delta_time_mean"], rel=NODES)
 
 
-def test_motor_of_a_whole_machine():
+def test_linear_motor_in_gauss_points():
     case = EXPECTED["linear_motor"]
-    motor_table = {
-        "torque": f"{case['c']!r} N·m",
-        "speed": f"{case['omega_s'] - 1!r} rad/s",
-        "no_load_speed": f"{case['omega_s']!r} rad/s",
-    }
-    found = whole_machine(-DRIVING, SPEED, flywheel=f"{case['J']!r} kg·m²", motor=motor_table)[RunningSpeed]
-    assert found.crank_speed[0, 0] == pytest.approx(case["omega0"], rel=1e-10)
-    assert found.mean_speed_over_time[0] == pytest.approx(case["omega_time_mean"], rel=1e-10)
+    mesh = mesh_of(2 * np.pi, np.empty(0))
+    inertia, load = (fourier_curve(curve) for curve in (CARRIED + case["J"], DRIVING))
+
+    def torque(speed):
+        return case["c"] * (case["omega_s"] - speed)
+
+    def acceleration(speed):
+        wrench = torque(speed) - load.value(mesh.nodes) - inertia.slope(mesh.nodes) * speed**2 / 2
+        return wrench / inertia.value(mesh.nodes)
+
+    found = speed_over_turn(acceleration, mesh, SPEED)
+    assert found.at(np.zeros(1))[0] == pytest.approx(case["omega0"], rel=1e-10)
+    assert 2 * np.pi / found.period == pytest.approx(case["omega_time_mean"], rel=1e-10)
+    assert np.sqrt(found.over_time(torque(found.speed) ** 2)) == pytest.approx(case["motor_torque_rms_time"], rel=1e-10)

@@ -32,7 +32,7 @@ def dataset_of(result: Result) -> "xarray.Dataset":
     design = ("design",) if result.has_designs else ()
     chosen = result.catalogue if result.asked is None else dict.fromkeys(result.asked)
     variables: dict[str, Any] = {
-        name: ((*design, *entry.dimensions), *_with_attributes(entry, getattr(result, name)))
+        name: ((*design, *entry.dimensions), *with_attributes(entry, getattr(result, name)))
         for name, entry in result.catalogue.items()
         if name in chosen
     }
@@ -45,7 +45,7 @@ def dataset_of(result: Result) -> "xarray.Dataset":
     return xarray.Dataset(variables, coordinates, about)
 
 
-def _with_attributes(entry: Entry, values: Array) -> tuple[Array, dict[str, str]]:
+def with_attributes(entry: Entry, values: Array) -> tuple[Array, dict[str, str]]:
     """Give values in the unit that was asked for, else in the catalogue's, and what that says of them."""
     unit, given = in_asked_unit(entry.unit, values)
     return given, {"units": unit, "symbol": entry.symbol, "long_name": entry.sentence, "source": entry.source}

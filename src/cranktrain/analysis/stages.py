@@ -83,7 +83,8 @@ def lacking(stages: Sequence[Stage], parts: Mapping[type, object]) -> dict[type,
         needed = {need for name, need in one.needs.items() if name not in one.optional} - known
         applies = one.applies_to(parts)
         if needed or applies is not True:
-            said = frozenset[str]() if applies is True else frozenset({applies or _NOT_FOR_IT})
+            asked = applies if isinstance(applies, tuple) else (applies or _NOT_FOR_IT,)
+            said = frozenset[str]() if applies is True else frozenset(cast(tuple[str, ...], asked))
             roots[one.gives] = said.union(*(roots.get(need, {getattr(need, "needs", _NOT_FOR_IT)}) for need in needed))
         else:
             known.add(one.gives)

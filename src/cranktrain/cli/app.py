@@ -25,6 +25,7 @@ from cranktrain.cli.options import (
     RunningSpeed,
     Settings,
     SpeedCurve,
+    StartOutput,
     Units,
     degrees,
     listed,
@@ -116,7 +117,7 @@ def _new(
     output: Output = None,
     force: Force = False,
 ) -> None:
-    from cranktrain.cli.start import write_new
+    from cranktrain.cli.new import write_new
 
     write_new(kind, output, full=full, force=force)
 
@@ -193,6 +194,42 @@ def _run(
 
 
 add_compare(_app)
+
+
+@_app.command(
+    "start",
+    help=_(
+        "Run a machine with its motor over time: start, stall, coasting or braking, as [drive.start] says.\n\n"
+        "\b\n"
+        "  cranktrain start tilting_table\n"
+        '  cranktrain start tilting_table --set "drive.start.angle=60 deg"\n'
+        "  cranktrain start tilting_table -o start.csv\n"
+        "  cranktrain start tilting_table -o start.png"
+    ),
+)
+@put_off
+def _start(
+    file: File,
+    output: StartOutput = None,
+    settings: Settings = None,
+    decimal: Decimal = "point",
+    full: Annotated[bool, typer.Option("--full", help=_("Show every event."))] = False,
+    units: Units = None,
+    force: Force = False,
+) -> None:
+    from cranktrain.cli.start import StartRequest, show_start
+
+    show_start(
+        StartRequest(
+            file=file,
+            settings=tuple(settings or ()),
+            output=output,
+            force=force,
+            units=units,
+            decimal=decimal,
+            full=full,
+        )
+    )
 
 
 @_app.command(

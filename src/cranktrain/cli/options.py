@@ -30,6 +30,15 @@ ResultsOutput = Annotated[
         help=_("Write curves to .csv, or all results to .json or .xlsx; by each method only if named."),
     ),
 ]
+StartOutput = Annotated[
+    str | None,
+    typer.Option(
+        "-o",
+        "--output",
+        metavar="FILE",
+        help=_("Write curves over time to .csv or .json, or draw them: .png, .svg, .pdf."),
+    ),
+]
 Decimal = Annotated[
     str, typer.Option(metavar="point|comma", help=_("In a .csv; a comma as spreadsheets take it, with semicolons."))
 ]

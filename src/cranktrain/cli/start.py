@@ -1,99 +1,118 @@
-"""`new` and `schema`: what a machine file starts from."""
+"""`start`: run a machine with its motor over time, write it where asked, and show what became of it."""
 
-from pathlib import Path
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import PurePath
 
-from cranktrain.errors import InputError
-from cranktrain.io.output import write_machine_file, write_whole
+import numpy as np
+from rich.text import Text
+
+from cranktrain.study.start import Start, start
+from cranktrain.cli.asked import Asked, units_asked_for
+from cranktrain.cli.screen.groups import RowGroup, group_lines
+from cranktrain.cli.screen.text import page, show_lines
+from cranktrain.cli.screen.title import title
+from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.io.description import units_of
+from cranktrain.io.machine_file import MachineFile, read_machine
+from cranktrain.io.output import write_whole
+from cranktrain.io.start_tables import SUFFIXES, start_csv, start_json
 from cranktrain.language import _
-from cranktrain.mechanisms import KINDS
-from cranktrain.mechanisms.kind import AnyKind
-from cranktrain.quantities import unlisted
+from cranktrain.one_line import one_line
+from cranktrain.quantities import shown_as_in, shown_by, unlisted
+from cranktrain.record import record
+from cranktrain.wording import number
 
-_SCHEMA_FILE = "cranktrain.schema.json"
-
-_TABLES = Path(__file__).parent / "starting"
-"""What stands in a new file after the mechanism: of each kind the tables that suit it, most behind comment marks."""
-
-_SPEEDS = {
-    "slider_crank": "1500 rpm",
-    "crank_rocker": "10 rpm",
-    "articulated_rod": "1500 rpm",
-    "scotch_yoke": "600 rpm",
-    "oscillating_cylinder": "300 rpm",
-    "slotted_lever": "30 rpm",
-    "eccentric": "90 rpm",
-    "stephenson": "180 rpm",
-    "walschaerts": "280 rpm",
-    "chain": "40 rpm",
-}
-"""Speeds at which machines of each kind and of these sizes turn: pumping unit, shaper, locomotive, press."""
-
-_HEAD = _("""\
-#:schema ./{schema}
-# For editors that complete as you type: cranktrain schema -o {schema}
-# What the machine does: cranktrain run FILE; what is still missing: cranktrain check FILE
-# A quantity is text with its unit; it can say where it is from:
-# {{ value = "90 mm", status = "published", note = "…", source = "…" }}; or derived, assumed, fitted
-""")
-
-_MARKS = _("""\
-# What stands behind a comment mark, `# key = …` or `# [table]` with its keys, works when the mark is taken away.
-""")
-
-_MACHINE = _("""
-name = "My machine"              # {title}
-rotation = "clockwise"            # or "anticlockwise", as seen from the free end of the shaft
-# running = "astern"              # against that sense
-""")
-
-_GRAVITY = _("""\
-# gravity = true                  # weights count, downward
-# crank_zero = "Y"                # angles count from where the crank points up
-""")
-
-_SHAFT = _("""
-[shaft.main]
-{speed:33} # with it: velocities and accelerations
-""")
+_SHOWN_EVENTS = 12
+_PICTURES = (".png", ".svg", ".pdf")
+_DECIMALS = ("point", "comma")
+_BETWEEN = 0.2
+"""Of two lines of progress. [s]"""
 
 
-def write_new(kind: str, output: str | None, *, full: bool = False, force: bool) -> None:
-    """Write a machine file to start from, to the standard output unless a file is named."""
-    write_machine_file(output or "-", starting_file(_kind_called(kind), full=full), force=force)
+@record
+class StartRequest(Asked):
+    """What is asked of `start`, as typed."""
+
+    decimal: str = "point"
+    full: bool = False
 
 
-def write_schema(output: str | None, *, force: bool) -> None:
-    """Write the JSON schema of machine files, to the standard output unless a file is named."""
-    from cranktrain.io.schema import schema_text
+def show_start(request: StartRequest) -> None:
+    """Run, write and show."""
+    suffix = _suffix(request)
+    asked = units_asked_for(request.units)
+    file = read_machine(request.file, request.settings)
+    with shown_as_in(units_of(file.machine)), shown_by(asked):
+        with problems_as(file.located):
+            found = start(file.machine, progress=_progress())
+        if request.output is not None:
+            _write(found, file, request, suffix)
+            print(_("written: {name}").format(name=one_line(request.output)))
+            return
+        with page(title(file.machine)) as console:
+            show_lines(console, group_lines([RowGroup(_("Start"), found.rows())], console.width))
+            show_lines(console, map(Text, _event_lines(found, request)))
 
-    write_whole(output or "-", schema_text(), force=force)
+
+def _suffix(request: StartRequest) -> str:
+    """How the output is to be written; refuse what is no way."""
+    if request.decimal not in _DECIMALS:
+        raise InputError([unlisted("--decimal", request.decimal, _DECIMALS)])
+    if request.output is None:
+        return ""
+    suffix = PurePath(request.output).suffix.lower()
+    if suffix not in (*SUFFIXES, *_PICTURES):
+        allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join((*SUFFIXES, *_PICTURES)))
+        raise InputError([Problem("-o", request.output, allowed)])
+    return suffix
 
 
-def starting_file(kind: AnyKind, *, full: bool = False) -> str:
-    """Give a machine file with one mechanism of a kind, commented, that works as it is.
+def _write(found: Start, file: MachineFile, request: StartRequest, suffix: str) -> None:
+    """Write curves or a picture."""
+    assert request.output is not None
+    if suffix in _PICTURES:
+        from cranktrain.viz import save
+        from cranktrain.viz.sheets.drive.start import start_picture
 
-    With `full` every table that suits the kind stands in it behind comment marks, and works without these.
-    """
-    tables = (_TABLES / f"{kind.name}.toml").read_text(encoding="utf-8")
-    if not full:
-        tables = tables.partition("\n# [")[0].rstrip("\n") + "\n"
-    return "".join(
-        (
-            _HEAD.format(schema=_SCHEMA_FILE),
-            _MARKS if full else "",
-            _MACHINE.format(title=_(kind.title)),
-            _GRAVITY if full else "",
-            _SHAFT.format(speed=f'speed = "{_SPEEDS[kind.name]}"'),
-            f"\n{kind.example}",
-            tables if tables.strip() else "",
-        )
+        save(start_picture(found), request.output, force=request.force)
+        return
+    chunks = (
+        start_json(found, file.document.data)
+        if suffix == ".json"
+        else start_csv(found, comma=request.decimal == "comma")
     )
+    write_whole(request.output, chunks, force=request.force)
 
 
-def _kind_called(name: str) -> AnyKind:
-    """Find the kind of that name; capitals do not matter, nor `-` for `_`."""
-    plain = name.casefold().replace("-", "_")
-    found = next((kind for kind in KINDS if kind.name == plain), None)
-    if found is None:
-        raise InputError([unlisted("KIND", name, [kind.name for kind in KINDS])])
-    return found
+def _event_lines(found: Start, request: StartRequest) -> Iterator[str]:
+    """What happened on the way, line by line."""
+    events = found.events
+    shown = events if request.full or len(events) <= _SHOWN_EVENTS else events[: _SHOWN_EVENTS - 1]
+    if shown:
+        yield ""
+        yield _("Events")
+    for event in shown:
+        yield _("  {time}  {name}, at {angle}, {speed}").format(
+            time=f"{event.time:10.6f} s",
+            name=event.name,
+            angle=number(float(np.mod(event.angle, 2 * np.pi)), "deg"),
+            speed=number(event.speed, "rpm"),
+        )
+    if len(shown) < len(events):
+        yield _("  and {n} more: --full shows all").format(n=len(events) - len(shown))
+
+
+def _progress() -> Callable[[float, float], None] | None:
+    """Tell a terminal how far a run has come."""
+    if not sys.stderr.isatty():
+        return None
+    last = [time.monotonic()]
+
+    def tell(now: float, speed: float) -> None:
+        if time.monotonic() - last[0] > _BETWEEN:
+            last[0] = time.monotonic()
+            print(_("{time:.3f} s, {speed}").format(time=now, speed=number(speed, "rpm")), end="\r", file=sys.stderr)
+
+    return tell

@@ -38,6 +38,6 @@ def add_tools(app: typer.Typer) -> None:
     )
     @put_off
     def _schema(output: Output = None, force: Force = False) -> None:
-        from cranktrain.cli.start import write_schema
+        from cranktrain.cli.new import write_schema
 
         write_schema(output, force=force)

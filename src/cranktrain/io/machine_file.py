@@ -38,6 +38,11 @@ class MachineFile:
     document: Document
     machine: Machine
 
+    def located(self, problem: Problem) -> Problem:
+        """Place a problem that the computation found, if it is one of the file."""
+        is_of_file = problem.path.partition(".")[0] in self.document.data
+        return self.document.located(problem) if is_of_file else problem
+
 
 class Input(NamedTuple):
     """A quantity of a machine file: its path there, and what was given."""
@@ -197,11 +202,7 @@ def computed(file: MachineFile, **options: Any) -> "Result":
     """
     from cranktrain.analysis import run
 
-    def located(problem: Problem) -> Problem:
-        is_of_file = problem.path.partition(".")[0] in file.document.data
-        return file.document.located(problem) if is_of_file else problem
-
-    with problems_as(located):
+    with problems_as(file.located):
         return run(file.machine, **options)
 
 

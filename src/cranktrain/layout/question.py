@@ -46,6 +46,10 @@ def needs_of(function: Callable[..., Any]) -> Needs:
     return Needs({name: choices[name][0] if name in optional else hint for name, hint in hints.items()}, optional)
 
 
+Applies: TypeAlias = bool | str | tuple[str, ...]
+"""Whether a step is for a machine, or what the file would have to say."""
+
+
 @record
 class Stage:
     """One step of the computation: a function whose parameter types are its needs and whose return type is its result.
@@ -61,7 +65,7 @@ class Stage:
     """
 
     function: Callable[..., Any]
-    applies: Callable[..., bool | str] | None = None
+    applies: Callable[..., Applies] | None = None
 
     @cached_property
     def gives(self) -> type:
@@ -78,7 +82,7 @@ class Stage:
         """Parameters that may be None: never reported as missing."""
         return needs_of(self.function).optional
 
-    def applies_to(self, parts: Mapping[type, object]) -> bool | str:
+    def applies_to(self, parts: Mapping[type, object]) -> Applies:
         """Say whether it applies to a machine of some parts; where it asks for one that is not there, it does not."""
         if self.applies is None:
             return True

@@ -168,7 +168,7 @@ def refuted_flywheel_moment(own: Array, weight: Array, radius: Array, train: Dri
 
 
 class RigidRod(NamedTuple):
-    """A rod: mass [kg]; centre of mass, p along it from the crank pin, q to its left [m]; inertia about that [kg·m²]."""
+    """A rod: mass [kg]; its centre, p along it from the crank pin, q to its left [m]; inertia about that [kg·m²]."""
 
     mass: Array
     along: Array

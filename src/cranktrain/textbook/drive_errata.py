@@ -55,8 +55,8 @@ def drive_errata() -> tuple[WrongStep, ...]:
             "N*m",
             N_(
                 "η divides while the motor drives alone; where the load drives, losses help to hold it, and η "
-                "multiplies. By the sign of the torque that is passed on, inertia's part with it. Here the peak as the rocker goes "
-                "back"
+                "multiplies. By the sign of the torque that is passed on, inertia's part with it. Here the peak as "
+                "the rocker goes back"
             ),
         ),
         WrongStep(

@@ -143,8 +143,8 @@ def read_drive(data: Mapping[str, object]) -> CrankRockerDrive:
     Parameters
     ----------
     data : mapping
-        By the source's symbols, each text with its unit: r, l, r1, d, branch, i, eta_p, eta_sh, Q, M_xx0, GD2_0, GD2_O1;
-        beyond the source m, p, q, I of the rod, J of the crank; f and r_O, r_B, r_A, r_O1 of pins
+        By the source's symbols, each text with its unit: r, l, r1, d, branch, i, eta_p, eta_sh, Q, M_xx0, GD2_0,
+        GD2_O1; beyond the source m, p, q, I of the rod, J of the crank; f and r_O, r_B, r_A, r_O1 of pins
         that rub.
 
     Returns

@@ -18,7 +18,6 @@ AT = throws(0, speed="1500 rpm")
 PISTON = {"piston": {"mass": "1 kg"}}
 CYLINDER = {"bore": "80 mm", "compression_ratio": 8, "cycle": "four-stroke"}
 ALONE = f"; {OF_INERTIA_ALONE}"
-MOTOR = {"torque": "10 N·m", "speed": "900 rpm", "no_load_speed": "1000 rpm"}
 ROCKER = {
     "kind": "crank_rocker",
     "crank_radius": "100 mm",
@@ -67,10 +66,6 @@ def told(**machine: Any) -> list[str]:
             {"gravity": True, "friction": {"piston": 0.1}}
             | {"balance": {"weight": [{"mass": "1 kg", "radius": "50 mm", "throw": 1}]}},
             ["[friction], [balance] and gravity are not used: [masses] is missing."],
-        ),
-        (
-            {"masses": PISTON, "evenness": {"motor": MOTOR, "coefficient": 0.01}},
-            ["[evenness.motor] is not used: [evenness] flywheel or flywheel_moment is missing."],
         ),
         (
             {"masses": PISTON, "load": {"screw": {"on": "main", "scale": "balanced", "exponent": 2}}},

@@ -54,7 +54,7 @@ def test_examples_are_those_of_the_program():
             {"bank.R.mechanism.kind=", "bank.R.mechanism.knuckle_radius="},
         ),
         (["run", "vaz-21213", "--set", "gas.pressure_r"], {"gas.pressure_ratio="}),
-        (["run", "3d12", "--set", "evenness.motor.t"], {"evenness.motor.torque="}),
+        (["run", "3d12", "--set", "evenness.rim.me"], {"evenness.rim.mean_diameter="}),
         (["plot", "3d12", "--set", "shaft.main.sp"], {"shaft.main.speed=", "shaft.main.spacing="}),
         (["run", "3d12", "--decimal", ""], {"point", "comma"}),
         (["plot", "3d12", "--size", ""], {"A4", "A3"}),

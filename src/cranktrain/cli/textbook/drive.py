@@ -242,8 +242,8 @@ def _verdicts(drive: CrankRockerDrive) -> Iterator[tuple[str, str]]:
         "-",
         _(
             "Kunitsky and Popov: a turn with an active load and no losses takes {work}, which must be 0; their GD² "
-            "falls below (GD²)₀ over {below:.2f}° of a turn, to {least}; their Q′ put into (1) needs sin²(α₁ − β) = 1, and "
-            "it is down to {square:.4f}; their idle torque is a flat line."
+            "falls below (GD²)₀ over {below:.2f}° of a turn, to {least}; their Q′ put into (1) needs sin²(α₁ − β) = 1, "
+            "and it is down to {square:.4f}; their idle torque is a flat line."
         ).format(
             work=number(found.refuted_work, "J"),
             below=np.degrees(found.below),

@@ -2,16 +2,28 @@
 
 from collections.abc import Iterator
 
-from cranktrain.language import N_
-from cranktrain.layout.design import Designs
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
+from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.shaft_loads import on_shafts
 from cranktrain.layout.uses import inner_table, table
 from cranktrain.questions.drive import rows
 from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
+from cranktrain.questions.drive.driven_speed import driven_speed
 from cranktrain.questions.drive.reduction import reduced_machines
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.drive.static_torques import StaticTorques, static_torques
 from cranktrain.questions.drive.steady_drive import SteadyDrive, steady_drive
+
+
+def _problems(design: Design) -> Iterator[Problem]:
+    """Find loads that would balance what a motor balances."""
+    spec = design.table(DriveSpec)
+    if spec is not None and spec.motor is not None:
+        allowed = _("must not stand beside [drive.motor], which balances the machine")
+        balanced = (name for name, load in on_shafts(design).items() if load.is_balanced)
+        yield from (Problem(f"load.{name}.scale", "balanced", allowed) for name in balanced)
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
@@ -26,11 +38,13 @@ def is_driven(drive: DeclaredDrive | None) -> bool:
 QUESTION = Question(
     "drive",
     tables={"drive": DriveSpec},
+    problems=_problems,
     parts=_parts,
     stages=(
         Stage(reduced_machines, applies=is_driven),
         Stage(static_torques),
         Stage(steady_drive),
+        Stage(driven_speed),
     ),
     dimensions=(
         ResultDimension("drive_shaft", N_("shaft of the drive")),

@@ -1,6 +1,7 @@
 """A reduced machine at many crank angles at once, as it turns forward through its cycle."""
 
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
@@ -88,10 +89,11 @@ def reduced_at(machine: ReducedMachine, angle: Array) -> ReducedAt:
         rate = np.full(angle.shape, row[COUNTS]) if row[RATE] < 0 else value(row[RATE])
         rate = np.sqrt(np.maximum(rate, 0.0)) if row[IS_SQUARED] > 0 else rate
         taken = np.abs(rate) if row[RESISTS] > 0 else -rate
-        if row[LAW] == BY_SPEED and row[EXPONENT] != 0:
-            powers.append(Power(taken * row[SIZE] * (np.abs(rate) / row[AT]) ** row[EXPONENT], row[EXPONENT]))
+        size = _size(machine, row, rate, value, angle)
+        if row[EXPONENT] != 0:
+            powers.append(Power(taken * size * (np.abs(rate) / row[AT]) ** row[EXPONENT], row[EXPONENT]))
         else:
-            load = load + taken * _size(machine, row, rate, value, angle)
+            load = load + taken * size
     for chamber, pressure in zip(machine.chambers, _steady_pressures(machine, angle, value), strict=True):
         load = load - (pressure - chamber[AMBIENT]) * slope(chamber[VOLUME])
     return ReducedAt(value(INERTIA), slope(INERTIA), load, tuple(powers), value(OUTPUT))
@@ -105,19 +107,23 @@ def _polynomial(rows: Array, which: int, x: Array, *, order: int = 0) -> Array:
     return np.sum(scaled * x[:, np.newaxis] ** (powers - order), axis=1)
 
 
-def _size(machine: ReducedMachine, row: list[float], rate: Array, value: Any, angle: Array) -> Array:
-    """Size of a load that does not depend on the speed."""
+def _size(
+    machine: ReducedMachine, row: list[float], rate: Array, value: Callable[[float], Array], angle: Array
+) -> Array:
+    """Size of a load; of one that goes with a power of the speed where that is its own."""
     if row[LAW] == BY_SPEED:
         return np.full(angle.shape, row[SIZE])
     first = int(row[FIRST])
-    at, out, back = np.asarray(machine.points)[first : first + int(row[N_POINTS])].T
+    points: Array = np.asarray(machine.points, dtype=np.float64)
+    own = points[first : first + int(row[N_POINTS])]
+    at, out, back = own[:, 0], own[:, 1], own[:, 2]
     if row[LAW] == BY_ANGLE:
         return np.interp(np.mod(angle - row[ORIGIN], row[PERIOD]), at, out)
     travel = row[COUNTS] * value(row[PLACE]) - row[ORIGIN]
     return np.where(row[COUNTS] * rate >= 0, np.interp(travel, at, out), np.interp(travel, at, back))
 
 
-def _steady_pressures(machine: ReducedMachine, angle: Array, value: Any) -> list[Array]:
+def _steady_pressures(machine: ReducedMachine, angle: Array, value: Callable[[float], Array]) -> list[Array]:
     """Pressure in each chamber after it has gone through its cycle, shape (n,). [Pa]"""
     order = np.argsort(np.mod(angle, TURN), kind="stable")
     found: list[Array] = []

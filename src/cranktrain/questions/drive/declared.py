@@ -11,6 +11,7 @@ from cranktrain.motion import Array
 from cranktrain.questions.drive.motor_tables import DeclaredMotor, declared_motor
 from cranktrain.questions.drive.running.gearing import Gearing
 from cranktrain.questions.drive.spec import DriveSpec, StartSpec
+from cranktrain.questions.evenness.spec import DrivenByMotor
 from cranktrain.record import record
 
 
@@ -20,16 +21,30 @@ class DeclaredDrive:
 
     Attributes
     ----------
-    gearings : tuple of Gearing
-        Of each design.
+    motor_inertia : Array, shape (design,)
+        Of all that turns with the motor. [kg·m²]
+    ratio, forward, backward, drag, inertia : Array, shape (design, stage)
+        As in `Gearing`.
     shafts : tuple of str
         Their names, the motor's first, the crank's last.
     """
 
     needs: ClassVar[str] = N_("[drive]")
 
-    gearings: tuple[Gearing, ...]
+    motor_inertia: Array
+    ratio: Array
+    forward: Array
+    backward: Array
+    drag: Array
+    inertia: Array
     shafts: tuple[str, ...]
+
+    @property
+    def gearings(self) -> tuple[Gearing, ...]:
+        """Of each design."""
+        stages = (self.ratio, self.forward, self.backward, self.drag, self.inertia)
+        each = zip(self.motor_inertia.tolist(), *stages, strict=True)
+        return tuple(Gearing(own, *(np.ascontiguousarray(part) for part in parts)) for own, *parts in each)
 
 
 @record
@@ -45,10 +60,11 @@ def drive_parts(designs: Designs) -> Iterator[object]:
     if spec is None:
         return
     motor = None if spec.motor is None else declared_motor(spec.motor, designs)
-    yield DeclaredDrive(tuple(_gearings(spec, motor, designs)), shaft_names(len(spec.stage)))
+    yield _declared_drive(spec, motor, designs)
     yield DeclaredStart(spec.start)
     if motor is not None:
         yield motor
+        yield DrivenByMotor()
 
 
 def shaft_names(n_stages: int) -> tuple[str, ...]:
@@ -61,22 +77,24 @@ def drive_of(design: Design) -> DriveSpec | None:
     return design.table(DriveSpec)
 
 
-def _gearings(spec: DriveSpec, motor: DeclaredMotor | None, designs: Designs) -> Iterator[Gearing]:
-    """Gearing of each design, with what turns with its shafts."""
+def _declared_drive(spec: DriveSpec, motor: DeclaredMotor | None, designs: Designs) -> DeclaredDrive:
+    """Stages of all designs, with what turns with their shafts."""
 
     def each(*numbers: Array) -> Array:
         return designs.by_design(list(numbers)) if numbers else np.empty((designs.n_designs, 0))
 
     def turning(on: str | int) -> Array:
-        parts = [part.moment for part in spec.part.values() if part.on == on]
-        return np.sum(each(*parts), axis=1)
+        return np.sum(each(*(part.moment for part in spec.part.values() if part.on == on)), axis=1)
 
     rotor = np.zeros(designs.n_designs) if motor is None or motor.inertia is None else motor.inertia
-    at_motor = turning("motor") + rotor
-    behind = np.stack([turning(n) for n in range(1, len(spec.stage) + 1)], axis=-1) if spec.stage else None
-    ratio = each(*(stage.ratio.array for stage in spec.stage))
-    forward, backward = (each(*(stage.efficiencies[way] for stage in spec.stage)) for way in range(2))
-    drag = each(*(stage.drag.array for stage in spec.stage))
-    inertia = np.zeros_like(ratio) if behind is None else behind
-    for own in zip(at_motor.tolist(), ratio, forward, backward, drag, inertia, strict=True):
-        yield Gearing(own[0], *(np.ascontiguousarray(part) for part in own[1:]))
+    n_stages = len(spec.stage)
+    behind = [turning(n) for n in range(1, n_stages + 1)]
+    return DeclaredDrive(
+        turning("motor") + rotor,
+        each(*(stage.ratio.array for stage in spec.stage)),
+        each(*(stage.efficiencies[0] for stage in spec.stage)),
+        each(*(stage.efficiencies[1] for stage in spec.stage)),
+        each(*(stage.drag.array for stage in spec.stage)),
+        np.stack(behind, axis=-1) if behind else np.empty((designs.n_designs, 0)),
+        shaft_names(n_stages),
+    )

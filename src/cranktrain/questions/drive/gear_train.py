@@ -75,6 +75,17 @@ def through_stages(torque: Array, inertia: Array, load: Array, gearing: Gearing)
     return Passed(np.where(n_fits == 1, found, np.nan), outputs)
 
 
+def lost_torque(outputs: Array, gearing: Gearing) -> Array:
+    """Torque at the crank, which turns forward, that losses take: by what each stage passes on, (stage, n) → (n,).
+
+    docs/theory/transient, eq. (26.9). [N·m]
+    """
+    factor = np.where(outputs > 0, 1 / gearing.forward[:, np.newaxis], gearing.backward[:, np.newaxis])
+    turned = np.cumprod(gearing.ratio[::-1])[::-1]  # of each stage's input, for one of the crank
+    at_input = outputs * (factor - 1) / gearing.ratio[:, np.newaxis] + gearing.drag[:, np.newaxis]
+    return np.sum(at_input * turned[:, np.newaxis], axis=0)
+
+
 def _of_pattern(
     signs: tuple[bool, ...], torque: Array, inertia: Array, load: Array, gearing: Gearing
 ) -> tuple[Array, Array]:

@@ -1,6 +1,7 @@
 """From a declared machine to the reduced machines of all its designs, which the equation of motion turns."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,6 +11,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
+from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.polyline import Polyline
 from cranktrain.questions.drive.running.reduced import (
@@ -31,7 +33,7 @@ _OF_ALL = 3
 """Coefficients that every machine has: J, weights, x′ of what is driven."""
 _ASIDE = 1e-9
 """Of a jump, on both its sides. [rad]"""
-_CLOSE = 1e-8
+_CLOSE = 1e-7
 """Of the gas torque's peak: what straight lines between its points may miss."""
 _MOST_POINTS = 40_000
 
@@ -68,6 +70,15 @@ class _Way(NamedTuple):
         return 1 if self.place < 0 else 2
 
 
+class _Curve(NamedTuple):
+    """A torque on the crank by φ, of each design; it may go with a power of the speed of the crank over another."""
+
+    lines: Sequence[Polyline]
+    resists: bool
+    at: Array
+    exponent: float
+
+
 def reduced_machines(
     loaded: LoadedMachine,
     on_shafts: LoadsOnShafts | None,
@@ -79,8 +90,8 @@ def reduced_machines(
 
     Notes
     -----
-    docs/theory/reduced-machine, eqs. (31.1) to (31.5). Friction in guides is not in it; gas other than a compressor's
-    comes back with the crank angle, over its cycle.
+    docs/theory/reduced-machine, eqs. (31.1) to (31.5). Gas other than a compressor's comes back with the crank angle,
+    over its cycle. Friction in guides goes between that at rest and that at the declared speed with ω², eq. (31.11).
     """
     ways = _ways(() if loaded.loads is None else loaded.loads.each)
     remembering = [] if loaded.gas is None else loaded.gas.filled_with(Compressor)
@@ -88,20 +99,28 @@ def reduced_machines(
     if flywheel is not None:
         pieces[:, :, 0, 0] += flywheel.inertia[:, np.newaxis]
     first_volume = _OF_ALL + sum(way.n_coefficients for way in ways)
-    cyclic = _gas_over_cycle(loaded, remembering, crank_angle, events)
+    others = [*_gas_over_cycle(loaded, remembering, crank_angle, events), *_friction(loaded, crank_angle, events)]
     on_shaft = () if on_shafts is None else on_shafts.given
     return ReducedMachines(
         tuple(
             ReducedMachine(
                 own.reshape(len(own), -1),
-                *_loads(loaded, ways, on_shaft, cyclic, design, float(crank_angle.zero[design, 0, 0])),
+                *_loads(loaded, ways, on_shaft, others, design, float(crank_angle.zero[design, 0, 0])),
                 *_chambers(remembering, first_volume, design),
             )
             for design, own in enumerate(pieces)
         ),
-        events.whole,
+        _corners(events, on_shaft, crank_angle),
         crank_angle.cycle,
     )
+
+
+def _corners(events: ForceEvents, on_shaft: Sequence[TorqueOnShaft], crank_angle: CrankAngle) -> Array:
+    """Where loads, gas and friction have jumps or corners, those on shafts too, shape (design, corner). [rad]"""
+    own = [load.law.kinks(crank_angle.cycle) for load in on_shaft if isinstance(load.law, ByAngle)]
+    shape = (len(events.whole), -1)
+    kinks = [np.broadcast_to(each, (shape[0], each.shape[-1])) + crank_angle.zero[..., 0] for each in own]
+    return np.concatenate([events.whole, *kinks], axis=-1)
 
 
 def _ways(loads: Sequence[LinkLoad]) -> list[_Way]:
@@ -157,7 +176,7 @@ def _loads(
     loaded: LoadedMachine,
     ways: Sequence[_Way],
     on_shaft: Sequence[TorqueOnShaft],
-    cyclic: Sequence[Polyline] | None,
+    others: Sequence[_Curve],
     design: int,
     zero: float,
 ) -> tuple[Array, Array]:
@@ -175,9 +194,10 @@ def _loads(
     for torque in on_shaft:
         row = _NOTHING._replace(counts=1.0 if torque.resists else torque.sense, resists=torque.resists)
         rows.append(_with_law(row, torque.law, design, zero, points))
-    if cyclic is not None:
-        rows.append(_round(_NOTHING, cyclic[design], 0.0, points))
-    return _table(rows, ReducedLoad), np.array(points, dtype=float).reshape(-1, 3)
+    for curve in others:
+        row = _NOTHING._replace(resists=curve.resists, at=float(_of(curve.at, design)), exponent=curve.exponent)
+        rows.append(_round(row, curve.lines[design], 0.0, points))
+    return _table(rows, len(_NOTHING)), np.array(points, dtype=float).reshape(-1, 3)
 
 
 _NOTHING = ReducedLoad(BY_SPEED, -1, -1, False, False, 1.0, 0.0, 1.0, 0.0, 0, 0, 0.0, 1.0)
@@ -214,9 +234,9 @@ def _of(part: Array, design: int) -> Any:
     return part[min(design, len(part) - 1)].item()
 
 
-def _table(rows: Sequence[tuple[Any, ...]], kind: type) -> Array:
+def _table(rows: Sequence[tuple[Any, ...]], width: int) -> Array:
     """Rows of numbers as an array, of the right width where there is none."""
-    return np.array(rows, dtype=float).reshape(-1, len(kind._fields))
+    return np.array(rows, dtype=float).reshape(-1, width)
 
 
 def _chambers(remembering: Sequence[Filling], first_volume: int, design: int) -> tuple[Array, Array]:
@@ -225,18 +245,31 @@ def _chambers(remembering: Sequence[Filling], first_volume: int, design: int) ->
     for filling in remembering:
         for place in filling.places.tolist():
             gas: Compressor = filling.of_chamber(design, place)
-            own = (gas.suction_pressure, gas.discharge_pressure, gas.compression_exponent, gas.expansion_exponent)
-            rows.append(ReducedChamber(first_volume + len(rows), *(float(np.ravel(one)[0]) for one in own), AMBIENT))
-    return _table(rows, ReducedChamber), np.zeros((len(rows), 2))
+            rows.append(
+                ReducedChamber(
+                    volume=first_volume + len(rows),
+                    suction_pressure=_only(gas.suction_pressure),
+                    discharge_pressure=_only(gas.discharge_pressure),
+                    compression_exponent=_only(gas.compression_exponent),
+                    expansion_exponent=_only(gas.expansion_exponent),
+                    ambient=AMBIENT,
+                )
+            )
+    return _table(rows, len(ReducedChamber._fields)), np.zeros((len(rows), 2))
+
+
+def _only(number: Array) -> float:
+    """A number that stands alone in its array."""
+    return float(np.ravel(number)[0])
 
 
 def _gas_over_cycle(
     loaded: LoadedMachine, remembering: Sequence[Filling], crank_angle: CrankAngle, events: ForceEvents
-) -> list[Polyline] | None:
-    """Torque that all other gas gives to the crank over its cycle, by φ; None without such gas."""
+) -> Iterator[_Curve]:
+    """Torque that all other gas gives to the crank over its cycle; nothing without such gas."""
     gas = loaded.gas
     if gas is None or len(remembering) == len(gas.fillings):
-        return None
+        return
     own = np.ones(gas.chambers.areas.shape[-1], dtype=np.bool_)
     for filling in remembering:
         own[filling.places] = False
@@ -245,8 +278,35 @@ def _gas_over_cycle(
         volume = gas.volume(angle)
         return np.sum(((gas.pressure(angle, volume) - AMBIENT) * volume.first)[:, own], axis=1)
 
-    cycle = crank_angle.cycle
-    return [_lines(lambda angle, at=at: torque(angle)[at], events.whole[at], cycle) for at in range(len(events.whole))]
+    yield _Curve(_each_design(torque, crank_angle, events), False, np.ones(1), 0.0)
+
+
+def _friction(loaded: LoadedMachine, crank_angle: CrankAngle, events: ForceEvents) -> Iterator[_Curve]:
+    """Torque that friction takes at the crank: at rest, and what is more of it at the declared speed."""
+    if not loaded.masses.has_friction:
+        return
+    at_rest = replace(loaded, speed=Speed(np.zeros_like(loaded.speed.value)))
+
+    def rubbed(machine: LoadedMachine, angle: Array) -> Array:
+        each = [np.sum(one.forces.friction_torque + 0 * angle, axis=1) for one in machine.solved(angle)]
+        return -sum(each, np.zeros(angle.shape))
+
+    still = _each_design(lambda angle: rubbed(at_rest, angle), crank_angle, events)
+    more = _each_design(lambda angle: rubbed(loaded, angle) - rubbed(at_rest, angle), crank_angle, events)
+    yield _Curve(still, True, np.ones(1), 0.0)
+    yield _Curve(more, True, loaded.speed.value[:, 0, 0], 2.0)
+
+
+def _each_design(torque: Callable[[Array], Array], crank_angle: CrankAngle, events: ForceEvents) -> list[Polyline]:
+    """Straight lines along a torque at φ, shape (n,) → (design, n), of each design."""
+    designs = range(len(crank_angle.zero))
+    kinks = np.broadcast_to(events.whole, (len(designs), events.whole.shape[-1]))
+    return [_lines(lambda angle, at=at: _row(torque(angle), at), kinks[at], crank_angle.cycle) for at in designs]
+
+
+def _row(values: Array, design: int) -> Array:
+    """Values of one design, or of all."""
+    return values[min(design, len(values) - 1)]
 
 
 def _lines(curve: Callable[[Array], Array], kinks: Array, cycle: float) -> Polyline:

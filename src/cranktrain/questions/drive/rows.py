@@ -10,6 +10,9 @@ from cranktrain.questions.drive.steady_drive import SteadyDrive
 from cranktrain.rows import Amount, AnswerLine, Extent, worded
 from cranktrain.wording import Names
 
+_NOTHING = 1e-9
+"""Of the motor's power: less is rounding, as of loads that give back in a turn what they took."""
+
 
 def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[AnswerLine]:
     """Range of the static torque at the first shaft, and of the flywheel moment there."""
@@ -25,7 +28,7 @@ def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[An
         ),
         rms=Amount(float(found.rms_static_torque[design, 0]), "N*m"),
     )
-    moments = found.flywheel_moment[design, 0]
+    moments = found.driven_flywheel_moment[design, 0]
     yield worded(
         _("GD² at {shaft}").format(shaft=labels["drive_shaft"][0]),
         _("{range}; {own} of it the drive's own"),
@@ -49,10 +52,11 @@ def running_rows(labels: Names, design: int, found: SteadyDrive) -> Iterator[Ans
         range=Extent(float(found.smallest_motor_torque[design]), float(found.largest_motor_torque[design]), "N*m"),
         rms=Amount(float(found.rms_motor_torque[design]), "N*m"),
     )
+    power, taken = float(found.motor_power[design]), float(found.driven_power[design])
     yield worded(
         _("power of the motor"),
         _("{power}; loads take {taken}, the drive loses {lost}"),
-        power=Amount(float(found.motor_power[design]), "W"),
-        taken=Amount(float(found.driven_power[design]), "W"),
+        power=Amount(power, "W"),
+        taken=Amount(taken if abs(taken) > _NOTHING * abs(power) else 0.0, "W"),
         lost=Amount(float(found.lost_power[design]), "W"),
     )

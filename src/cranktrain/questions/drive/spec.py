@@ -105,9 +105,9 @@ class StartSpec(Spec, frozen=True):
 
     angle: Angle = Field(default=Given(0.0, "0 deg"), description=N_("Crank angle, as shown, at which it begins."))
     speed: Speed = Field(default=Given(0.0, "0 rpm"), description=N_("Of the crank at the beginning."))
-    duration: PositiveTime = Field(
-        default=Given(60.0, "60 s"),
-        description=N_("The most that is computed; it ends before if nothing more happens."),
+    duration: PositiveTime | None = Field(
+        default=None,
+        description=N_("The most that is computed, 60 s unless given; less if it comes to rest before."),
     )
     until_speed: PositiveSpeed | None = Field(
         default=None, description=N_("Of the crank: it ends when this is reached.")

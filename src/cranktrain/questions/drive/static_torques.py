@@ -32,7 +32,6 @@ _CURVE = ("drive_shaft", "crank_angle")
 class StaticTorques(StageResult):
     """Static torque and inertia at every shaft of the drive."""
 
-    labels: dict[str, tuple[str, ...]]
     static_torque: Array = quantity(
         "M_st", "N*m", _CURVE, N_("Torque that holds the machine against its loads, at each shaft of the drive"), THEORY
     )
@@ -41,16 +40,16 @@ class StaticTorques(StageResult):
         "N*m",
         ("loss_rule", "crank_angle"),
         N_("Static torque at the motor, by where losses go"),
-        "[gandzha] (14)",
+        THEORY,
     )
     driven_inertia: Array = quantity(
         "J_k", "kg*m^2", _CURVE, N_("Inertia of drive and machine together, reduced to each shaft"), THEORY
     )
-    flywheel_moment: Array = quantity(
-        "GD²", "kg*m^2", _CURVE, N_("Flywheel moment at each shaft, four times the inertia"), "[gandzha] (20)"
+    driven_flywheel_moment: Array = quantity(
+        "GD²", "kg*m^2", _CURVE, N_("Flywheel moment at each shaft, four times the inertia"), THEORY
     )
     gear_flywheel_moment: Array = quantity(
-        "(GD²)₀", "kg*m^2", _SHAFT, N_("Flywheel moment of the drive without the machine"), "[gandzha] (18)"
+        "(GD²)₀", "kg*m^2", _SHAFT, N_("Flywheel moment of the drive without the machine"), THEORY
     )
     largest_static_torque: Extreme = extreme(
         "M_st,max", "N*m", _SHAFT, N_("Largest static torque"), N_("Crank angle of the largest static torque"), THEORY
@@ -105,7 +104,7 @@ def static_torques(drive: DeclaredDrive, machines: ReducedMachines, crank_angle:
         static_torque=np.stack(torque),
         static_motor_torque=np.stack([at_motor, np.stack(dividing)], axis=1),
         driven_inertia=driven,
-        flywheel_moment=4 * driven,
+        driven_flywheel_moment=4 * driven,
         gear_flywheel_moment=4 * of_drive,
         largest_static_torque=_together([own.largest for own in facts]),
         smallest_static_torque=_together([own.smallest for own in facts]),

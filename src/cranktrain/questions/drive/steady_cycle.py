@@ -18,19 +18,19 @@ _NEAR = 1e-7
 """In parts of ω²: of the difference by which slopes are taken."""
 
 
-def _rule() -> tuple[Array, Array]:
-    """Gauss's nodes in 0…1, and integrals from 0 to each of them, and to 1, of what is known there."""
+def _rule() -> tuple[Array, Array, Array]:
+    """Gauss's nodes in 0…1; integrals from 0 to each of them, and to 1, of what is known there; its Legendre series."""
     nodes = legendre.leggauss(_N_NODES)[0]
-    fitted = np.linalg.inv(legendre.legvander(nodes, _N_NODES - 1))
+    fitted = np.asarray(np.linalg.inv(legendre.legvander(nodes, _N_NODES - 1)), dtype=np.float64)
     ends = np.append(nodes, 1.0)
     integrals = np.stack([legendre.legval(ends, legendre.legint(row, lbnd=-1)) for row in np.eye(_N_NODES)], axis=1)
-    return (nodes + 1) / 2, integrals @ fitted / 2
+    return (nodes + 1) / 2, integrals @ fitted / 2, fitted
 
 
-_NODES, _INTEGRALS = _rule()
+_NODES, _INTEGRALS, _FITTED = _rule()
 
 
-class Mesh(NamedTuple):
+class CyclePieces(NamedTuple):
     """Pieces of a cycle between its corners: their starts and widths, shape (piece,) [rad]."""
 
     start: Array
@@ -53,7 +53,7 @@ class SpeedOverTurn:
 
     Attributes
     ----------
-    mesh : Mesh
+    mesh : CyclePieces
     half_square : Array, shape (piece · node,)
         ω²/2 at the nodes. [rad²/s²]
     at_start : Array, shape (piece,)
@@ -64,7 +64,7 @@ class SpeedOverTurn:
         What is left after a cycle of a small departure of ω²: below 1 the running is stable.
     """
 
-    mesh: Mesh
+    mesh: CyclePieces
     half_square: Array
     at_start: Array
     acceleration: Array
@@ -87,34 +87,37 @@ class SpeedOverTurn:
 
     def at(self, angle: Array) -> Array:
         """Speed at any crank angles of the cycle, shape (n,). [rad/s]"""
-        start, width = self.mesh
+        start, width = self.mesh.start, self.mesh.width
         along = np.mod(angle - start[0], np.sum(width)) + start[0]
-        piece = np.clip(np.searchsorted(start, along, side="right") - 1, 0, len(start) - 1)
+        piece = np.sum(along[:, np.newaxis] >= start[1:], axis=1)
         place = (along - start[piece]) / width[piece]
         slopes = self.acceleration.reshape(-1, _N_NODES)[piece]
-        fitted = np.linalg.inv(legendre.legvander(2 * _NODES - 1, _N_NODES - 1))
-        basis = np.stack([legendre.legval(2 * place - 1, legendre.legint(row, lbnd=-1)) for row in np.eye(_N_NODES)])
-        grown = np.einsum("mp,mn,pn->p", basis, fitted, slopes) / 2
+        integrals: list[Array] = [
+            legendre.legval(2 * place - 1, legendre.legint(row, lbnd=-1)) for row in np.eye(_N_NODES)
+        ]
+        grown = np.sum(np.stack(integrals, axis=1) * (slopes @ _FITTED.T), axis=1) / 2
         return np.sqrt(2 * (self.at_start[piece] + width[piece] * grown))
 
 
-def mesh_of(cycle: float, corners: Array) -> Mesh:
+def mesh_of(cycle: float, corners: Array) -> CyclePieces:
     """Pieces of a cycle, none wider than a forty-eighth of a turn, that end at all corners; NaN is none. [rad]"""
     own = np.mod(corners[np.isfinite(corners)], cycle)
     ends = np.unique(np.concatenate([np.linspace(0.0, cycle, round(cycle / _WIDEST) + 1), own]))
     ends = ends[np.append(True, np.diff(ends) > 1e-9)]
     ends[-1] = cycle
-    return Mesh(ends[:-1], np.diff(ends))
+    return CyclePieces(ends[:-1], np.diff(ends))
 
 
-def speed_over_turn(acceleration: Callable[[Array], Array], mesh: Mesh, first_speed: float) -> SpeedOverTurn | None:
+def speed_over_turn(
+    acceleration: Callable[[Array], Array], mesh: CyclePieces, first_speed: float
+) -> SpeedOverTurn | None:
     """Find the cycle that repeats itself, near a constant speed.
 
     Parameters
     ----------
     acceleration : callable
         Of the crank at the nodes of the mesh, by the speeds there, shape (n,). [rad/s → rad/s²]
-    mesh : Mesh
+    mesh : CyclePieces
     first_speed : float
         [rad/s]
 
@@ -148,17 +151,18 @@ def speed_over_turn(acceleration: Callable[[Array], Array], mesh: Mesh, first_sp
     return None
 
 
-def _linear_cycle(slope: Array, rest: Array, mesh: Mesh) -> tuple[Array, Array, Array, float]:
+def _linear_cycle(slope: Array, rest: Array, mesh: CyclePieces) -> tuple[Array, Array, Array, float]:
     """Periodic solution of y′ = a y + b: at the nodes, where pieces begin, its slope; and its multiplier."""
     width = mesh.width[:, np.newaxis, np.newaxis]
     a, b = (part.reshape(-1, _N_NODES) for part in (slope, rest))
     system = np.eye(_N_NODES) - width * _INTEGRALS[:-1] * a[:, np.newaxis, :]
     right = np.stack([np.ones_like(b), (width[:, 0] * (b @ _INTEGRALS[:-1].T))], axis=-1)
-    of_start, of_rest = np.moveaxis(np.linalg.solve(system, right), -1, 0)
+    solved = np.asarray(np.linalg.solve(system, right), dtype=np.float64)
+    of_start, of_rest = solved[..., 0], solved[..., 1]
     weight = mesh.width[:, np.newaxis] * _INTEGRALS[-1]
     grows = 1 + np.sum(weight * a * of_start, axis=1)
     gains = np.sum(weight * (a * of_rest + b), axis=1)
-    product, total = 1.0, 0.0
+    product, total = 1.0, 0.0  # of the cycle so far
     for factor, gain in zip(grows.tolist(), gains.tolist(), strict=True):
         product, total = product * factor, total * factor + gain
     starts = [total / (1 - product)]

@@ -12,12 +12,12 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.questions.drive.at_angles import ReducedAt, reduced_at
 from cranktrain.questions.drive.declared import DeclaredDrive
-from cranktrain.questions.drive.gear_train import Passed, through_stages
+from cranktrain.questions.drive.gear_train import Passed, lost_torque, through_stages
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
+from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.reduced import ReducedMachine
-from cranktrain.questions.drive.steady_cycle import Mesh, SpeedOverTurn, mesh_of, speed_over_turn
+from cranktrain.questions.drive.steady_cycle import CyclePieces, SpeedOverTurn, mesh_of, speed_over_turn
 from cranktrain.record import record
 from cranktrain.wording import Names, number
 
@@ -26,6 +26,7 @@ _CURVE = ("crank_angle",)
 _ENERGY_LIMIT = 1e-9
 _MOST_MESHES = 4
 _N_SPEEDS = 400
+_N_CURVES, _N_FACTS = 5, 11
 _SLOWEST = 0.02
 """Of the motor's top speed: slower it counts as stalled."""
 
@@ -59,7 +60,7 @@ class DriveInTurn(NamedTuple):
         return self._replace(here=reduced_at(self.machine, angle))
 
 
-_NOWHERE = ReducedAt(*np.empty((3, 0)), (), np.empty(0))
+_NOWHERE = ReducedAt(np.empty(0), np.empty(0), np.empty(0), (), np.empty(0))
 
 
 @record
@@ -120,61 +121,71 @@ def steady_drive(
     -----
     docs/theory/reduced-machine, eqs. (31.6) to (31.8).
     """
-    each: list[SpeedOverTurn | None] = []
-    rows: list[tuple[Array, ...]] = []
-    residuals: list[float] = []
-    flags: list[str] = []
-    for design, gearing in enumerate(drive.gearings):
-        turning, found = _settled(DriveInTurn(machines.each[design], motor, design, gearing, _NOWHERE), machines)
-        each.append(found)
-        angle = np.broadcast_to(crank_angle.angle[:, 0], (len(drive.gearings), crank_angle.shown.size))[design]
-        if found is None:
-            flags.append(_no_cycle(turning))
-            rows.append((*np.full((5, angle.size), np.nan), *np.full((11, 1), np.nan)))
-            residuals.append(0.0)
-            continue
-        rows.append((*_curves(turning.at(angle), found.at(angle)), *_facts(turning, found)))
-        residuals.append(_residual(turning, found))
-        flags += _flags(found)
-    columns = [np.stack([row[at] for row in rows]) for at in range(5)]
-    facts = [np.array([float(np.ravel(row[at])[0]) for row in rows]) for at in range(5, len(rows[0]))]
+    grid = np.broadcast_to(crank_angle.angle[:, 0], (len(drive.gearings), crank_angle.shown.size))
+    each = [
+        _of_design(DriveInTurn(machines.each[design], motor, design, gearing, _NOWHERE), machines, grid[design])
+        for design, gearing in enumerate(drive.gearings)
+    ]
     return SteadyDrive(
-        tuple(each),
-        *columns,
-        *facts,
+        tuple(one.cycle for one in each),
+        *np.stack([one.curves for one in each], axis=1),
+        *np.stack([one.facts for one in each], axis=1),
         checks=(
             Check(
                 "drive_energy",
                 _("Work of the motor over a cycle less that of loads and losses, relative to the largest of these"),
-                np.array(residuals),
+                np.array([one.residual for one in each]),
                 _ENERGY_LIMIT,
             ),
         ),
-        flags=tuple(dict.fromkeys(flags)),
+        flags=tuple(dict.fromkeys(flag for one in each for flag in one.flags)),
     )
+
+
+class _Found(NamedTuple):
+    """Steady running of one design: curves and facts in the order of `SteadyDrive`; NaN where it has none."""
+
+    cycle: SpeedOverTurn | None
+    curves: Array
+    facts: Array
+    residual: float
+    flags: tuple[str, ...]
+
+
+def _of_design(turning: DriveInTurn, machines: ReducedMachines, angle: Array) -> _Found:
+    """Steady running of one design, with its curves at some crank angles, shape (n,). [rad]"""
+    turning, found = _settled(turning, machines)
+    if found is None:
+        return _Found(
+            None, np.full((_N_CURVES, angle.size), np.nan), np.full(_N_FACTS, np.nan), 0.0, (_no_cycle(turning),)
+        )
+    curves = np.stack(_curves(turning.at(angle), found.at(angle)))
+    return _Found(found, curves, _facts(turning, found), _residual(turning, found), tuple(_flags(found)))
 
 
 def _settled(turning: DriveInTurn, machines: ReducedMachines) -> tuple[DriveInTurn, SpeedOverTurn | None]:
     """Steady cycle on pieces that end where loads have corners, and losses too; with the drive there."""
     corners = machines.corners[min(turning.design, len(machines.corners) - 1)]
     mesh = mesh_of(machines.cycle, corners)
-    for rest in reversed(range(_MOST_MESHES)):
-        turning = turning.at(mesh.nodes)
-        found = _cycle(turning, mesh)
+    turning = turning.at(mesh.nodes)
+    found = _cycle(turning, mesh)
+    for _again in range(_MOST_MESHES - 1):
         kinks = np.empty(0) if found is None else _kinks(turning, found)
-        if rest == 0 or kinks.size == 0:
+        if kinks.size == 0:
             break
         mesh = mesh_of(machines.cycle, np.concatenate([corners, kinks]))
+        turning = turning.at(mesh.nodes)
+        found = _cycle(turning, mesh)
     return turning, found
 
 
-def _cycle(turning: DriveInTurn, mesh: Mesh) -> SpeedOverTurn | None:
+def _cycle(turning: DriveInTurn, mesh: CyclePieces) -> SpeedOverTurn | None:
     """Steady cycle nearest to the speed at which mean torques balance."""
     first = _balanced_speed(turning, mesh)
     return None if first is None else speed_over_turn(lambda speed: turning.passed(speed).acceleration, mesh, first)
 
 
-def _balanced_speed(turning: DriveInTurn, mesh: Mesh) -> float | None:
+def _balanced_speed(turning: DriveInTurn, mesh: CyclePieces) -> float | None:
     """Highest constant speed of the crank at which the mean acceleration falls through 0; None without one. [rad/s]"""
     top = float(turning.motor.top_speed[turning.design]) / overall_ratio(turning.gearing)
     if not np.isfinite(top):
@@ -189,8 +200,9 @@ def _balanced_speed(turning: DriveInTurn, mesh: Mesh) -> float | None:
 
 
 def _work(turning: DriveInTurn, speed: Array) -> Array:
-    """What drives the crank at a constant speed, less what holds it. [rad/s²]"""
-    return turning.passed(speed).acceleration
+    """What drives the crank at a constant speed, less what holds it: what inertia would take. [N·m]"""
+    whole = turning.here.inertia + turning_inertia(turning.gearing)
+    return whole * turning.passed(speed).acceleration + 0.5 * turning.here.slope * speed**2
 
 
 def _kinks(turning: DriveInTurn, found: SpeedOverTurn) -> Array:
@@ -209,8 +221,8 @@ def _curves(turning: DriveInTurn, speed: Array) -> tuple[Array, ...]:
     return speed, passed.acceleration, speed * ratio, torque, onward
 
 
-def _facts(turning: DriveInTurn, found: SpeedOverTurn) -> tuple[Array, ...]:
-    """Facts of one design, in the order of `SteadyDrive`."""
+def _facts(turning: DriveInTurn, found: SpeedOverTurn) -> Array:
+    """Facts of one design, in the order of `SteadyDrive`, shape (fact,)."""
     speed, ratio = found.speed, overall_ratio(turning.gearing)
     torque = turning.motor_torque(speed)
     driven = turning.here.by_load(speed) * speed
@@ -218,9 +230,8 @@ def _facts(turning: DriveInTurn, found: SpeedOverTurn) -> tuple[Array, ...]:
     whole = found.at(np.linspace(0, np.sum(found.mesh.width), 20001))
     at_whole = turning.motor_torque(whole)
     mean = ratio * np.sum(found.mesh.width) / found.period
-    return tuple(
-        np.atleast_1d(each)
-        for each in (
+    return np.array(
+        [
             found.period,
             mean,
             np.ptp(whole) * ratio / mean,
@@ -232,22 +243,18 @@ def _facts(turning: DriveInTurn, found: SpeedOverTurn) -> tuple[Array, ...]:
             taken,
             power - taken,
             found.over_time(turning.heat(speed)),
-        )
+        ],
+        dtype=np.float64,
     )
 
 
 def _residual(turning: DriveInTurn, found: SpeedOverTurn) -> float:
     """What a cycle's works leave, relative to the largest of them: losses by what each stage passes on."""
-    speed, gearing = found.speed, turning.gearing
-    outputs = turning.passed(speed).outputs
-    torque, lost, ratio = turning.motor_torque(speed) * overall_ratio(gearing), 0.0 * speed, overall_ratio(gearing)
-    for stage, output in enumerate(outputs):
-        factor = np.where(output > 0, 1 / gearing.forward[stage], gearing.backward[stage])
-        ratio /= gearing.ratio[stage]
-        lost = lost + (output * (factor - 1) + gearing.drag[stage] * gearing.ratio[stage]) * ratio
-    works = found.mesh.mean(np.stack([torque, turning.here.by_load(speed), lost]))
-    scale = found.mesh.mean(np.abs(np.stack([torque, turning.here.by_load(speed), lost])))
-    return float(abs(works[0] - works[1] - works[2]) / np.max(scale))
+    speed = found.speed
+    torque = turning.motor_torque(speed) * overall_ratio(turning.gearing)
+    parts = np.stack([torque, turning.here.by_load(speed), lost_torque(turning.passed(speed).outputs, turning.gearing)])
+    motor, load, lost = found.mesh.mean(parts).tolist()
+    return abs(motor - load - lost) / float(np.max(found.mesh.mean(np.abs(parts))))
 
 
 def _no_cycle(turning: DriveInTurn) -> str:

@@ -2,8 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from cranktrain.errors import Problem
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import bodies_given
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
@@ -27,14 +26,6 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
         yield from spec.evenness_parts(table, designs)
 
 
-def _problems(design: Design) -> Iterator[Problem]:
-    table = design.table(spec.EvennessSpec)
-    if table is not None and table.motor is not None:
-        allowed = _("must not stand beside [evenness.motor], which balances the machine")
-        balanced = (name for name, load in on_shafts(design).items() if load.is_balanced)
-        yield from (Problem(f"load.{name}.scale", "balanced", allowed) for name in balanced)
-
-
 def _balanced_loads(design: Design) -> Sequence[str]:
     return [f"[load.{name}]" for name, spec in on_shafts(design).items() if spec.is_balanced]
 
@@ -42,14 +33,13 @@ def _balanced_loads(design: Design) -> Sequence[str]:
 QUESTION = Question(
     "evenness",
     tables={"evenness": spec.EvennessSpec},
-    problems=_problems,
     parts=_parts,
     stages=(
         Stage(flywheel_moment.flywheel_moment, applies=bodies_given),
         Stage(applied_torque.applied_torque, applies=applied_torque.of_steady_running),
         Stage(load_torque.load_torque, applies=load_torque.are_on_shafts),
         Stage(shaft_work.shaft_work),
-        Stage(running_speed.running_speed),
+        Stage(running_speed.running_speed, applies=running_speed.runs_steadily),
         Stage(running_speed.for_second_run),
         Stage(flywheel.flywheel_size),
         Stage(flywheel.rim_size),
@@ -71,7 +61,6 @@ QUESTION = Question(
     uses=(
         Use(table("evenness"), (shaft_work.ShaftWork,)),
         Use(keys("evenness", "flywheel", "flywheel_moment"), (running_speed.RunningSpeed,)),
-        Use(inner_table("evenness", "motor"), (running_speed.RunningSpeed,)),
         Use(_balanced_loads, (load_torque.LoadTorque,)),
         Use(keys("evenness", "coefficient"), (flywheel.FlywheelSize,)),
         Use(inner_table("evenness", "rim"), (flywheel.RimSize,)),

@@ -14,7 +14,7 @@ from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.rim import rim, rim_speed
 from cranktrain.questions.evenness.running_speed import RunningSpeed
 from cranktrain.questions.evenness.shaft_work import ShaftWork
-from cranktrain.questions.evenness.spec import Balancing, DeclaredRim, GivenFlywheel, WantedCoefficient
+from cranktrain.questions.evenness.spec import Balancing, DeclaredRim, DrivenByMotor, GivenFlywheel, WantedCoefficient
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 from cranktrain.wording import Names, number
@@ -77,7 +77,12 @@ class FlywheelSize(StageResult):
 
 
 def flywheel_size(
-    balancing: Balancing, coefficient: WantedCoefficient, given: LoadTorque | None, work: ShaftWork, speed: Speed
+    balancing: Balancing,
+    coefficient: WantedCoefficient,
+    given: LoadTorque | None,
+    driven: DrivenByMotor | None,
+    work: ShaftWork,
+    speed: Speed,
 ) -> FlywheelSize:
     """Flywheel by each method.
 
@@ -94,14 +99,14 @@ def flywheel_size(
         flywheel_inertia_error=found.error,
         flywheel_fluctuation=found.fluctuation,
         labels={_METHOD: METHODS},
-        flags=tuple(_size_flags(balancing, given)),
+        flags=tuple(_size_flags(driven, given)),
     )
 
 
-def _size_flags(balancing: Balancing, given: LoadTorque | None) -> Iterator[str]:
+def _size_flags(driven: DrivenByMotor | None, given: LoadTorque | None) -> Iterator[str]:
     """Flag a load for which another flywheel would do."""
     depends = given is not None and (given.powers or given.shape is not None)
-    if balancing.motor is not None or depends:
+    if driven is not None or depends:
         yield _(
             "The flywheel wanted is for a load that does not depend on the speed;"
             " one that rises with it evens it out more."

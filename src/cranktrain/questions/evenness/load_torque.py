@@ -18,7 +18,7 @@ from cranktrain.numerics import in_slots, largest_between
 from cranktrain.numerics.periodic import PeriodicCurve, combined, side_by_side, times
 from cranktrain.numerics.polyline import polyline_integral, polyline_mean
 from cranktrain.questions.evenness.applied_torque import AppliedTorque
-from cranktrain.questions.evenness.spec import Balancing
+from cranktrain.questions.evenness.spec import DrivenByMotor
 from cranktrain.questions.evenness.speed_law import Power
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.torque.sources import TorqueSources
@@ -109,7 +109,7 @@ def are_on_shafts(loads: LoadsOnShafts | None) -> bool:
 
 def load_torque(
     loads: LoadsOnShafts,
-    balancing: Balancing,
+    driven: DrivenByMotor | None,
     applied: AppliedTorque,
     sources: TorqueSources,
     torques: MechanismTorques,
@@ -159,7 +159,7 @@ def load_torque(
         powers=powers,
         shape=shape,
         is_scaled=balanced is not None and shape is None,
-        has_motor=balancing.motor is not None,
+        has_motor=driven is not None,
         load_torque=whole(grid),
         load_factor=factor if shape is None else np.where(np.isnan(factor), factor, 1.0),
         largest_load_torque=_largest(whole, scaled, crank_angle),

@@ -16,7 +16,8 @@ from cranktrain.questions.evenness.applied_torque import AppliedTorque
 from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.motion_check import motion_check
 from cranktrain.questions.evenness.shaft_work import ShaftWork
-from cranktrain.questions.evenness.spec import Balancing, GivenFlywheel
+from cranktrain.questions.evenness.spec import Balancing, DrivenByMotor, DrivenSpeed, GivenFlywheel
+from cranktrain.questions.evenness.speed_over_cycle import Mean
 from cranktrain.questions.evenness.steady_running import SteadyRunning, steady_running
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.record import record
@@ -69,12 +70,23 @@ class RunningSpeed(StageResult):
         )
 
 
+def runs_steadily(
+    balancing: Balancing | None, flywheel: GivenFlywheel | None, driven: DrivenByMotor | None
+) -> bool | tuple[str, ...]:
+    """Whether there is a motor that gives the machine its speed, or a flywheel and what balances it."""
+    if driven is not None:
+        return True
+    needs = [part.needs for part, given in ((Balancing, balancing), (GivenFlywheel, flywheel)) if given is None]
+    return tuple(needs) or True
+
+
 def running_speed(
-    balancing: Balancing,
-    flywheel: GivenFlywheel,
-    applied: AppliedTorque,
+    balancing: Balancing | None,
+    flywheel: GivenFlywheel | None,
+    driven: DrivenSpeed | None,
+    applied: AppliedTorque | None,
     given: LoadTorque | None,
-    work: ShaftWork,
+    work: ShaftWork | None,
     torques: MechanismTorques,
     speed: Speed,
     crank_angle: CrankAngle,
@@ -85,6 +97,13 @@ def running_speed(
     -----
     docs/theory/evenness, eqs. (17.4), (17.5) and (17.11).
     """
+    mean = "time" if balancing is None else balancing.mean
+    if driven is not None:
+        return _with_motor(driven, mean)
+    assert balancing is not None
+    assert flywheel is not None
+    assert applied is not None
+    assert work is not None
     inertia = plus(work.inertia, flywheel.inertia)
     found = steady_running(balancing, given, applied, work, inertia, speed.value[:, 0, 0])
     slope = torques.reduced_inertia_slope
@@ -92,7 +111,7 @@ def running_speed(
     torque = applied.applied_torque - even + found.besides
     running = found.speed
     return RunningSpeed(
-        load=_load_words(balancing, given, is_free=bool(np.all(found.is_free))),
+        load=_load_words(given, is_free=bool(np.all(found.is_free))),
         crank_speed=running.speed,
         crank_acceleration=(torque - slope * running.speed**2 / 2) / inertia.samples,
         coefficient_of_fluctuation=running.fluctuation(balancing.mean),
@@ -102,7 +121,24 @@ def running_speed(
         largest_crank_speed=_shown(running.largest, crank_angle),
         smallest_crank_speed=_shown(running.smallest, crank_angle),
         checks=(motion_check(running.speed, inertia.samples, slope, found.work),),
-        flags=tuple(_flags(balancing, given, work, found)),
+        flags=tuple(_flags(balancing.mean, given, work, found)),
+    )
+
+
+def _with_motor(driven: DrivenSpeed, mean: Mean) -> RunningSpeed:
+    """Speed that the motor gives the machine; what is to be minded stands with that."""
+    of_extremes = (driven.largest.value + driven.smallest.value) / 2
+    means = {"time": driven.over_time, "angle": driven.over_angle, "extremes": of_extremes}
+    return RunningSpeed(
+        load=_("Driven by its motor"),
+        crank_speed=driven.speed,
+        crank_acceleration=driven.acceleration,
+        coefficient_of_fluctuation=(driven.largest.value - driven.smallest.value) / means[mean],
+        mean_speed_over_time=driven.over_time,
+        mean_speed_over_angle=driven.over_angle,
+        mean_speed_of_extremes=of_extremes,
+        largest_crank_speed=driven.largest,
+        smallest_crank_speed=driven.smallest,
     )
 
 
@@ -112,16 +148,14 @@ def _shown(found: Extreme, crank_angle: CrankAngle) -> Extreme:
     return Extreme(angle[:, 0, 0], found.value[:, 0])
 
 
-def _load_words(balancing: Balancing, given: LoadTorque | None, *, is_free: bool) -> str:
+def _load_words(given: LoadTorque | None, *, is_free: bool) -> str:
     """Say what balances the machine, as a sentence begins."""
-    if balancing.motor is not None:
-        return _("Driven by its motor")
     if is_free:
         return _("Without a load")
     return _("Against a constant torque") if given is None else _("Against the load on the shaft")
 
 
-def _flags(balancing: Balancing, given: LoadTorque | None, work: ShaftWork, found: SteadyRunning) -> Iterator[str]:
+def _flags(mean: Mean, given: LoadTorque | None, work: ShaftWork, found: SteadyRunning) -> Iterator[str]:
     """Flag a load that fixes no speed, a shaft that would stop, a load that nothing drives, and unstable running."""
     speed, rises = found.speed, given is not None and given.shape is not None
     is_known = np.isfinite(work.largest_excess_work)
@@ -131,15 +165,11 @@ def _flags(balancing: Balancing, given: LoadTorque | None, work: ShaftWork, foun
             " and the declared one is kept."
         )
     if np.any(is_known & ~np.isfinite(speed.means.time)):
-        if balancing.motor is not None:
-            yield _(
-                "No steady running: the motor cannot carry the shaft through the cycle; a flywheel or a motor more."
-            )
-        elif rises and np.any(~found.is_free & (work.excess.mean_excess <= 0)):
+        if rises and np.any(~found.is_free & (work.excess.mean_excess <= 0)):
             yield _("No steady running: a load that rises with the speed is for a machine that gives work.")
         else:
             yield _("No steady running at this speed: flywheel and moving parts are too light to carry the shaft.")
-    if np.any(speed.fluctuation(balancing.mean) > _UNLIKELY):
+    if np.any(speed.fluctuation(mean) > _UNLIKELY):
         yield _("Within a cycle the speed changes by more than half of its mean: is the flywheel right?")
     if np.any(found.multiplier > 1):
         yield _("The running is not stable: a small departure from it grows.")

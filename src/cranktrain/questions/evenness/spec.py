@@ -9,6 +9,7 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
 from cranktrain.motion import Array
+from cranktrain.numerics import Extreme
 from cranktrain.quantities import (
     Dimension,
     Given,
@@ -16,8 +17,6 @@ from cranktrain.quantities import (
     PositiveDensity,
     PositiveLength,
     PositiveRatio,
-    PositiveSpeed,
-    PositiveTorque,
     PositiveVelocity,
     Quantity,
 )
@@ -29,20 +28,6 @@ from cranktrain.spec import Spec
 NonNegativeMoment = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT, at_least=0.0)]
 Coefficient = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, below=2.0)]
 Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
-
-
-class MotorSpec(Spec, frozen=True):
-    """A motor on the shaft whose torque falls with the speed in a straight line, by two points of it."""
-
-    torque: PositiveTorque = Field(description=N_("Torque of the motor at the speed beside it, on the crankshaft."))
-    speed: PositiveSpeed = Field(description=N_("Speed at which the motor gives that torque, on the crankshaft."))
-    no_load_speed: PositiveSpeed = Field(description=N_("Speed at which the motor gives no torque, on the crankshaft."))
-
-    def _problems(self) -> Iterator[Problem]:
-        """Find a motor that is no slower under load."""
-        if self.no_load_speed.si <= self.speed.si:
-            allowed = _("must be more than speed = {speed}: a motor slows down under load")
-            yield Problem("no_load_speed", None, allowed.format(speed=self.speed.text))
 
 
 class RimSpec(Spec, frozen=True):
@@ -66,12 +51,8 @@ class RimSpec(Spec, frozen=True):
 
 
 class EvennessSpec(Spec, frozen=True):
-    """What drives the machine besides its loads, its flywheel, and how evenly it is to run."""
+    """The flywheel of a machine, and how evenly it is to run."""
 
-    motor: MotorSpec | None = Field(
-        default=None,
-        description=N_("A motor that drives the machine; the mean speed comes out. Without it a constant torque."),
-    )
     flywheel: NonNegativeInertia | None = Field(
         default=None,
         description=N_(
@@ -111,14 +92,6 @@ class EvennessSpec(Spec, frozen=True):
 
 
 @record
-class LinearMotor:
-    """Motor M = c (ω_s − ω): no-load speed ω_s [rad/s] and stiffness c [N·m·s], shape (design,)."""
-
-    no_load_speed: Array
-    stiffness: Array
-
-
-@record
 class Balancing:
     """What balances the mean of the machine and its loads, where no load does: a motor, or a constant torque.
 
@@ -127,8 +100,36 @@ class Balancing:
 
     needs: ClassVar[str] = N_("[evenness]")
 
-    motor: LinearMotor | None
     mean: Mean
+
+
+@record
+class DrivenByMotor:
+    """Says that a motor drives the machine: it balances it, and gives it its mean speed."""
+
+    needs: ClassVar[str] = N_("[drive.motor]")
+
+
+@record
+class DrivenSpeed:
+    """Speed over the cycle of a machine with its motor, arrays of shape (design,) unless said otherwise; NaN for none.
+
+    Attributes
+    ----------
+    speed, acceleration : Array, shape (design, n)
+        [rad/s, rad/s²]
+    over_time, over_angle : Array
+        Means of the speed. [rad/s]
+    largest, smallest : Extreme
+        At shown crank angles. [rad/s, rad]
+    """
+
+    speed: Array
+    acceleration: Array
+    over_time: Array
+    over_angle: Array
+    largest: Extreme
+    smallest: Extreme
 
 
 @record
@@ -165,11 +166,7 @@ def evenness_parts(spec: EvennessSpec, designs: Designs) -> Iterator[object]:
     def each(number: Array) -> Array:
         return designs.by_design([number])[:, 0]
 
-    motor = None
-    if spec.motor is not None:
-        torque, speed, free = spec.motor.torque.array, spec.motor.speed.array, spec.motor.no_load_speed.array
-        motor = LinearMotor(each(free), each(torque / (free - speed)))
-    yield Balancing(motor, spec.mean)
+    yield Balancing(spec.mean)
     if spec.inertia is not None:
         yield GivenFlywheel(each(spec.inertia))
     if spec.coefficient is not None:

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.motion import ONE, ZERO, Array
+from cranktrain.motion import ZERO, Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import Interpolation, fourier_curve, fourier_integral
 from cranktrain.questions.evenness.speed_over_cycle import SpeedOverCycle, speed_from_energy
@@ -75,11 +75,6 @@ class SpeedUnderLaw(NamedTuple):
     speed: SpeedOverCycle
     torque: Array
     multiplier: Array
-
-
-def motor(no_load_speed: Array, stiffness: Array) -> TorqueLaw:
-    """Linear motor, M = c (ω_s − ω): [rad/s], [N·m·s]."""
-    return TorqueLaw(stiffness * no_load_speed, (Power(-stiffness, ONE),))
 
 
 def speed_under_law(

@@ -15,7 +15,7 @@ from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.mean_speed import balancing_coefficient, has_mean, with_load
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.questions.evenness.spec import Balancing
-from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, motor, speed_under_law
+from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, speed_under_law
 from cranktrain.questions.evenness.speed_over_cycle import SpeedOverCycle, chosen_speed, steady_speed
 
 
@@ -61,17 +61,12 @@ def steady_running(
     brakes, rises = _of_speed(powers, has_load), _of_speed(() if shape is None else (shape,), has_load)
     is_free = rises & ~brakes & ~has_load
     by_energy = is_free | ~(brakes | rises)
-    if balancing.motor is None and np.all(by_energy):
+    if np.all(by_energy):
         steady = steady_speed(work.excess, inertia, wanted, balancing.mean)
         return SteadyRunning(steady, -left, work.excess.work, np.ones(1), is_free)
     law = TorqueLaw(torque, tuple(one._replace(coefficient=-one.coefficient) for one in powers))
-    if balancing.motor is not None:
-        driven = motor(balancing.motor.no_load_speed[:, np.newaxis], balancing.motor.stiffness[:, np.newaxis])
-        law = TorqueLaw(law.free + driven.free, (*law.powers, *driven.powers))
-        by_energy = np.zeros_like(by_energy)
-    else:
-        size = balancing_coefficient(law, shape, inertia.samples, wanted, cycle, balancing.mean)
-        law = with_load(law, shape, size[:, np.newaxis])
+    size = balancing_coefficient(law, shape, inertia.samples, wanted, cycle, balancing.mean)
+    law = with_load(law, shape, size[:, np.newaxis])
     under = speed_under_law(law, inertia.samples, cycle, applied.by.curve)
     speed, multiplier = under.speed, under.multiplier
     taken = under.torque - torque

@@ -4,10 +4,19 @@ import numpy as np
 import pytest
 from tests.starts import SYNCHRONOUS, kloss, rotor_heat, wheel
 
-from cranktrain.questions.drive.running import transient
-from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, no_heat, no_motor, untimed
+from cranktrain.questions.drive.running import endings
+from cranktrain.questions.drive.running.equation import (
+    DriveTrain,
+    Kernels,
+    no_brake,
+    no_heat,
+    no_motor,
+    train_of,
+    untimed,
+)
 from cranktrain.questions.drive.running.gearing import stages
 from cranktrain.questions.drive.running.implicit import is_stiff, run_implicitly, run_well, slip_time_constant
+from cranktrain.questions.drive.running.rest import sense_of_start
 from cranktrain.questions.drive.running.runs import REASONS, run, wanted
 
 DIRECT = stages(0.2)
@@ -39,7 +48,7 @@ def test_start_time_and_rotor_heat(load, time, heat):
     """Unloaded by the closed forms; loaded by quadrature (golden/drive/motor.json)."""
     asked = wanted(5.0, target_speed=0.95 * SYNCHRONOUS, stops_at_target=True, tolerance=1e-11)
     found = plain(CAGE, DriveTrain((0.0, load, 0.0), MOTOR, 0.0, DIRECT), asked)
-    assert found.reason == transient.SPEED_REACHED
+    assert found.reason == endings.SPEED_REACHED
     assert found.end_time == pytest.approx(time, rel=1e-9)
     assert found.end[5] == pytest.approx(heat, rel=1e-9)
 
@@ -54,7 +63,7 @@ def test_plugging_heats_thrice():
     machine = Kernels(wheel, untimed(kloss), heating, no_brake)
     asked = wanted(20.0, speed=SYNCHRONOUS, most_reversals=1, tolerance=1e-11)
     found = plain(machine, DriveTrain((0.0, 0.0, 0.0), against, 0.0, DIRECT), asked)
-    assert found.reason == transient.SWINGS
+    assert found.reason == endings.SWINGS
     assert found.end[5] == pytest.approx(1.5 * 0.2 * SYNCHRONOUS**2, rel=1e-9)
 
 
@@ -66,9 +75,9 @@ def test_rest_is_kept_between_two_torques(load):
     ends = sorted([load / 10 / 0.8, load / 10 * 0.75])
     for torque, sense in [(ends[0] - 1e-9, -1), (ends[0] + 1e-9, 0), (ends[1] - 1e-9, 0), (ends[1] + 1e-9, 1)]:
         drive = DriveTrain((2.0, load, 0.0), (torque,), 0.0, gearing)
-        assert transient.sense_of_start(0.0, 0.3, machine, drive) == sense
+        assert sense_of_start(0.0, 0.3, machine, train_of(drive, machine, False)) == sense
     found = plain(machine, DriveTrain((2.0, load, 0.0), (load / 10,), 0.0, gearing), wanted(5.0, angle=0.3))
-    assert (found.reason, found.end_time, found.end[0]) == (transient.STALLED, 0.0, 0.3)
+    assert (found.reason, found.end_time, found.end[0]) == (endings.STALLED, 0.0, 0.3)
 
 
 def test_self_locking_holds_without_a_motor():
@@ -76,7 +85,7 @@ def test_self_locking_holds_without_a_motor():
     machine = Kernels(wheel, no_motor, no_heat, no_brake)
     for load in (50.0, -50.0):
         found = plain(machine, DriveTrain((4.0, load, 0.0), (), 0.0, gearing), wanted(5.0))
-        assert found.reason == transient.AT_REST
+        assert found.reason == endings.AT_REST
 
 
 def test_jam_is_said():
@@ -84,14 +93,14 @@ def test_jam_is_said():
     gearing = stages(0.001, (30.0, 0.3, 2 - 1 / 0.3, 0.0, 0.0))
     machine = Kernels(wheel, no_motor, no_heat, no_brake)
     found = plain(machine, DriveTrain((4.0, -50.0, 0.0), (), 0.0, gearing), wanted(5.0, speed=1.0))
-    assert (found.reason, found.end_time) == (transient.GEARING_JAMS, 0.0)
+    assert (found.reason, found.end_time) == (endings.GEARING_JAMS, 0.0)
 
 
 def test_coasting_to_rest_by_dry_friction():
     """t = Jω/M, φ = Jω²/2M."""
     machine = Kernels(wheel, no_motor, no_heat, no_brake)
     found = plain(machine, DriveTrain((1.8, 0.0, 4.0), (), 0.0, DIRECT), wanted(50.0, speed=30.0))
-    assert found.reason == transient.AT_REST
+    assert found.reason == endings.AT_REST
     assert found.end_time == pytest.approx(15.0, abs=1e-6)
     assert found.end[0] == pytest.approx(225.0, rel=1e-9)
     assert found.end[3] == pytest.approx(900.0, rel=1e-9)
@@ -103,7 +112,7 @@ def test_brake_after_a_delay_stops_and_holds():
     drive = DriveTrain((0.8, -5.0, 0.0), (), (12.0, 0.25), DIRECT)
     found = plain(machine, drive, wanted(10.0, speed=3.0, breaks=(0.25,), is_timed=True))
     fastest = 3.0 + 5.0 * 0.25
-    assert found.reason == transient.AT_REST
+    assert found.reason == endings.AT_REST
     assert found.end_time == pytest.approx(0.25 + fastest / 7.0, abs=1e-6)
     assert found.end[4] == pytest.approx(12.0 * fastest**2 / 14.0, rel=1e-9)
 
@@ -114,16 +123,16 @@ def test_a_growing_torque_breaks_away():
     found = plain(
         machine, DriveTrain((1.8, 0.0, 6.0), (3.0,), 0.0, DIRECT), wanted(4.0, is_timed=True, tolerance=1e-11)
     )
-    (set_off,) = found.of_kind(transient.SET_OFF)
+    (set_off,) = found.of_kind(endings.SET_OFF)
     assert set_off.time == pytest.approx(2.0, abs=1e-9)
-    assert found.reason == transient.TIME_OUT
+    assert found.reason == endings.TIME_OUT
     assert found.end[0] == pytest.approx(3.0 * 2.0**3 / 6 / 2.0, rel=1e-8)
 
 
 def test_overspeed_by_a_load_that_drives():
     machine = Kernels(wheel, no_motor, no_heat, no_brake)
     found = plain(machine, DriveTrain((1.8, -10.0, 0.0), (), 0.0, DIRECT), wanted(50.0, overspeed=20.0))
-    assert found.reason == transient.OVERSPEED
+    assert found.reason == endings.OVERSPEED
     assert found.end_time == pytest.approx(4.0, abs=1e-9)
 
 
@@ -136,7 +145,7 @@ def test_slip_time_constant_is_that_of_kloss():
 
 
 def test_every_reason_has_a_sentence():
-    assert len(REASONS) == transient.GEARING_JAMS + 1
+    assert len(REASONS) == endings.STOPPED + 1
     assert len(set(REASONS.values())) == len(REASONS)
 
 
@@ -150,5 +159,5 @@ def test_stiff_motors_go_by_an_implicit_method():
 def test_implicit_runs_rest_and_stop_alike():
     machine = Kernels(wheel, no_motor, no_heat, no_brake)
     found = run_implicitly(machine, DriveTrain((1.8, 0.0, 4.0), (), 0.0, DIRECT), wanted(50.0, speed=30.0))
-    assert found.reason == transient.AT_REST
+    assert found.reason == endings.AT_REST
     assert found.end_time == pytest.approx(15.0, abs=1e-6)

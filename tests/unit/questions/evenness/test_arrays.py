@@ -23,7 +23,7 @@ from cranktrain.questions.evenness.flywheel_inertia import (
     textbook_inertia,
 )
 from cranktrain.questions.evenness.mean_speed import balancing_coefficient, with_load
-from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, linear_periodic, motor, speed_under_law
+from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, linear_periodic, speed_under_law
 from cranktrain.questions.evenness.speed_over_cycle import steady_speed
 from cranktrain.textbook.flywheel_diagrams import mertsalov, wittenbauer
 
@@ -260,6 +260,11 @@ def beside(torque, law):
 
 def plus_powers(law, *powers):
     return law._replace(powers=(*law.powers, *powers))
+
+
+def motor(no_load_speed, stiffness):
+    """M = c (ω_s − ω)."""
+    return TorqueLaw(stiffness * no_load_speed, (Power(-stiffness, np.array(1.0)),))
 
 
 def squared(coefficient):

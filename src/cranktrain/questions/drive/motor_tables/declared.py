@@ -15,6 +15,8 @@ ByTime: TypeAlias = Callable[[Any, Any, Any], Any]
 """(speed at its own shaft, time since it was switched on, numbers) → a power or a current."""
 
 UNKNOWN = single(float("nan"))
+LONG_SINCE = float("inf")
+"""Time since it was switched on after which no starter matters any more: what steady running asks for. [s]"""
 
 
 class Rating(NamedTuple):
@@ -59,13 +61,13 @@ class DeclaredMotor:
     needs: ClassVar[str] = N_("[drive.motor]")
 
     motor: Motor[Any]
-    numbers: tuple[Any, ...]
+    numbers: Any
     rating: Rating
     top_speed: Array
     inertia: Array | None = None
     heat: ByTime | None = None
     current: ByTime | None = None
-    current_numbers: tuple[Any, ...] = ()
+    current_numbers: Any = ()
     rated_current: Array = UNKNOWN
     notes: tuple[str, ...] = ()
     flags: tuple[str, ...] = ()
@@ -75,15 +77,15 @@ class DeclaredMotor:
         """How many designs it is of."""
         return self.top_speed.shape[-1]
 
-    def torque(self, speed: Array, time: Array | float = 0.0) -> Array:
+    def torque(self, speed: Array, time: Array | float = LONG_SINCE) -> Array:
         """Torque at its shaft.
 
         Parameters
         ----------
         speed : Array, shape (design, n) or (n,)
             [rad/s]
-        time : Array, broadcastable
-            Since it was switched on. [s]
+        time : Array, broadcastable, optional
+            Since it was switched on; long since, unless given. [s]
 
         Returns
         -------
@@ -92,11 +94,11 @@ class DeclaredMotor:
         """
         return self.motor.torque(speed, cast(Array, time), _over_speeds(self.numbers))
 
-    def heating(self, speed: Array, time: Array | float = 0.0) -> Array:
+    def heating(self, speed: Array, time: Array | float = LONG_SINCE) -> Array:
         """Power that heats it, shapes as of `torque`; NaN where nothing is known. [W]"""
         return self._by_time(self.heat, self.numbers, speed, time)
 
-    def current_ratio(self, speed: Array, time: Array | float = 0.0) -> Array:
+    def current_ratio(self, speed: Array, time: Array | float = LONG_SINCE) -> Array:
         """Line current over the rated one, shapes as of `torque`; NaN where nothing is known. [1]"""
         return self._by_time(self.current, self.current_numbers, speed, time)
 
@@ -104,7 +106,7 @@ class DeclaredMotor:
         """Numbers of one design, plain floats, as kernels of one machine take them; of points of a curve an array."""
         return mapped(lambda _name, number: _plain(number[..., design]), self.numbers)
 
-    def _by_time(self, kernel: ByTime | None, numbers: tuple[Any, ...], speed: Array, time: Array | float) -> Array:
+    def _by_time(self, kernel: ByTime | None, numbers: Any, speed: Array, time: Array | float) -> Array:
         if kernel is None:
             return np.full((self.n_designs, np.shape(speed)[-1]), np.nan)
         return kernel(speed, cast(Array, time), _over_speeds(numbers))

@@ -10,20 +10,20 @@ from cranktrain.layout.design import Designs
 from cranktrain.motion import Array
 from cranktrain.numerics.nested import mapped
 from cranktrain.questions.drive.motor_tables.declared import DeclaredMotor
-from cranktrain.questions.drive.motor_tables.spec import MotorSpec
+from cranktrain.questions.drive.motor_tables.spec import DrivingMotorSpec
 
 
-def declared_motor(spec: MotorSpec, designs: Designs) -> DeclaredMotor:
+def declared_motor(spec: DrivingMotorSpec, designs: Designs) -> DeclaredMotor:
     """Motor that the table of all designs declares."""
     return motor_of(spec, designs.n_designs)
 
 
-def motor_of(spec: MotorSpec, n_designs: int = 1) -> DeclaredMotor:
+def motor_of(spec: DrivingMotorSpec, n_designs: int = 1) -> DeclaredMotor:
     """Motor that a table declares.
 
     Parameters
     ----------
-    spec : MotorSpec
+    spec : DrivingMotorSpec
         Of one design, or of several in columns.
     n_designs : int
 

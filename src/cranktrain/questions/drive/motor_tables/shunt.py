@@ -10,6 +10,7 @@ from cranktrain.language import N_, _
 from cranktrain.quantities import PositiveSpeed
 from cranktrain.questions.drive.motor_tables.declared import DeclaredMotor
 from cranktrain.questions.drive.motor_tables.spec import RatedSpec, missing_keys
+from cranktrain.questions.drive.motors import heat, line_current
 from cranktrain.questions.drive.motors.direct_current import SHUNT, shunt_motor
 
 
@@ -22,7 +23,7 @@ class ShuntSpec(RatedSpec, frozen=True):
     def _problems(self) -> Iterator[Problem]:
         """Find a motor without its point, or no slower under load."""
         yield from super()._problems()
-        if not self.is_rated and self.speed is None and self.power is None and self.torque is None:
+        if self.has_no_plate:
             yield from missing_keys(self, ("torque", "speed"))
         if self.speed is not None and self.no_load_speed.si <= self.speed.si:
             allowed = _("must be more than speed = {speed}: a motor slows down under load")
@@ -32,4 +33,13 @@ class ShuntSpec(RatedSpec, frozen=True):
         """Give the motor in SI."""
         rating, top = self.rating, self.no_load_speed.array
         line = shunt_motor(rating.torque, rating.speed, top)
-        return DeclaredMotor(SHUNT, line, rating, top, self.rotor_inertia)
+        return DeclaredMotor(
+            SHUNT,
+            line,
+            rating,
+            top,
+            self.rotor_inertia,
+            heat.shunt_heat,
+            line_current.shunt_current,
+            line_current.OfRated(line, rating.torque),
+        )

@@ -4,6 +4,7 @@ from abc import abstractmethod
 from collections.abc import Iterable, Iterator
 from typing import Annotated
 
+import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
@@ -24,7 +25,7 @@ from cranktrain.spec import Spec, missing
 NonNegativeMoment = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT, at_least=0.0)]
 
 
-class MotorSpec(Spec, frozen=True):
+class DrivingMotorSpec(Spec, frozen=True):
     """What every motor of a machine file declares; all speeds and torques are those of its own shaft."""
 
     kind: str
@@ -51,7 +52,7 @@ class MotorSpec(Spec, frozen=True):
         return None if self.flywheel_moment is None else self.flywheel_moment.array / 4
 
 
-class RatedSpec(MotorSpec, frozen=True):
+class RatedSpec(DrivingMotorSpec, frozen=True):
     """A motor whose plate may say a rated point: its speed, and power or torque."""
 
     power: PositivePower | None = Field(default=None, description=N_("Rated power at the shaft; or torque."))
@@ -67,6 +68,11 @@ class RatedSpec(MotorSpec, frozen=True):
             yield from missing_keys(self, ("speed",))
         if self.speed is not None and self.power is None and self.torque is None:
             yield Problem("torque", None, _("is missing; give torque or power beside speed"))
+
+    @property
+    def has_no_plate(self) -> bool:
+        """Whether nothing of a rated point is there."""
+        return self.speed is None and self.power is None and self.torque is None
 
     @property
     def is_rated(self) -> bool:
@@ -95,3 +101,8 @@ def out_of_place(spec: Spec, names: Iterable[str], allowed: str) -> Iterator[Pro
     for name in names:
         if getattr(spec, name) is not None:
             yield Problem(name, None, allowed)
+
+
+def first(number: Array) -> float:
+    """Number of the first design."""
+    return float(np.ravel(number)[0])

@@ -1,22 +1,8 @@
 """Currents of induction motors: how the line's falls from the start on, and the rotor's by its torque."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.drive.motors.cage import slip_of
-
-
-class CageCurrent(NamedTuple):
-    """What the line's current of a cage motor hangs on: speed of the field, slip at breakdown, current at standstill.
-
-    In [rad/s, 1]; the current in A, or in parts of the rated one.
-    """
-
-    synchronous_speed: Array
-    breakdown_slip: Array
-    starting_current: Array
 
 
 def line_current(slip: Array, breakdown_slip: Array, starting_current: Array) -> Array:
@@ -33,11 +19,6 @@ def line_current(slip: Array, breakdown_slip: Array, starting_current: Array) ->
     (7.2, 5.192)
     """
     return starting_current * np.abs(slip) * np.sqrt((1 + breakdown_slip**2) / (slip * slip + breakdown_slip**2))
-
-
-def cage_current(speed: Array, _time: Array, motor: CageCurrent) -> Array:
-    """Line current by the speed, direct on line; in the unit of that at standstill. docs/theory/drive, eq. (25.11)."""
-    return line_current(slip_of(speed, motor.synchronous_speed), motor.breakdown_slip, motor.starting_current)
 
 
 def rotor_current(torque: Array, slip: Array, synchronous_speed: Array, rotor_resistance: Array) -> Array:

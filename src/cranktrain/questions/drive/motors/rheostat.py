@@ -67,9 +67,14 @@ def stepped_rotor_torque(speed: Array, geometry: SteppedRotor) -> Array:
     -----
     docs/theory/drive, eqs. (25.16) and (25.17): at the slip s as many are out as λ^(−j) ≥ s has j.
     """
+    return wound_rotor_torque(speed, stepped_rotor(speed, geometry))
+
+
+def stepped_rotor(speed: Array, geometry: SteppedRotor) -> WoundRotor:
+    """Rotor with the steps that are left at a speed. docs/theory/drive, eq. (25.17)."""
     slip = np.maximum(slip_of(speed, geometry.rotor.synchronous_speed), 1e-300)
     n_out = np.maximum(0, np.floor(-np.log(slip) / np.log(geometry.rheostat.step_ratio)))
-    return wound_rotor_torque(speed, _with_steps_out(geometry.rotor, geometry.rheostat, n_out))
+    return _with_steps_out(geometry.rotor, geometry.rheostat, n_out)
 
 
 def timed_rotor_torque(speed: Array, time: Array, geometry: TimedRotor) -> Array:
@@ -87,8 +92,13 @@ def timed_rotor_torque(speed: Array, time: Array, geometry: TimedRotor) -> Array
     -----
     docs/theory/drive, eq. (25.16).
     """
+    return wound_rotor_torque(speed, timed_rotor(time, geometry))
+
+
+def timed_rotor(time: Array, geometry: TimedRotor) -> WoundRotor:
+    """Rotor with the steps that are left at a time. [s]"""
     n_out = np.maximum(0, np.floor(time / geometry.interval))
-    return wound_rotor_torque(speed, _with_steps_out(geometry.rotor, geometry.rheostat, n_out))
+    return _with_steps_out(geometry.rotor, geometry.rheostat, n_out)
 
 
 def _with_steps_out(rotor: WoundRotor, rheostat: Rheostat, n_out: Array) -> WoundRotor:

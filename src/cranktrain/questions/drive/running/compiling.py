@@ -34,7 +34,9 @@ def _quick(function: Any) -> Any:
         function.__name__,
         closure=_cells(function.__closure__),
     )
-    return numba.njit(error_model="numpy", nogil=True)(copy)
+    # private parts are called in one place, and calls cost as many words as their arrays have
+    is_part = function.__name__.startswith("_")
+    return numba.njit(error_model="numpy", nogil=True, fastmath={"contract"}, forceinline=is_part)(copy)
 
 
 def _cells(closure: tuple[CellType, ...] | None) -> tuple[CellType, ...] | None:

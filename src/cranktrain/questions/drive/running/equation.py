@@ -1,15 +1,18 @@
 """The equation of motion in time, with the account of its energy."""
 
 from collections.abc import Callable
+from copy import deepcopy
 from functools import cache
 from types import FunctionType
 from typing import Any, NamedTuple, TypeAlias
 
+import numpy as np
+
 from cranktrain.linkage import compiled
-from cranktrain.motion import Array
 from cranktrain.questions.drive.running.compiling import quick
-from cranktrain.questions.drive.running.gearing import Gearing, acceleration, overall_ratio
-from cranktrain.questions.drive.running.step import Derive
+from cranktrain.questions.drive.running.gearing import Gearing
+from cranktrain.questions.drive.running.law import OneStage, accelerated, in_one_stage
+from cranktrain.questions.drive.running.step import N_STATE, Derive
 
 Machine: TypeAlias = Callable[[float, float, float, Any], tuple[float, float, float, float]]
 """(crank angle, speed, sense, numbers) → J, J′, torque that the load takes at the crank, x′ of what is driven.
@@ -19,11 +22,8 @@ The sense is that of a motion which may be about to begin: dry friction takes it
 Motor: TypeAlias = Callable[[float, float, Any], float]
 """(speed at its own shaft, time, numbers) → torque. [N·m]"""
 
-ANGLE, SPEED, MOTOR_WORK, LOAD_WORK, LOST_WORK, HEAT = range(6)
+ANGLE, SPEED, MOTOR_WORK, LOAD_WORK, LOST_WORK, HEAT = range(N_STATE)
 """Components of the state."""
-N_STATE = 6
-OPEN, JAMMED = 1, 2
-"""Why there is no acceleration: links do not close; none or several satisfy the law of the gearing."""
 
 
 class DriveTrain(NamedTuple):
@@ -33,25 +33,6 @@ class DriveTrain(NamedTuple):
     motor: Any
     brake: Any
     gearing: Gearing
-
-
-class Kernels(NamedTuple):
-    """Kernels that a transient is made of.
-
-    Attributes
-    ----------
-    machine : Machine
-    motor : Motor
-    heat : Motor
-        Power that heats the motor. [W]
-    brake : callable
-        (time, numbers) → torque against the motion at the motor's shaft, up to which it holds at rest too. [N·m]
-    """
-
-    machine: Machine
-    motor: Motor
-    heat: Motor
-    brake: Callable[[float, Any], float]
 
 
 def no_heat(_speed: float, _time: float, _numbers: Any) -> float:
@@ -69,6 +50,54 @@ def no_brake(_time: float, _numbers: Any) -> float:
     return 0.0
 
 
+def no_memory(_angle: float, _numbers: Any) -> None:
+    """What a machine carries on that remembers nothing."""
+
+
+class Kernels(NamedTuple):
+    """Kernels that a transient is made of.
+
+    Attributes
+    ----------
+    machine : Machine
+    motor : Motor
+    heat : Motor
+        Power that heats the motor. [W]
+    brake : callable
+        (time, numbers) → torque against the motion at the motor's shaft, up to which it holds at rest too. [N·m]
+    settle : callable, optional
+        (crank angle, numbers of the machine) → None: lets a machine that remembers, such as gas in a chamber, carry on
+        what it does, in an array (plain: a list) among its numbers. Asked at the start and at the end of every step,
+        never within; a run changes a copy of the numbers.
+    """
+
+    machine: Machine
+    motor: Motor
+    heat: Motor
+    brake: Callable[[float, Any], float]
+    settle: Callable[[float, Any], None] = no_memory
+
+
+class Train(NamedTuple):
+    """A `DriveTrain` as the loop takes it: its one stage, or none, as plain numbers; the rows of several.
+
+    Every array costs a call of the loop seven words to pass on.
+    """
+
+    machine: Any
+    motor: Any
+    brake: Any
+    one: OneStage
+    rows: Any
+
+
+def train_of(drive: DriveTrain, kernels: Kernels, is_compiled: bool) -> Train:
+    """Prepare a drive for a run: with a memory of its own, and without Numba with lists, which are quicker there."""
+    machine = drive.machine if kernels.settle is no_memory else deepcopy(drive.machine)
+    rows = np.array(drive.gearing[1:])
+    return Train(machine, drive.motor, drive.brake, in_one_stage(drive.gearing), rows if is_compiled else rows.tolist())
+
+
 @cache
 def untimed(kernel: Callable[[float, Any], float]) -> Motor:
     """Motor of a kernel of speed and numbers alone; the same one for the same kernel."""
@@ -80,28 +109,36 @@ def untimed(kernel: Callable[[float, Any], float]) -> Motor:
     return torque
 
 
-def time_form(kernels: Kernels, law: Any, ratio_of: Any) -> Derive:
+def time_form(kernels: Kernels, law: Any) -> Derive:
     """Join the kernels to the slopes of the state by time. docs/theory/transient, eqs. (26.8) and (26.9)."""
-    machine, motor, heat, brake = kernels
+    machine, motor, heat, brake, _ = kernels
 
-    def derive(time: float, state: Array, slopes: Array, sense: float, drive: DriveTrain) -> int:
-        angle, speed = state[0], state[1]
-        inertia, first, load, _ = machine(angle, speed, sense, drive.machine)
-        at_motor = speed * ratio_of(drive.gearing)
-        torque = motor(at_motor, time, drive.motor)
-        drag = brake(time, drive.brake) * sense
-        grown, taken, count = law(torque - drag, sense, inertia, load + 0.5 * first * speed * speed, drive.gearing)
-        slopes[0] = speed
-        slopes[1] = grown
-        slopes[2] = torque * at_motor
-        slopes[3] = load * speed
-        slopes[4] = taken * speed + drag * at_motor
-        slopes[5] = heat(at_motor, time, drive.motor)
-        if count != 0:
-            return 1 if inertia * load != inertia * load else 2
-        return 0
+    def derive(
+        time: float, angle: float, speed: float, sense: float, bound: float, slopes: Any, place: int, train: Train
+    ) -> tuple[float, float]:
+        seen = bound if sense * (angle - bound) > 0 else angle
+        inertia, first, load, _ = machine(seen, speed, sense, train.machine)
+        ratio = train.one.ratio
+        at_motor = speed * ratio
+        # float: what NumPy gives to plain Python makes all that follows slow
+        inertia, load, torque = float(inertia), float(load), float(motor(at_motor, time, train.motor))
+        drag = brake(time, train.brake) * sense
+        needed = load + 0.5 * float(first) * speed * speed
+        grown, taken = law(torque - drag, sense, inertia, needed, train.one, train.rows)
+        slopes[place] = speed
+        slopes[place + 1] = grown
+        slopes[place + 2] = torque * at_motor
+        slopes[place + 3] = load * speed if inertia == inertia else inertia
+        slopes[place + 4] = taken * speed + drag * at_motor
+        slopes[place + 5] = float(heat(at_motor, time, train.motor))
+        return speed, grown
 
     return derive
+
+
+def is_open(slopes: Any, place: int) -> bool:
+    """Whether there are no slopes because links do not close, rather than gearing jams: the load has no power."""
+    return slopes[place + LOAD_WORK] != slopes[place + LOAD_WORK]
 
 
 class Joined(NamedTuple):
@@ -115,9 +152,9 @@ class Joined(NamedTuple):
 def joined(kernels: Kernels, is_compiled: bool) -> Joined:
     """Join kernels once: compiled with Numba, or as they are. One made elsewhere by Numba is taken as it is."""
     if not is_compiled:
-        return Joined(time_form(kernels, acceleration, overall_ratio), kernels)
+        return Joined(time_form(kernels, accelerated), kernels)
     own = Kernels(*(_as_kernel(each) for each in kernels))
-    return Joined(quick(time_form(own, compiled(acceleration), compiled(overall_ratio))), own)
+    return Joined(quick(time_form(own, quick(accelerated))), own)
 
 
 def _as_kernel(kernel: Any) -> Any:

@@ -1,16 +1,28 @@
 """Stiff motors: the same run by an implicit method of SciPy, chosen by the motor's slip time constant."""
 
 from collections.abc import Callable
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.drive.running import transient
-from cranktrain.questions.drive.running.equation import N_STATE, OPEN, DriveTrain, Kernels, joined
+from cranktrain.questions.drive.running import endings
+from cranktrain.questions.drive.running.corners import corner_ahead, on_the_way
+from cranktrain.questions.drive.running.endings import GOING
+from cranktrain.questions.drive.running.equation import (
+    DriveTrain,
+    Joined,
+    Kernels,
+    Train,
+    is_open,
+    joined,
+    no_memory,
+    train_of,
+)
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
+from cranktrain.questions.drive.running.rest import kind_of_rest, let_go_at, sense_of_start
 from cranktrain.questions.drive.running.runs import Event, Run, Wanted, energy_account, run
-from cranktrain.questions.drive.running.transient import let_go_at, sense_of_start
+from cranktrain.questions.drive.running.step import N_STATE
 
 _STIFF = 1e-3
 """Slip time constant in parts of a turn, below which explicit steps are far shorter than the motion asks for."""
@@ -39,7 +51,7 @@ def slip_time_constant(
     Returns
     -------
     float
-        (J_m + J/i²)/max(−dM/dω); of Kloss's formula (J_m + J/i²) ω_s s_b/(2 M_b). docs/theory/transient, eq. (26.14).
+        (J_m + J/i²)/max(−dM/dω); of Kloss's formula (J_m + J/i²) ω_s s_b/(2 M_b). docs/theory/transient, eq. (26.15).
     """
     speeds = np.linspace(0.0, top_speed, _N_SPEEDS)
     torques = np.array([kernels.motor(float(speed), time, drive.motor) for speed in speeds])
@@ -58,97 +70,126 @@ def run_well(kernels: Kernels, drive: DriveTrain, asked: Wanted, top_speed: floa
     """Run by the method that suits the motor: explicit, or LSODA where it is stiff."""
     angles = np.linspace(0.0, 2 * np.pi, 61)
     constant = slip_time_constant(kernels, drive, top_speed, angles)
-    if is_stiff(constant, top_speed / overall_ratio(drive.gearing)):
+    # an implicit method tries steps that it does not take: a machine that remembers would remember those
+    if kernels.settle is no_memory and is_stiff(constant, top_speed / overall_ratio(drive.gearing)):
         return run_implicitly(kernels, drive, asked)
     return run(kernels, drive, asked)
 
 
+class _Going(NamedTuple):
+    """What an implicit run is made of."""
+
+    parts: Joined
+    train: Train
+    asked: Wanted
+    method: str
+    table: Array
+    events: list[Event]
+
+
 def run_implicitly(kernels: Kernels, drive: DriveTrain, asked: Wanted, *, method: str = "LSODA") -> Run:
     """Run as `runs.run` does, by `solve_ivp` of SciPy with LSODA or Radau; phases, events and reasons are the same.
+
+    A machine that remembers does so at the ends of phases only: `run_well` runs it by the explicit method.
 
     Raises
     ------
     ImportError
         Where SciPy is not installed.
     """
-    derive, own = parts = joined(kernels, True)
-    limits, state, time = asked.limits, asked.start.copy(), 0.0
-    table, events = np.full((len(asked.samples), N_STATE), np.nan), list[Event]()
-    sense, n_calls, n_reversals = float(np.sign(state[1])), 0, 0
-    reason = transient.TIME_OUT
-    while time < limits.end_time:
+    parts, train = joined(kernels, True), train_of(drive, kernels, True)
+    going = _Going(parts, train, asked, method, np.full((len(asked.samples), N_STATE), np.nan), [])
+    state, time, n_calls, n_reversals = asked.start.copy(), 0.0, 0, 0
+    machine, settle = parts.kernels.machine, parts.kernels.settle
+    settle(state[0], train.machine)
+    sense, reason = float(np.sign(state[1])), GOING
+    before = machine(state[0], state[1], sense, train.machine)[0]
+    while reason == GOING and time < asked.limits.end_time:
         if sense == 0.0:
-            sense = sense_of_start(time, state[0], own, drive)
-        if sense == 0.0:
-            events.append(Event(transient.HELD, time, float(state[0]), 0.0))
-            at = let_go_at(time, limits.end_time, state[0], own, drive) if limits.is_timed else np.inf
-            _fill(
-                table,
-                asked.samples,
-                time,
-                min(at, limits.end_time),
-                _held(state),
-            )
-            if at == np.inf:
-                reason = transient.STALLED if abs(own.motor(0.0, time, drive.motor)) > 0 else transient.AT_REST
-                break
-            events.append(Event(transient.SET_OFF, at, float(state[0]), 0.0))
-            state[5] += own.heat(0.0, time, drive.motor) * (at - time)
-            time = at
+            sense, time, reason = _set_off(going, time, state)
             continue
-        later = asked.breaks[asked.breaks > time]
-        until = min(limits.end_time, float(later[0]) if len(later) else np.inf)
-        slopes = np.zeros(N_STATE)
-        trouble = derive(time, state, slopes, sense, drive)
-        if trouble:
-            reason = transient.LINKS_OPEN if trouble == OPEN else transient.GEARING_JAMS
+        state[0] = on_the_way(state[0], sense, asked.corners, asked.period)
+        reason = _trouble(going, time, state, sense)
+        if reason != GOING:
             break
-        found = _phase(parts, drive, limits, sense, (time, until), state, method)
-        n_calls += found.nfev
-        stopped, passed, over, dead = found.t_events
-        events += [
-            Event(kind, float(when), float(y[0]), float(y[1]))
-            for kind, times, states in (
-                (transient.REVERSAL, stopped, found.y_events[0]),
-                (transient.SPEED_PASSED, passed, found.y_events[1]),
-                (transient.DEAD_POSITION, dead, found.y_events[3]),
-            )
-            for when, y in zip(times, states, strict=True)
-        ]
-        _fill(table, asked.samples, time, found.t[-1], found.sol)
-        time, state = float(found.t[-1]), found.y[:, -1].copy()
-        if len(over):
-            reason = transient.OVERSPEED
-            break
-        if len(passed) and limits.stops_at_target:
-            reason = transient.SPEED_REACHED
-            break
-        if len(stopped):
+        time, state, ending, n_more = _phase(going, time, state, sense)
+        n_calls += n_more
+        settle(state[0], train.machine)
+        if ending == endings.SWINGS:
             state[1], sense, n_reversals = 0.0, 0.0, n_reversals + 1
-            if n_reversals >= limits.most_reversals:
-                reason = transient.SWINGS
-                break
-        elif time < until:
-            reason = transient.TOO_MANY_STEPS
-            break
-    is_there = ~np.isnan(table[:, 0])
-    residual, supplied = energy_account(parts, drive, asked.start, state)
-    in_order = tuple(sorted(events, key=lambda one: one.time))
-    return Run(
-        reason, time, state, asked.samples[is_there], table[is_there], in_order, residual, supplied, n_calls, method
-    )
+            ending = endings.SWINGS if n_reversals >= asked.limits.most_reversals else GOING
+        reason = ending
+    after = machine(state[0], state[1], sense, train.machine)[0]
+    residual, supplied = energy_account(drive, (before, after), asked.start, state)
+    is_there = ~np.isnan(going.table[:, 0])
+    in_order = tuple(sorted(going.events, key=lambda one: one.time))
+    reason = endings.TIME_OUT if reason == GOING else reason
+    table = going.table[is_there]
+    return Run(reason, time, state, asked.samples[is_there], table, in_order, residual, supplied, n_calls, method)
 
 
-def _phase(
-    parts: Any, drive: DriveTrain, limits: Any, sense: float, span: tuple[float, float], state: Array, method: str
-) -> Any:
-    """Integrate with the sense as it is, to the end of the span or an event that ends the phase."""
+def _set_off(going: _Going, time: float, state: Array) -> tuple[float, float, int]:
+    """Sense in which a crank at rest sets off, when, and `GOING`; or 0 and the reason why it never does."""
+    (_, own), train, asked, _, table, events = going
+    corners = (asked.corners, asked.period)
+    sense = sense_of_start(time, state[0], own, train, *corners)
+    if sense != 0.0:
+        return sense, time, GOING
+    events.append(Event(endings.HELD, time, float(state[0]), 0.0))
+    until = asked.limits.end_time
+    at = let_go_at(time, until, state[0], own, train, *corners) if asked.limits.is_timed else np.inf
+    _fill(table, asked.samples, time, min(at, until), _held(state))
+    if at == np.inf:
+        return 0.0, time, kind_of_rest(time, own, train)
+    events.append(Event(endings.SET_OFF, at, float(state[0]), 0.0))
+    state[5] += own.heat(0.0, time, train.motor) * (at - time)
+    return sense_of_start(at, state[0], own, train, *corners), at, GOING
+
+
+def _trouble(going: _Going, time: float, state: Array, sense: float) -> int:
+    """Why a phase cannot begin; `GOING` where it can."""
+    slopes = np.zeros(N_STATE)
+    _, grown = going.parts.derive(time, state[0], state[1], sense, sense * np.inf, slopes, 0, going.train)
+    if grown == grown:
+        return GOING
+    return endings.LINKS_OPEN if is_open(slopes, 0) else endings.GEARING_JAMS
+
+
+def _phase(going: _Going, time: float, state: Array, sense: float) -> tuple[float, Array, int, int]:
+    """Integrate to the next break, corner or event that ends a phase: time, state, how it ended, and how many calls."""
+    _, _, asked, _, table, events = going
+    later = asked.breaks[asked.breaks > time]
+    until = min(asked.limits.end_time, float(later[0]) if len(later) else np.inf)
+    found = _solved(going, sense, (time, until), state)
+    stopped, passed, over, _, corner = found.t_events[:5]
+    for kind, which in ((endings.REVERSAL, 0), (endings.SPEED_PASSED, 1), (endings.DEAD_POSITION, 3)):
+        for when, y in zip(found.t_events[which], found.y_events[which], strict=True):
+            events.append(Event(kind, float(when), float(y[0]), float(y[1])))
+    _fill(table, asked.samples, time, found.t[-1], found.sol)
+    end = float(found.t[-1])
+    ending = endings.TOO_MANY_STEPS
+    if len(over):
+        ending = endings.OVERSPEED
+    elif len(passed) and asked.limits.stops_at_target:
+        ending = endings.SPEED_REACHED
+    elif len(stopped):
+        ending = endings.SWINGS
+    elif len(corner) or end >= until:
+        ending = GOING
+    return end, found.y[:, -1].copy(), ending, found.nfev
+
+
+def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array) -> Any:
+    """What `solve_ivp` finds with the sense as it is."""
     from scipy import integrate
 
+    (derive, own), train, asked, method, _, _ = going
+    limits, slopes = asked.limits, np.empty(N_STATE)
+    bound = corner_ahead(state[0], sense, asked.corners, asked.period)
+
     def slope(time: float, state: Array) -> Array:
-        slopes = np.empty(N_STATE)
-        parts.derive(time, np.ascontiguousarray(state), slopes, sense, drive)
-        return slopes
+        derive(time, state[0], state[1], sense, bound, slopes, 0, train)
+        return slopes.copy()
 
     def stopped(_time: float, state: Array) -> float:
         return sense * state[1]
@@ -160,23 +201,21 @@ def _phase(
         return sense * state[1] - min(limits.overspeed, 1e300)
 
     def dead(_time: float, state: Array) -> float:
-        return parts.kernels.machine(state[0], state[1], sense, drive.machine)[3]
+        return own.machine(state[0], state[1], sense, train.machine)[3]
+
+    def corner(_time: float, state: Array) -> float:
+        return max(sense * (state[0] - bound), -1e300)
 
     stopped.terminal, stopped.direction = True, -1.0  # pyright: ignore[reportFunctionMemberAccess]
     passed.terminal, passed.direction = limits.stops_at_target, 1.0  # pyright: ignore[reportFunctionMemberAccess]
     over.terminal, over.direction = True, 1.0  # pyright: ignore[reportFunctionMemberAccess]
+    corner.terminal, corner.direction = True, 1.0  # pyright: ignore[reportFunctionMemberAccess]
+    closeness = _CLOSER * limits.tolerance
     solve: Any = cast(Any, integrate).solve_ivp
     return solve(
-        slope,
-        span,
-        state,
-        method=method,
-        rtol=max(_CLOSER * limits.tolerance, 3e-14),
-        atol=_CLOSER * limits.tolerance,
-        max_step=0.02 * limits.end_time,
-        dense_output=True,
-        events=(stopped, passed, over, dead),
-    )
+        slope, span, state, method=method, rtol=max(closeness, 3e-14), atol=closeness,
+        max_step=0.02 * limits.end_time, dense_output=True, events=(stopped, passed, over, dead, corner),
+    )  # fmt: skip
 
 
 def _held(state: Array) -> Callable[[Array], Array]:

@@ -30,7 +30,7 @@ class ReducedLoad(NamedTuple):
     counts : float
         −1 where its travel counts against its way; of a torque on a shaft the sense in which it counts.
     size, at, exponent : float
-        Of a law by the speed.
+        Of a law by the speed; one by the angle goes with that power of the speed, too, mostly 0.
     first, n_points : int
         Its points among those of all.
     origin, period : float
@@ -190,7 +190,8 @@ def _size_of(load: Any, row: Any, x: float, angle: float, speed: float, sense: f
     if load[LAW] == BY_SPEED:
         return load[SIZE] * (abs(speed) / load[AT]) ** load[EXPONENT]
     if load[LAW] == BY_ANGLE:
-        return _between(points, first, n_points, (angle - load[ORIGIN]) % load[PERIOD], 1)
+        along = _between(points, first, n_points, (angle - load[ORIGIN]) % load[PERIOD], 1)
+        return along * (abs(speed) / load[AT]) ** load[EXPONENT]
     travel = load[COUNTS] * value_of(row, int(load[PLACE]), x) - load[ORIGIN]
     return _between(points, first, n_points, travel, 1 if sense >= 0 else 2)
 

@@ -1,35 +1,61 @@
 """Runs of a machine with its motor: what was asked, and what became of it."""
 
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from functools import cache
-from typing import Any, NamedTuple
+from functools import cache, partial
+from time import perf_counter
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from cranktrain.language import N_
 from cranktrain.motion import Array
-from cranktrain.questions.drive.running import transient
+from cranktrain.questions.drive.running import endings
 from cranktrain.questions.drive.running.compiling import quick
-from cranktrain.questions.drive.running.equation import N_STATE, DriveTrain, Joined, Kernels, joined
+from cranktrain.questions.drive.running.course import (
+    INERTIA_AFTER,
+    INERTIA_BEFORE,
+    MARKS,
+    SAMPLE,
+    SENSE,
+    STEPS,
+    TIME,
+    Course,
+    copied,
+    course_from,
+)
+from cranktrain.questions.drive.running.endings import GOING, STOPPED, RunLimits
+from cranktrain.questions.drive.running.equation import DriveTrain, Joined, Kernels, Train, joined, train_of
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.transient import RunLimits, run_on
+from cranktrain.questions.drive.running.step import N_STATE
+from cranktrain.questions.drive.running.transient import begin_run, run_on
 from cranktrain.record import record
 
+Progress: TypeAlias = Callable[[float, float, float], object]
+"""(time, crank angle, speed) → anything. [s, rad, rad/s]"""
+
 REASONS = {
-    transient.TIME_OUT: N_("the time asked for is over"),
-    transient.SPEED_REACHED: N_("the speed asked for is reached"),
-    transient.AT_REST: N_("it stands still and nothing pulls"),
-    transient.STALLED: N_("it stands still: the motor's torque is within what load and friction hold"),
-    transient.OVERSPEED: N_("the load drives it over the speed allowed"),
-    transient.SWINGS: N_("it swings to and fro and does not get over"),
-    transient.TOO_MANY_STEPS: N_("it takes more steps than allowed"),
-    transient.LINKS_OPEN: N_("the links do not close"),
-    transient.GEARING_JAMS: N_("no acceleration or several satisfy the irreversible gearing: it jams"),
+    endings.TIME_OUT: N_("the time asked for is over"),
+    endings.SPEED_REACHED: N_("the speed asked for is reached"),
+    endings.AT_REST: N_("it stands still and nothing pulls"),
+    endings.STALLED: N_("it stands still: the motor's torque is within what load and friction hold"),
+    endings.OVERSPEED: N_("the load drives it over the speed allowed"),
+    endings.SWINGS: N_("it swings to and fro and does not get over"),
+    endings.TOO_MANY_STEPS: N_("it takes more steps than allowed"),
+    endings.LINKS_OPEN: N_("the links do not close"),
+    endings.GEARING_JAMS: N_("no acceleration or several satisfy the irreversible gearing: it jams"),
+    endings.STOPPED: N_("it was stopped"),
 }
 """Sentences, not yet translated, of why a run ended."""
 
 DEFAULT_TOLERANCE = 1e-8
 _MOST_MARKS = 2000
+_LEAST_APART = 1e-9
+"""Corners nearer to each other are one. [rad]"""
+_FIRST_STEPS = 20
+"""Before progress is told for the first time."""
+_BETWEEN_CALLS = 1 / 30
+"""Between two tellings. [s]"""
 
 
 @record
@@ -85,12 +111,14 @@ class Run:
 
 
 class Wanted(NamedTuple):
-    """How a run starts, ends, and where its state is wanted."""
+    """How a run starts, ends, where its state is wanted, and where something jumps; see `wanted`."""
 
     start: Array
     limits: RunLimits
     samples: Array
     breaks: Array
+    corners: Array
+    period: float
 
 
 def wanted(
@@ -100,6 +128,8 @@ def wanted(
     speed: float = 0.0,
     samples: Array | None = None,
     breaks: Array | tuple[float, ...] = (),
+    corners: Array | tuple[float, ...] = (),
+    period: float = 2 * np.pi,
     target_speed: float = np.inf,
     overspeed: float = np.inf,
     stops_at_target: bool = False,
@@ -109,6 +139,20 @@ def wanted(
     is_timed: bool = False,
 ) -> Wanted:
     """Say what is wanted of a run; see `RunLimits`. [s, rad, rad/s]
+
+    Parameters
+    ----------
+    end_time, angle, speed, target_speed, overspeed, stops_at_target, most_reversals, most_steps, tolerance, is_timed
+        See `RunLimits`; angle and speed are those of the start.
+    samples : Array, ascending, optional
+        Times at which the state is wanted. [s]
+    breaks : Array, optional
+        Times at which motor or brake jump. [s]
+    corners : Array, optional
+        Crank angles at which a load has a corner or jumps, or a chamber that remembers its gas turns round. A step ends
+        there; what the load is at the corner itself is asked on the side to which the crank goes. [rad]
+    period : float, optional
+        After which the corners come again: of a four-stroke engine two turns. [rad]
 
     Examples
     --------
@@ -122,20 +166,41 @@ def wanted(
     start = np.zeros(N_STATE)
     start[0], start[1] = angle, speed
     times = np.sort(np.asarray(breaks, dtype=float))
-    return Wanted(start, limits, np.array(() if samples is None else samples, dtype=float), times)
+    asked = np.array(() if samples is None else samples, dtype=float)
+    return Wanted(start, limits, asked, times, _apart(np.asarray(corners, dtype=float), period), float(period))
 
 
-def run(kernels: Kernels, drive: DriveTrain, asked: Wanted, *, is_compiled: bool = True) -> Run:
+def _apart(corners: Array, period: float) -> Array:
+    """Corners within a period, in their order, each once. [rad]"""
+    within = np.sort(np.mod(corners, period))
+    if len(within) < 2:
+        return within
+    before = np.concatenate((within[-1:] - period, within[:-1]))
+    return within[within - before > _LEAST_APART]
+
+
+def run(
+    kernels: Kernels,
+    drive: DriveTrain,
+    asked: Wanted,
+    *,
+    is_compiled: bool = True,
+    progress: Progress | None = None,
+) -> Run:
     """Run a machine by an explicit method.
 
     Parameters
     ----------
     kernels : Kernels
     drive : DriveTrain
-        Their numbers: floats, arrays of floats, and tuples of them.
+        Their numbers: floats, arrays of floats, and tuples of them. A run leaves them as they are: a machine that
+        remembers does so in a copy.
     asked : Wanted
     is_compiled : bool, optional
         With Numba; the first run with these kernels compiles.
+    progress : callable, optional
+        (time, crank angle, speed) → anything, called some 30 times a second of the user's time. With it, a run that
+        the user interrupts (Ctrl-C) gives what was computed so far, with the reason `STOPPED`; numbers are the same.
 
     Returns
     -------
@@ -143,28 +208,67 @@ def run(kernels: Kernels, drive: DriveTrain, asked: Wanted, *, is_compiled: bool
 
     Notes
     -----
-    docs/theory/transient, eqs. (26.7) to (26.12).
+    docs/theory/transient, eqs. (26.7) to (26.13).
     """
-    parts = joined(kernels, is_compiled)
-    loop = loop_of(parts, is_compiled)
-    state, table = asked.start.copy(), np.full((len(asked.samples), N_STATE), np.nan)
-    marks = np.empty((_MOST_MARKS, 4))
-    reason, time, n_steps, n_marks = loop(drive, state, asked.limits, asked.breaks, asked.samples, table, marks)
-    noted = sorted((Event(int(row[0]), *map(float, row[1:])) for row in marks[:n_marks]), key=lambda one: one.time)
-    is_there = ~np.isnan(table[:, 0])
-    residual, supplied = energy_account(parts, drive, asked.start, state)
+    loop = loop_of(joined(kernels, is_compiled), is_compiled)
+    train, course = train_of(drive, kernels, is_compiled), course_from(asked.start, is_compiled)
+    log = Log(np.empty((len(asked.samples), N_STATE)), np.empty((_MOST_MARKS, 4)))
+    if not is_compiled:
+        asked = asked._replace(
+            **{name: getattr(asked, name).tolist() for name in ("start", "samples", "breaks", "corners")}
+        )
+    reason, course = _run_through(partial(loop, train, asked), course, log, asked.limits.most_steps, progress)
+    return _result(reason, course, log, asked, drive)
+
+
+class Log(NamedTuple):
+    """States at the samples, and events: filled by the loop."""
+
+    table: Array
+    marks: Array
+
+
+def _run_through(loop: Any, course: Course, log: Log, most_steps: int, progress: Progress | None) -> tuple[int, Course]:
+    """Run to the end; where progress is told, so many steps at a time as take the time between two calls."""
+    if progress is None:
+        return loop(course, *log, most_steps + 1), course
+    kept, n_steps = copied(course), _FIRST_STEPS
+    try:
+        while True:
+            start = perf_counter()
+            reason = loop(course, *log, n_steps)
+            kept = copied(course)
+            progress(float(course.here[TIME]), float(course.state[0]), float(course.state[1]))
+            if reason != GOING:
+                return reason, course
+            n_steps = max(1, int(n_steps * min(4.0, _BETWEEN_CALLS / max(perf_counter() - start, 1e-9))))
+    except KeyboardInterrupt:
+        return STOPPED, kept
+
+
+def _result(reason: int, course: Course, log: Log, asked: Wanted, drive: DriveTrain) -> Run:
+    """What became of a run whose course has ended."""
+    n_samples, n_marks = course.counts[SAMPLE], course.counts[MARKS]
+    rows = sorted(log.marks[:n_marks].tolist(), key=_time_of)
+    residual, supplied = energy_account(
+        drive, (course.here[INERTIA_BEFORE], course.here[INERTIA_AFTER]), asked.start, course.state
+    )
     return Run(
         reason,
-        time,
-        state,
-        asked.samples[is_there],
-        table[is_there],
-        tuple(noted),
+        float(course.here[TIME]),
+        np.asarray(course.state),
+        np.asarray(asked.samples[:n_samples], dtype=float),
+        log.table[:n_samples],
+        tuple(Event(int(kind), time, angle, speed) for kind, time, angle, speed in rows),
         residual,
         supplied,
-        n_steps,
+        int(course.counts[STEPS]),
         "tsit5",
     )
+
+
+def _time_of(mark: list[float]) -> float:
+    return mark[1]
 
 
 def run_all(kernels: Kernels, cases: list[tuple[DriveTrain, Wanted]], *, n_threads: int = 2) -> list[Run]:
@@ -179,15 +283,13 @@ def run_all(kernels: Kernels, cases: list[tuple[DriveTrain, Wanted]], *, n_threa
         return done + list(pool.map(one, rest))
 
 
-def energy_account(parts: Joined, drive: DriveTrain, start: Array, end: Array) -> tuple[float, float]:
-    """Kinetic energy gained less work given, and the work by which to judge that. [J] Eq. (26.10)"""
+def energy_account(drive: DriveTrain, inertias: tuple[float, float], start: Any, end: Any) -> tuple[float, float]:
+    """Kinetic energy gained less work given, and the work by which to judge that. [J] Eq. (26.10)
+
+    By the machine's reduced inertia at the start and at the end. [kg·m²]
+    """
     turning = turning_inertia(drive.gearing)
-
-    def kinetic(state: Array) -> float:
-        inertia = parts.kernels.machine(state[0], state[1], np.sign(state[1]), drive.machine)[0]
-        return 0.5 * (turning + inertia) * state[1] ** 2
-
-    before, after = kinetic(start), kinetic(end)
+    before, after = 0.5 * (turning + inertias[0]) * start[1] ** 2, 0.5 * (turning + inertias[1]) * end[1] ** 2
     given = end[2] - end[3] - end[4]
     return float(after - before - given), float(max(abs(end[2]) + abs(end[3]), before, after))
 
@@ -202,10 +304,14 @@ def loop_of(parts: Joined, is_compiled: bool) -> Any:
     """Loop of a run with its kernels in it: given to it at every call, they would cost more than the run."""
     derive, kernels = parts
 
-    def loop(
-        drive: DriveTrain, state: Array, limits: RunLimits, breaks: Array, samples: Array, table: Array, marks: Array
-    ) -> tuple[int, float, int, int]:
-        return inner(derive, kernels, drive, state, 0.0, limits, breaks, samples, table, marks)
+    def loop(train: Train, asked: Wanted, course: Course, table: Array, marks: Array, most_steps: int) -> int:
+        here, state = course.here, course.state
+        if course.counts[STEPS] == 0:
+            begin(kernels, train, asked, course, table)
+            here[INERTIA_BEFORE] = kernels.machine(state[0], state[1], here[SENSE], train.machine)[0]
+        reason = inner(derive, kernels, train, asked, course, table, marks, most_steps)
+        here[INERTIA_AFTER] = kernels.machine(state[0], state[1], here[SENSE], train.machine)[0]
+        return reason
 
-    inner = quick(run_on) if is_compiled else run_on
+    inner, begin = (quick(run_on), quick(begin_run)) if is_compiled else (run_on, begin_run)
     return quick(loop) if is_compiled else loop

@@ -8,13 +8,14 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.numerics.roots import bracketed_roots
 from cranktrain.questions.drive.running.compiling import quick
-from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, joined
+from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, Train, joined, train_of
 from cranktrain.questions.drive.running.gearing import turning_inertia
-from cranktrain.questions.drive.running.step import error_of, take_step
+from cranktrain.questions.drive.running.step import N_STATE, ROW, Derive, error_of, integrate_along, take_step
 from cranktrain.record import record
 
 _TOLERANCE = 1e-12
 _MOST_STEPS = 100_000
+_LEAST_WIDTH = 1e-12
 
 
 @record
@@ -79,21 +80,22 @@ def steady_cycle(
 
     Notes
     -----
-    docs/theory/transient, eq. (26.13).
+    docs/theory/transient, eq. (26.14).
     """
     walk = _walk(kernels, is_compiled)
     turning = turning_inertia(drive.gearing)
+    train = train_of(drive, kernels, is_compiled=True)
     at_start = kernels_inertia(kernels, drive, is_compiled) + turning
     angles = np.linspace(0.0, cycle, n)
 
     def gained(energies: Array) -> Array:
-        return np.array([walk(drive, turning, float(energy), angles[[0, -1]])[-1, 0] - energy for energy in energies])
+        return np.array([walk(train, turning, float(energy), angles[[0, -1]])[-1, 0] - energy for energy in energies])
 
     ends = [np.array([0.5 * at_start * speed**2]) for speed in (slowest, fastest)]
     energy = float(bracketed_roots(gained, *ends)[0])
     if np.isnan(energy):
         return None
-    table = walk(drive, turning, energy, angles)
+    table = walk(train, turning, energy, angles)
     period = float(table[-1, 1])
     return SteadyCycle(
         angles,
@@ -113,63 +115,67 @@ def kernels_inertia(kernels: Kernels, drive: DriveTrain, is_compiled: bool) -> f
 @cache
 def _walk(kernels: Kernels, is_compiled: bool) -> Any:
     """Walk over given angles: energy, time, ∫M dt, ∫M² dt and speed at each; energy −1 where it stalls."""
-    parts = joined(kernels, is_compiled)
-    in_time, machine = parts.derive, parts.kernels.machine
+    own = joined(kernels, is_compiled)
+    in_time, machine = own.derive, own.kernels.machine
 
-    def derive(angle: float, state: Array, slopes: Array, sense: float, parts: Any) -> int:
-        drive, turning, by_time, own = parts
-        inertia = machine(angle, 0.0, sense, drive.machine)[0]
-        speed = np.sqrt(2.0 * state[0] / (inertia + turning))
-        own[0], own[1] = angle, speed
-        trouble = in_time(0.0, own, by_time, sense, drive)
-        torque = by_time[2] / speed
-        slopes[0] = (by_time[2] - by_time[3] - by_time[4]) / speed
-        slopes[1] = 1.0 / speed
-        slopes[2] = _at_motor(torque, drive) / speed
-        slopes[3] = _at_motor(torque, drive) ** 2 / speed
-        return trouble
+    def derive(
+        angle: float, energy: float, _time: float, sense: float, bound: float, slopes: Any, place: int, parts: Any
+    ) -> tuple[float, float]:
+        train, turning, by_time = parts
+        inertia = machine(angle, 0.0, sense, train.machine)[0]
+        speed = np.sqrt(2.0 * energy / (inertia + turning))
+        in_time(0.0, angle, speed, sense, bound, by_time, 0, train)
+        at_motor = by_time[2] / speed / train.one.ratio
+        slopes[place] = (by_time[2] - by_time[3] - by_time[4]) / speed
+        slopes[place + 1] = 1.0 / speed
+        slopes[place + 2] = at_motor / speed
+        slopes[place + 3] = at_motor * at_motor / speed
+        return slopes[place], slopes[place + 1]
 
-    def walk(drive: DriveTrain, turning: float, energy: float, angles: Array) -> Array:
-        state, ahead, slopes = np.zeros(4), np.zeros(4), np.zeros((7, 4))
-        own = (drive, turning, np.zeros(6), np.zeros(6))
+    def walk(train: Train, turning: float, energy: float, angles: Array) -> Array:
+        state, ahead, slopes = np.zeros(N_STATE), np.zeros(N_STATE), np.zeros(7 * ROW)
+        parts = (train, turning, np.zeros(ROW))
         table = np.zeros((len(angles), 5))
         state[0] = energy
-        angle, width, n_steps = angles[0], 1e-3, 0
-        derive_here(angle, state, slopes[0], 1.0, own)
-        table[0, 0] = energy
-        table[0, 4] = slopes[0, 1]
-        for at in range(1, len(angles)):
-            while angle < angles[at]:
-                n_steps += 1
-                is_last = angle + width >= angles[at]
-                step = angles[at] - angle if is_last else width
-                trouble = take(derive_here, angle, step, state, slopes, 1, ahead, 1.0, own)
-                error = error_in(slopes, step, 0) / (_TOLERANCE * abs(energy))
-                if trouble != 0 or not error <= 1.0:
-                    width = step * (max(0.1, 0.9 * error**-0.2) if error > 1.0 else 0.1)
-                    if width < 1e-12 or n_steps > _MOST_STEPS:
-                        table[-1, 0] = -1.0
-                        return table
-                    continue
-                angle = angles[at] if is_last else angle + step
-                state[:] = ahead
-                slopes[0] = slopes[6]
-                if not is_last or error > 1e-3:
-                    width = step * min(5.0, 0.9 * max(error, 1e-10) ** -0.2)
-            table[at, :4] = state
-            table[at, 4] = 1.0 / slopes[0, 1]
-        table[0, 4] = 1.0 / table[0, 4]
+        width = 1e-3
+        derive_here(angles[0], energy, 0.0, 1.0, np.inf, slopes, 0, parts)
+        for at in range(len(angles)):
+            if at > 0:
+                width = walk_to(derive_here, angles[at - 1], angles[at], width, state, ahead, slopes, parts)
+            if width <= 0:
+                table[-1, 0] = -1.0
+                return table
+            table[at, :4] = state[:4]
+            table[at, 4] = 1.0 / slopes[1]
         return table
 
-    derive_here, take, error_in = (quick(derive), quick(take_step), quick(error_of)) if is_compiled else (
-        derive, take_step, error_of,
-    )  # fmt: skip
+    derive_here, walk_to = (quick(derive), quick(_walk_to)) if is_compiled else (derive, _walk_to)
     return quick(walk) if is_compiled else walk
 
 
-def _at_motor(torque: float, drive: DriveTrain) -> float:
-    """Torque at the motor of one at the crank without loss."""
-    overall = 1.0
-    for ratio in drive.gearing.ratio:
-        overall *= ratio
-    return torque / overall
+def _walk_to(
+    derive: Derive, angle: float, end: float, width: float, state: Any, ahead: Any, slopes: Any, parts: Any
+) -> float:
+    """Go from one angle to another; gives the width of the next step, 0 where it stalls."""
+    tolerance = _TOLERANCE * abs(state[0])
+    for _ in range(_MOST_STEPS):
+        is_last = angle + width >= end
+        step = end - angle if is_last else width
+        take_step(derive, angle, step, state, slopes, ahead, 1.0, np.inf, parts)
+        error = error_of(slopes, step, 0) / tolerance
+        # the last stage alone would not be seen in the error of all
+        if not (error <= 1.0 and slopes[6 * ROW] == slopes[6 * ROW]):
+            width = step * (max(0.1, 0.9 * error**-0.2) if error > 1.0 else 0.1)
+            if width < _LEAST_WIDTH:
+                return 0.0
+            continue
+        integrate_along(step, state, slopes, ahead)
+        for part in range(N_STATE):
+            state[part] = ahead[part]
+            slopes[part] = slopes[6 * ROW + part]
+        if not is_last or error > 1e-3:
+            width = step * min(5.0, 0.9 * max(error, 1e-10) ** -0.2)
+        if is_last:
+            return width
+        angle += step
+    return 0.0

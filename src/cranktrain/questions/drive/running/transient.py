@@ -1,303 +1,340 @@
-"""A run from one state to its end: steps, events, standstill; one kernel, plain or compiled."""
+"""A run from one state to its end: phases, steps, events; the same functions plain or compiled."""
 
-from typing import Any, NamedTuple
+import math
+from typing import Any
 
-import numpy as np
+from cranktrain.questions.drive.running.corners import beside, corner_ahead, on_the_way
+from cranktrain.questions.drive.running.course import (
+    BOUND,
+    BREAK,
+    FASTEST,
+    IS_FRESH,
+    OUTPUT,
+    REVERSALS,
+    SAMPLE,
+    SENSE,
+    STEPS,
+    TIME,
+    WIDTH,
+    go_ahead,
+    note,
+)
+from cranktrain.questions.drive.running.crossings import (
+    angle_of_dead_position,
+    passed_angle,
+    passed_level,
+)
+from cranktrain.questions.drive.running.endings import (
+    DEAD_POSITION,
+    GEARING_JAMS,
+    GOING,
+    LINKS_OPEN,
+    OVERSPEED,
+    REVERSAL,
+    SPEED_PASSED,
+    SPEED_REACHED,
+    SWINGS,
+    TIME_OUT,
+    TOO_MANY_STEPS,
+)
+from cranktrain.questions.drive.running.equation import is_open
+from cranktrain.questions.drive.running.rest import kind_of_rest, set_off
+from cranktrain.questions.drive.running.step import N_STATE, ROW, error_of, integrate_along, take_step, within
 
-from cranktrain.motion import Array
-from cranktrain.questions.drive.running.crossings import angle_of_dead_position, passed_angle, passed_level
-from cranktrain.questions.drive.running.equation import OPEN
-from cranktrain.questions.drive.running.gearing import acceleration
-from cranktrain.questions.drive.running.step import error_of, take_step, within
+NOWHERE, AT_TIME, AT_CORNER = range(3)
+"""Where a step is to land: wherever; at a break or the end of the run; at a corner of the load."""
+STOP, OVER, REACHED = range(3)
+"""What speeds may end a step."""
 
-TIME_OUT, SPEED_REACHED, AT_REST, STALLED, OVERSPEED, SWINGS, TOO_MANY_STEPS, LINKS_OPEN, GEARING_JAMS = range(9)
-"""Why a run ended."""
-REVERSAL, DEAD_POSITION, SPEED_PASSED, HELD, SET_OFF = range(5)
-"""What is noted on the way."""
-
-_OVER, _REACHED = 100, 101
-"""What else than a reversal may end a step, apart from all that is noted."""
-_LARGEST_TURN = 2 * np.pi / 50
+_LARGEST_TURN = 2 * math.pi / 50
 """In a step: with more, a speed that passes a level twice would be overlooked."""
 _LEAST_WIDTH = 1e-14
-_REST_LOOKS = 400
+_SHORT_OF_BREAK = 1e-13
+"""In parts of the run: a torque that begins at a break must not be seen by the last stages of the step before it."""
+_AT = 3
+"""How near to a corner is at it, in distances of its side."""
+_A_LITTLE_MORE = 1.0000001
+"""A step that would end so close before a break ends on it."""
 
 
-class RunLimits(NamedTuple):
-    """When a run ends and how closely it is computed.
-
-    Attributes
-    ----------
-    end_time : float
-        [s]
-    target_speed, overspeed : float
-        Of the crank, by amount; infinite where nobody asks. [rad/s]
-    stops_at_target : bool
-    most_reversals, most_steps : int
-    tolerance : float
-        Error of a step, of the angle in rad and of the speed in parts of the largest so far.
-    is_timed : bool
-        Whether motor or brake depend on the time: a crank that is held may then be let go.
-    """
-
-    end_time: float
-    target_speed: float
-    overspeed: float
-    stops_at_target: bool
-    most_reversals: int
-    most_steps: int
-    tolerance: float
-    is_timed: bool
-
-
-def sense_of_start(time: float, angle: float, kernels: Any, drive: Any) -> float:
-    """Which way a crank at rest sets off: 1 forward, −1 back, 0 held. docs/theory/transient, eq. (26.7)."""
-    torque = kernels.motor(0.0, time, drive.motor)
-    drag = kernels.brake(time, drive.brake)
-    for sense in (1.0, -1.0):
-        inertia, _, load, _ = kernels.machine(angle, 0.0, sense, drive.machine)
-        grown, _, count = acceleration(torque - drag * sense, sense, inertia, load, drive.gearing)
-        if count == 0 and grown * sense > 0:
-            return sense
-    return 0.0
-
-
-def let_go_at(time: float, until: float, angle: float, kernels: Any, drive: Any) -> float:
-    """When a crank that is held begins to move; infinite if not before `until`. [s]"""
-    before = time
-    for look in range(1, _REST_LOOKS + 1):
-        at = time + (until - time) * look / _REST_LOOKS
-        if sense_of_start(at, angle, kernels, drive) != 0.0:
-            for _ in range(60):
-                middle = 0.5 * (before + at)
-                if sense_of_start(middle, angle, kernels, drive) != 0.0:
-                    at = middle
-                else:
-                    before = middle
-            return at
-        before = at
-    return np.inf
-
-
-def _first_width(state: Array, slopes: Array, limits: RunLimits) -> float:
-    """A step small enough to be judged; the next ones adapt."""
-    width = 1e-3 * limits.end_time
-    if abs(slopes[0, 1]) > 0:
-        width = min(width, np.sqrt(2e-4 / abs(slopes[0, 1])))
-    if abs(state[1]) > 0:
-        width = min(width, 1e-3 / abs(state[1]))
-    return width
-
-
-def _noted(marks: Array, n_marks: int, kind: int, time: float, angle: float, speed: float) -> int:
-    """Write down an event where there is room."""
-    if n_marks < len(marks):
-        marks[n_marks, 0] = kind
-        marks[n_marks, 1] = time
-        marks[n_marks, 2] = angle
-        marks[n_marks, 3] = speed
-        return n_marks + 1
-    return n_marks
-
-
-def _settled_on(
-    derive: Any, time: float, state: Array, slopes: Array, theta: float, width: float, which: int, level: float,
-    ahead: Array, again: Array, sense: float, drive: Any,
-) -> float:  # fmt: skip
-    """Width of a step to where angle (0) or speed (1) has the level, by Newton's method over steps of that length.
-
-    The interpolant is of a lower order than the step, so it only gives the start.
-    """
-    part = theta * width
-    for part_of in range(len(state)):
-        again[0, part_of] = slopes[0, part_of]
-    for _ in range(3):
-        take_step(derive, time, part, state, again, 2, ahead, sense, drive)
-        if again[6, which] == 0 or not abs(again[6, which]) < np.inf:
-            break
-        move = (level - ahead[which]) / again[6, which]
-        if abs(move) > 0.1 * width:
-            break
-        part += move
-    take_step(derive, time, part, state, again, 2, ahead, sense, drive)
-    return part
+def begin_run(kernels: Any, train: Any, asked: Any, course: Any, table: Any) -> None:
+    """Let the machine remember how it stands, and write down the samples at which nothing has happened yet."""
+    state, row = course.state, 0
+    kernels.settle(state[0], train.machine)
+    while row < len(asked.samples) and asked.samples[row] <= course.here[TIME]:
+        for part in range(N_STATE):
+            table[row, part] = state[part]
+        row += 1
+    course.counts[SAMPLE] = row
 
 
 def run_on(
-    derive: Any, kernels: Any, drive: Any, state: Array, start_time: float, limits: RunLimits, breaks: Array,
-    samples: Array, table: Array, marks: Array,
-) -> tuple[int, float, int, int]:  # fmt: skip
-    """Run until something ends it.
+    derive: Any, kernels: Any, train: Any, asked: Any, course: Any, table: Any, marks: Any, most_steps: int
+) -> int:
+    """Run until something ends it, or for a number of steps.
 
     Parameters
     ----------
     derive, kernels
         Of `equation.joined`.
-    drive : DriveTrain
-    state : Array, shape (6,)
-        Changed to that at the end.
-    start_time : float
-        [s]
-    limits : RunLimits
-    breaks : Array, ascending
-        Times at which motor or brake jump: a step ends there. [s]
-    samples : Array, ascending
-        Times at which the state is wanted, of which `table`, shape (samples, 6), is filled as far as the run goes. [s]
+    train : Train
+    asked : Wanted
+    course : Course
+        Changed to where the run stands at the end. It may go on from there, and gives the same as in one go.
+    table : Array, shape (samples, 6)
+        Filled as far as the run goes.
     marks : Array, shape (most, 4)
         Filled with kind, time, angle and speed of events.
+    most_steps : int
 
     Returns
     -------
-    tuple
-        Reason, time, how many steps and how many marks.
+    int
+        A reason, or `GOING`.
     """
-    time, n_marks, n_steps, n_reversals = start_time, 0, 0, 0
-    i_sample, i_break = 0, 0
-    n_samples, n_breaks = len(samples), len(breaks)
-    n_state = len(state)
-    slopes, again = np.zeros((7, n_state)), np.zeros((7, n_state))
-    ahead, trial = np.zeros(n_state), np.zeros(n_state)
-    sense = np.sign(state[1])
-    fastest = abs(state[1])
-    while i_break < n_breaks and breaks[i_break] <= time:
-        i_break += 1
-    while i_sample < n_samples and samples[i_sample] <= time:
-        for part in range(n_state):
-            table[i_sample, part] = state[part]
-        i_sample += 1
-    while True:
-        if sense == 0.0:
-            sense = sense_of_start(time, state[0], kernels, drive)
-            if sense == 0.0:
-                n_marks = _noted(marks, n_marks, HELD, time, state[0], 0.0)
-                resting = derive(time, state, slopes[0], 0.0, drive)
-                if resting == OPEN:
-                    return LINKS_OPEN, time, n_steps, n_marks
-                let_go = np.inf
-                if limits.is_timed:
-                    let_go = let_go_at(time, limits.end_time, state[0], kernels, drive)
-                if let_go == np.inf:
-                    return _kind_of_rest(time, kernels, drive), time, n_steps, n_marks
-                heat = slopes[0, 5]
-                while i_sample < n_samples and samples[i_sample] <= let_go:
-                    for part in range(n_state):
-                        table[i_sample, part] = state[part]
-                    table[i_sample, 5] += heat * (samples[i_sample] - time)
-                    i_sample += 1
-                derive(let_go, state, slopes[0], 0.0, drive)
-                state[5] += 0.5 * (heat + slopes[0, 5]) * (let_go - time)
-                time = let_go
-                sense = sense_of_start(time, state[0], kernels, drive)
-                n_marks = _noted(marks, n_marks, SET_OFF, time, state[0], 0.0)
-                while i_break < n_breaks and breaks[i_break] <= time:
-                    i_break += 1
-                if time >= limits.end_time:
-                    return TIME_OUT, time, n_steps, n_marks
-        # a new phase: from here all is smooth until the next event or break
-        trouble = derive(time, state, slopes[0], sense, drive)
-        if trouble != 0:
-            return LINKS_OPEN if trouble == OPEN else GEARING_JAMS, time, n_steps, n_marks
-        output = kernels.machine(state[0], state[1], sense, drive.machine)[3]
-        width = _first_width(state, slopes, limits)
-        is_same_phase = True
-        while is_same_phase:
-            if time >= limits.end_time:
-                return TIME_OUT, time, n_steps, n_marks
-            if n_steps >= limits.most_steps:
-                return TOO_MANY_STEPS, time, n_steps, n_marks
-            n_steps += 1
-            until = limits.end_time
-            if i_break < n_breaks and breaks[i_break] < until:
-                until = breaks[i_break]
-            speed, grown = abs(state[1]), abs(slopes[0, 1])
-            width = min(
-                width, 2 * _LARGEST_TURN / (speed + np.sqrt(speed * speed + 2 * grown * _LARGEST_TURN) + 1e-300)
-            )
-            is_last = time + width * 1.0000001 >= until
-            if is_last:
-                # a torque that begins at the break must not be seen by the last stages of the step before it
-                width = until - time - (1e-13 * limits.end_time if until < limits.end_time else 0.0)
-            trouble = take_step(derive, time, width, state, slopes, 2, ahead, sense, drive)
-            largest = max(fastest, abs(ahead[1]))
-            error = max(
-                error_of(slopes, width, 0) / limits.tolerance,
-                error_of(slopes, width, 1) / (limits.tolerance * largest + 1e-300),
-            )
-            if trouble != 0 or not error <= 1.0:
-                factor = 0.9 * error**-0.2 if trouble == 0 and error == error else 0.1
-                width *= max(0.1, factor)
-                if width < _LEAST_WIDTH * max(time, 1e-3 * limits.end_time):
-                    if trouble == 0:
-                        return TOO_MANY_STEPS, time, n_steps, n_marks
-                    return LINKS_OPEN if trouble == OPEN else GEARING_JAMS, time, n_steps, n_marks
-                continue
-            theta_end, ending, level = 1.0, -1, 0.0
-            stop = passed_level(state, slopes, width, 0.0, -sense)
-            if stop <= theta_end:
-                theta_end, ending, level = stop, REVERSAL, 0.0
-            over = passed_level(state, slopes, width, sense * limits.overspeed, sense)
-            if over < theta_end:
-                theta_end, ending, level = over, _OVER, sense * limits.overspeed
-            reached = passed_level(state, slopes, width, sense * limits.target_speed, sense)
-            if reached < theta_end:
-                if limits.stops_at_target:
-                    theta_end, ending, level = reached, _REACHED, sense * limits.target_speed
-                else:
-                    passed = sense * limits.target_speed
-                    part = _settled_on(
-                        derive, time, state, slopes, reached, width, 1, passed, trial, again, sense, drive
-                    )
-                    n_marks = _noted(marks, n_marks, SPEED_PASSED, time + part, trial[0], trial[1])
-            if ending < 0 and ahead[1] * sense < 0:  # it sets off the other way: nearer to where it stands
-                width *= 0.25
-                if width < _LEAST_WIDTH * max(time, 1e-3 * limits.end_time):
-                    return _kind_of_rest(time, kernels, drive), time, n_steps, n_marks
-                continue
-            now = kernels.machine(ahead[0], ahead[1], sense, drive.machine)[3]
-            if now * output < 0:
-                dead = angle_of_dead_position(kernels.machine, drive.machine, sense, state[0], ahead[0])
-                at = passed_angle(state, slopes, width, dead, sense)
-                if at <= theta_end:
-                    part = _settled_on(derive, time, state, slopes, at, width, 0, dead, trial, again, sense, drive)
-                    n_marks = _noted(marks, n_marks, DEAD_POSITION, time + part, trial[0], trial[1])
-            part = width
-            if ending >= 0:
-                part = _settled_on(derive, time, state, slopes, theta_end, width, 1, level, trial, again, sense, drive)
-            while i_sample < n_samples and samples[i_sample] <= time + part:
-                theta = (samples[i_sample] - time) / width
-                for component in range(n_state):
-                    table[i_sample, component] = within(state, slopes, width, theta, component)
-                i_sample += 1
-            if ending >= 0:
-                time += part
-                for component in range(n_state):
-                    state[component] = trial[component]
-                if ending == _OVER:
-                    return OVERSPEED, time, n_steps, n_marks
-                if ending == _REACHED:
-                    n_marks = _noted(marks, n_marks, SPEED_PASSED, time, state[0], state[1])
-                    return SPEED_REACHED, time, n_steps, n_marks
-                state[1] = 0.0
-                sense = 0.0
-                n_reversals += 1
-                n_marks = _noted(marks, n_marks, REVERSAL, time, state[0], 0.0)
-                if n_reversals >= limits.most_reversals:
-                    return SWINGS, time, n_steps, n_marks
-                is_same_phase = False
-                continue
-            if now != 0.0:
-                output = now
-            time = until if is_last else time + width
-            for component in range(n_state):
-                state[component] = ahead[component]
-                slopes[0, component] = slopes[6, component]
-            fastest = largest
-            width *= min(5.0, 0.9 * max(error, 1e-10) ** -0.2)
-            if is_last and i_break < n_breaks and until == breaks[i_break]:
-                i_break += 1
-                is_same_phase = False
+    goal = course.counts[STEPS] + most_steps
+    reason = GOING
+    while reason == GOING and course.counts[STEPS] < goal:
+        if course.counts[IS_FRESH] == 1:
+            reason = _begin_phase(derive, kernels, train, asked, course, table, marks)
+        if reason == GOING:
+            reason = _go_a_step(derive, kernels, train, asked, course, table, marks)
+    return reason
 
 
-def _kind_of_rest(time: float, kernels: Any, drive: Any) -> int:
-    """Whether a motor pulls at a crank that is held, or nothing does."""
-    return STALLED if abs(kernels.motor(0.0, time, drive.motor)) > 0 else AT_REST
+def _begin_phase(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, table: Any, marks: Any) -> int:
+    """Begin what is smooth until the next event, break or corner."""
+    here, counts, state = course.here, course.counts, course.state
+    if here[SENSE] == 0.0:
+        reason = set_off(derive, kernels, train, asked, course, table, marks)
+        if reason != GOING:
+            return reason
+    sense = here[SENSE]
+    state[0] = on_the_way(state[0], sense, asked.corners, asked.period)
+    here[BOUND] = corner_ahead(state[0], sense, asked.corners, asked.period)
+    while counts[BREAK] < len(asked.breaks) and asked.breaks[counts[BREAK]] <= here[TIME]:
+        counts[BREAK] += 1
+    _, grown = derive(here[TIME], state[0], state[1], sense, here[BOUND], course.slopes, 0, train)
+    if grown != grown:
+        return LINKS_OPEN if is_open(course.slopes, 0) else GEARING_JAMS
+    output = kernels.machine(state[0], state[1], sense, train.machine)[3]
+    if output * here[OUTPUT] < 0:  # a corner that is a dead position too lies between two phases
+        note(course, marks, DEAD_POSITION, here[TIME], state[0], state[1])
+    here[OUTPUT] = output
+    if here[WIDTH] == 0.0:
+        here[WIDTH] = _first_width(abs(state[1]), abs(grown), asked.limits.end_time)
+    counts[IS_FRESH] = 0
+    return GOING
+
+
+def _first_width(speed: float, grown: float, end_time: float) -> float:
+    """A step small enough to be judged; the next ones adapt."""
+    width = 1e-3 * end_time
+    if grown > 0:
+        width = min(width, math.sqrt(2e-4 / grown))
+    if speed > 0:
+        width = min(width, 1e-3 / speed)
+    return width
+
+
+def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, table: Any, marks: Any) -> int:
+    """Try a step; if its error is small enough, go to its end or to the first event in it."""
+    here, limits, slopes, ahead = course.here, asked.limits, course.slopes, course.ahead
+    if here[TIME] >= limits.end_time:
+        return TIME_OUT
+    if course.counts[STEPS] >= limits.most_steps:
+        return TOO_MANY_STEPS
+    course.counts[STEPS] += 1
+    width, landing = _width_and_landing(asked, course)
+    sense, bound = here[SENSE], here[BOUND]
+    take_step(derive, here[TIME], width, course.state, slopes, ahead, sense, bound, train)
+    if landing == AT_CORNER:
+        width = _width_to_corner(derive, course, width, train)
+    error = _error(course, width, limits.tolerance)
+    if not error <= 1.0:
+        return try_shorter(course, width, max(0.1, 0.9 * error**-0.2) if error > 1.0 else 0.1, limits.end_time)
+    if landing != AT_TIME:
+        landing = AT_CORNER if abs(ahead[0] - bound) <= _AT * beside(ahead[0]) else NOWHERE
+    theta, event, level = _first_event(limits, course, width)
+    if sense * (_angle_at(course, width, theta) - bound) > _AT * beside(ahead[0]):
+        return try_shorter(course, width, 0.5, limits.end_time)
+    if event < 0 and ahead[1] * sense < 0:  # it sets off the other way: nearer to where it stands
+        reason = try_shorter(course, width, 0.25, limits.end_time)
+        return reason if reason == GOING else kind_of_rest(here[TIME], kernels, train)
+    integrate_along(width, course.state, slopes, ahead)
+    now = _note_on_the_way(derive, kernels, train, limits, course, width, theta, marks)
+    if event >= 0:
+        width = step_to(derive, train, course, theta, width, 1, level)
+        _sample(asked.samples, course, course.again, width, table)
+        go_ahead(course, here[TIME] + width, course.trial)
+        kernels.settle(course.state[0], train.machine)
+        return _after_event(event, limits, course, marks)
+    _sample(asked.samples, course, slopes, width, table)
+    _go_to_the_end(asked, course, width, landing, error)
+    kernels.settle(course.state[0], train.machine)
+    if now != 0.0:
+        here[OUTPUT] = now
+    return GOING
+
+
+def _width_and_landing(asked: Any, course: Any) -> tuple[float, int]:
+    """How wide a step is to be tried, and where it should end."""
+    here, counts, end_time = course.here, course.counts, asked.limits.end_time
+    speed, grown = abs(course.state[1]), here[SENSE] * course.slopes[1]
+    width, landing = min(here[WIDTH], time_over(_LARGEST_TURN, speed, abs(grown))), NOWHERE
+    until, short = end_time, 0.0
+    if counts[BREAK] < len(asked.breaks) and asked.breaks[counts[BREAK]] < end_time:
+        until, short = asked.breaks[counts[BREAK]], _SHORT_OF_BREAK * end_time
+    if here[TIME] + width * _A_LITTLE_MORE >= until:
+        width, landing = until - here[TIME] - short, AT_TIME
+    to_corner = time_over(here[SENSE] * (here[BOUND] - course.state[0]), speed, grown)
+    if to_corner <= width:
+        return to_corner, AT_CORNER
+    return width, landing
+
+
+def time_over(turn: float, speed: float, grown: float) -> float:
+    """How long a turn takes at a constant acceleration; infinite where it is never made. [s]"""
+    square = speed * speed + 2 * grown * turn
+    return 2 * turn / (speed + math.sqrt(square) + 1e-300) if 0 <= square < math.inf else math.inf
+
+
+def _width_to_corner(derive: Any, course: Any, width: float, train: Any) -> float:
+    """Width of a step that ends at the corner, by Newton's method over steps of that length."""
+    here, ahead, bound = course.here, course.ahead, course.here[BOUND]
+    for _ in range(5):
+        miss = bound - ahead[0]
+        if not beside(bound) < abs(miss) < 0.5 * width * abs(ahead[1]):
+            break
+        width += miss / ahead[1]
+        take_step(derive, here[TIME], width, course.state, course.slopes, ahead, here[SENSE], bound, train)
+    return width
+
+
+def _error(course: Any, width: float, tolerance: float) -> float:
+    """Error of a step in parts of what is allowed, eq. (26.11); NaN where there are no slopes."""
+    fastest = max(course.here[FASTEST], abs(course.ahead[1]))
+    of_angle = error_of(course.slopes, width, 0) / tolerance
+    of_speed = error_of(course.slopes, width, 1) / (tolerance * fastest + 1e-300)
+    # without slopes the speed's is NaN, with which no comparison holds
+    return of_angle if of_speed <= of_angle else of_speed
+
+
+def try_shorter(course: Any, width: float, factor: float, end_time: float) -> int:
+    """Have a step tried again, shorter; where it gets too short, the reason why there are no slopes, if so."""
+    course.here[WIDTH] = width * factor
+    if course.here[WIDTH] >= _LEAST_WIDTH * max(course.here[TIME], 1e-3 * end_time):
+        return GOING
+    for stage in range(1, 7):
+        if course.slopes[stage * ROW + 1] != course.slopes[stage * ROW + 1]:
+            return LINKS_OPEN if is_open(course.slopes, stage * ROW) else GEARING_JAMS
+    return TOO_MANY_STEPS
+
+
+def _first_event(limits: Any, course: Any, width: float) -> tuple[float, int, float]:
+    """Part θ of a step at which a speed ends it, which one, and that speed; 1 and −1 where none does."""
+    sense = course.here[SENSE]
+    theta, event, level = 1.0, -1, 0.0
+    stop = passed_level(course, width, 0.0, -sense)
+    if stop <= theta:
+        theta, event = stop, STOP
+    if limits.overspeed < math.inf:
+        over = passed_level(course, width, sense * limits.overspeed, sense)
+        if over < theta or (event < 0 and over <= theta):
+            theta, event, level = over, OVER, sense * limits.overspeed
+    if limits.stops_at_target and limits.target_speed < math.inf:
+        reached = passed_level(course, width, sense * limits.target_speed, sense)
+        if reached < theta or (event < 0 and reached <= theta):
+            theta, event, level = reached, REACHED, sense * limits.target_speed
+    return theta, event, level
+
+
+def _angle_at(course: Any, width: float, theta: float) -> float:
+    """Crank angle at a part of the step. [rad]"""
+    return course.ahead[0] if theta == 1.0 else within(course.state, course.slopes, width, theta, 0)
+
+
+def _note_on_the_way(
+    derive: Any, kernels: Any, train: Any, limits: Any, course: Any, width: float, theta: float, marks: Any
+) -> float:
+    """Write down what happens within a step and does not end it; gives x′ of what is driven at its end."""
+    here, state, trial = course.here, course.state, course.trial
+    sense = here[SENSE]
+    if not limits.stops_at_target and limits.target_speed < math.inf:
+        level = sense * limits.target_speed
+        reached = passed_level(course, width, level, sense)
+        if reached <= theta:
+            part = step_to(derive, train, course, reached, width, 1, level)
+            note(course, marks, SPEED_PASSED, here[TIME] + part, trial[0], trial[1])
+    now = kernels.machine(course.ahead[0], course.ahead[1], sense, train.machine)[3]
+    if now * here[OUTPUT] < 0:
+        dead = angle_of_dead_position(kernels.machine, train.machine, sense, state[0], course.ahead[0])
+        at = passed_angle(course, width, dead)
+        if at <= theta:
+            part = step_to(derive, train, course, at, width, 0, dead)
+            note(course, marks, DEAD_POSITION, here[TIME] + part, trial[0], trial[1])
+    return now
+
+
+def step_to(derive: Any, train: Any, course: Any, theta: float, width: float, which: int, level: float) -> float:
+    """Width of a step to where angle (0) or speed (1) has the level, by Newton's method over steps of that length.
+
+    The interpolant is of a lower order than the step, so it only gives the start. Eq. (26.12)
+    """
+    here, state, again, trial = course.here, course.state, course.again, course.trial
+    part = theta * width
+    for component in range(N_STATE):
+        again[component] = course.slopes[component]
+    for attempt in range(4):
+        take_step(derive, here[TIME], part, state, again, trial, here[SENSE], here[BOUND], train)
+        miss, slope = level - trial[which], again[6 * ROW + which]
+        if attempt == 3 or not 1e-15 * width * abs(slope) < abs(miss) <= 0.1 * width * abs(slope):
+            break
+        part += miss / slope
+    integrate_along(part, state, again, trial)
+    return part
+
+
+def _sample(samples: Any, course: Any, slopes: Any, width: float, table: Any) -> None:
+    """Write down the state at the samples that lie in a step."""
+    time, row = course.here[TIME], course.counts[SAMPLE]
+    while row < len(samples) and samples[row] <= time + width:
+        theta = (samples[row] - time) / width
+        for part in range(N_STATE):
+            table[row, part] = within(course.state, slopes, width, theta, part)
+        row += 1
+    course.counts[SAMPLE] = row
+
+
+def _after_event(event: int, limits: Any, course: Any, marks: Any) -> int:
+    """What follows when a step has ended at a speed."""
+    here, counts, state = course.here, course.counts, course.state
+    if event == OVER:
+        return OVERSPEED
+    if event == REACHED:
+        note(course, marks, SPEED_PASSED, here[TIME], state[0], state[1])
+        return SPEED_REACHED
+    state[1], here[SENSE], here[WIDTH] = 0.0, 0.0, 0.0
+    counts[REVERSALS] += 1
+    counts[IS_FRESH] = 1
+    note(course, marks, REVERSAL, here[TIME], state[0], 0.0)
+    return SWINGS if counts[REVERSALS] >= limits.most_reversals else GOING
+
+
+def _go_to_the_end(asked: Any, course: Any, width: float, landing: int, error: float) -> None:
+    """Accept a whole step: on in the same phase, or with a new one from a break or corner."""
+    here, counts = course.here, course.counts
+    time = here[TIME] + width
+    if landing == AT_TIME:
+        time = asked.limits.end_time
+        if counts[BREAK] < len(asked.breaks):
+            time = min(time, asked.breaks[counts[BREAK]])
+    go_ahead(course, time, course.ahead)
+    for component in range(N_STATE):
+        course.slopes[component] = course.slopes[6 * ROW + component]
+    if landing == NOWHERE:
+        here[WIDTH] = width * min(5.0, 0.9 * max(error, 1e-10) ** -0.2)
+        return
+    counts[IS_FRESH] = 1 if time < asked.limits.end_time else 0
+    if landing == AT_TIME:
+        here[WIDTH] = 0.0

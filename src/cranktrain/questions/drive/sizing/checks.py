@@ -109,7 +109,17 @@ def motor_choice(demand: TorqueDemand, motors: MotorRange, reserve: float = VOLT
     >>> float(four_pole_motors().power[found.motor]), CRITERIA[found.misses], round(float(found.misses_by), 4)
     (4000.0, 'start', 0.171)
     """
-    uses = motor_uses(demand, motors, reserve)
+    return choice_of(motor_uses(demand, motors, reserve))
+
+
+def choice_of(uses: Array) -> MotorChoice:
+    """Smallest motor whose uses are all up to 1.
+
+    Parameters
+    ----------
+    uses : Array, shape (..., motor, criterion)
+        By rising size; of any criteria, of which `MotorChoice` then speaks.
+    """
     is_enough = np.all(uses <= 1, axis=-1)
     n_motors = uses.shape[-2]
     is_any = np.any(is_enough, axis=-1)

@@ -11,7 +11,7 @@ from cranktrain.numerics.subintervals import leggauss
 _N_PANELS, _N_NODES = 32, 12
 
 
-class Start(NamedTuple):
+class StartTimeHeat(NamedTuple):
     """How long it lasts, and what turns to heat in the rotor and what is connected to it. [s, J]"""
 
     time: Array
@@ -25,7 +25,7 @@ def unloaded_start(
     breakdown_slip: Array,
     slip: Array | float,
     first_slip: Array | float = 1.0,
-) -> Start:
+) -> StartTimeHeat:
     """Start without load of a motor by Kloss's simplified formula, in closed form.
 
     Parameters
@@ -39,7 +39,7 @@ def unloaded_start(
 
     Returns
     -------
-    Start
+    StartTimeHeat
 
     Notes
     -----
@@ -54,7 +54,7 @@ def unloaded_start(
     squares = (first_slip - slip) * (first_slip + slip)
     way = squares / (2 * breakdown_slip) + breakdown_slip * np.log(np.divide(first_slip, slip))
     time = inertia * synchronous_speed / (2 * breakdown_torque) * way
-    return Start(time, 0.5 * inertia * synchronous_speed**2 * squares)
+    return StartTimeHeat(time, 0.5 * inertia * synchronous_speed**2 * squares)
 
 
 def quickest_breakdown_slip(slip: Array) -> Array:
@@ -68,7 +68,7 @@ def loaded_start(
     inertia: Array,
     synchronous_speed: Array,
     speeds: Array,
-) -> Start:
+) -> StartTimeHeat:
     """Start against a load that hangs on the speed alone, with a constant inertia.
 
     Parameters
@@ -84,7 +84,7 @@ def loaded_start(
 
     Returns
     -------
-    Start, shape (...)
+    StartTimeHeat, shape (...)
         NaN where the motor's torque is not above the load all the way: it gets stuck.
 
     Notes
@@ -104,7 +104,7 @@ def loaded_start(
     held = np.where(is_free[..., np.newaxis] & (excess > 0), excess, np.nan)
     pace = step * np.asarray(inertia)[..., np.newaxis] / held
     heating = driving * (np.asarray(synchronous_speed)[..., np.newaxis] - speed)
-    return Start(np.asarray(np.sum(pace, axis=-1)), np.asarray(np.sum(pace * heating, axis=-1)))
+    return StartTimeHeat(np.asarray(np.sum(pace, axis=-1)), np.asarray(np.sum(pace * heating, axis=-1)))
 
 
 def starts_per_hour(

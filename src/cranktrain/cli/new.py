@@ -1,0 +1,99 @@
+"""`new` and `schema`: what a machine file starts from."""
+
+from pathlib import Path
+
+from cranktrain.errors import InputError
+from cranktrain.io.output import write_machine_file, write_whole
+from cranktrain.language import _
+from cranktrain.mechanisms import KINDS
+from cranktrain.mechanisms.kind import AnyKind
+from cranktrain.quantities import unlisted
+
+_SCHEMA_FILE = "cranktrain.schema.json"
+
+_TABLES = Path(__file__).parent / "starting"
+"""What stands in a new file after the mechanism: of each kind the tables that suit it, most behind comment marks."""
+
+_SPEEDS = {
+    "slider_crank": "1500 rpm",
+    "crank_rocker": "10 rpm",
+    "articulated_rod": "1500 rpm",
+    "scotch_yoke": "600 rpm",
+    "oscillating_cylinder": "300 rpm",
+    "slotted_lever": "30 rpm",
+    "eccentric": "90 rpm",
+    "stephenson": "180 rpm",
+    "walschaerts": "280 rpm",
+    "chain": "40 rpm",
+}
+"""Speeds at which machines of each kind and of these sizes turn: pumping unit, shaper, locomotive, press."""
+
+_HEAD = _("""\
+#:schema ./{schema}
+# For editors that complete as you type: cranktrain schema -o {schema}
+# What the machine does: cranktrain run FILE; what is still missing: cranktrain check FILE
+# A quantity is text with its unit; it can say where it is from:
+# {{ value = "90 mm", status = "published", note = "…", source = "…" }}; or derived, assumed, fitted
+""")
+
+_MARKS = _("""\
+# What stands behind a comment mark, `# key = …` or `# [table]` with its keys, works when the mark is taken away.
+""")
+
+_MACHINE = _("""
+name = "My machine"              # {title}
+rotation = "clockwise"            # or "anticlockwise", as seen from the free end of the shaft
+# running = "astern"              # against that sense
+""")
+
+_GRAVITY = _("""\
+# gravity = true                  # weights count, downward
+# crank_zero = "Y"                # angles count from where the crank points up
+""")
+
+_SHAFT = _("""
+[shaft.main]
+{speed:33} # with it: velocities and accelerations
+""")
+
+
+def write_new(kind: str, output: str | None, *, full: bool = False, force: bool) -> None:
+    """Write a machine file to start from, to the standard output unless a file is named."""
+    write_machine_file(output or "-", starting_file(_kind_called(kind), full=full), force=force)
+
+
+def write_schema(output: str | None, *, force: bool) -> None:
+    """Write the JSON schema of machine files, to the standard output unless a file is named."""
+    from cranktrain.io.schema import schema_text
+
+    write_whole(output or "-", schema_text(), force=force)
+
+
+def starting_file(kind: AnyKind, *, full: bool = False) -> str:
+    """Give a machine file with one mechanism of a kind, commented, that works as it is.
+
+    With `full` every table that suits the kind stands in it behind comment marks, and works without these.
+    """
+    tables = (_TABLES / f"{kind.name}.toml").read_text(encoding="utf-8")
+    if not full:
+        tables = tables.partition("\n# [")[0].rstrip("\n") + "\n"
+    return "".join(
+        (
+            _HEAD.format(schema=_SCHEMA_FILE),
+            _MARKS if full else "",
+            _MACHINE.format(title=_(kind.title)),
+            _GRAVITY if full else "",
+            _SHAFT.format(speed=f'speed = "{_SPEEDS[kind.name]}"'),
+            f"\n{kind.example}",
+            tables if tables.strip() else "",
+        )
+    )
+
+
+def _kind_called(name: str) -> AnyKind:
+    """Find the kind of that name; capitals do not matter, nor `-` for `_`."""
+    plain = name.casefold().replace("-", "_")
+    found = next((kind for kind in KINDS if kind.name == plain), None)
+    if found is None:
+        raise InputError([unlisted("KIND", name, [kind.name for kind in KINDS])])
+    return found

@@ -1,0 +1,86 @@
+"""A start as CSV over time, and as JSON with its events."""
+
+import csv
+import io
+import json
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from cranktrain.study.start import Start
+from cranktrain.motion import Array
+from cranktrain.scales import in_asked_unit
+from cranktrain.version import VERSION
+
+SUFFIXES = (".csv", ".json")
+
+
+def start_csv(start: Start, *, comma: bool = False) -> Iterator[str]:
+    """Write the curves of a start, one row for each time.
+
+    Parameters
+    ----------
+    start : Start
+    comma : bool
+        As spreadsheets take it where a comma divides decimals: semicolons between, a byte-order mark before.
+
+    Yields
+    ------
+    str
+        Lines: `#` lines with the machine, why it ended and the events; a head `name [unit]`; then the numbers.
+    """
+    if comma:
+        yield "\ufeff"
+    for word, sentence in _about(start):
+        yield f"# {word}: {' '.join(sentence.split())}\n"
+    columns = dict(_columns(start))
+    row = io.StringIO()
+    writer = csv.writer(row, delimiter=";" if comma else ",", lineterminator="\n")
+    writer.writerow(columns)
+    for numbers in zip(*(column.tolist() for column in columns.values()), strict=True):
+        digits = map(repr, numbers)
+        writer.writerow([number.replace(".", ",") for number in digits] if comma else digits)
+        yield row.getvalue()
+        row.seek(0)
+        row.truncate()
+
+
+def start_json(start: Start, machine: Mapping[str, object]) -> Iterator[str]:
+    """Write a start whole: a JSON object with `machine`, why it ended, `events`, `time` and `quantities`."""
+    quantities: dict[str, object] = {}
+    for name, entry in start.catalogue.items():
+        unit, values = in_asked_unit(entry.unit, getattr(start, name))
+        said = {"unit": unit, "symbol": entry.symbol, "sentence": entry.sentence, "source": entry.source}
+        quantities[name] = {**said, "values": values.tolist()}
+    whole = {
+        "cranktrain": VERSION,
+        "machine": machine,
+        "reason": start.run.reason,
+        "energy_residual": {"unit": "J", "value": start.run.residual, "supplied": start.run.supplied},
+        "tolerance": start.run.tolerance,
+        "events": [
+            {"name": event.name, "time": event.time, "crank_angle": np.degrees(event.angle), "speed": event.speed}
+            for event in start.events
+        ],
+        "time": {"unit": "s", "symbol": "t", "values": start.time.tolist()},
+        "quantities": quantities,
+    }
+    yield json.dumps(whole, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _about(start: Start) -> Iterator[tuple[str, str]]:
+    """What a table is of."""
+    yield "cranktrain", VERSION
+    yield "machine", start.machine.name
+    yield "ended", start.run.reason
+    yield "energy left over", f"{start.run.residual:.3g} J of {start.run.supplied:.6g} J"
+    for event in start.events:
+        yield "event", f"{event.name} at {event.time!r} s, crank angle {float(np.degrees(event.angle))!r} deg"
+
+
+def _columns(start: Start) -> Iterator[tuple[str, Array]]:
+    """Time and every curve with its head."""
+    yield "time [s]", start.time
+    for name, entry in start.catalogue.items():
+        unit, values = in_asked_unit(entry.unit, getattr(start, name))
+        yield f"{name} [{unit}]", values

@@ -1,0 +1,97 @@
+"""Which way things go on from an instant: clutch locked or slipping, crank held or moving."""
+
+import math
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.questions.drive.clutched.equation import (
+    ANGLE,
+    N_PRESS_STATE,
+    SPEED,
+    ActingPress,
+    PressPhase,
+    firm_acceleration,
+    needed_torque,
+)
+from cranktrain.questions.drive.running.equation import Kernels
+from cranktrain.questions.drive.running.step import Derive
+
+_LOOKS = 64
+_HALVINGS = 80
+
+
+def transmitted(
+    derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: ActingPress
+) -> float:
+    """Torque that a locked clutch hands on to what it drives. [N·m] docs/theory/clutched-drive, eq. (30.4)."""
+    press, phase, slopes = acting.press, acting.phase, np.zeros(N_PRESS_STATE)
+    derive(time, state, slopes, sense, acting)
+    angle, speed = min(max(float(state[ANGLE]), phase.low), phase.high), float(state[SPEED])
+    inertia, first, load, _ = kernels.machine(angle, speed, sense, press.machine)
+    drag = press.brake.torque * (phase.brake_level + phase.brake_slope * (time - phase.start)) * sense
+    on_crank = drag * press.brake_on_crank
+    facing = load + 0.5 * first * speed * speed + on_crank
+    return float(needed_torque(slopes[SPEED], sense, inertia, facing, press.behind)) + drag - on_crank
+
+
+def static_margin(
+    derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: ActingPress
+) -> float:
+    """By how much a locked clutch could hand on more than it does; below 0 it breaks loose. [N·m]"""
+    phase = acting.phase
+    level = phase.clutch_level + phase.clutch_slope * (time - phase.start)
+    return acting.press.clutch.static_torque * level - abs(transmitted(derive, kernels, time, state, sense, acting))
+
+
+def locked_or_slipping(
+    derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: ActingPress, *, must_slip: bool
+) -> PressPhase:
+    """Phase of a clutch whose sides turn alike: locked, or slipping the way that it is driven beyond what it holds.
+
+    It must slip where it has just broken loose: there what it hands on is what it holds, to rounding.
+    """
+    press, phase = acting.press, acting.phase
+    locked = phase._replace(is_locked=True)
+    trial = ActingPress(press, locked)
+    if not must_slip and static_margin(derive, kernels, time, state, sense, trial) >= 0:
+        return locked
+    way = math.copysign(1.0, transmitted(derive, kernels, time, state, sense, trial))
+    return phase._replace(is_locked=False, way=way)
+
+
+def urge(kernels: Kernels, time: float, angle: float, sense: float, acting: ActingPress) -> float:
+    """Acceleration in a sense of a crank at rest, against what the brake holds; below 0 it stays. [rad/s²]"""
+    press, phase = acting.press, acting.phase
+    since = time - phase.start
+    at = min(max(angle, phase.low), phase.high)
+    inertia, _, load, _ = kernels.machine(at, 0.0, sense, press.machine)
+    grip = phase.way * press.clutch.torque * (phase.clutch_level + phase.clutch_slope * since)
+    hold = press.brake.static_torque * (phase.brake_level + phase.brake_slope * since) * sense
+    on_crank = hold * press.brake_on_crank
+    grown, _, count = firm_acceleration(grip - hold + on_crank, sense, inertia, load + on_crank, press.behind)
+    return grown * sense if count == 0 else -math.inf
+
+
+def sense_from_rest(kernels: Kernels, time: float, angle: float, acting: ActingPress) -> float:
+    """Which way a crank at rest sets off: 1 forward, −1 back, 0 held. docs/theory/clutched-drive, eq. (30.5)."""
+    return next((sense for sense in (1.0, -1.0) if urge(kernels, time, angle, sense, acting) > 0), 0.0)
+
+
+def set_off_at(kernels: Kernels, time: float, until: float, angle: float, acting: ActingPress) -> float:
+    """When a crank that is held sets off, infinite if not before `until`; the courses are lines up to there. [s]"""
+    if not math.isfinite(until):
+        return math.inf
+    before = time
+    for look in range(1, _LOOKS + 1):
+        at = time + (until - time) * look / _LOOKS
+        if sense_from_rest(kernels, at, angle, acting) != 0:
+            for _ in range(_HALVINGS):
+                middle = 0.5 * (before + at)
+                if sense_from_rest(kernels, middle, angle, acting) != 0:
+                    at = middle
+                else:
+                    before = middle
+            return at
+        before = at
+    return math.inf

@@ -1,0 +1,122 @@
+"""The tables [drive.clutch], [drive.brake] and [drive.stroke] of the machine file."""
+
+from collections.abc import Iterator
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
+from cranktrain.quantities import (
+    Given,
+    NonNegativeInertia,
+    NonNegativeTime,
+    PositivePower,
+    PositiveRatio,
+    PositiveTorque,
+    TurnedAngle,
+)
+from cranktrain.questions.drive.clutched.courses import Grip
+from cranktrain.spec import Spec
+
+_AT_ONCE = Given(0.0, "0 s")
+_NOTHING = Given(0.0, "0 kg·m²")
+_TOP = Given(0.0, "0 deg")
+
+
+class GripSpec(Spec, frozen=True):
+    """What a clutch and a brake have in common: torques, and how long they take to come on and to let go."""
+
+    torque: PositiveTorque = Field(description=N_("While it slips, pressed on fully, at its own shaft."))
+    static_torque: PositiveTorque | None = Field(
+        default=None, description=N_("Up to which it holds without slip; as while it slips unless given.")
+    )
+    delay: NonNegativeTime = Field(
+        default=_AT_ONCE, description=N_("From the command to come on until its torque begins; none unless given.")
+    )
+    rise_time: NonNegativeTime = Field(
+        default=_AT_ONCE, description=N_("From there until its full torque, in a line; none unless given.")
+    )
+    release_delay: NonNegativeTime = Field(
+        default=_AT_ONCE, description=N_("From the command to let go until its torque falls; none unless given.")
+    )
+    fall_time: NonNegativeTime = Field(
+        default=_AT_ONCE, description=N_("In which a full torque falls to none, in a line; none unless given.")
+    )
+    mean_power: PositivePower | None = Field(
+        default=None, description=N_("Heat that it gives off in the mean, and so may take up; limits strokes.")
+    )
+
+    def _problems(self) -> Iterator[Problem]:
+        """Find a grip that holds less than it gives while it slips."""
+        if self.static_torque is not None and self.static_torque.si < self.torque.si:
+            allowed = _("must not be less than the torque while it slips, {torque}").format(torque=self.torque.text)
+            yield Problem("static_torque", self.static_torque.text, allowed, _("leave it out if it is not known"))
+
+
+class ClutchSpec(GripSpec, frozen=True):
+    """A clutch between the flywheel, which turns on, and the crank."""
+
+    on: Literal["motor"] | Annotated[int, Field(ge=1)] = Field(
+        description=N_(
+            "Which shaft it divides: the motor's, or that behind a stage, by its number. What [drive.part] has on that "
+            "shaft turns with its driving side."
+        )
+    )
+    driven_inertia: NonNegativeInertia = Field(
+        default=_NOTHING, description=N_("Of what turns with its driven side alone; none unless given.")
+    )
+
+
+class BrakeSpec(GripSpec, frozen=True):
+    """A brake that stops the crank, and holds it."""
+
+    on: Literal["motor", "flywheel", "clutch", "crank"] = Field(
+        default="crank", description=N_("On whose shaft it sits; of a clutch, on its driven side.")
+    )
+
+
+class StrokeSpec(Spec, frozen=True):
+    """Single strokes: from rest by the clutch, and to rest by the brake."""
+
+    command_angle: TurnedAngle | None = Field(
+        default=None,
+        description=N_("At which the clutch is let go and the brake comes on; that which ends on top unless given."),
+    )
+    start_angle: TurnedAngle = Field(
+        default=_TOP, description=N_("At which the crank rests at the beginning; top dead centre unless given.")
+    )
+    strokes_per_minute: PositiveRatio | None = Field(
+        default=None, description=N_("How many are required, which the flywheel and the heat must allow.")
+    )
+
+    def _problems(self) -> Iterator[Problem]:
+        """Find a command that comes before the start."""
+        if self.command_angle is not None and self.command_angle.si <= self.start_angle.si:
+            allowed = _("must be more than start_angle = {angle}: it comes on the way from there")
+            yield Problem("command_angle", self.command_angle.text, allowed.format(angle=self.start_angle.text))
+
+
+def press_problems(
+    clutch: ClutchSpec | None, brake: BrakeSpec | None, stroke: StrokeSpec | None, n_stages: int
+) -> Iterator[Problem]:
+    """Find what the three tables show only together, or with the stages, to be wrong; paths are relative to [drive]."""
+    if clutch is not None and clutch.on != "motor" and clutch.on > n_stages:
+        allowed = _('must be "motor" or the number of a stage, of which there are {n}').format(n=n_stages)
+        yield Problem("clutch.on", str(clutch.on), allowed)
+    if stroke is not None:
+        for key, table in (("clutch", clutch), ("brake", brake)):
+            if table is None:
+                yield Problem("stroke", None, _("needs [drive.{key}] as well").format(key=key))
+    if clutch is None and brake is not None and brake.on in ("clutch", "flywheel"):
+        yield Problem("brake.on", f'"{brake.on}"', _("needs [drive.clutch] as well"), _('write "motor" or "crank"'))
+    elif clutch is not None and brake is not None and brake.on in ("motor", "flywheel"):
+        allowed = _("leaves the crank free as soon as the clutch is let go: the brake must be behind the clutch")
+        yield Problem("brake.on", f'"{brake.on}"', allowed, _('write "crank" or "clutch"'))
+
+
+def grip_of(table: GripSpec) -> Grip:
+    """Take the numbers of a clutch or brake. [N·m, s]"""
+    static = table.torque if table.static_torque is None else table.static_torque
+    each = (table.torque, static, table.delay, table.rise_time, table.release_delay, table.fall_time)
+    return Grip(*(float(one.si) for one in each))

@@ -1,0 +1,267 @@
+"""The walk of a run through its phases."""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.questions.drive.clutched.courses import commanded
+from cranktrain.questions.drive.clutched.equation import (
+    ANGLE,
+    LINKS_DO_NOT_CLOSE,
+    N_PRESS_FED,
+    N_PRESS_STATE,
+    SPEED,
+    WHEEL,
+    Press,
+    joined_press,
+)
+from cranktrain.questions.drive.clutched.modes import static_margin
+from cranktrain.questions.drive.clutched.passings import least_within, states_within
+from cranktrain.questions.drive.clutched.phases import Ahead, ahead_of
+from cranktrain.questions.drive.clutched.runs import (
+    ANGLE_PASSED,
+    AT_STAND,
+    COMMAND,
+    GEAR_STUCK,
+    LINKS_BREAK_OPEN,
+    LOCKED,
+    LOOSE,
+    STEPS_EXHAUSTED,
+    WHEEL_RECOVERED,
+    WHEEL_STALLS,
+    Moment,
+    PressEvent,
+    PressPlan,
+    PressRun,
+    account,
+)
+from cranktrain.questions.drive.clutched.watches import (
+    LOOSENS,
+    MEETS,
+    PASSES_COMMAND,
+    PASSES_JUMP,
+    PASSES_WANTED,
+    RECOVERS,
+    STALLS,
+    STANDS,
+    Stepped,
+    Watch,
+    first_met,
+    watches_of,
+)
+from cranktrain.questions.drive.running.compiling import quick
+from cranktrain.questions.drive.running.equation import Kernels
+from cranktrain.questions.drive.running.step import take_step
+from cranktrain.questions.drive.running.tableau import ERRORS
+
+_LARGEST_TURN = 2 * math.pi / 50
+"""In a step: with more, a torque that is large for a moment would be overlooked. [rad]"""
+_MOST_AT_ONCE = 50
+_LEAST_WIDTH = 1e-15
+
+
+def run_press(kernels: Kernels, press: Press, start: Moment, plan: PressPlan, *, is_compiled: bool = True) -> PressRun:
+    """Run a press from a moment until something ends it.
+
+    Parameters
+    ----------
+    kernels : Kernels
+        Of machine, motor and its heat; the brake is the press's own.
+    press : Press
+    start : Moment
+        As `at_rest` or `turning` gives it, or one of another run.
+    plan : PressPlan
+    is_compiled : bool, optional
+        By Numba, which takes a while once.
+
+    Returns
+    -------
+    PressRun
+
+    Notes
+    -----
+    docs/theory/clutched-drive, eqs. (30.1) to (30.9). Events to rounding, as ends of steps.
+    """
+    walk = _Walk(kernels, press, start, plan, is_compiled)
+    reason = walk.to_end()
+    own = walk.kernels
+    residual, supplied = account(own, press, start.state, walk.now.state)
+    return PressRun(
+        reason, start, walk.now, tuple(walk.events), np.array(walk.times), np.array(walk.states), walk.lowest,
+        residual, supplied, walk.n_steps,
+    )  # fmt: skip
+
+
+class _Walk:
+    """Where a run is, and what it has met."""
+
+    def __init__(self, kernels: Kernels, press: Press, start: Moment, plan: PressPlan, is_compiled: bool) -> None:
+        self.derive, self.kernels = joined_press(kernels, is_compiled)
+        self.take: Any = quick(take_step) if is_compiled else take_step
+        self.press, self.plan, self.now = press, plan, start
+        self.events: list[PressEvent] = []
+        self.times, self.states = [start.time], [start.state]
+        self.lowest = float(start.state[WHEEL])
+        self.scale = max(abs(self.lowest), abs(float(start.state[SPEED]) * press.ratio)) or 1.0
+        self.scales = np.array([self.scale, 1.0, self.scale / press.ratio])
+        self.n_steps, self.n_at_once, self.is_loosened = 0, 0, False
+        self.wanted = [angle for angle in plan.passed if angle > start.state[ANGLE]]
+        self.slopes, self.trial = np.zeros((7, N_PRESS_STATE)), np.zeros((7, N_PRESS_STATE))
+
+    def to_end(self) -> int:
+        """Go from phase to phase; the reason of the end."""
+        while self.n_at_once <= _MOST_AT_ONCE:
+            ahead = ahead_of(self.derive, self.kernels, self.press, self.now, self.plan, must_slip=self.is_loosened)
+            self.is_loosened = False
+            for kind in ahead.happened:
+                self._note(kind)
+            reason = self._along(ahead) if ahead.reason is None else ahead.reason
+            if reason is not None:
+                return reason
+        return STEPS_EXHAUSTED
+
+    def _along(self, ahead: Ahead) -> int | None:
+        """Step through a phase; a reason if it ends the run."""
+        trouble = self.derive(self.now.time, self.now.state, self.slopes[0], ahead.sense, ahead.acting)
+        if trouble:
+            return _reason_of(trouble)
+        watches = watches_of(ahead, self.now, self.plan, self.wanted, self.scale)
+        width = self._first_width(ahead.until)
+        while self.n_steps < self.plan.most_steps:
+            width = min(width, self._largest_width())
+            is_last = self.now.time + width * (1 + 1e-9) >= ahead.until
+            width = ahead.until - self.now.time if is_last else width
+            state, trouble = self._step(self.slopes, width, ahead)
+            error = self._error(width)
+            self.n_steps += 1
+            if trouble or not error <= 1:
+                width *= max(0.1, 0.9 * error**-0.2) if trouble == 0 and error == error else 0.1
+                if width < _LEAST_WIDTH * max(self.now.time, 1e-3):
+                    return _reason_of(trouble)
+                continue
+            step = Stepped(self.now.state, self.slopes, width)
+            met = first_met(
+                watches,
+                step,
+                lambda part: self._again(part, ahead),
+                lambda time, state: self._spare(time, state, ahead),
+            )
+            if met is not None:
+                return self._meet(*met, ahead)
+            self._watch_lowest(width)
+            self._move(ahead.until if is_last else self.now.time + width, state)
+            if is_last:
+                return None
+            self.slopes[0] = self.slopes[6]
+            width *= min(5.0, 0.9 * max(error, 1e-10) ** -0.2)
+        return STEPS_EXHAUSTED
+
+    def _first_width(self, until: float) -> float:
+        grown = float(np.max(np.abs(self.slopes[0, [WHEEL, SPEED]]) * [1.0, self.press.ratio]))
+        return min(until - self.now.time, 1e-3 * self.scale / grown if grown > 0 else math.inf, 1e-2)
+
+    def _largest_width(self) -> float:
+        """In which the crank turns by no more than it may in a step. [s]"""
+        speed, grown = abs(float(self.now.state[SPEED])), abs(float(self.slopes[0, SPEED]))
+        reach = speed + math.sqrt(speed * speed + 2 * grown * _LARGEST_TURN)
+        return 2 * _LARGEST_TURN / reach if reach > 0 else math.inf
+
+    def _step(self, slopes: Array, width: float, ahead: Ahead) -> tuple[Array, int]:
+        state, now = np.zeros(N_PRESS_STATE), self.now
+        trouble = self.take(
+            self.derive, now.time, width, now.state, slopes, N_PRESS_FED, state, ahead.sense, ahead.acting
+        )
+        return state, trouble
+
+    def _again(self, width: float, ahead: Ahead) -> Array:
+        """State behind a shorter step from the same beginning."""
+        self.trial[0] = self.slopes[0]
+        return self._step(self.trial, width, ahead)[0]
+
+    def _spare(self, time: float, state: Array, ahead: Ahead) -> float:
+        return static_margin(self.derive, self.kernels, self.now.time + time, state, ahead.sense, ahead.acting)
+
+    def _error(self, width: float) -> float:
+        errors = np.abs(width * (ERRORS @ self.slopes[:, :N_PRESS_FED]))
+        return float(np.max(errors / self.scales)) / self.plan.tolerance
+
+    def _meet(self, watch: Watch, width: float, state: Array, ahead: Ahead) -> int | None:
+        """Go to an event, and do what it brings; a reason if it ends the run."""
+        if width > 0:
+            self._step(self.slopes, width, ahead)
+            self._watch_lowest(width)
+        is_stalled = watch.kind == STALLS or (watch.kind == STANDS and ahead.acting.phase.is_locked)
+        if watch.kind == STANDS or is_stalled:
+            state[WHEEL if watch.kind == STALLS else SPEED] = 0.0
+        if is_stalled:
+            state[WHEEL] = self.lowest = 0.0
+        elif watch.kind == MEETS:
+            state[WHEEL] = self.press.ratio * state[SPEED]
+        self._move(self.now.time + width, state)
+        if is_stalled:
+            return WHEEL_STALLS
+        if watch.kind == RECOVERS:
+            return WHEEL_RECOVERED
+        self._bring(watch.kind, ahead.sense)
+        return None
+
+    def _bring(self, kind: int, sense: float) -> None:
+        """What an event changes. That a clutch that has met locks, or slips on, the next phase finds."""
+        if kind == STANDS:
+            self._note(AT_STAND)
+        elif kind == LOOSENS:
+            self.is_loosened = True
+        elif kind == PASSES_JUMP:
+            self.now = replace(self.now, piece=self.now.piece + int(sense))
+        elif kind == PASSES_WANTED:
+            self.wanted.pop(0)
+            self._note(ANGLE_PASSED)
+        elif kind == PASSES_COMMAND:
+            self.now = stopping(self.now, self.press)
+            self._note(COMMAND)
+
+    def _watch_lowest(self, width: float) -> None:
+        base, slopes = self.now.state, self.slopes
+        least = least_within(lambda parts: states_within(base, slopes, width, parts)[:, WHEEL])
+        self.lowest = min(self.lowest, least)
+
+    def _move(self, time: float, state: Array) -> None:
+        self.n_at_once = self.n_at_once + 1 if time <= self.now.time else 0
+        self.now = replace(self.now, time=time, state=state)
+        self.times.append(time)
+        self.states.append(state)
+
+    def _note(self, kind: int) -> None:
+        if kind in (LOCKED, LOOSE):
+            self.now = replace(self.now, is_locked=kind == LOCKED)
+        self.events.append(PressEvent(kind, self.now))
+
+
+def _reason_of(trouble: int) -> int:
+    """Why no step is possible."""
+    if trouble == 0:
+        return STEPS_EXHAUSTED
+    return LINKS_BREAK_OPEN if trouble == LINKS_DO_NOT_CLOSE else GEAR_STUCK
+
+
+def stopping(moment: Moment, press: Press) -> Moment:
+    """Moment at which the command to stop is given: the clutch lets go, the brake comes on."""
+    return replace(
+        moment,
+        clutch=commanded(moment.clutch, press.clutch, moment.time, is_on=False),
+        brake=commanded(moment.brake, press.brake, moment.time, is_on=True),
+        is_stopping=True,
+    )
+
+
+def starting(moment: Moment, press: Press) -> Moment:
+    """Moment at which the command to start is given: the clutch comes on, the brake lets go."""
+    return replace(
+        moment,
+        clutch=commanded(moment.clutch, press.clutch, moment.time, is_on=True),
+        brake=commanded(moment.brake, press.brake, moment.time, is_on=False),
+        is_stopping=False,
+    )

@@ -1,0 +1,124 @@
+"""What may end a step early, and where in the step it does."""
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.questions.drive.clutched.equation import N_PRESS_FED, N_PRESS_STATE
+from cranktrain.questions.drive.clutched.passings import FEW_LOOKS, LOOKS, fallen_at, first_fall, states_within
+from cranktrain.questions.drive.clutched.phases import Ahead
+from cranktrain.questions.drive.clutched.runs import Moment, PressPlan, piece_ends
+
+STANDS, STALLS, MEETS, LOOSENS, PASSES_JUMP, PASSES_COMMAND, PASSES_WANTED, RECOVERS = range(8)
+"""The crank or the flywheel comes to a stand; clutch's sides meet or part; angles; the flywheel's speed."""
+
+Spare: TypeAlias = Callable[[float, Array], float]
+"""(time within the step, state) → what a locked clutch could hand on besides. [N·m]"""
+
+
+class Watch(NamedTuple):
+    """What falls below 0 at an event: weights of flywheel's speed, angle and speed of the crank, less a level.
+
+    Without weights it is what a locked clutch could hand on besides. What is below 0 by `rounding` is 0.
+    """
+
+    kind: int
+    weights: tuple[float, float, float] | None
+    level: float
+    rounding: float
+
+
+class Stepped(NamedTuple):
+    """A step just made: the state at its beginning, the slopes of its stages, and its width. [s]"""
+
+    state: Array
+    slopes: Array
+    width: float
+
+
+def watches_of(ahead: Ahead, now: Moment, plan: PressPlan, wanted: list[float], scale: float) -> list[Watch]:
+    """What is to be watched in a phase; `wanted` are angles whose moments are, `scale` is of the flywheel's speed."""
+    press, phase = ahead.acting
+    speed, turn = 1e-13 * scale, 1e-14
+    found = [Watch(STALLS, (1.0, 0.0, 0.0), 0.0, speed)]
+    if ahead.sense == 0:
+        if math.isfinite(plan.wheel_speed):
+            found.append(Watch(RECOVERS, (-1.0, 0.0, 0.0), -plan.wheel_speed, speed))
+    else:
+        found.append(Watch(STANDS, (0.0, 0.0, ahead.sense), 0.0, speed / press.ratio))
+        end = piece_ends(now.piece, plan.jumps)[int(ahead.sense > 0)]
+        if math.isfinite(end):
+            found.append(Watch(PASSES_JUMP, (0.0, -ahead.sense, 0.0), -ahead.sense * end, turn))
+        if math.isfinite(plan.command_angle) and not now.is_stopping:
+            found.append(Watch(PASSES_COMMAND, (0.0, -1.0, 0.0), -plan.command_angle, turn))
+        if wanted:
+            found.append(Watch(PASSES_WANTED, (0.0, -1.0, 0.0), -wanted[0], turn))
+    if phase.is_locked:
+        found.append(Watch(LOOSENS, None, 0.0, 1e-13 * press.clutch.static_torque))
+    elif phase.way != 0 and (phase.clutch_level > 0 or phase.clutch_slope > 0):
+        found.append(Watch(MEETS, (phase.way, 0.0, -phase.way * press.ratio), 0.0, speed))
+    return found
+
+
+def first_met(
+    watches: list[Watch], step: Stepped, again: Callable[[float], Array], spare: Spare
+) -> tuple[Watch, float, Array] | None:
+    """First event of a step, how far from its beginning it is, and the state there; None if there is none.
+
+    Where one may be is seen on the step's interpolant; where it is, on steps of that length, `again`, which are of a
+    higher order.
+    """
+    found: tuple[Watch, float, Array] | None = None
+    seen = states_within(step.state, step.slopes, step.width, LOOKS)
+    for watch in watches:
+        bracket = _seen_fall(watch, step, seen, spare)
+        if bracket is None or (found is not None and bracket[0] * step.width > found[1]):
+            continue
+        at = _settled(watch, step, again, spare, bracket)
+        if at is not None and (found is None or at < found[1]):
+            found = watch, at, again(at)
+    return found
+
+
+def margin(watch: Watch, time: float, state: Array, spare: Spare) -> float:
+    """What is watched, at a state."""
+    if watch.weights is None:
+        return spare(time, state)
+    return float(np.dot(watch.weights, state[:N_PRESS_FED])) - watch.level
+
+
+def _seen_fall(watch: Watch, step: Stepped, seen: Array, spare: Spare) -> tuple[float, float] | None:
+    """Bracket of what falls below 0 in a step, by its interpolant."""
+    if watch.weights is not None:
+        weights = np.array(watch.weights)
+        values = seen @ weights - watch.level
+
+        def curve(parts: Array) -> Array:
+            return states_within(step.state, step.slopes, step.width, parts) @ weights - watch.level
+
+        return first_fall(curve, LOOKS, values, watch.rounding)
+
+    def spares(parts: Array) -> Array:
+        states = np.zeros((len(parts), N_PRESS_STATE))
+        states[:, :N_PRESS_FED] = states_within(step.state, step.slopes, step.width, parts)
+        times = parts * step.width
+        return np.array([spare(float(time), state) for time, state in zip(times, states, strict=True)])
+
+    return first_fall(spares, FEW_LOOKS, spares(FEW_LOOKS), watch.rounding)
+
+
+def _settled(
+    watch: Watch, step: Stepped, again: Callable[[float], Array], spare: Spare, bracket: tuple[float, float]
+) -> float | None:
+    """How far into a step what is watched passes 0; None if the step itself does not see it."""
+
+    def at(part: float) -> float:
+        return margin(watch, part, again(part), spare)
+
+    for end in (bracket[1] * step.width, step.width):
+        if at(end) < 0:
+            return fallen_at(at, bracket[0] * step.width, end)
+    return None

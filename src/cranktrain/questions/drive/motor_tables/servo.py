@@ -1,0 +1,53 @@
+"""The table of a servo motor: what it may give for long, at its peak, and how fast it may turn."""
+
+from collections.abc import Iterator
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
+from cranktrain.motion import single
+from cranktrain.quantities import Dimension, Given, PositivePower, PositiveSpeed, PositiveTorque, Quantity
+from cranktrain.questions.drive.motor_tables.declared import DeclaredMotor
+from cranktrain.questions.drive.motor_tables.spec import RatedSpec
+from cranktrain.questions.drive.motors import line_current
+from cranktrain.questions.drive.motors.servo import SERVO, Servo
+
+AnyTorque = Annotated[Given, Quantity(Dimension.TORQUE)]
+_UNLIMITED = single(float("inf"))
+
+
+class ServoSpec(RatedSpec, frozen=True):
+    """A servo motor: any torque up to its peak, by power at speed; and a rated one for long."""
+
+    kind: Literal["servo"] = Field(description=N_("Kind of motor."))
+    peak_torque: PositiveTorque = Field(description=N_("Largest torque for a short time."))
+    peak_power: PositivePower | None = Field(
+        default=None, description=N_("Largest power for a short time; without it the torque alone is limited.")
+    )
+    top_speed: PositiveSpeed | None = Field(default=None, description=N_("Largest speed that is allowed."))
+    command: AnyTorque | None = Field(
+        default=None, description=N_("Torque that is asked of it; its peak unless given, or a wanted motion says it.")
+    )
+
+    def _problems(self) -> Iterator[Problem]:
+        """Find peaks below the rated point, and a speed that is above the largest."""
+        yield from super()._problems()
+        if self.is_rated and self.peak_torque.si < float(self.rating.torque):
+            yield Problem("peak_torque", None, _("must not be below the rated torque"))
+        if self.is_rated and self.peak_power is not None and self.peak_power.si < float(self.rating.power):
+            yield Problem("peak_power", None, _("must not be below the rated power"))
+        if self.speed is not None and self.top_speed is not None and self.top_speed.si < self.speed.si:
+            allowed = _("must not be below speed = {speed}")
+            yield Problem("top_speed", None, allowed.format(speed=self.speed.text))
+
+    def declared(self) -> DeclaredMotor:
+        """Give the motor in SI."""
+        peak = self.peak_torque.array
+        power = _UNLIMITED if self.peak_power is None else self.peak_power.array
+        motor = Servo(peak, power, peak if self.command is None else self.command.array)
+        top = _UNLIMITED if self.top_speed is None else self.top_speed.array
+        current = (line_current.servo_current, line_current.OfRated(motor, self.rating.torque))
+        known = current if self.is_rated else (None, ())
+        return DeclaredMotor(SERVO, motor, self.rating, top, self.rotor_inertia, None, *known)

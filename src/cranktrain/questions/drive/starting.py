@@ -1,0 +1,399 @@
+"""A start: the run of one machine with its motor over time, from rest to whatever ends it."""
+
+import math
+from collections.abc import Callable, Iterator
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.quantities import Given
+from cranktrain.questions.drive.motor_tables import DeclaredMotor
+from cranktrain.questions.drive.running import transient
+from cranktrain.questions.drive.running.equation import (
+    ANGLE,
+    HEAT,
+    LOAD_WORK,
+    LOST_WORK,
+    MOTOR_WORK,
+    N_STATE,
+    SPEED,
+    DriveTrain,
+    Kernels,
+    Motor,
+    no_heat,
+    no_motor,
+    untimed,
+)
+from cranktrain.questions.drive.running.floats import in_floats
+from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
+from cranktrain.questions.drive.running.reduced import (
+    COMPRESSION,
+    DISCHARGE,
+    SUCTION,
+    VOLUME,
+    ReducedMachine,
+    place_of,
+    reduced_machine,
+    settle,
+    value_of,
+)
+from cranktrain.questions.drive.running.runs import REASONS, Run, run, wanted
+from cranktrain.questions.drive.spec import StartSpec
+from cranktrain.record import record
+
+_THEORY = "docs/theory/transient"
+_TIME = ("time",)
+_NEARLY = 0.98
+"""Of the mean speed of steady running: from there on a start is over but for two cycles more."""
+_MORE_CYCLES = 2.0
+_N_SAMPLES = 1001
+_LONGEST = 60.0
+"""Unless the file says how long. [s]"""
+MOST_SAMPLES = 1_000_000
+
+EVENTS = {
+    transient.REVERSAL: N_("turns round"),
+    transient.DEAD_POSITION: N_("dead position"),
+    transient.SPEED_PASSED: N_("speed reached"),
+    transient.HELD: N_("is held"),
+    transient.SET_OFF: N_("sets off"),
+}
+NEARLY_STEADY = N_("98 % of its steady speed")
+SETTLED = N_("it runs as it will: two cycles more")
+
+
+@record
+class StartCurves:
+    """A run over time; all arrays of shape (time,)."""
+
+    crank_angle_turned: Array = quantity(
+        "φ", "rad", _TIME, N_("Crank angle as shown, counted on through all turns"), _THEORY
+    )
+    crank_speed: Array = quantity("ω", "rad/s", _TIME, N_("Speed of the crank"), _THEORY)
+    motor_speed: Array = quantity("ω_m", "rad/s", _TIME, N_("Speed of the motor"), _THEORY)
+    motor_torque: Array = quantity("M_m", "N*m", _TIME, N_("Torque of the motor at its own shaft"), _THEORY)
+    load_torque: Array = quantity("M_Q", "N*m", _TIME, N_("Torque that the loads take at the crank"), _THEORY)
+    motor_power: Array = quantity("P_m", "W", _TIME, N_("Power of the motor at its shaft"), _THEORY)
+    motor_work: Array = quantity("W_m", "J", _TIME, N_("Work of the motor since the beginning"), _THEORY)
+    load_work: Array = quantity("W_Q", "J", _TIME, N_("Work that the loads have taken"), _THEORY)
+    lost_work: Array = quantity("W_v", "J", _TIME, N_("Work that gearing and brake have lost"), _THEORY)
+    kinetic_energy: Array = quantity("T", "J", _TIME, N_("Kinetic energy of machine and drive"), _THEORY)
+    motor_heat: Array = quantity("Q_m", "J", _TIME, N_("Heat in the motor's rotor"), _THEORY)
+
+
+@record
+class StartEvent:
+    """Something on the way: its name; time, crank angle as shown, counted on, speed of the crank. [s, rad, rad/s]"""
+
+    name: str
+    time: float
+    angle: float
+    speed: float
+
+
+@record
+class StartRun:
+    """What became of a start.
+
+    Attributes
+    ----------
+    reason : str
+        Why it ended, a sentence.
+    time : Array, shape (time,)
+        [s]
+    curves : StartCurves
+    events : tuple of StartEvent
+    residual, supplied : float
+        Kinetic energy at the end less what was given and taken, and the work by which to judge it. [J]
+    tolerance : float
+    n_steps : int
+    method : str
+    """
+
+    reason: str
+    time: Array
+    curves: StartCurves
+    events: tuple[StartEvent, ...]
+    residual: float
+    supplied: float
+    tolerance: float
+    n_steps: int
+    method: str
+
+
+@record
+class StartCase:
+    """One design, ready to start.
+
+    Attributes
+    ----------
+    machine : ReducedMachine
+    corners : Array
+        φ of its loads' corners. [rad]
+    cycle : float
+        After which these come again. [rad]
+    gearing : Gearing
+    motor : DeclaredMotor or None
+    design : int
+    spec : StartSpec
+    brake : tuple of float
+        Its torque at the motor's shaft, and its delay. [N·m, s]
+    zero : float
+        φ where the shown crank angle is 0. [rad]
+    steady_speed, cycle_time : float
+        Mean speed of the crank in steady running, and the time of a cycle; NaN without it. [rad/s, s]
+    """
+
+    machine: ReducedMachine
+    corners: Array
+    cycle: float
+    gearing: Gearing
+    motor: DeclaredMotor | None
+    design: int
+    spec: StartSpec
+    brake: tuple[float, float]
+    zero: float
+    steady_speed: float
+    cycle_time: float
+
+    @property
+    def is_to_settle(self) -> bool:
+        """Whether it ends where it runs as it will, as nothing else is asked for."""
+        spec = self.spec
+        others = (spec.duration, spec.until_speed, spec.motor_off, spec.motor_reversed, spec.brake_on)
+        return bool(np.isfinite(self.steady_speed)) and all(one is None for one in others)
+
+
+class _Span(NamedTuple):
+    """Part of a run: when it begins and ends at most, the speed that ends it, and the machine in it."""
+
+    start: float
+    end: float
+    target: float
+    machine: ReducedMachine
+
+
+def run_start(case: StartCase, progress: Callable[[float, float], None] | None = None) -> StartRun:
+    """Run a start to its end.
+
+    Parameters
+    ----------
+    case : StartCase
+    progress : callable, optional
+        Told the time and the speed that it has come to. [s, rad/s]
+
+    Notes
+    -----
+    docs/theory/transient, eqs. (26.7) to (26.12). Once to find its end, and once more for the states on the way.
+    """
+    first = list(_runs(case, None))
+    end = first[-1][0].start + first[-1][1].end_time
+    interval = case.spec.interval
+    n = _N_SAMPLES if interval is None else min(MOST_SAMPLES, math.floor(end / interval.si) + 1)
+    samples = np.linspace(0.0, end, n) if interval is None else np.arange(n) * interval.si
+    return _together(case, list(_runs(case, samples, progress)))
+
+
+def _runs(
+    case: StartCase, samples: Array | None, progress: Callable[[float, float], None] | None = None
+) -> Iterator[tuple[_Span, Run]]:
+    """Run span by span, each from where the last one ended, until one ends for a reason of its own."""
+    kernels, spec = _kernels(case.motor), case.spec
+    numbers = () if case.motor is None else case.motor.row(case.design)
+    off, back, brake_on = (_at(time) for time in (spec.motor_off, spec.motor_reversed, spec.brake_on))
+    torque, delay = case.brake
+    times = [off, back, brake_on + delay]
+    angle, speed = spec.angle.si + case.zero, spec.speed.si
+    spans = list(_spans(case))
+    while spans:
+        span = spans.pop(0)
+        own = np.empty(0) if samples is None else samples[(samples >= span.start) & (samples <= span.end)] - span.start
+        asked = wanted(
+            span.end - span.start,
+            angle=angle,
+            speed=speed,
+            samples=own,
+            breaks=tuple(at - span.start for at in times if span.start < at < span.end),
+            target_speed=span.target,
+            overspeed=_at(spec.overspeed),
+            stops_at_target=bool(np.isfinite(span.target)),
+            tolerance=spec.tolerance.si,
+            is_timed=True,
+        )
+        train = DriveTrain(
+            in_lists(_filled(span.machine, angle)),
+            Switching(numbers, off, back, span.start),
+            (torque, brake_on + delay - span.start),
+            case.gearing,
+        )
+        found = run(kernels, train, asked, is_compiled=False)
+        yield span, found
+        angle, speed = float(found.end[0]), float(found.end[1])
+        ended = span.start + found.end_time
+        if progress is not None:
+            progress(ended, speed)
+        until = _followed(case, span, found)
+        if until > ended:
+            spans = [_Span(ended, until, np.inf, span.machine)]
+        elif found.reason != transient.TIME_OUT:
+            return
+
+
+def _at(time: Given | None) -> float:
+    """A time, or never. [s]"""
+    return np.inf if time is None else time.si
+
+
+def _together(case: StartCase, runs: list[tuple[_Span, Run]]) -> StartRun:
+    """One run of all its spans: times counted on, works added up."""
+    times, states = list[Array](), list[Array]()
+    before = np.zeros(N_STATE)
+    for at, (span, found) in enumerate(runs):
+        is_last = at == len(runs) - 1
+        kept = slice(None) if is_last else found.time < found.end_time
+        times.append(found.time[kept] + span.start)
+        states.append(found.states[kept] + before)
+        before[MOTOR_WORK:] += found.end[MOTOR_WORK:]
+    span, last = runs[-1]
+    time, state = np.concatenate(times), np.concatenate(states)
+    return StartRun(
+        reason=_(SETTLED if case.is_to_settle and len(runs) > 1 else REASONS[last.reason]),
+        time=time,
+        curves=_curves(case, time, state),
+        events=tuple(_events(case, runs)),
+        residual=sum(found.residual for _, found in runs),
+        supplied=sum(found.supplied for _, found in runs),
+        tolerance=case.spec.tolerance.si,
+        n_steps=sum(found.n_steps for _, found in runs),
+        method=last.method,
+    )
+
+
+def _curves(case: StartCase, time: Array, state: Array) -> StartCurves:
+    """Speeds, torques, powers and energies at the samples."""
+    angle, speed = state[:, ANGLE], state[:, SPEED]
+    ratio = overall_ratio(case.gearing)
+    kernels = _kernels(case.motor)
+    spec = case.spec
+    numbers = Switching(
+        () if case.motor is None else case.motor.row(case.design), _at(spec.motor_off), _at(spec.motor_reversed), 0.0
+    )
+    torque = np.array(
+        [kernels.motor(w * ratio, t, numbers) for w, t in zip(speed.tolist(), time.tolist(), strict=True)]
+    )
+    load, inertia = np.empty(time.shape), np.empty(time.shape)
+    machine = in_lists(_filled(case.machine, float(angle[0])))
+    for at, (phi, omega) in enumerate(zip(angle.tolist(), speed.tolist(), strict=True)):
+        inertia[at], _, load[at], _ = kernels.machine(phi, omega, np.sign(omega), machine)
+        in_floats(settle)(phi, machine)
+    return StartCurves(
+        crank_angle_turned=angle - case.zero,
+        crank_speed=speed,
+        motor_speed=speed * ratio,
+        motor_torque=torque,
+        load_torque=load,
+        motor_power=torque * speed * ratio,
+        motor_work=state[:, MOTOR_WORK],
+        load_work=state[:, LOAD_WORK],
+        lost_work=state[:, LOST_WORK],
+        kinetic_energy=0.5 * (inertia + turning_inertia(case.gearing)) * speed**2,
+        motor_heat=state[:, HEAT],
+    )
+
+
+def _events(case: StartCase, runs: list[tuple[_Span, Run]]) -> Iterator[StartEvent]:
+    """What happened on the way, by time."""
+    for span, found in runs:
+        for event in found.events:
+            yield StartEvent(
+                _(NEARLY_STEADY if event.kind == transient.SPEED_PASSED and case.is_to_settle else EVENTS[event.kind]),
+                float(span.start + event.time),
+                float(event.angle - case.zero),
+                float(event.speed),
+            )
+
+
+def _spans(case: StartCase) -> Iterator[_Span]:
+    """Parts of a run: until a compressor is loaded; until it nearly runs as it will, and a little more; or as asked."""
+    spec = case.spec
+    end = _LONGEST if spec.duration is None else spec.duration.si
+    asked = np.inf if spec.until_speed is None else spec.until_speed.si
+    begins = 0.0 if spec.unloaded_until is None else min(spec.unloaded_until.si, end)
+    if begins > 0:
+        yield _Span(0.0, begins, asked, _unloaded(case.machine))
+    yield _Span(begins, end, _NEARLY * case.steady_speed if case.is_to_settle else asked, case.machine)
+
+
+def _followed(case: StartCase, span: _Span, found: Run) -> float:
+    """When a span is over that follows on one that ended; no later than that where none does. [s]"""
+    ended = span.start + found.end_time
+    if found.reason == transient.SPEED_REACHED and case.is_to_settle:
+        return ended + _MORE_CYCLES * case.cycle_time
+    return ended
+
+
+def _unloaded(machine: ReducedMachine) -> ReducedMachine:
+    """A compressor whose suction valves are held open."""
+    chambers = machine.chambers.copy()
+    chambers[:, DISCHARGE] = chambers[:, SUCTION]
+    return machine._replace(chambers=chambers)
+
+
+def _filled(machine: ReducedMachine, angle: float) -> ReducedMachine:
+    """A machine whose chambers hold gas at suction pressure, as after standing long or running unloaded."""
+    piece, x, _ = place_of(angle, len(machine.pieces))
+    memory = np.zeros_like(machine.memory)
+    for at, chamber in enumerate(machine.chambers):
+        volume = value_of(machine.pieces[piece], int(chamber[VOLUME]), x)
+        memory[at] = chamber[SUCTION] * volume ** chamber[COMPRESSION], chamber[COMPRESSION]
+    return machine._replace(memory=memory)
+
+
+def in_lists(machine: ReducedMachine) -> ReducedMachine:
+    """The same numbers as lists, for a run that is not compiled."""
+    return ReducedMachine(*(part.tolist() for part in machine))
+
+
+class Switching(NamedTuple):
+    """A motor with its switch: its numbers; when it is switched off and reversed; when the run began. [s]"""
+
+    motor: Any
+    off: float
+    back: float
+    since: float
+
+
+@cache
+def switched(kernel: Motor, is_even: bool) -> Motor:
+    """A motor that is switched off or reversed, or what is even in its sense, as its heat."""
+
+    def at(speed: float, time: float, numbers: Switching) -> float:
+        now = time + numbers.since
+        if now >= numbers.off:
+            return 0.0
+        if now < numbers.back:
+            return own(speed, now, numbers.motor)
+        turned = own(-speed, now - numbers.back, numbers.motor)
+        return turned if is_even else -turned
+
+    own = kernel
+    return at
+
+
+def braking(time: float, numbers: tuple[float, float]) -> float:
+    """Torque of a brake at the motor's shaft: its size, and when it comes on. [N·m, s]"""
+    return numbers[0] if time >= numbers[1] else 0.0
+
+
+def _kernels(motor: DeclaredMotor | None) -> Kernels:
+    """Kernels of a run that is not compiled."""
+    if motor is None:
+        return Kernels(in_floats(reduced_machine), no_motor, no_heat, braking, in_floats(settle))
+    torque = in_floats(motor.motor.kernel)
+    timed = torque if motor.motor.is_timed else untimed(torque)
+    heat = no_heat if motor.heat is None else in_floats(motor.heat)
+    return Kernels(in_floats(reduced_machine), switched(timed, False), switched(heat, True), braking, in_floats(settle))

@@ -1,0 +1,1 @@
+"""What is computed beside one answer over the cycle: a start over time."""

@@ -1,0 +1,141 @@
+"""A start over time: what was asked of a machine with its motor, and what became of it."""
+
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from cranktrain.analysis.dataset import with_attributes
+from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.parts import parts_of, refuse_wrong
+from cranktrain.analysis.stages import STAGES, lacking, leading_to, run_stages
+from cranktrain.catalogue import Entry, entries
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.questions.drive.declared import DeclaredDrive, DeclaredStart
+from cranktrain.questions.drive.motor_tables import DeclaredMotor
+from cranktrain.questions.drive.reduction import ReducedMachines
+from cranktrain.questions.drive.running.gearing import overall_ratio
+from cranktrain.questions.drive.start_rows import start_rows
+from cranktrain.questions.drive.starting import StartCase, StartCurves, StartEvent, StartRun, run_start
+from cranktrain.questions.drive.steady_drive import SteadyDrive
+from cranktrain.record import record
+from cranktrain.rows import AnswerLine
+
+if TYPE_CHECKING:
+    import xarray
+
+Progress = Callable[[float, float], None]
+"""Told the time and the speed of the crank that a run has come to. [s, rad/s]"""
+
+
+@record
+class Start:
+    """A run over time of one machine with its motor.
+
+    Attributes
+    ----------
+    machine : Machine
+    run : StartRun
+    motor : DeclaredMotor or None
+    gear_ratio : float
+        Turns of the motor for one of the crank.
+    """
+
+    machine: Machine
+    run: StartRun
+    motor: DeclaredMotor | None
+    gear_ratio: float
+
+    def __getattr__(self, name: str) -> Array:
+        """Give a curve over time by its name."""
+        if name in self.catalogue:
+            return getattr(self.run.curves, name)
+        raise AttributeError(name)
+
+    @property
+    def time(self) -> Array:
+        """Times at which curves stand, shape (time,). [s]"""
+        return self.run.time
+
+    @cached_property
+    def catalogue(self) -> Mapping[str, Entry]:
+        """Curves over time by their names."""
+        return {entry.name: entry for entry in entries(StartCurves)}
+
+    @property
+    def events(self) -> tuple[StartEvent, ...]:
+        """What happened on the way, in the order of time."""
+        return self.run.events
+
+    @cached_property
+    def dataset(self) -> "xarray.Dataset":
+        """As a dataset over the time, with units, symbols, sentences and sources."""
+        import xarray
+
+        variables = {
+            name: (("time",), *with_attributes(entry, getattr(self, name))) for name, entry in self.catalogue.items()
+        }
+        times = ("time", self.time, {"units": "s", "symbol": "t"})
+        return xarray.Dataset(variables, {"time": times}, {"name": self.machine.name, "reason": self.run.reason})
+
+    def rows(self) -> list[AnswerLine]:
+        """Rows of the answer."""
+        return list(start_rows(self.run))
+
+
+def start(machine: Machine, *, progress: Progress | None = None) -> Start:
+    """Run a machine with its motor over time, as [drive.start] says.
+
+    Parameters
+    ----------
+    machine : Machine
+        With [drive].
+    progress : callable, optional
+        Told the time and the speed that the run has come to.
+
+    Returns
+    -------
+    Start
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with the machine, or what it lacks.
+    """
+    refuse_wrong((machine,))
+    parts = parts_of((machine,), step=FACTS_STEP)
+    if DeclaredDrive not in parts:
+        raise InputError([Problem("drive", None, _("is missing; a start needs what drives the crank"))])
+    absent = lacking(STAGES, parts)
+    if ReducedMachines in absent:
+        lacks = ", ".join(dict.fromkeys(absent[ReducedMachines]))
+        raise InputError([Problem("drive", None, _("needs what the machine moves: {lacks}").format(lacks=lacks))])
+    wanted = [kind for kind in (ReducedMachines, SteadyDrive) if kind not in absent]
+    found: Any = run_stages(leading_to(STAGES, wanted), parts, absent)
+    case = _case(parts, found)
+    return Start(machine, run_start(case, progress), case.motor, overall_ratio(case.gearing))
+
+
+def _case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCase:
+    """The start of the only design."""
+    drive, grid = parts[DeclaredDrive], parts[CrankAngle]
+    machines, steady = found[ReducedMachines], found.get(SteadyDrive)
+    cycle_time = np.nan if steady is None else float(steady.cycle_time[0])
+    return StartCase(
+        machine=machines.each[0],
+        corners=machines.corners[0][np.isfinite(machines.corners[0])],
+        cycle=machines.cycle,
+        gearing=drive.gearings[0],
+        motor=parts.get(DeclaredMotor),
+        design=0,
+        spec=parts[DeclaredStart].spec,
+        brake=(0.0, 0.0),
+        zero=float(grid.zero[0, 0, 0]),
+        steady_speed=machines.cycle / cycle_time,
+        cycle_time=cycle_time,
+    )
