@@ -89,12 +89,12 @@ if TYPE_CHECKING:
     from cranktrain import viz
     from cranktrain.analysis import Result
     from cranktrain.analysis.comparison import Comparison
-    from cranktrain.study.start import Start
     from cranktrain.errors import InputError, Problem
     from cranktrain.io.any_machine import load
     from cranktrain.io.examples import example_names
     from cranktrain.machine import Machine
     from cranktrain.public import compare, run, start, units
+    from cranktrain.study.start import Start
 
 __all__ = [
     "Comparison",

@@ -16,8 +16,8 @@ from cranktrain.quantities import shown_by, units_by_dimension
 
 if TYPE_CHECKING:
     from cranktrain.analysis import SpeedWanted
-    from cranktrain.study.start import Progress, Start
     from cranktrain.io.any_machine import MachineLike
+    from cranktrain.study.start import Progress, Start
 
 
 def run(

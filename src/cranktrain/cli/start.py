@@ -8,7 +8,6 @@ from pathlib import PurePath
 import numpy as np
 from rich.text import Text
 
-from cranktrain.study.start import Start, start
 from cranktrain.cli.asked import Asked, units_asked_for
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.text import page, show_lines
@@ -22,6 +21,7 @@ from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.quantities import shown_as_in, shown_by, unlisted
 from cranktrain.record import record
+from cranktrain.study.start import Start, start
 from cranktrain.wording import number
 
 _SHOWN_EVENTS = 12

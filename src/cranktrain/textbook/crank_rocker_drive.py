@@ -176,14 +176,14 @@ class RigidRod(NamedTuple):
     inertia: Array
 
 
-class ReducedInertia(NamedTuple):
+class CrankInertia(NamedTuple):
     """Inertia reduced to the crank and its derivative by the crank angle. [kg·m², kg·m²/rad]"""
 
     value: Array
     slope: Array
 
 
-def reduced_inertia(angle: Array, geometry: CrankRocker, crank: Array, rod: RigidRod, rocker: Array) -> ReducedInertia:
+def reduced_inertia(angle: Array, geometry: CrankRocker, crank: Array, rod: RigidRod, rocker: Array) -> CrankInertia:
     """Inertia of a whole crank-rocker reduced to its crank, the rod's mass with it, which (20) leaves out.
 
     Parameters
@@ -197,7 +197,7 @@ def reduced_inertia(angle: Array, geometry: CrankRocker, crank: Array, rod: Rigi
 
     Returns
     -------
-    ReducedInertia, shape (..., n)
+    CrankInertia, shape (..., n)
 
     Notes
     -----
@@ -217,7 +217,7 @@ def reduced_inertia(angle: Array, geometry: CrankRocker, crank: Array, rod: Rigi
         - (between - q**2) * beta.first * beta.second
         + q * r * (beta.second * sine + beta.first * (1 - beta.first) * cosine)
     )
-    return ReducedInertia(
+    return CrankInertia(
         crank + value + own * beta.first**2 + rocker * alpha1.first**2,
         2 * (slope + own * beta.first * beta.second + rocker * alpha1.first * alpha1.second),
     )

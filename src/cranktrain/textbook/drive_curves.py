@@ -37,7 +37,7 @@ class Half(NamedTuple):
     end: float
 
 
-class DeadPositions(NamedTuple):
+class RockerDeadPositions(NamedTuple):
     """Crank angles at which rod and crank are in line, as far apart as they get and folded [rad].
 
     advance, back: half-periods in which the rocker's angle grows and falls.
@@ -100,7 +100,7 @@ class CurveFacts(NamedTuple):
     work: float
 
 
-def dead_positions(geometry: CrankRocker) -> DeadPositions:
+def dead_positions(geometry: CrankRocker) -> RockerDeadPositions:
     """Dead positions of a crank-rocker, in closed form.
 
     Examples
@@ -121,7 +121,7 @@ def dead_positions(geometry: CrankRocker) -> DeadPositions:
     then = Half(folded, extended if extended > folded else extended + turn)
     middle = np.array([sum(after) / 2])
     advances = float(crank_rocker(middle, geometry).rocker.angle.first[0]) > 0
-    return DeadPositions(extended, folded, *((after, then) if advances else (then, after)))
+    return RockerDeadPositions(extended, folded, *((after, then) if advances else (then, after)))
 
 
 def carried(drive: CrankRockerDrive, carrier: Carrier, angle: Array) -> tuple[Array, Array]:
