@@ -6,23 +6,24 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.questions.drive.running.endings import REVERSAL
+from cranktrain.questions.drive.running.endings import HELD, REVERSAL
 from cranktrain.questions.drive.starting import EVENTS, StartRun
 from cranktrain.rows import Amount, AnswerLine, Extent, worded
+
+_ROUNDING = 1e-9
 
 
 def start_rows(run: StartRun) -> Iterator[AnswerLine]:
     """Rows of a run, in the order in which people ask."""
-    curves, time = run.curves, run.time
+    curves, time = run.whole, run.whole_time
     turned = curves.crank_angle_turned
     yield worded(_("it ends after"), _("{time}: {reason}"), time=Amount(float(time[-1]), "s"), reason=run.reason)
-    reversals = sum(event.name == _(EVENTS[REVERSAL]) for event in run.events)
     yield worded(
         _("crank turned"),
-        _("{turns} turns, {n} reversals; at the end it turns at {speed}"),
-        turns=f"{float(turned[-1] - turned[0]) / (2 * np.pi):.4g}",
-        n=str(reversals),
-        speed=Amount(float(curves.crank_speed[-1]), "rpm"),
+        _("{turns} turns, reversals: {n}; at the end it turns at {speed}"),
+        turns=f"{float(turned[-1] - turned[0]) / (2 * np.pi):.4g}".replace("-", "−"),
+        n=str(_reversals(run)),
+        speed=Amount(_last(curves.crank_speed), "rpm"),
     )
     torque = curves.motor_torque
     yield worded(
@@ -39,13 +40,13 @@ def start_rows(run: StartRun) -> Iterator[AnswerLine]:
     yield worded(
         _("energy"),
         _("motor gives {motor}, loads take {load}, gearing and brake lose {lost}; {kinetic} in motion at the end"),
-        motor=Amount(float(curves.motor_work[-1]), "J"),
-        load=Amount(float(curves.load_work[-1]), "J"),
-        lost=Amount(float(curves.lost_work[-1]), "J"),
-        kinetic=Amount(float(curves.kinetic_energy[-1]), "J"),
+        motor=Amount(_last(curves.motor_work), "J"),
+        load=Amount(_last(curves.load_work), "J"),
+        lost=Amount(_last(curves.lost_work), "J"),
+        kinetic=Amount(_last(curves.kinetic_energy), "J"),
     )
     if np.any(curves.motor_heat > 0):
-        yield worded(_("heat in the rotor"), "{heat}", heat=Amount(float(curves.motor_heat[-1]), "J"))
+        yield worded(_("heat in the rotor"), "{heat}", heat=Amount(_last(curves.motor_heat), "J"))
     yield worded(
         _("computed"),
         _("by {method} in {n} steps at {tolerance}; energy left over: {residual} of what was given"),
@@ -56,8 +57,19 @@ def start_rows(run: StartRun) -> Iterator[AnswerLine]:
     )
 
 
+def _reversals(run: StartRun) -> int:
+    """How often it turned round and went on the other way."""
+    held = {event.time for event in run.events if event.name == _(EVENTS[HELD])}
+    return sum(event.name == _(EVENTS[REVERSAL]) and event.time not in held for event in run.events)
+
+
+def _last(curve: Array) -> float:
+    """Value at the end; 0 where only rounding is left of it."""
+    return float(curve[-1]) if abs(curve[-1]) > _ROUNDING * np.max(np.abs(curve)) else 0.0
+
+
 def _effective(torque: Array, time: Array) -> float:
-    """Root mean square over the time."""
-    if time.size < 2:
-        return float("nan")
+    """Root mean square over the time; of a run that ends as it begins, its only value."""
+    if time[-1] <= time[0]:
+        return abs(float(torque[-1]))
     return float(np.sqrt(np.trapezoid(torque**2, time) / (time[-1] - time[0])))

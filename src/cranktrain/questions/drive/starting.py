@@ -2,12 +2,14 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import fields
 from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.quantities import Given
@@ -44,6 +46,7 @@ from cranktrain.questions.drive.running.runs import REASONS, Progress, Run, Want
 from cranktrain.questions.drive.running.step import N_STATE
 from cranktrain.questions.drive.spec import StartSpec
 from cranktrain.record import record
+from cranktrain.wording import number
 
 _THEORY = "docs/theory/transient"
 _TIME = ("time",)
@@ -65,7 +68,9 @@ EVENTS = {
     endings.SET_OFF: N_("sets off"),
 }
 NEARLY_STEADY = N_("98 % of its steady speed")
-SETTLED = N_("it runs as it will: two cycles more")
+SETTLED = N_("it has run up: two cycles more at its steady speed")
+LONGEST_OVER = N_("60 s are over, the most without a duration")
+OVERSPEED = N_("it turns faster than overspeed allows")
 
 
 @record
@@ -108,6 +113,8 @@ class StartRun:
     time : Array, shape (time,)
         [s]
     curves : StartCurves
+    whole_time, whole : Array, StartCurves
+        The same from beginning to end, whatever times were asked for. [s]
     events : tuple of StartEvent
     residual, supplied : float
         Kinetic energy at the end less what was given and taken, and the work by which to judge it. [J]
@@ -119,6 +126,8 @@ class StartRun:
     reason: str
     time: Array
     curves: StartCurves
+    whole_time: Array
+    whole: StartCurves
     events: tuple[StartEvent, ...]
     residual: float
     supplied: float
@@ -196,14 +205,26 @@ def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
     first = list(_runs(case, _NO_TIMES, np.inf, progress))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
-    interval = case.spec.interval
-    n = _N_SAMPLES if interval is None else min(MOST_SAMPLES, math.floor(end / interval.si) + 1)
-    samples = np.linspace(0.0, end, n) if interval is None else np.arange(n) * interval.si
+    asked = _asked_times(case.spec.interval, end)
+    samples = np.union1d(np.linspace(0.0, end, _N_SAMPLES), asked)
     again = list(_runs(case, samples, end if last.reason == endings.STOPPED else np.inf, None))
-    return _together(case, again, last.reason)
+    return _together(case, again, last.reason, asked)
 
 
 _NO_TIMES = np.empty(0)
+
+
+def _asked_times(interval: Given | None, end: float) -> Array:
+    """Times at which curves are asked for. [s]"""
+    if interval is None:
+        return np.linspace(0.0, end, _N_SAMPLES)
+    n = end / interval.si + 1
+    if n > MOST_SAMPLES:
+        allowed = _("must be at least {least}: more than {n} times are too many").format(
+            least=number(end / MOST_SAMPLES, "s"), n=MOST_SAMPLES
+        )
+        raise InputError([Problem("drive.start.interval", interval.text, allowed)])
+    return np.arange(math.floor(n)) * interval.si
 
 
 def _runs(case: StartCase, samples: Array, end: float, progress: Progress | None) -> Iterator[tuple[_Span, Run]]:
@@ -212,18 +233,24 @@ def _runs(case: StartCase, samples: Array, end: float, progress: Progress | None
     spans = list(_spans(case))
     while spans:
         span = spans.pop(0)
-        span = span._replace(end=min(span.end, end))
+        span = _from_speed(case, span._replace(end=min(span.end, end)), speed)
         train, kernels = _train(case, span, angle), _kernels(case.motor)
         asked = _wanted(case, span, angle, speed, samples)
         found = run(kernels, train, asked, is_compiled=False, progress=_from(span.start, progress))
         yield span, found
+        ended, until = span.start + found.end_time, _followed(case, span, found, speed)
         angle, speed = float(found.end[0]), float(found.end[1])
-        ended = span.start + found.end_time
-        until = _followed(case, span, found)
-        if until > ended:
+        if ended < until and ended < end:
             spans = [_Span(ended, until, np.inf, span.machine)]
         elif found.reason != endings.TIME_OUT or ended >= end:
             return
+
+
+def _from_speed(case: StartCase, span: _Span, speed: float) -> _Span:
+    """Some cycles in place of a speed to reach, where a span that is to settle begins at that speed or faster."""
+    if case.is_to_settle and np.isfinite(span.target) and speed >= span.target:
+        return span._replace(target=np.inf, end=min(span.end, span.start + _MORE_CYCLES * case.cycle_time))
+    return span
 
 
 def _from(start: float, progress: Progress | None) -> Progress | None:
@@ -275,8 +302,8 @@ def _at(time: Given | None) -> float:
     return np.inf if time is None else time.si
 
 
-def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> StartRun:
-    """One run of all its spans: times counted on, works added up."""
+def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int, asked: Array) -> StartRun:
+    """One run of all its spans, times counted on, works added up; in whole, and at the times that were asked for."""
     times, states = list[Array](), list[Array]()
     before = np.zeros(N_STATE)
     for at, (span, found) in enumerate(runs):
@@ -287,10 +314,14 @@ def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> St
         before[MOTOR_WORK:] += found.end[MOTOR_WORK:]
     span, last = runs[-1]
     time, state = np.concatenate(times), np.concatenate(states)
+    wanted_too = np.isin(time, asked)
+    whole = _curves(case, time, state)
     return StartRun(
-        reason=_(SETTLED if case.is_to_settle and len(runs) > 1 else REASONS[reason]),
-        time=time,
-        curves=_curves(case, time, state),
+        reason=_(_reason(case, runs, reason)),
+        time=time[wanted_too],
+        curves=_at_times(whole, wanted_too),
+        whole_time=time,
+        whole=whole,
         events=tuple(_events(case, runs)),
         residual=sum(found.residual for _, found in runs),
         supplied=sum(found.supplied for _, found in runs),
@@ -298,6 +329,21 @@ def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> St
         n_steps=sum(found.n_steps for _, found in runs),
         method=last.method,
     )
+
+
+def _reason(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> str:
+    """Why it ended, by what was asked for."""
+    span, last = runs[-1]
+    if reason == endings.OVERSPEED:
+        return OVERSPEED
+    if reason != endings.TIME_OUT or case.spec.duration is not None:
+        return REASONS[reason]
+    return LONGEST_OVER if span.start + last.end_time >= _LONGEST else SETTLED
+
+
+def _at_times(curves: StartCurves, chosen: Array) -> StartCurves:
+    """Curves at some of their times."""
+    return StartCurves(**{one.name: getattr(curves, one.name)[chosen] for one in fields(curves)})
 
 
 def _curves(case: StartCase, time: Array, state: Array) -> StartCurves:
@@ -355,11 +401,15 @@ def _spans(case: StartCase) -> Iterator[_Span]:
     yield _Span(begins, end, _NEARLY * case.steady_speed if case.is_to_settle else asked, case.machine)
 
 
-def _followed(case: StartCase, span: _Span, found: Run) -> float:
-    """When a span is over that follows on one that ended; no later than that where none does. [s]"""
+def _followed(case: StartCase, span: _Span, found: Run, speed: float) -> float:
+    """When a span is over that follows on one that began at a speed; no later than that where none does. [s]"""
     ended = span.start + found.end_time
-    if found.reason == endings.SPEED_REACHED and case.is_to_settle:
-        return ended + _MORE_CYCLES * case.cycle_time
+    if not case.is_to_settle or span.machine is not case.machine:
+        return ended
+    began_fast = np.isinf(span.target) and speed > case.steady_speed / _NEARLY
+    slows_yet = began_fast and speed - found.end[1] > (1 - _NEARLY) * case.steady_speed
+    if found.reason == endings.SPEED_REACHED or (found.reason == endings.TIME_OUT and slows_yet):
+        return min(ended + _MORE_CYCLES * case.cycle_time, _LONGEST)
     return ended
 
 
