@@ -155,6 +155,8 @@ STANDING = {
     "shaper": ("x, points to the right", "pivot below the shaft", shaper),
     "toggle_press": ("the file's x points to the right, y up", "whose upper link hangs on the frame", toggle_press),
     "jaw_crusher": ("45.3 mm to the right and 815.7 mm down", "The jaw's lower end", jaw_crusher),
+    "shears": ("blade below the shaft", "", eccentric_press),
+    "shaking_conveyor": ("the trough lies to the right", "", to_the_right),
     "eccentric_press": ("ram below the shaft", "press's lower dead centre", eccentric_press),
     "tilting_table": ("the rocker's pivot lies to the right of the shaft", "", tilting_table),
     "pumping_unit_c57": ("56 in to the right and 105 - 37 = 68 in up", "well on the right", pumping_unit),
@@ -178,6 +180,7 @@ STANDING = {
     "kamaz_740": ("the engine's right side is at the left", "", kamaz),
 }
 UPRIGHT = {
+    "compressor_start",
     "3d12_fit_85_235",
     "burning_cylinder",
     "3d12_quoted_rods",
