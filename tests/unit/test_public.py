@@ -250,7 +250,7 @@ class TestModule:
         ids=lambda one: one.__qualname__,
     )
     def test_signatures_fit_a_tooltip(self, shown):
-        assert len(str(inspect.signature(shown))) < 320
+        assert len(str(inspect.signature(shown))) < 340
 
     def test_examples_are_loaded_by_name(self):
         assert "3d12" in ct.example_names()
