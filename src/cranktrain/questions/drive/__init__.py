@@ -11,6 +11,7 @@ from cranktrain.layout.uses import inner_table, table
 from cranktrain.questions.drive import rows
 from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
 from cranktrain.questions.drive.driven_speed import driven_speed
+from cranktrain.questions.drive.motor_sizing import MotorSizing, motor_sizing
 from cranktrain.questions.drive.reduction import reduced_machines
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.drive.static_torques import StaticTorques, static_torques
@@ -45,14 +46,21 @@ QUESTION = Question(
         Stage(static_torques),
         Stage(steady_drive),
         Stage(driven_speed),
+        Stage(motor_sizing),
     ),
     dimensions=(
         ResultDimension("drive_shaft", N_("shaft of the drive")),
         ResultDimension("loss_rule", N_("losses")),
+        ResultDimension("sized_motor", N_("motor")),
+        ResultDimension("sizing_check", N_("check")),
     ),
     headline=("rms_motor_torque",),
     title=N_("Drive"),
     rows=(rows.static_rows, rows.running_rows),
     offers={"motor_torque": N_("torque of the motor")},
-    uses=(Use(table("drive"), (StaticTorques,)), Use(inner_table("drive", "motor"), (SteadyDrive,))),
+    uses=(
+        Use(table("drive"), (StaticTorques,)),
+        Use(inner_table("drive", "motor"), (SteadyDrive,)),
+        Use(inner_table("drive", "duty"), (MotorSizing,)),
+    ),
 )
