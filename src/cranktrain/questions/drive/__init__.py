@@ -8,9 +8,11 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.shaft_loads import on_shafts
 from cranktrain.layout.uses import inner_table, table
-from cranktrain.questions.drive import rows
+from cranktrain.questions.drive import rows, sizing_rows
 from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
 from cranktrain.questions.drive.driven_speed import driven_speed
+from cranktrain.questions.drive.declared_duty import WantedFlywheel
+from cranktrain.questions.drive.flywheel_sizing import DriveFlywheel, drive_flywheel
 from cranktrain.questions.drive.motor_sizing import MotorSizing, motor_sizing
 from cranktrain.questions.drive.reduction import reduced_machines
 from cranktrain.questions.drive.spec import DriveSpec
@@ -36,6 +38,11 @@ def is_driven(drive: DeclaredDrive | None) -> bool:
     return drive is not None
 
 
+def is_flywheel_wanted(wanted: WantedFlywheel | None) -> bool:
+    """Whether a flywheel is to be found."""
+    return wanted is not None
+
+
 QUESTION = Question(
     "drive",
     tables={"drive": DriveSpec},
@@ -47,6 +54,7 @@ QUESTION = Question(
         Stage(steady_drive),
         Stage(driven_speed),
         Stage(motor_sizing),
+        Stage(drive_flywheel, applies=is_flywheel_wanted),
     ),
     dimensions=(
         ResultDimension("drive_shaft", N_("shaft of the drive")),
@@ -56,11 +64,12 @@ QUESTION = Question(
     ),
     headline=("rms_motor_torque",),
     title=N_("Drive"),
-    rows=(rows.static_rows, rows.running_rows),
+    rows=(rows.static_rows, rows.running_rows, sizing_rows.sizing_rows, sizing_rows.flywheel_rows),
     offers={"motor_torque": N_("torque of the motor")},
     uses=(
         Use(table("drive"), (StaticTorques,)),
         Use(inner_table("drive", "motor"), (SteadyDrive,)),
         Use(inner_table("drive", "duty"), (MotorSizing,)),
+        Use(inner_table("drive", "flywheel"), (DriveFlywheel,)),
     ),
 )

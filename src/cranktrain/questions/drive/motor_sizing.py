@@ -99,7 +99,7 @@ class _Design(NamedTuple):
     design: int
 
     def with_motor(self, motor: DeclaredMotor, place: int) -> MotorAtMachine:
-        """This machine with one motor of a range."""
+        """Give the machine one motor of a range."""
         rotor = 0.0 if motor.inertia is None else float(motor.inertia[place])
         gearing = self.bare._replace(motor_inertia=self.bare.motor_inertia + rotor)
         return MotorAtMachine(motor, place, gearing, self.machines)

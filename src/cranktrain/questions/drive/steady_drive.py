@@ -87,7 +87,8 @@ def steady_drive(
 
     Notes
     -----
-    A servo motor holds the declared speed of the crank, if it is not given a torque. docs/theory/reduced-machine, eqs. (31.6) to (31.8).
+    A servo motor holds the declared speed of the crank, if it is not given a torque.
+    docs/theory/reduced-machine, eqs. (31.6) to (31.8).
     """
     grid = np.broadcast_to(crank_angle.angle[:, 0], (len(drive.gearings), crank_angle.shown.size))
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value))
