@@ -8,10 +8,10 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.shaft_loads import on_shafts
 from cranktrain.layout.uses import inner_table, table
-from cranktrain.questions.drive import rows, sizing_rows
+from cranktrain.questions.drive import rows
 from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
-from cranktrain.questions.drive.driven_speed import driven_speed
 from cranktrain.questions.drive.declared_duty import WantedFlywheel
+from cranktrain.questions.drive.driven_speed import driven_speed
 from cranktrain.questions.drive.flywheel_sizing import DriveFlywheel, drive_flywheel
 from cranktrain.questions.drive.motor_sizing import MotorSizing, motor_sizing
 from cranktrain.questions.drive.reduction import reduced_machines
@@ -64,7 +64,7 @@ QUESTION = Question(
     ),
     headline=("rms_motor_torque",),
     title=N_("Drive"),
-    rows=(rows.static_rows, rows.running_rows, sizing_rows.sizing_rows, sizing_rows.flywheel_rows),
+    rows=(rows.static_rows, rows.running_rows, rows.sizing_rows, rows.flywheel_rows),
     offers={"motor_torque": N_("torque of the motor")},
     uses=(
         Use(table("drive"), (StaticTorques,)),

@@ -57,7 +57,7 @@ def test_pauses_let_a_smaller_motor_do(table):
 
 
 def test_servo_holds_the_declared_speed(table):
-    """Its torque is load and ½J′ω² through the gear: mean power at the declared speed is work per turn over its time."""
+    """Its torque is load and ½J′ω² through the gear: mean power at that speed is work per turn over its time."""
     motor = {
         "kind": "servo",
         "peak_torque": "60 N*m",
@@ -81,7 +81,7 @@ def test_motor_without_a_top_speed_finds_its_own(table):
 
 
 def test_flywheel_against_an_ode(table):
-    """With it the largest torque by an adaptive method over the angle, with curves read off the result, is as wanted."""
+    """With it the largest torque by an adaptive method over the angle, with curves off the result, is as wanted."""
     motor = {"kind": "shunt", "torque": "26 N*m", "speed": "1400 rpm", "no_load_speed": "1500 rpm"}
     drive = {"motor": motor, "stage": [{"ratio": 40}], "flywheel": {"largest_torque": "25 N*m"}}
     found = ct.run(table.with_({"drive": drive}))
