@@ -5,7 +5,7 @@ A test names the sentence beside the path and the value that were given; whoever
 
 ALREADY_THERE = "is there already; choose another name"
 AN_ANGLE = "must be an angle in deg, rad, rev, such as 30 deg"
-AN_INERTIA = "must be a moment of inertia in kg·m², such as 0.5 kg·m²"
+AN_INERTIA = "must be a moment of inertia in kg·m², lb·ft², such as 0.5 kg·m²"
 AS_AT_THE_START = "must be as at the start of the turn"
 AT_MOST_TO_A_SHEET = "at most 24 to a sheet"
 A_LENGTH = "must be a length in mm, cm, m, in, ft, such as 90 mm"

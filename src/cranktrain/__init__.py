@@ -58,6 +58,15 @@ Units
     ...     print(result.summary().splitlines()[0])
     Strokes: 30.48 cm. ...
 
+A motor
+    With `[drive]`, `run` knows how the machine runs with its motor, and `start` runs it over time, a `Start`.
+
+    >>> started = ct.start("tilting_table", set={"drive.start.duration": "0.5 s"})
+    >>> started
+    <Start of Tilting table with a crank-rocker drive (illustrative): 0.5 s, the time asked for is over>
+    >>> started.motor_torque.shape == started.time.shape
+    True
+
 Pictures
     They are figures of matplotlib, which a notebook shows; `ct.viz` has plans and constructions too.
 
@@ -89,12 +98,12 @@ if TYPE_CHECKING:
     from cranktrain import viz
     from cranktrain.analysis import Result
     from cranktrain.analysis.comparison import Comparison
-    from cranktrain.study.start import Start
     from cranktrain.errors import InputError, Problem
     from cranktrain.io.any_machine import load
     from cranktrain.io.examples import example_names
     from cranktrain.machine import Machine
     from cranktrain.public import compare, run, start, units
+    from cranktrain.study.start import Start
 
 __all__ = [
     "Comparison",

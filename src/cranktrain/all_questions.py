@@ -11,6 +11,7 @@ from cranktrain.questions import (
     gas,
     loads,
     motion,
+    pumping,
     torque,
     torsion,
 )
@@ -22,6 +23,7 @@ QUESTIONS: tuple[Question, ...] = (
     forces.QUESTION,
     loads.QUESTION,
     torque.QUESTION,
+    pumping.QUESTION,
     balance.QUESTION,
     evenness.QUESTION,
     crankshaft.QUESTION,

@@ -25,6 +25,7 @@ from cranktrain.layout.shaft_problems import shaft_problems
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
 from cranktrain.layout.unit_tables import unit_problems
+from cranktrain.layout.wish.declared import wish_problems
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.motion import Array
@@ -37,6 +38,7 @@ from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.gas.spec import GasTables
+from cranktrain.questions.pumping.spec import PumpingSpec
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.spec import Spec, problems, with_tuples
 
@@ -144,6 +146,7 @@ class Machine(Spec, frozen=True):
         default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
     )
     drive: DriveSpec | None = Field(default=None, description=N_("What drives the crank, and how it starts."))
+    pumping: PumpingSpec | None = Field(default=None, description=N_("A beam pumping unit: its loads and ratings."))
 
     def __init__(self, /, **data: Any) -> None:
         try:
@@ -324,6 +327,7 @@ class Machine(Spec, frozen=True):
         places, found = self.arranged
         return found or (
             *standing_problems(self.shafts, places, self.orientation),
+            *wish_problems(self.design),
             *(problem for question in QUESTIONS for problem in question.problems(self.design)),
         )
 

@@ -16,8 +16,9 @@ from cranktrain.quantities import shown_by, units_by_dimension
 
 if TYPE_CHECKING:
     from cranktrain.analysis import SpeedWanted
-    from cranktrain.study.start import Progress, Start
     from cranktrain.io.any_machine import MachineLike
+    from cranktrain.questions.drive.running.runs import Progress
+    from cranktrain.study.start import Start
 
 
 def run(
@@ -93,7 +94,8 @@ def start(
     set : mapping of str, optional
         Other values by path, as `Machine.with_` takes them.
     progress : callable, optional
-        Told the time [s] and the speed of the crank [rad/s] that the run has come to.
+        Told the time, the crank angle and the speed that the run has come to; with it Ctrl-C ends the run, and what was
+        computed so far is kept. [s, rad, rad/s]
 
     Returns
     -------

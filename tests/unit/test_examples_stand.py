@@ -156,6 +156,8 @@ STANDING = {
     "toggle_press": ("the file's x points to the right, y up", "whose upper link hangs on the frame", toggle_press),
     "jaw_crusher": ("45.3 mm to the right and 815.7 mm down", "The jaw's lower end", jaw_crusher),
     "eccentric_press": ("ram below the shaft", "press's lower dead centre", eccentric_press),
+    "servo_press": ("ram below the shaft", "press's lower dead centre", eccentric_press),
+    "servo_press_rocking": ("ram below the shaft", "press's lower dead centre", eccentric_press),
     "tilting_table": ("the rocker's pivot lies to the right of the shaft", "", tilting_table),
     "pumping_unit_c57": ("56 in to the right and 105 - 37 = 68 in up", "well on the right", pumping_unit),
     "lms_class5": ("to the right; y points down", "throw 1 is on the right side", lms_class5),

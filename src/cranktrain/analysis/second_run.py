@@ -52,7 +52,11 @@ def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage], step: 
         allowed = _("must be left out: [shaft.main] acceleration says how the shaft turns, at one moment")
         raise InputError([Problem("speed", str(speed) if isinstance(speed, str) else None, allowed)])
     if isinstance(speed, str) and speed == "running" and declared_curve is not None:
-        allowed = _("must be left out: [shaft.main.speed_curve] says how the shaft turns")
+        allowed = (
+            _("must be left out: [shaft.main.speed_curve] says how the shaft turns")
+            if declared_curve.corners is None
+            else _("must be left out: [shaft.main.motion] says how the shaft turns")
+        )
         raise InputError([Problem("speed", speed, allowed)])
     curve = speed if isinstance(speed, SpeedCurve) else _curve(parts, speed, stages, step)
     declared: Any = parts.get(Speed, Speed(curve.mean))

@@ -1,14 +1,12 @@
 """`start`: run a machine with its motor over time, write it where asked, and show what became of it."""
 
 import sys
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import PurePath
 
 import numpy as np
 from rich.text import Text
 
-from cranktrain.study.start import Start, start
 from cranktrain.cli.asked import Asked, units_asked_for
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.text import page, show_lines
@@ -21,14 +19,14 @@ from cranktrain.io.start_tables import SUFFIXES, start_csv, start_json
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.quantities import shown_as_in, shown_by, unlisted
+from cranktrain.questions.drive.running.runs import Progress
 from cranktrain.record import record
+from cranktrain.study.start import Start, start
 from cranktrain.wording import number
 
 _SHOWN_EVENTS = 12
 _PICTURES = (".png", ".svg", ".pdf")
 _DECIMALS = ("point", "comma")
-_BETWEEN = 0.2
-"""Of two lines of progress. [s]"""
 
 
 @record
@@ -104,15 +102,14 @@ def _event_lines(found: Start, request: StartRequest) -> Iterator[str]:
         yield _("  and {n} more: --full shows all").format(n=len(events) - len(shown))
 
 
-def _progress() -> Callable[[float, float], None] | None:
-    """Tell a terminal how far a run has come."""
+def _progress() -> Progress | None:
+    """Tell a terminal how far a run has come, which Ctrl-C then ends."""
     if not sys.stderr.isatty():
         return None
-    last = [time.monotonic()]
 
-    def tell(now: float, speed: float) -> None:
-        if time.monotonic() - last[0] > _BETWEEN:
-            last[0] = time.monotonic()
-            print(_("{time:.3f} s, {speed}").format(time=now, speed=number(speed, "rpm")), end="\r", file=sys.stderr)
+    def tell(now: float, angle: float, speed: float) -> None:
+        words = _("{time:.3f} s, {turns:.2f} turns, {speed}   (Ctrl-C ends it)")
+        line = words.format(time=now, turns=angle / (2 * np.pi), speed=number(speed, "rpm"))
+        print(f"{line:<60}", end="\r", file=sys.stderr, flush=True)
 
     return tell

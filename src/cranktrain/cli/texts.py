@@ -28,6 +28,8 @@ def add_textbook(app: typer.Typer) -> None:
             '  cranktrain textbook --throw example --set "K1=20 kN"\n'
             "  cranktrain textbook --throw example -o throw.toml\n"
             "  cranktrain textbook --throw throw.toml -o throw.svg\n"
+            "  cranktrain textbook --drive example\n"
+            "  cranktrain textbook --drive example -o drive.svg\n"
             "  cranktrain textbook errata"
         ),
         cls=OptionalSource,
@@ -93,37 +95,62 @@ def add_textbook(app: typer.Typer) -> None:
                 help=_("Show instead the reactions of a throw's supports, (44) to (53), from a table of its symbols."),
             ),
         ] = None,
+        drive: Annotated[
+            str | None,
+            typer.Option(
+                metavar="FILE|example",
+                help=_(
+                    "Show instead the drive of a crank-rocker, (1) to (21): from a table of its symbols, or a machine."
+                ),
+            ),
+        ] = None,
+        at: Annotated[
+            float | None,
+            typer.Option(
+                metavar="DEG",
+                parser=degrees,
+                help=_("Of a drive: crank angle from the line of the pivots; 60 unless given."),
+            ),
+        ] = None,
         output: Annotated[
             str | None,
             typer.Option(
                 "-o",
                 "--output",
                 metavar="FILE",
-                help=_("Of a throw: its table as .toml, or its scheme, fig. 35, as .png, .svg or .pdf."),
+                help=_(
+                    "Of a throw: its table as .toml, or its scheme, fig. 35, as .png, .svg or .pdf. Of a drive: its "
+                    "table, its curves as .csv, or fig. 2."
+                ),
             ),
         ] = None,
         force: Force = False,
     ) -> None:
         values = tuple(settings or ())
         of_forces = {"--step": None if step is None else f"{step:g}", "--piston": piston}
+        alone = {
+            "FILE": file or None,
+            "--source": source,
+            "--table": "" if table else None,
+            "--errata": "" if errata else None,
+            "--forces": forces,
+            **of_forces,
+            "--harmonics": "" if harmonics else None,
+            "--crank-to-rod-ratio": crank_to_rod_ratio,
+        }
+        if drive is not None:
+            from cranktrain.cli.textbook.drive import show_drive
+
+            show_drive(drive, values, output, angle=at, force=force, others={**alone, "--throw": throw})
+            return
         if throw is not None:
             from cranktrain.cli.textbook.throw import show_throw
 
-            others = {
-                "FILE": file or None,
-                "--source": source,
-                "--table": "" if table else None,
-                "--errata": "" if errata else None,
-                "--forces": forces,
-                **of_forces,
-                "--harmonics": "" if harmonics else None,
-                "--crank-to-rod-ratio": crank_to_rod_ratio,
-            }
-            show_throw(throw, values, output, force=force, others=others)
+            show_throw(throw, values, output, force=force, others={**alone, "--at": None if at is None else f"{at:g}"})
             return
         from cranktrain.cli.textbook.throw_output import refuse_without_throw
 
-        refuse_without_throw(output, force=force)
+        refuse_without_throw(output, at=at, force=force)
         if harmonics or crank_to_rod_ratio is not None:
             from cranktrain.cli.textbook.harmonics import show_harmonics
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from cranktrain.study.start import Start
 from cranktrain.motion import Array
 from cranktrain.scales import in_asked_unit
+from cranktrain.study.start import Start
 from cranktrain.version import VERSION
 
 SUFFIXES = (".csv", ".json")

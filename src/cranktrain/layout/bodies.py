@@ -7,6 +7,7 @@ from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
+from cranktrain.motion import Array
 from cranktrain.quantities import (
     Angle,
     Dimension,
@@ -20,6 +21,7 @@ from cranktrain.quantities import (
 from cranktrain.spec import Spec
 
 Friction = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
+NonNegativeMoment = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT, at_least=0.0)]
 PositiveAcceleration = Annotated[Given, Quantity(Dimension.ACCELERATION, above=0.0)]
 
 
@@ -43,11 +45,17 @@ class BodySpec(Spec, frozen=True):
         default=None,
         description=N_("Moment of inertia about the centroid; of a rod, that of two masses at its ends unless given."),
     )
+    flywheel_moment: NonNegativeMoment | None = Field(
+        default=None,
+        description=N_("GD² about the centroid, as inertia is, four times that in kg·m²; instead of inertia."),
+    )
     big_end: PositiveMass | None = Field(default=None, description=N_("Mass at the rod's first pin, as weighed."))
     small_end: PositiveMass | None = Field(default=None, description=N_("Mass at the rod's second pin, as weighed."))
 
     def _problems(self) -> Iterator[Problem]:
-        """Find a mass beside the ends' masses, neither, and one end alone."""
+        """Find a mass beside the ends' masses, neither, one end alone, and an inertia given twice."""
+        if self.inertia is not None and self.flywheel_moment is not None:
+            yield Problem("flywheel_moment", None, _("must not stand beside inertia; GD² = 4 J says the same"))
         ends = {"big_end": self.big_end, "small_end": self.small_end}
         given = [name for name, end in ends.items() if end is not None]
         if not given and self.mass is None:
@@ -58,6 +66,13 @@ class BodySpec(Spec, frozen=True):
         if given:
             allowed = _("must not stand beside the masses of both ends, which say it")
             yield from (Problem(name, None, allowed) for name in ("mass", "along") if getattr(self, name) is not None)
+
+    @property
+    def own_inertia(self) -> Array | None:
+        """Moment of inertia about the centroid, however it is given; None where it is not. [kg·m²]"""
+        if self.inertia is not None:
+            return self.inertia.array
+        return None if self.flywheel_moment is None else self.flywheel_moment.array / 4
 
 
 class GravitySpec(Spec, frozen=True):

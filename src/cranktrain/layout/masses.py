@@ -134,8 +134,8 @@ def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[Place
                 None,
                 _("is missing; give it, or big_end and small_end") if lengths else _("is missing"),
             )
-            for field in ("along", "inertia")
-            if getattr(body, field) is None and not (field == "inertia" and lengths)
+            for field, given in (("along", body.along), ("inertia", body.own_inertia))
+            if given is None and not (field == "inertia" and lengths)
         )
     if body.big_end is not None and not lengths:
         yield Problem(f"{where}.big_end", body.big_end.text, _("is for a rod, whose length is known"))
@@ -178,7 +178,7 @@ def masses_of(places: Sequence[PlacedMechanism], given: Weighed, n_designs: int)
         assumed=tuple(
             f"{place.name}.{part}"
             for place, part, spec in moving
-            if spec is not None and spec.inertia is None and part != SLIDER
+            if spec is not None and spec.own_inertia is None and part != SLIDER
         ),
         doubtful=tuple(
             f"{place.name}.{part}"
@@ -191,7 +191,7 @@ def masses_of(places: Sequence[PlacedMechanism], given: Weighed, n_designs: int)
 def _has_likely_inertia(place: PlacedMechanism, part: str, spec: BodySpec) -> bool:
     """Whether a given inertia that is not 0 is one that a link of its mass and length can have, in all designs."""
     length = _length(place, part)
-    if length is None or spec.inertia is None:
+    if length is None or spec.own_inertia is None:
         return True
     body = _body(place, part, spec)
     gyration = np.sqrt(body.inertia / body.mass)
@@ -250,5 +250,5 @@ def _body(place: PlacedMechanism, part: str, spec: BodySpec) -> Body:
         mass = spec.big_end.array + spec.small_end.array
         along = length * spec.small_end.array / mass
     inertia = ZERO if length is None else mass * along * (length - along)
-    inertia = inertia if spec.inertia is None else spec.inertia.array
+    inertia = inertia if spec.own_inertia is None else spec.own_inertia
     return Body(mass, along, place.sense * spec.across.array, inertia)

@@ -17,6 +17,7 @@ from cranktrain.layout.speed import Speed
 from cranktrain.layout.speed_curve import speed_at_moment
 from cranktrain.layout.speed_table import tabled_speed
 from cranktrain.layout.throws import shaft_centres_of, throws_of
+from cranktrain.layout.wish.declared import WantedMotions, wanted_speed, wish_parts
 from cranktrain.mechanisms import KINDS
 from cranktrain.numerics.nested import by_design
 
@@ -86,6 +87,10 @@ def _speed_parts(designs: Designs) -> Iterator[object | None]:
         tables = (design.shafts[MAIN].speed_curve for design in designs.each)
         curves = [table for table in tables if table is not None]
         curve = tabled_speed(curves, grid.shown.size, grid.cycle, zero=grid.zero)
+    wanted = wish_parts(designs)
+    if isinstance(wanted, WantedMotions):
+        curve = wanted_speed(wanted, grid.shown.size, grid.cycle, zero=grid.zero)
+    yield wanted
     if speed is not None:
         yield Speed(speed[..., np.newaxis], curve)
     elif curve is not None:

@@ -12,7 +12,7 @@ def shaft_problems(shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec
     """Find what only the main shaft has, or only another, and shafts that carry nothing."""
     used = {shaft for bank in banks.values() for shaft in bank.shafts}
     for name, shaft in shafts.items():
-        foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve")
+        foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve", "motion")
         allowed = _("is for another shaft; angles and places count from [shaft.main]")
         if name != MAIN:
             allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")

@@ -12,6 +12,7 @@ from cranktrain.layout.ends import ENDS
 from cranktrain.layout.listed import OneOrMany
 from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.layout.speed_table import SpeedCurveSpec
+from cranktrain.layout.wish.tables import WantedMotionSpec
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.quantities import (
@@ -61,6 +62,10 @@ class ShaftSpec(Spec, frozen=True):
     speed_curve: SpeedCurveSpec | None = Field(
         default=None, description=N_("Speed over the crank angle in a file: at it everything is computed.")
     )
+    motion: WantedMotionSpec | None = Field(
+        default=None,
+        description=N_("How what the crank drives is to move: the crank's speed follows, and all is computed at it."),
+    )
     ratio: Literal[1, -1] = Field(
         default=1,
         description=N_("Of a shaft geared to `main`: 1 where it turns with it, -1 where it turns against it."),
@@ -82,7 +87,12 @@ class ShaftSpec(Spec, frozen=True):
     @property
     def turns_unevenly(self) -> bool:
         """Whether there is more to say of how it turns than one speed."""
-        return self.acceleration is not None or self.speed_curve is not None
+        return self.acceleration is not None or self.speed_curve is not None or self.makes_motion
+
+    @property
+    def makes_motion(self) -> bool:
+        """Whether it turns as a wanted motion says, all round."""
+        return self.motion is not None and self.motion.mode == "turning"
 
     def _problems(self) -> Iterator[Problem]:
         """Find gaps that are not as many as the throws have, an acceleration of nothing, and one beside a curve."""
@@ -95,6 +105,10 @@ class ShaftSpec(Spec, frozen=True):
             yield Problem("acceleration", None, allowed)
         elif self.acceleration is not None and self.speed is None:
             yield Problem("speed", None, _("is missing; a moment has a speed and an acceleration"))
+        if self.makes_motion:
+            beside = _("must not stand beside motion, from which the speed of the crank follows")
+            given = ("speed", "acceleration", "speed_curve")
+            yield from (Problem(name, None, beside) for name in given if getattr(self, name) is not None)
 
 
 MAIN = "main"

@@ -26,6 +26,8 @@ class SpeedCurve:
         Whether it is what the machine's torques, load and flywheel make of it, and not given.
     moment : Array, shape (design, 1, 1), or None
         Of one moment, which may be at any crank angle, the angular acceleration; the speed is then one. [rad/s²]
+    corners : Array, shape (design, corner), or None
+        φ at which the angular acceleration jumps, over the cycle; NaN for none. [rad]
     """
 
     square: PeriodicCurve
@@ -33,6 +35,7 @@ class SpeedCurve:
     mean: Array
     is_steady_running: bool
     moment: Array | None = None
+    corners: Array | None = None
 
     def drive(self, angle: Array) -> Drive:
         """How the crank turns at φ [rad], shape (n,) or (design, m, n): arrays of shape (design, m or 1, n).
@@ -59,16 +62,21 @@ class SpeedCurve:
             )
             acceleration = number(float(self.moment[design, 0, 0]), "rad/s^2")
             return said.format(speed=number(float(speeds[0]), "rpm"), acceleration=acceleration)
+        if self.corners is not None:
+            said = _("All of this is at the speed that the wanted motion takes, {least} to {most}, {mean} over time.")
+            return said.format(**_speeds(speeds, float(self.mean[design, 0, 0])))
         said = (
             _("All of this is at the speed of steady running, {least} to {most} over the cycle, {mean} over time.")
             if self.is_steady_running
             else _("All of this is at the speed that was given, {least} to {most} over the cycle, {mean} over time.")
         )
-        return said.format(
-            least=number(float(np.min(speeds)), "rpm"),
-            most=number(float(np.max(speeds)), "rpm"),
-            mean=number(float(self.mean[design, 0, 0]), "rpm"),
-        )
+        return said.format(**_speeds(speeds, float(self.mean[design, 0, 0])))
+
+
+def _speeds(speeds: Array, mean: float) -> dict[str, str]:
+    """Write the least speed, the greatest and their mean over time."""
+    found = {"least": float(np.min(speeds)), "most": float(np.max(speeds)), "mean": mean}
+    return {name: number(speed, "rpm") for name, speed in found.items()}
 
 
 def speed_curve(

@@ -151,7 +151,11 @@ class Dimension(Enum):
             _unit("lb", "фунт", si=_POUND),
         ),
     )
-    INERTIA = (N_("a moment of inertia"), "0.5 kg·m²", (_unit("kg·m²", "кг·м²"),))
+    INERTIA = (
+        N_("a moment of inertia"),
+        "0.5 kg·m²",
+        (_unit("kg·m²", "кг·м²"), _unit("lb·ft²", "фунт·фут²", si=_POUND * _FOOT**2)),
+    )
     FLYWHEEL_MOMENT = (
         N_("a flywheel moment GD²"),
         "2 kgf·m²",
@@ -159,6 +163,7 @@ class Dimension(Enum):
             _unit("kgf·m²", "кгс·м²"),
             _unit("kg·m²", "кг·м²"),
             _unit("N·m²", "Н·м²", si=1 / _GRAVITY),
+            _unit("lb·ft²", "фунт·фут²", si=_POUND * _FOOT**2),
         ),
     )
     POWER = (

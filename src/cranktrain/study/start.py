@@ -1,6 +1,6 @@
 """A start over time: what was asked of a machine with its motor, and what became of it."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -16,10 +16,12 @@ from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.one_line import short
 from cranktrain.questions.drive.declared import DeclaredDrive, DeclaredStart
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import overall_ratio
+from cranktrain.questions.drive.running.runs import Progress
 from cranktrain.questions.drive.start_rows import start_rows
 from cranktrain.questions.drive.starting import StartCase, StartCurves, StartEvent, StartRun, run_start
 from cranktrain.questions.drive.steady_drive import SteadyDrive
@@ -28,9 +30,6 @@ from cranktrain.rows import AnswerLine
 
 if TYPE_CHECKING:
     import xarray
-
-Progress = Callable[[float, float], None]
-"""Told the time and the speed of the crank that a run has come to. [s, rad/s]"""
 
 
 @record
@@ -56,6 +55,10 @@ class Start:
         if name in self.catalogue:
             return getattr(self.run.curves, name)
         raise AttributeError(name)
+
+    def __repr__(self) -> str:
+        """Show whose it is, how long it took and why it ended, in one line."""
+        return f"<Start of {short(self.machine.name)}: {self.time[-1]:.4g} s, {self.run.reason}>"
 
     @property
     def time(self) -> Array:
@@ -96,7 +99,8 @@ def start(machine: Machine, *, progress: Progress | None = None) -> Start:
     machine : Machine
         With [drive].
     progress : callable, optional
-        Told the time and the speed that the run has come to.
+        Told the time, the crank angle and the speed that the run has come to; with it Ctrl-C ends the run, and what was
+        computed so far is kept. [s, rad, rad/s]
 
     Returns
     -------

@@ -12,7 +12,15 @@ from cranktrain.paths import quoted
 from cranktrain.quantities import Dimension, Status, read, shown
 from cranktrain.record import record
 
-_DIMENSIONS = {"mm": Dimension.LENGTH, "deg": Dimension.ANGLE, "rpm": Dimension.SPEED, "kg": Dimension.MASS}
+_DIMENSIONS = {
+    "mm": Dimension.LENGTH,
+    "deg": Dimension.ANGLE,
+    "rpm": Dimension.SPEED,
+    "kg": Dimension.MASS,
+    "N": Dimension.FORCE,
+    "kN": Dimension.FORCE,
+    "lbf": Dimension.FORCE,
+}
 _MOST_DIGITS = 17
 _ROUNDINGS = 2
 """By how many units in its last place a text may miss a value: 160 mm are not to read 160.00000000000003."""
@@ -111,7 +119,7 @@ def quantity_text(value: float, unit: str) -> str:
     value : float
         In SI.
     unit : str
-        `mm`, `deg`, `rpm` or `kg`.
+        `mm`, `deg`, `rpm`, `kg`, `N`, `kN` or `lbf`.
 
     Returns
     -------

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 
 from cranktrain.textbook.bolotin_errata import bolotin_errata
+from cranktrain.textbook.drive_errata import drive_errata
 from cranktrain.textbook.slider_crank_synthesis import wrong_steps
 from cranktrain.textbook.steam_engine_errata import steam_errata
 from cranktrain.textbook.throw_errata import throw_errata
@@ -12,6 +13,7 @@ SYNTHESIS = "slider-crank-synthesis"
 
 ERRATA: Mapping[str, Callable[[], tuple[WrongStep, ...]]] = {
     "steam-engine": steam_errata,
+    "gandzha": drive_errata,
     SYNTHESIS: wrong_steps,
     "bolotin": bolotin_errata,
     "crankshaft-reactions": throw_errata,

@@ -99,7 +99,7 @@ def test_scheme(typed, tmp_path, monkeypatch):
         (["--throw", "example", "-o", "throw.doc"], f"{ENDS_IN}.toml, .png, .svg, .pdf"),
         (["3d12", "--throw", "example"], "must be left out beside --throw"),
         (["--throw", "example", "--table", "--harmonics"], "--harmonics: must be left out beside --throw"),
-        (["3d12", "-o", "throw.svg"], "is for a throw: ask for --throw FILE, too"),
+        (["3d12", "-o", "throw.svg"], "is for a throw or a drive: ask for --throw FILE or --drive FILE, too"),
     ],
 )
 def test_mistakes(typed, tmp_path, monkeypatch, arguments, said):

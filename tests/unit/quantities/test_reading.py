@@ -69,10 +69,14 @@ MULTIPLICATIVE = {
         Fraction(1000): ("t", "т"),
         Fraction("0.45359237"): ("lb", "фунт"),
     },
-    D.INERTIA: {Fraction(1): ("kg·m²", "kg*m^2", "kg·m2", "kg m²", "kgm²", "кг·м²", "кг*м2")},
+    D.INERTIA: {
+        Fraction(1): ("kg·m²", "kg*m^2", "kg·m2", "kg m²", "kgm²", "кг·м²", "кг*м2"),
+        Fraction("0.45359237") * (12 * INCH) ** 2: ("lb·ft²", "lb*ft^2", "фунт·фут²"),
+    },
     D.FLYWHEEL_MOMENT: {
         Fraction(1): ("kgf·m²", "kg·m²", "kgf*m^2", "кгс·м²", "кг·м²"),
         1 / Fraction("9.80665"): ("N·m²", "N*m2", "Н·м²"),
+        Fraction("0.45359237") * (12 * INCH) ** 2: ("lb·ft²", "lb*ft^2", "фунт·фут²"),
     },
     D.POWER: {
         Fraction(1): ("W", "Вт"),

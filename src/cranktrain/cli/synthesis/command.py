@@ -80,6 +80,12 @@ _HELP = {
         "  cranktrain synthesise counterweights vaz_21213 --aim mean --weights mirrored \\\n"
         '    --radius "45 mm" --largest-mass "1.2 kg" -o weighted.toml'
     ),
+    "counterbalance": N_(
+        "Find the counterbalance of a pumping unit for equal peaks of its gearbox torque, or its least rms.\n\n"
+        "\b\n"
+        "  cranktrain synthesise counterbalance pumping_unit_c57\n"
+        "  cranktrain synthesise counterbalance pumping_unit_c57 --aim least-rms -o evened.toml"
+    ),
 }
 """What each problem is, with what may be typed for it."""
 

@@ -13,6 +13,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.quantities import Dimension, QuantityError, unlisted
 from cranktrain.spec import missing, parts_of, quantity_of, words_of
+from cranktrain.synthesis.counterbalance import counterbalance
 from cranktrain.synthesis.counterweights import counterweights
 from cranktrain.synthesis.crank_rocker import crank_rocker_from_swing
 from cranktrain.synthesis.knuckle import knuckle_from_requirements
@@ -32,6 +33,7 @@ SYNTHESES: Mapping[str, Callable[..., Proposal]] = {
     "knuckle": knuckle_from_requirements,
     "radial": radial,
     "counterweights": counterweights,
+    "counterbalance": counterbalance,
 }
 """What can be synthesised; the annotations of its parameters say what each is, and what may be typed for it."""
 
@@ -100,7 +102,7 @@ def proposed(problem: str, typed: Typed, file: MachineFile | None = None, progre
             problems += [replace(one, path=option_of(requirement.name)) for one in error.problems]
     refuse(problems)
     machine = () if file is None else (file.machine,)
-    if file is not None:
+    if file is not None and _PROGRESS in signature(SYNTHESES[problem]).parameters:
         requirements[_PROGRESS] = progress
     with problems_as(partial(_in_options, typed, Position(f"cranktrain synthesise {problem}"), file)):
         return SYNTHESES[problem](*machine, **requirements)

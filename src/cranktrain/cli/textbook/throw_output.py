@@ -14,11 +14,14 @@ from cranktrain.viz.output import FORMATS, save
 _TABLE = ".toml"
 
 
-def refuse_without_throw(output: str | None, *, force: bool) -> None:
-    """Refuse to write where nothing can be written."""
-    allowed = _("is for a throw: ask for --throw FILE, too")
+def refuse_without_throw(output: str | None, *, at: float | None, force: bool) -> None:
+    """Refuse to write where nothing can be written, and the angle of a drive where there is none."""
+    allowed = _("is for a throw or a drive: ask for --throw FILE or --drive FILE, too")
     given = (("-o", output), ("--force", "" if force else None))
-    refuse(Problem(option, value or None, allowed) for option, value in given if value is not None)
+    found = [Problem(option, value or None, allowed) for option, value in given if value is not None]
+    if at is not None:
+        found.append(Problem("--at", f"{at:g}", _("is for a drive: ask for --drive FILE, too")))
+    refuse(found)
 
 
 def output_problems(output: str | None) -> Iterator[Problem]:

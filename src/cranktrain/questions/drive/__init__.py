@@ -13,8 +13,11 @@ from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
 from cranktrain.questions.drive.declared_duty import WantedFlywheel
 from cranktrain.questions.drive.driven_speed import driven_speed
 from cranktrain.questions.drive.flywheel_sizing import DriveFlywheel, drive_flywheel
+from cranktrain.questions.drive.half_periods import half_periods
 from cranktrain.questions.drive.motor_sizing import MotorSizing, motor_sizing
 from cranktrain.questions.drive.reduction import reduced_machines
+from cranktrain.questions.drive.servo.rocking import is_rocking, rocking_course, rocking_drive
+from cranktrain.questions.drive.servo.stages import is_wanted, servo_drive, wanted_crank
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.drive.static_torques import StaticTorques, static_torques
 from cranktrain.questions.drive.steady_drive import SteadyDrive, steady_drive
@@ -51,7 +54,12 @@ QUESTION = Question(
     stages=(
         Stage(reduced_machines, applies=is_driven),
         Stage(static_torques),
+        Stage(half_periods),
         Stage(steady_drive),
+        Stage(wanted_crank, applies=is_wanted),
+        Stage(servo_drive, applies=is_wanted),
+        Stage(rocking_course, applies=is_rocking),
+        Stage(rocking_drive, applies=is_rocking),
         Stage(driven_speed),
         Stage(motor_sizing),
         Stage(drive_flywheel, applies=is_flywheel_wanted),
@@ -61,10 +69,20 @@ QUESTION = Question(
         ResultDimension("loss_rule", N_("losses")),
         ResultDimension("sized_motor", N_("motor")),
         ResultDimension("sizing_check", N_("check")),
+        ResultDimension("half_period", N_("half-period"), is_number=True),
     ),
     headline=("rms_motor_torque",),
     title=N_("Drive"),
-    rows=(rows.static_rows, rows.running_rows, rows.sizing_rows, rows.flywheel_rows),
+    rows=(
+        rows.static_rows,
+        rows.running_rows,
+        rows.wanted_rows,
+        rows.servo_rows,
+        rows.rocking_rows,
+        rows.rocking_drive_rows,
+        rows.sizing_rows,
+        rows.flywheel_rows,
+    ),
     offers={"motor_torque": N_("torque of the motor")},
     uses=(
         Use(table("drive"), (StaticTorques,)),

@@ -1,14 +1,15 @@
 """Speed of the machine with its motor, as evenness and a second run take it."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.layout.crank_angle import CrankAngle, within
+from cranktrain.layout.speed import DrivenSpeed
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, largest_between
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn
 from cranktrain.questions.drive.steady_drive import SteadyDrive
-from cranktrain.questions.evenness.spec import DrivenSpeed
 
 
 def driven_speed(steady: SteadyDrive, machines: ReducedMachines, crank_angle: CrankAngle) -> DrivenSpeed:
@@ -37,7 +38,7 @@ def _extreme(found: SpeedOverTurn | None, crank_angle: CrankAngle, zero: float, 
     if found is None:
         return Extreme(np.full(1, np.nan), np.full(1, np.nan))
 
-    def curves(_which: Array, shown: Array) -> Array:
+    def curves(_which: NDArray[np.intp], shown: Array) -> Array:
         return sign * found.at(np.ravel(shown) + zero).reshape(shown.shape)
 
     samples = sign * found.at(crank_angle.shown + zero)[np.newaxis]

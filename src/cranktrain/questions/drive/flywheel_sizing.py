@@ -1,7 +1,7 @@
 """A flywheel on a shaft of the drive with which the motor gives no more than is wanted, or the crank runs as evenly."""
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -133,7 +133,7 @@ def _running(turning: DriveInTurn, machines: ReducedMachines, shaft: int, inerti
 
 def _least(excess: Callable[[float], float], there: float) -> float:
     """Least inertia with which nothing is in excess: 0 where none is needed, infinite where none is enough. [kg·m²]"""
-    from scipy.optimize import brentq
+    from scipy.optimize import brentq  # pyright: ignore[reportUnknownVariableType]
 
     if excess(0.0) <= 0:
         return 0.0
@@ -142,7 +142,8 @@ def _least(excess: Callable[[float], float], there: float) -> float:
         low, high = high, 4 * high
         if high > _MOST * there:
             return np.inf
-    return float(brentq(excess, low, high, xtol=1e-11 * high, rtol=1e-11))
+    root: Any = brentq(excess, low, high, xtol=1e-11 * high)
+    return float(root)
 
 
 def _formula(static: StaticTorques, steady: SteadyDrive, motor: DeclaredMotor, design: int, allowed: float) -> float:

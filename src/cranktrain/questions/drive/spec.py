@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Literal
 
+import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
@@ -60,6 +61,10 @@ class StageSpec(Spec, frozen=True):
         if len(angles) == 1:
             missing = "friction_angle" if angles == ["lead_angle"] else "lead_angle"
             yield Problem(missing, None, _("is missing; a worm needs both its angles"))
+        lead, friction = self.lead_angle, self.friction_angle
+        if lead is not None and friction is not None and lead.si + friction.si >= np.pi / 2:
+            allowed = _("must be, with friction_angle, less than 90 deg: beyond it the worm cannot turn its wheel")
+            yield Problem("lead_angle", lead.text, allowed)
         given = [name for name in ("efficiency", "efficiency_back") if getattr(self, name) is not None]
         if angles:
             beside = _("must not stand beside the angles of a worm, which give it")

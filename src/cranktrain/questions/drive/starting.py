@@ -1,7 +1,7 @@
 """A start: the run of one machine with its motor over time, from rest to whatever ends it."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -12,14 +12,13 @@ from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.quantities import Given
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.running import transient
+from cranktrain.questions.drive.running import endings
 from cranktrain.questions.drive.running.equation import (
     ANGLE,
     HEAT,
     LOAD_WORK,
     LOST_WORK,
     MOTOR_WORK,
-    N_STATE,
     SPEED,
     DriveTrain,
     Kernels,
@@ -31,17 +30,16 @@ from cranktrain.questions.drive.running.equation import (
 from cranktrain.questions.drive.running.floats import in_floats
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.reduced import (
-    COMPRESSION,
     DISCHARGE,
     SUCTION,
-    VOLUME,
     ReducedMachine,
-    place_of,
+    filled_at,
+    in_one_row,
     reduced_machine,
     settle,
-    value_of,
 )
-from cranktrain.questions.drive.running.runs import REASONS, Run, run, wanted
+from cranktrain.questions.drive.running.runs import REASONS, Progress, Run, Wanted, run, wanted
+from cranktrain.questions.drive.running.step import N_STATE
 from cranktrain.questions.drive.spec import StartSpec
 from cranktrain.record import record
 
@@ -54,13 +52,15 @@ _N_SAMPLES = 1001
 _LONGEST = 60.0
 """Unless the file says how long. [s]"""
 MOST_SAMPLES = 1_000_000
+_MOST_REVERSALS = 100
+"""After which a crank that swings is taken not to get over."""
 
 EVENTS = {
-    transient.REVERSAL: N_("turns round"),
-    transient.DEAD_POSITION: N_("dead position"),
-    transient.SPEED_PASSED: N_("speed reached"),
-    transient.HELD: N_("is held"),
-    transient.SET_OFF: N_("sets off"),
+    endings.REVERSAL: N_("turns round"),
+    endings.DEAD_POSITION: N_("dead position"),
+    endings.SPEED_PASSED: N_("speed reached"),
+    endings.HELD: N_("is held"),
+    endings.SET_OFF: N_("sets off"),
 }
 NEARLY_STEADY = N_("98 % of its steady speed")
 SETTLED = N_("it runs as it will: two cycles more")
@@ -177,70 +177,95 @@ class _Span(NamedTuple):
     machine: ReducedMachine
 
 
-def run_start(case: StartCase, progress: Callable[[float, float], None] | None = None) -> StartRun:
+def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
     """Run a start to its end.
 
     Parameters
     ----------
     case : StartCase
     progress : callable, optional
-        Told the time and the speed that it has come to. [s, rad/s]
+        Told the time, the crank angle and the speed that it has come to; with it a user may stop a run, and what was
+        computed so far is kept. [s, rad, rad/s]
 
     Notes
     -----
     docs/theory/transient, eqs. (26.7) to (26.12). Once to find its end, and once more for the states on the way.
     """
-    first = list(_runs(case, None))
-    end = first[-1][0].start + first[-1][1].end_time
+    first = list(_runs(case, _NO_TIMES, np.inf, progress))
+    last = first[-1][1]
+    end = first[-1][0].start + last.end_time
     interval = case.spec.interval
     n = _N_SAMPLES if interval is None else min(MOST_SAMPLES, math.floor(end / interval.si) + 1)
     samples = np.linspace(0.0, end, n) if interval is None else np.arange(n) * interval.si
-    return _together(case, list(_runs(case, samples, progress)))
+    again = list(_runs(case, samples, end if last.reason == endings.STOPPED else np.inf, None))
+    return _together(case, again, last.reason)
 
 
-def _runs(
-    case: StartCase, samples: Array | None, progress: Callable[[float, float], None] | None = None
-) -> Iterator[tuple[_Span, Run]]:
+_NO_TIMES = np.empty(0)
+
+
+def _runs(case: StartCase, samples: Array, end: float, progress: Progress | None) -> Iterator[tuple[_Span, Run]]:
     """Run span by span, each from where the last one ended, until one ends for a reason of its own."""
-    kernels, spec = _kernels(case.motor), case.spec
-    numbers = () if case.motor is None else case.motor.row(case.design)
-    off, back, brake_on = (_at(time) for time in (spec.motor_off, spec.motor_reversed, spec.brake_on))
-    torque, delay = case.brake
-    times = [off, back, brake_on + delay]
-    angle, speed = spec.angle.si + case.zero, spec.speed.si
+    angle, speed = case.spec.angle.si + case.zero, case.spec.speed.si
     spans = list(_spans(case))
     while spans:
         span = spans.pop(0)
-        own = np.empty(0) if samples is None else samples[(samples >= span.start) & (samples <= span.end)] - span.start
-        asked = wanted(
-            span.end - span.start,
-            angle=angle,
-            speed=speed,
-            samples=own,
-            breaks=tuple(at - span.start for at in times if span.start < at < span.end),
-            target_speed=span.target,
-            overspeed=_at(spec.overspeed),
-            stops_at_target=bool(np.isfinite(span.target)),
-            tolerance=spec.tolerance.si,
-            is_timed=True,
-        )
-        train = DriveTrain(
-            in_lists(_filled(span.machine, angle)),
-            Switching(numbers, off, back, span.start),
-            (torque, brake_on + delay - span.start),
-            case.gearing,
-        )
-        found = run(kernels, train, asked, is_compiled=False)
+        span = span._replace(end=min(span.end, end))
+        train, kernels = _train(case, span, angle), _kernels(case.motor)
+        asked = _wanted(case, span, angle, speed, samples)
+        found = run(kernels, train, asked, is_compiled=False, progress=_from(span.start, progress))
         yield span, found
         angle, speed = float(found.end[0]), float(found.end[1])
         ended = span.start + found.end_time
-        if progress is not None:
-            progress(ended, speed)
         until = _followed(case, span, found)
         if until > ended:
             spans = [_Span(ended, until, np.inf, span.machine)]
-        elif found.reason != transient.TIME_OUT:
+        elif found.reason != endings.TIME_OUT or ended >= end:
             return
+
+
+def _from(start: float, progress: Progress | None) -> Progress | None:
+    """Tell progress with times counted on."""
+    return None if progress is None else lambda time, angle, speed: progress(start + time, angle, speed)
+
+
+def _switches(case: StartCase) -> tuple[float, float, float]:
+    """When the motor is switched off, when it is reversed, and when the brake's torque comes. [s]"""
+    spec = case.spec
+    off, back, brake_on = (_at(time) for time in (spec.motor_off, spec.motor_reversed, spec.brake_on))
+    return off, back, brake_on + case.brake[1]
+
+
+def _train(case: StartCase, span: _Span, angle: float) -> DriveTrain:
+    """Numbers of a span's kernels."""
+    off, back, braked = _switches(case)
+    numbers = () if case.motor is None else case.motor.row(case.design)
+    return DriveTrain(
+        in_list(span.machine, angle),
+        Switching(numbers, off, back, span.start),
+        (case.brake[0], braked - span.start),
+        case.gearing,
+    )
+
+
+def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: Array) -> Wanted:
+    """What is wanted of a span."""
+    own = samples[(samples >= span.start) & (samples <= span.end)] - span.start
+    return wanted(
+        span.end - span.start,
+        angle=angle,
+        speed=speed,
+        samples=own,
+        breaks=tuple(at - span.start for at in _switches(case) if span.start < at < span.end),
+        corners=case.corners,
+        period=case.cycle,
+        target_speed=span.target,
+        overspeed=_at(case.spec.overspeed),
+        stops_at_target=bool(np.isfinite(span.target)),
+        most_reversals=_MOST_REVERSALS,
+        tolerance=case.spec.tolerance.si,
+        is_timed=True,
+    )
 
 
 def _at(time: Given | None) -> float:
@@ -248,7 +273,7 @@ def _at(time: Given | None) -> float:
     return np.inf if time is None else time.si
 
 
-def _together(case: StartCase, runs: list[tuple[_Span, Run]]) -> StartRun:
+def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> StartRun:
     """One run of all its spans: times counted on, works added up."""
     times, states = list[Array](), list[Array]()
     before = np.zeros(N_STATE)
@@ -261,7 +286,7 @@ def _together(case: StartCase, runs: list[tuple[_Span, Run]]) -> StartRun:
     span, last = runs[-1]
     time, state = np.concatenate(times), np.concatenate(states)
     return StartRun(
-        reason=_(SETTLED if case.is_to_settle and len(runs) > 1 else REASONS[last.reason]),
+        reason=_(SETTLED if case.is_to_settle and len(runs) > 1 else REASONS[reason]),
         time=time,
         curves=_curves(case, time, state),
         events=tuple(_events(case, runs)),
@@ -286,7 +311,7 @@ def _curves(case: StartCase, time: Array, state: Array) -> StartCurves:
         [kernels.motor(w * ratio, t, numbers) for w, t in zip(speed.tolist(), time.tolist(), strict=True)]
     )
     load, inertia = np.empty(time.shape), np.empty(time.shape)
-    machine = in_lists(_filled(case.machine, float(angle[0])))
+    machine = in_list(case.machine, float(angle[0]))
     for at, (phi, omega) in enumerate(zip(angle.tolist(), speed.tolist(), strict=True)):
         inertia[at], _, load[at], _ = kernels.machine(phi, omega, np.sign(omega), machine)
         in_floats(settle)(phi, machine)
@@ -310,7 +335,7 @@ def _events(case: StartCase, runs: list[tuple[_Span, Run]]) -> Iterator[StartEve
     for span, found in runs:
         for event in found.events:
             yield StartEvent(
-                _(NEARLY_STEADY if event.kind == transient.SPEED_PASSED and case.is_to_settle else EVENTS[event.kind]),
+                _(NEARLY_STEADY if event.kind == endings.SPEED_PASSED and case.is_to_settle else EVENTS[event.kind]),
                 float(span.start + event.time),
                 float(event.angle - case.zero),
                 float(event.speed),
@@ -331,7 +356,7 @@ def _spans(case: StartCase) -> Iterator[_Span]:
 def _followed(case: StartCase, span: _Span, found: Run) -> float:
     """When a span is over that follows on one that ended; no later than that where none does. [s]"""
     ended = span.start + found.end_time
-    if found.reason == transient.SPEED_REACHED and case.is_to_settle:
+    if found.reason == endings.SPEED_REACHED and case.is_to_settle:
         return ended + _MORE_CYCLES * case.cycle_time
     return ended
 
@@ -343,19 +368,11 @@ def _unloaded(machine: ReducedMachine) -> ReducedMachine:
     return machine._replace(chambers=chambers)
 
 
-def _filled(machine: ReducedMachine, angle: float) -> ReducedMachine:
-    """A machine whose chambers hold gas at suction pressure, as after standing long or running unloaded."""
-    piece, x, _ = place_of(angle, len(machine.pieces))
-    memory = np.zeros_like(machine.memory)
-    for at, chamber in enumerate(machine.chambers):
-        volume = value_of(machine.pieces[piece], int(chamber[VOLUME]), x)
-        memory[at] = chamber[SUCTION] * volume ** chamber[COMPRESSION], chamber[COMPRESSION]
-    return machine._replace(memory=memory)
-
-
-def in_lists(machine: ReducedMachine) -> ReducedMachine:
-    """The same numbers as lists, for a run that is not compiled."""
-    return ReducedMachine(*(part.tolist() for part in machine))
+def in_list(machine: ReducedMachine, angle: float) -> list[float]:
+    """Numbers for a run that is not compiled, from an angle where all chambers hold gas at suction pressure."""
+    numbers = in_one_row(machine).tolist()
+    filled_at(angle, numbers)
+    return numbers
 
 
 class Switching(NamedTuple):

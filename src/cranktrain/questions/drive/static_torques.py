@@ -17,6 +17,7 @@ from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.gear_train import torque_through
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
+from cranktrain.questions.drive.sign_changes import sign_changes
 from cranktrain.questions.drive.steady_cycle import mesh_of
 from cranktrain.record import record
 
@@ -130,12 +131,17 @@ def _facts(machines: ReducedMachines, design: int, gearing: Gearing, crank_angle
     """Extremes between corners, and means by quadrature between them."""
     machine = machines.each[design]
     corners = machines.corners[min(design, len(machines.corners) - 1)]
-    mesh = mesh_of(machines.cycle, corners)
 
     def torque(angle: Array) -> Array:
         still = reduced_at(machine, np.ravel(angle)).by_load(np.zeros(angle.size))
-        return torque_through(still, ONE, gearing).reshape(-1, *angle.shape)
+        return torque_through(still, ONE, gearing).reshape(len(gearing.ratio) + 1, *angle.shape)
 
+    def at_crank(angle: Array) -> Array:
+        return torque(angle)[-1]
+
+    # Where the torque changes its sign, losses turn round.
+    changes = sign_changes(at_crank, mesh_of(machines.cycle, corners))
+    mesh = mesh_of(machines.cycle, np.concatenate([corners, changes]))
     zero = float(crank_angle.zero[min(design, len(crank_angle.zero) - 1), 0, 0])
     samples = torque(crank_angle.shown + zero)
 
@@ -143,7 +149,7 @@ def _facts(machines: ReducedMachines, design: int, gearing: Gearing, crank_angle
         def curves(which: NDArray[np.intp], shown: Array) -> Array:
             return sign * torque(shown + zero)[which, np.arange(len(which))]
 
-        found = largest_between(curves, crank_angle.shown, sign * samples, corners - zero)
+        found = largest_between(curves, crank_angle.shown, sign * samples, np.append(corners, changes) - zero)
         return Extreme(within(found.angle, machines.cycle), sign * found.value)
 
     at_nodes = torque(mesh.nodes)

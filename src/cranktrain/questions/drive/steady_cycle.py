@@ -43,8 +43,11 @@ class CyclePieces(NamedTuple):
 
     def mean(self, values: Array) -> Array:
         """Mean over the angle of values at the nodes, shape (..., piece · node) → (...)."""
-        apart = values.reshape(*values.shape[:-1], len(self.start), _N_NODES)
-        return np.sum(apart @ _INTEGRALS[-1] * self.width, axis=-1) / np.sum(self.width)
+        return np.sum(self.of_each(values), axis=-1) / np.sum(self.width)
+
+    def of_each(self, values: Array) -> Array:
+        """Integral over each piece of values at the nodes, shape (..., piece · node) → (..., piece)."""
+        return values.reshape(*values.shape[:-1], len(self.start), _N_NODES) @ _INTEGRALS[-1] * self.width
 
 
 @record

@@ -23,7 +23,8 @@ _SLOWEST = 0.02
 """Of the motor's top speed: slower it counts as stalled."""
 _FASTEST = 1e5
 """Of a motor without a top speed: no crank turns so fast. [rad/s]"""
-NOWHERE = ReducedAt(*np.empty((3, 0)), (), np.empty(0))
+_NONE = np.empty(0)
+NOWHERE = ReducedAt(_NONE, _NONE, _NONE, (), _NONE)
 
 
 class DriveInTurn(NamedTuple):
@@ -141,7 +142,7 @@ def _top(turning: DriveInTurn) -> float:
         return top / ratio
     if np.isfinite(rated):
         return 3 * rated / ratio
-    speeds = 2.0 ** np.arange(np.floor(np.log2(_FASTEST)))
+    speeds: Array = np.exp2(np.arange(np.floor(np.log2(_FASTEST))))
     drives = np.flatnonzero(_mean_work(turning, speeds) > 0)
     return float(speeds[min(drives[-1] + 1, speeds.size - 1)]) if drives.size else 1.0
 

@@ -72,6 +72,10 @@ def force_events(
     for load in () if loaded.loads is None else loaded.loads.each:
         if isinstance(load.law, ByAngle):
             own[load.mechanism].append(load.law.kinks(crank_angle.cycle) + crank_angle.zero[..., 0])
+    curve = loaded.speed.curve
+    if curve is not None and curve.corners is not None:
+        for parts in own.values():
+            parts.append(np.broadcast_to(curve.corners, (n_designs, curve.corners.shape[-1])))
     each = [np.concatenate(parts, axis=-1) for parts in own.values()]
     shared = [
         np.concatenate([each[i] for i in np.flatnonzero(loaded.sharing == label)], axis=-1) for label in loaded.sharing

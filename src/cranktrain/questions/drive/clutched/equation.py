@@ -10,7 +10,7 @@ from cranktrain.questions.drive.clutched.courses import Grip
 from cranktrain.questions.drive.running.compiling import quick
 from cranktrain.questions.drive.running.equation import Kernels, joined
 from cranktrain.questions.drive.running.gearing import NONE, Gearing, acceleration, overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.step import Derive
+from cranktrain.questions.drive.running.general_step import Derive
 
 WHEEL, ANGLE, SPEED, MOTOR_WORK, LOAD_WORK, CLUTCH_HEAT, BRAKE_HEAT, LOST_WORK, MOTOR_HEAT = range(9)
 """Components of the state: speed of the flywheel, angle and speed of the crank, and what work became of since."""
@@ -150,7 +150,7 @@ def press_form(kernels: Kernels, law: Any, braked: Any) -> Derive:
 
     docs/theory/clutched-drive, eqs. (30.1), (30.2) and (30.8).
     """
-    machine, motor, heat, _ = kernels
+    machine, motor, heat, _, _ = kernels
 
     def derive(time: float, state: Array, slopes: Array, sense: float, acting: ActingPress) -> int:
         press, phase = acting.press, acting.phase

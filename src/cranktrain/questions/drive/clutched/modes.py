@@ -15,7 +15,7 @@ from cranktrain.questions.drive.clutched.equation import (
     needed_torque,
 )
 from cranktrain.questions.drive.running.equation import Kernels
-from cranktrain.questions.drive.running.step import Derive
+from cranktrain.questions.drive.running.general_step import Derive
 
 _LOOKS = 64
 _HALVINGS = 80

@@ -29,7 +29,7 @@ from cranktrain.questions.drive.clutched.runs import (
     piece_ends,
 )
 from cranktrain.questions.drive.running.equation import Kernels
-from cranktrain.questions.drive.running.step import Derive
+from cranktrain.questions.drive.running.general_step import Derive
 from cranktrain.record import record
 
 _BESIDE = 1e-11

@@ -54,8 +54,7 @@ from cranktrain.questions.drive.clutched.watches import (
 )
 from cranktrain.questions.drive.running.compiling import quick
 from cranktrain.questions.drive.running.equation import Kernels
-from cranktrain.questions.drive.running.step import take_step
-from cranktrain.questions.drive.running.tableau import ERRORS
+from cranktrain.questions.drive.running.general_step import ERRORS, take_step
 
 _LARGEST_TURN = 2 * math.pi / 50
 """In a step: with more, a torque that is large for a moment would be overlooked. [rad]"""

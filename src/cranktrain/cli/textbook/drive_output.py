@@ -1,0 +1,62 @@
+"""What `textbook --drive` writes: the drive's table, its curves, or its figures."""
+
+import logging
+from collections.abc import Iterator
+from pathlib import PurePath
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.io.output import write_machine_file, write_whole
+from cranktrain.language import _
+from cranktrain.one_line import one_line
+from cranktrain.textbook.drive_curves import drive_curves, values_at
+from cranktrain.textbook.drive_table import CrankRockerDrive
+from cranktrain.textbook.friction_circles import rubbing_links
+from cranktrain.viz.output import FORMATS, save
+
+_TABLE, _CURVES = ".toml", ".csv"
+
+
+def drive_output_problems(output: str | None) -> Iterator[Problem]:
+    """Refuse a name that says nothing of what is to be written."""
+    known = (_TABLE, _CURVES, *FORMATS)
+    if output is not None and PurePath(output).suffix.lower() not in known:
+        yield Problem("-o", output, _("must end in one of: {suffixes}").format(suffixes=", ".join(known)))
+
+
+def write_drive(
+    drive: CrankRockerDrive, text: str | None, name: str, output: str, *, angle: float, force: bool
+) -> None:
+    """Write the table or the curves, or draw both figures; say what was written."""
+    suffix = PurePath(output).suffix.lower()
+    if suffix == _TABLE:
+        if text is None:
+            raise InputError([Problem("-o", output, _("is for a drive's table: a machine has a file of its own"))])
+        write_machine_file(output, text, force=force)
+    elif suffix == _CURVES:
+        write_whole(output, curves_csv(drive), force=force)
+    else:
+        from cranktrain.viz.plans.drive_figure import drive_figure
+
+        # What the plotting library says of its fonts and its folder is nothing that a user asked for.
+        logging.getLogger("matplotlib").setLevel(logging.ERROR)
+        save(lambda: drive_figure(drive, name, angle), output, force=force)
+    print(_("written: {name}").format(name=one_line(output)))
+
+
+def curves_csv(drive: CrankRockerDrive) -> str:
+    """All curves by whole degrees of the crank from the line of the pivots, in SI, as a table."""
+    degrees = np.arange(361.0)
+    angle = np.deg2rad(degrees)
+    heads, columns = ["crank_angle_deg"], [degrees]
+    for one in drive_curves(drive):
+        heads.append(f"{one.number} {one.verdict}: {_(one.name)} [{one.unit}]")
+        columns.append(values_at(drive, one, angle))
+    if drive.friction is not None:
+        load = drive.load * drive.geometry.rocker_length
+        heads.append(f"{_('torque on the crank with friction circles')} [N*m]")
+        columns.append(rubbing_links(angle, drive.geometry, load, drive.friction).torque)
+    lines = [",".join(f'"{head}"' for head in heads)]
+    lines += [",".join(f"{value + 0.0:.12g}" for value in row) for row in np.stack(columns, axis=1)]
+    return "\n".join(lines) + "\n"

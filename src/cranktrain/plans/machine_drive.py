@@ -1,0 +1,107 @@
+"""A machine's crank-rocker as the drive of [gandzha]: its numbers by that source's symbols."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.layout.load_tables import LoadSpec
+from cranktrain.layout.masses import masses_of
+from cranktrain.layout.places import PlacedMechanism
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+
+_KIND = "crank_rocker"
+
+
+def drive_data(machine: Machine, mechanism: str | None = None) -> dict[str, object]:
+    """Give a machine's crank-rocker by the symbols that `read_drive` takes, as far as the machine says them.
+
+    Parameters
+    ----------
+    machine : Machine
+        Its [drive], if any, gives i, eta_p and GD2_0; [masses] gives m, p, q, I, J and GD2_O1; loads on the rocker of
+        one size give Q.
+    mechanism : str, optional
+        Name of the crank-rocker; the first unless given.
+
+    Returns
+    -------
+    dict
+        Texts with their units.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    found = [one for one in machine.places if one.kind.name == _KIND and mechanism in (None, one.name)]
+    if not found:
+        raise InputError([Problem("mechanism", mechanism, _("must have a crank-rocker: the text speaks of no other"))])
+    place = found[0]
+    geometry = place.geometry
+    lengths = (geometry.crank_radius, geometry.rod_length, geometry.rocker_length, geometry.ground_length)
+    data: dict[str, object] = {
+        symbol: _written(length, "m") for symbol, length in zip(("r", "l", "r1", "d"), lengths, strict=True)
+    }
+    data["branch"] = "open" if float(geometry.side) > 0 else "crossed"
+    return data | dict(_of_gear(machine)) | dict(_of_masses(machine, place)) | dict(_of_loads(machine, place))
+
+
+def _of_gear(machine: Machine) -> Iterator[tuple[str, object]]:
+    """Ratio and efficiency of all stages; flywheel moment of what turns with their shafts, at the motor."""
+    drive = machine.drive
+    yield "eta_sh", 1.0
+    if drive is None:
+        return
+    ratios = [float(np.ravel(stage.ratio.array)[0]) for stage in drive.stage]
+    forward = [float(np.ravel(stage.efficiencies[0])[0]) for stage in drive.stage]
+    yield "i", float(np.prod(ratios))
+    yield "eta_p", float(np.prod(forward))
+    motor = None if drive.motor is None else drive.motor.rotor_inertia
+    own = 0.0 if motor is None else float(np.ravel(motor)[0])
+    for part in drive.part.values():
+        turned = 1.0 if part.on == "motor" else float(np.prod(ratios[: part.on]))
+        own += float(np.ravel(part.moment)[0]) / turned**2
+    yield "GD2_0", _written(4 * own, "kg*m^2")
+
+
+def _of_masses(machine: Machine, place: PlacedMechanism) -> Iterator[tuple[str, object]]:
+    """The rod, and what turns about the fixed pivots: inertia about its centre of mass and its mass at its distance."""
+    (bodies,) = (batch.bodies for batch in masses_of((place,), machine.weighed, 1).batches)
+    moving = dict(zip(place.kind.dynamics.moving, bodies, strict=True))
+    crank, rod, rocker = (tuple(float(np.ravel(one)[0]) for one in moving[name]) for name in ("crank", "rod", "rocker"))
+    about = [own + mass * (along**2 + across**2) for mass, along, across, own in (crank, rocker)]
+    yield "J", _written(about[0], "kg*m^2")
+    yield "GD2_O1", _written(4 * about[1], "kg*m^2")
+    if rod[0] > 0:
+        values = zip(("m", "p", "q", "I"), rod, ("kg", "m", "m", "kg*m^2"), strict=True)
+        yield from ((symbol, _written(value, unit)) for symbol, value, unit in values)
+
+
+def _of_loads(machine: Machine, place: PlacedMechanism) -> Iterator[tuple[str, object]]:
+    """Q of the loads on the rocker, if each is of one size: a torque, or a force across the rocker on an arm."""
+    own = [load for load in machine.load.values() if load.on.rpartition(".")[2] == "rocker"]
+    torques = [_torque(load) for load in own]
+    if own and None not in torques:
+        torque = sum(one for one in torques if one is not None)
+        yield "Q", _written(torque / float(place.geometry.rocker_length), "N")
+
+
+def _torque(load: LoadSpec) -> float | None:
+    """Torque of a load against the growing angle of the rocker; of one that resists its size. None where it varies."""
+    varies = (load.crank_angles, load.travel, load.swing, load.direction, load.at_speed, load.at_turning)
+    sizes = load.force if load.torque is None else load.torque
+    if any(one is not None for one in varies) or sizes is None or len(sizes) > 1:
+        return None
+    if load.torque is None and load.radius is None:
+        return None
+    arm = 1.0 if load.torque is not None or load.radius is None else load.radius.si
+    torque = -sizes[0].si * arm
+    return abs(torque) if load.sense == "resisting" else torque
+
+
+def _written(value: Array | float, unit: str) -> str:
+    """Write an SI number so that it is read again as the same."""
+    return f"{float(np.ravel(value)[0])!r} {unit}"

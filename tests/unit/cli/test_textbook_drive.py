@@ -1,0 +1,105 @@
+"""`textbook --drive`: (1) to (21) of a crank-rocker's drive as typed, of a table and of a machine, and mistakes."""
+
+import csv
+import re
+
+import pytest
+from tests.sentences import ENDS_IN
+
+LINKS = 'r = "250 mm"\nl = "700 mm"\nr1 = "500 mm"\nd = "800 mm"\n'
+DRIVE = 'i = 40\neta_p = 0.94\neta_sh = 0.9\nQ = "4 kN"\nGD2_0 = "2.4 kgf*m^2"\nGD2_O1 = "200 kgf*m^2"\n'
+OF_MACHINE = ("--set=i=40", "--set=eta_p=0.94", "--set=eta_sh=0.9", "--set=GD2_0=2.4 kg*m^2")
+
+
+def rows(output, number):
+    """Numbers of each row of a formula: verdict, at α, peaks with angles, mean, rms."""
+    return [line.split()[1:] for line in output.splitlines() if line.startswith(f"  {number} ")]
+
+
+def test_example(typed):
+    answer = typed("textbook", "--drive", "example")
+    assert (answer.status, answer.errors) == (0, "")
+    assert all(len(line) <= 80 for line in answer.output.splitlines())
+    active, dry, printed, refuted = rows(answer.output, "(14)")
+    assert active == ["right", "18.56", "29.86", "112.8°", "-25.397", "334.4°", "2.8069", "19.165", "705.4"]
+    assert dry[2:] == ["29.86", "112.8°", "35.485", "334.4°", "19.747", "22.204", "4963.0"]
+    assert printed[2:] == ["29.86", "112.8°", "-35.485", "334.4°", "0", "22.204", "0.0"]
+    assert refuted[2:6] == ["29.377", "105.2°", "-25.494", "317.0°"]
+    moments = rows(answer.output, "(20)")
+    assert [row[2] for row in moments] == ["2.4319", "2.4463", "3.9086", "2.4311"]
+    assert [row[4] for row in moments] == ["2.4451", "2.4609", "4.5305", "2.373"]
+    said = re.sub(r"\s+", " ", answer.output)
+    for words in ("220.4 J", "47.28 times", "0.922276", "0.916161", "214.622–218.050°", "59.1 N*m", "31.7525°"):
+        assert words in said
+
+
+def test_machine_has_the_same_numbers_as_the_table(typed):
+    """The example tilting_table is the drive of the table; only its idle torque is Q r₁."""
+    table = typed("textbook", "--drive", "example", "--set", "M_xx0=2000 N*m").output
+    machine = typed("textbook", "--drive", "tilting_table", *OF_MACHINE).output
+    for number in ("(4)", "(14)", "(20)", "(21)"):
+        assert rows(machine, number) == rows(table, number)
+
+
+def test_curves_are_written(typed, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert typed("textbook", "--drive", "example", "-o", "drive.csv").output == "written: drive.csv\n"
+    with (tmp_path / "drive.csv").open(encoding="utf-8", newline="") as file:
+        read = list(csv.reader(file))
+    assert len(read) == 362
+    assert read[1][0] == "0"
+    column = next(i for i, head in enumerate(read[0]) if head.startswith("(14) right") and "active" in head)
+    assert float(read[61][column]) == pytest.approx(18.560, abs=5e-4)
+
+
+def test_table_is_written_and_read_again(typed, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert typed("textbook", "--drive", "example", "--set", "i=20", "-o", "drive.toml").status == 0
+    again = typed("textbook", "--drive", "drive.toml").output
+    assert again == typed("textbook", "--drive", "example", "--set", "i=20").output
+    assert typed("textbook", "--drive", "tilting_table", *OF_MACHINE, "-o", "other.toml").status == 2
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("r", "900 mm"), "must be a crank-rocker"),
+        (("eta_p", "1.2"), "eta_p"),
+        (("i", "0"), "i = 0: "),
+        (("GD2_0", "-1 kgf*m^2"), "must not be less than 0"),
+        (("m", "10 kg"), "is missing; m has it"),
+        (("I", "1 kg*m^2"), "must be left out without m"),
+        (("f", "0.1"), "is missing, with r_B, r_A, r_O1"),
+        (("speed", "3 rpm"), "speed"),
+    ],
+)
+def test_mistakes_in_a_table(typed, written, change, said):
+    written(LINKS + DRIVE, "drive.toml")
+    assert typed("textbook", "--drive", "drive.toml").status == 0
+    wrong = typed("textbook", "--drive", "drive.toml", "--set", "=".join(change))
+    assert wrong.status == 2
+    assert said in wrong.errors
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--drive", "example", "--table"], "must be left out beside --drive"),
+        (["--drive", "example", "--throw", "example"], "must be left out beside --drive"),
+        (["--drive", "example", "-o", "drive.xlsx"], ENDS_IN),
+        (["--drive", "vaz_21213"], "must have a crank-rocker"),
+        (["--drive", "pumping_unit_c57", *OF_MACHINE], "Q: is missing"),
+        (["--drive", " "], "must be a file with a drive's table"),
+        (["tilting_table", "--at", "20"], "is for a drive: ask for --drive FILE, too"),
+        (["--drive", "example", "--set", "Q"], "must be SYMBOL=VALUE"),
+    ],
+)
+def test_mistakes(typed, options, said):
+    wrong = typed("textbook", *options)
+    assert wrong.status == 2
+    assert said in wrong.errors
+
+
+def test_without_pins_there_is_no_friction(typed, written):
+    written(LINKS + DRIVE, "drive.toml")
+    assert "No pins are given: f with r_O, r_B, r_A, r_O1." in typed("textbook", "--drive", "drive.toml").output
