@@ -1,7 +1,7 @@
 """A flywheel on a shaft of the drive with which the motor gives no more than is wanted, or the crank runs as evenly."""
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 
@@ -142,7 +142,7 @@ def _least(excess: Callable[[float], float], there: float) -> float:
         low, high = high, 4 * high
         if high > _MOST * there:
             return np.inf
-    root: Any = brentq(excess, low, high, xtol=1e-11 * high)
+    root = cast(float, brentq(excess, low, high, xtol=1e-11 * high))
     return float(root)
 
 

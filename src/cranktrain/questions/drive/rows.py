@@ -66,7 +66,7 @@ def running_rows(labels: Names, design: int, found: SteadyDrive) -> Iterator[Ans
     )
 
 
-def sizing_rows(_labels: Names, design: int, found: MotorSizing) -> Iterator[AnswerLine]:
+def sizing_rows(labels: Names, design: int, found: MotorSizing) -> Iterator[AnswerLine]:
     """What governs the declared motor, and the smallest typical one that passes."""
     declared, chosen, smaller = found.largest_share[design].tolist()
     if np.isfinite(declared):
@@ -98,7 +98,7 @@ def _smaller(found: MotorSizing, design: int, share: float) -> dict[str, Amount 
     return {"less": power, "by": Amount(share - 1, "%"), "missed": found.governing(design, 2)}
 
 
-def flywheel_rows(_labels: Names, design: int, found: DriveFlywheel) -> Iterator[AnswerLine]:
+def flywheel_rows(labels: Names, design: int, found: DriveFlywheel) -> Iterator[AnswerLine]:
     """Flywheel for the wanted torque or evenness, and the formula beside."""
     yield worded(
         _("flywheel of the drive"),

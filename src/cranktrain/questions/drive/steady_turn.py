@@ -142,7 +142,7 @@ def _top(turning: DriveInTurn) -> float:
         return top / ratio
     if np.isfinite(rated):
         return 3 * rated / ratio
-    speeds: Array = np.exp2(np.arange(np.floor(np.log2(_FASTEST))))
+    speeds: Array = np.geomspace(1.0, _FASTEST, 18)
     drives = np.flatnonzero(_mean_work(turning, speeds) > 0)
     return float(speeds[min(drives[-1] + 1, speeds.size - 1)]) if drives.size else 1.0
 
@@ -151,7 +151,8 @@ def _mean_work(turning: DriveInTurn, speeds: Array) -> Array:
     """Mean over the cycle of what drives the crank at constant speeds, less what holds it, shape (n,). [N·m]"""
     here, n = turning.here, speeds.size
     powers = tuple(Power(np.tile(one.coefficient, n), one.exponent) for one in here.powers)
-    along = ReducedAt(*(np.tile(each, n) for each in here[:3]), powers, np.tile(here.output, n))
+    inertia, slope, load, output = (np.tile(each, n) for each in (here.inertia, here.slope, here.load, here.output))
+    along = ReducedAt(inertia, slope, load, powers, output)
     work = _work(turning._replace(here=along), np.repeat(speeds, here.load.size))
     return np.mean(work.reshape(n, -1), axis=1)
 
