@@ -22,6 +22,8 @@ _LEFT = 0.55
 _LOOP = 0.5
 """Share of the motor's curve in the height."""
 _RPM = 60 / (2 * np.pi)
+_LOOK = FORCES._replace(has_zero=False)
+"""Flywheel moment and speed change by little."""
 
 
 @drawing_settings()
@@ -44,7 +46,7 @@ def sheet_drive(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
     shown = OneDesign(result, design)
     page, box = result_page(result, design, size, _("Drive"))
     left = box._replace(left=box.left + 14.0, width=_LEFT * box.width - 20.0)
-    draw_panels(page, list(drive_panels(shown)), left, FORCES)
+    draw_panels(page, list(drive_panels(shown)), left, _LOOK)
     start = box.left + _LEFT * box.width + 8.0
     right = Box(start, box.bottom, box.left + box.width - start, box.height)
     below = right.bottom + right.height

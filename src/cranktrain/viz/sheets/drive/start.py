@@ -19,7 +19,8 @@ from cranktrain.viz.sheets.drive.torque_speed import draw_torque_speed
 
 _LEFT, _LOOP = 0.56, 0.5
 _GAP, _FOOT = 9.0, 9.0
-_MOST_MARKS = 14
+_MOST_MARKS, _NAMED = 14, 3
+"""Events that are marked over the time, and that the table has room for."""
 _RPM = 60 / (2 * np.pi)
 
 
@@ -122,5 +123,5 @@ def _facts(start: Start) -> Iterator[tuple[str, str]]:
     yield of(_("heat in the motor"), curves.motor_heat[-1], "J")
     yield _("energy left over"), f"{abs(run.residual) / run.supplied if run.supplied else 0.0:.1e}"
     yield _("events"), str(len(run.events))
-    for event in run.events[:6]:
+    for event in run.events[:_NAMED]:
         yield event.name, f"{event.time:.4f} s"
