@@ -58,6 +58,15 @@ Units
     ...     print(result.summary().splitlines()[0])
     Strokes: 30.48 cm. ...
 
+A motor
+    With `[drive]`, `run` knows how the machine runs with its motor, and `start` runs it over time, a `Start`.
+
+    >>> started = ct.start("tilting_table", set={"drive.start.duration": "0.5 s"})
+    >>> started
+    <Start of Tilting table with a crank-rocker drive (illustrative): 0.5 s, the time asked for is over>
+    >>> started.motor_torque.shape == started.time.shape
+    True
+
 Pictures
     They are figures of matplotlib, which a notebook shows; `ct.viz` has plans and constructions too.
 

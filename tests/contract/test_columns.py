@@ -132,6 +132,21 @@ TABLES = {
                 "unloaded_until": "1 s",
                 "interval": "0.01 s",
             },
+            "duty": {
+                "kind": "S3",
+                "duty_factor": 0.3,
+                "cycle_time": "8 min",
+                "thermal_time_constant": "20 min",
+                "pause_cooling": 0.4,
+                "constant_losses": 0.2,
+                "starts_per_hour": "30 1/h",
+                "unloaded_starts": "900 1/h",
+                "start_load_factor": 0.7,
+                "allowed_start_time": "2 s",
+                "lowest_voltage": 0.92,
+                "largest_inertia_ratio": 8,
+            },
+            "flywheel": {"on": 2, "largest_torque": "40 N*m"},
         }
     },
     "loads": {

@@ -158,6 +158,8 @@ STANDING = {
     "shears": ("blade below the shaft", "", eccentric_press),
     "shaking_conveyor": ("the trough lies to the right", "", to_the_right),
     "eccentric_press": ("ram below the shaft", "press's lower dead centre", eccentric_press),
+    "servo_press": ("ram below the shaft", "press's lower dead centre", eccentric_press),
+    "servo_press_rocking": ("ram below the shaft", "press's lower dead centre", eccentric_press),
     "tilting_table": ("the rocker's pivot lies to the right of the shaft", "", tilting_table),
     "pumping_unit_c57": ("56 in to the right and 105 - 37 = 68 in up", "well on the right", pumping_unit),
     "lms_class5": ("to the right; y points down", "throw 1 is on the right side", lms_class5),

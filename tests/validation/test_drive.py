@@ -181,9 +181,9 @@ def _turning(result):
     from cranktrain.questions.drive.declared import DeclaredDrive
     from cranktrain.questions.drive.motor_tables import DeclaredMotor
     from cranktrain.questions.drive.reduction import ReducedMachines
-    from cranktrain.questions.drive.steady_drive import _NOWHERE, DriveInTurn
+    from cranktrain.questions.drive.steady_turn import DriveInTurn
 
     parts = parts_of([result.machines[0]], step=np.radians(1))
     drive, motor = parts[DeclaredDrive], parts[DeclaredMotor]
     machines = next(one for one in result.outcomes if isinstance(one, ReducedMachines))
-    return DriveInTurn(machines.each[0], motor, 0, drive.gearings[0], _NOWHERE)
+    return DriveInTurn(machines.each[0], motor, 0, drive.gearings[0])

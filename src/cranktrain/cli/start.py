@@ -45,6 +45,7 @@ def show_start(request: StartRequest) -> None:
     with shown_as_in(units_of(file.machine)), shown_by(asked):
         with problems_as(file.located):
             found = start(file.machine, progress=_progress())
+        _end_progress()
         if request.output is not None:
             _write(found, file, request, suffix)
             print(_("written: {name}").format(name=one_line(request.output)))
@@ -113,3 +114,9 @@ def _progress() -> Progress | None:
         print(f"{line:<60}", end="\r", file=sys.stderr, flush=True)
 
     return tell
+
+
+def _end_progress() -> None:
+    """Clear the line on which a terminal was told."""
+    if sys.stderr.isatty():
+        print(" " * 60, end="\r", file=sys.stderr, flush=True)

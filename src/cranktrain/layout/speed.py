@@ -8,6 +8,7 @@ from cranktrain.language import N_
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.linkage.forces import Drive
 from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics import Extreme
 from cranktrain.record import record
 
 
@@ -56,6 +57,28 @@ class SteadySpeed:
     acceleration: Array
     mean: Array
     reasons: tuple[str, ...]
+
+
+@record
+class DrivenSpeed:
+    """Speed over the cycle of a machine with its motor, arrays of shape (design,) unless said otherwise; NaN for none.
+
+    Attributes
+    ----------
+    speed, acceleration : Array, shape (design, n)
+        [rad/s, rad/s²]
+    over_time, over_angle : Array
+        Means of the speed. [rad/s]
+    largest, smallest : Extreme
+        At shown crank angles. [rad/s, rad]
+    """
+
+    speed: Array
+    acceleration: Array
+    over_time: Array
+    over_angle: Array
+    largest: Extreme
+    smallest: Extreme
 
 
 def rates(place: Coefficient, drive: Drive) -> tuple[Array, Array]:

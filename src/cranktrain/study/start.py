@@ -16,6 +16,7 @@ from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.one_line import short
 from cranktrain.questions.drive.declared import DeclaredDrive, DeclaredStart
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
@@ -54,6 +55,10 @@ class Start:
         if name in self.catalogue:
             return getattr(self.run.curves, name)
         raise AttributeError(name)
+
+    def __repr__(self) -> str:
+        """Show whose it is, how long it took and why it ended, in one line."""
+        return f"<Start of {short(self.machine.name)}: {self.time[-1]:.4g} s, {self.run.reason}>"
 
     @property
     def time(self) -> Array:

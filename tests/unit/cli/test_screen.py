@@ -24,7 +24,17 @@ TODAY = {"motion": 9, "cylinders": 7, "gas": 6}
 """Questions of today that may have more rows than a later one."""
 
 DRIVEN = ("compressor_start", "gas_compressor", "mud_pump_12p160", "two_throw_compressor")
-WITHOUT_CYLINDERS = ("eccentric_press", "jaw_crusher", "pumping_unit_c57", "shaper", "tilting_table", "toggle_press")
+WITHOUT_CYLINDERS = (
+    "eccentric_press",
+    "jaw_crusher",
+    "pumping_unit_c57",
+    "servo_press",
+    "servo_press_rocking",
+    "shaper",
+    "shears",
+    "tilting_table",
+    "toggle_press",
+)
 VALVE_GEARS = ("eccentric", "stephenson")
 ROCKERS = ("crank_rocker", "slotted_lever")
 

@@ -7,13 +7,14 @@ import mpmath
 import numpy as np
 import pytest
 from tests.machines import ROCKER, slider
+from tests.sentences import NOT_POSITIVE
 
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
 from cranktrain.layout.mechanisms import Mechanisms, mechanisms_of
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
-from cranktrain.layout.wish.fitting import Way, fitted
+from cranktrain.layout.wish.fitting import WishWay, fitted
 from cranktrain.layout.wish.following import crank_at, crank_by_angle
 from cranktrain.layout.wish.laws import LAWS, Law, polynomial_law
 from cranktrain.layout.wish.rocking import rocking_crank
@@ -24,7 +25,7 @@ RADIUS, ROD, OFFSET = "0.05", "0.18", "0.012"
 YOKE = {"kind": "scotch_yoke", "crank_radius": "50 mm"}
 SLIDER = slider(offset="12 mm")
 NO_REST = "must not stand beside"
-WAY = Way(0.0, 1.0, "mm", "shaft.main.motion", is_table=False)
+WAY = WishWay(0.0, 1.0, "mm", "shaft.main.motion", is_table=False)
 
 
 def piece(duration, to=None, law=None, key="to"):
@@ -264,7 +265,7 @@ def test_a_rocking_crank_swings_between_two_angles():
 
 
 REFUSED = {
-    "no period": ({"piece": [piece("0 s", "100 mm")]}, "piece[0].duration", "must be more than 0"),
+    "no period": ({"piece": [piece("0 s", "100 mm")]}, "piece[0].duration", NOT_POSITIVE),
     "short": ({"piece": [piece("1 s", "90 mm"), piece("1 s", "0 mm")]}, "", "times 1.11111 plus 0.00 mm"),
     "beyond": ({"piece": [piece("1 s", "130 mm"), piece("1 s", "0 mm")]}, "", "must turn round at both ends"),
     "3-4-5": (

@@ -175,7 +175,7 @@ def _linkage_lines(drive: CrankRockerDrive) -> Iterator[str]:
 
 
 def _force_lines(drive: CrankRockerDrive, angle: float, width: int) -> Iterator[Text]:
-    """Directions, forces, the instant centre, the weights: (1) to (11), (15)."""
+    """Directions, forces, the instant centre, the weights: (1) to (11), (15) to (17)."""
     at = directions(np.array(angle), drive.geometry)
     distances = centre_distances(drive.geometry.rod_length, at)
     turn, load = 360.0, drive.load
@@ -195,6 +195,7 @@ def _force_lines(drive: CrankRockerDrive, angle: float, width: int) -> Iterator[
         (_("(5), (10) BC"), number(float(distances[1]), "mm"), ""),
         (_("(11) sin ∠BAC"), f"{abs(float(np.sin(at.rocker - at.rod))):.6f}", ""),
         (_("(15) weight at A, G_A"), number(float(weight), "kg"), ""),
+        (_("(16), (17) weight at B, G_B"), number(float(weight * (distances[0] / distances[1]) ** 2), "kg"), ""),
     ]
     yield from table(("", "", ""), rows, right=(1,), fold=width)
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from cranktrain.layout.wish.laws import Law, Moved
 from cranktrain.layout.wish.stroke import Output
-from cranktrain.layout.wish.turning import Turning, mirrored
+from cranktrain.layout.wish.turning import TurnOfWish, mirrored
 from cranktrain.motion import Array
 from cranktrain.numerics import turn_grid
 from cranktrain.numerics.harmonics import TURN
@@ -42,7 +42,7 @@ def constant_crank(output: Output, *, is_falling: bool) -> Law:
     )
 
 
-def _series(turning: Turning, turned: float, rise: float) -> Array:
+def _series(turning: TurnOfWish, turned: float, rise: float) -> Array:
     """Share of the way by share of the time, from a dead centre."""
     own = turning.series * (turned / turning.reach) ** np.arange(turning.series.size) * turned**2 / rise
     return np.array([0.0, 0.0, *own])

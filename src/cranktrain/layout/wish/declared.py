@@ -13,7 +13,7 @@ from cranktrain.layout.part_tables import part_name
 from cranktrain.layout.specs import MAIN
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.layout.wish.constant_crank import constant_crank
-from cranktrain.layout.wish.fitting import Way, fitted, refuse_outside
+from cranktrain.layout.wish.fitting import WishWay, fitted, refuse_outside
 from cranktrain.layout.wish.following import Following, corners, crank_by_angle
 from cranktrain.layout.wish.laws import LAWS, NEAREST
 from cranktrain.layout.wish.rocking import Rocking
@@ -164,15 +164,15 @@ def _made(spec: WantedMotionSpec, mechanisms: Mechanisms, design: int) -> Follow
     return Rocking(output, wanted)
 
 
-def _way(spec: WantedMotionSpec, output: Output, *, is_slider: bool) -> Way:
+def _way(spec: WantedMotionSpec, output: Output, *, is_slider: bool) -> WishWay:
     """How the positions of a table count: from the shaft's far side; of a rocker, from its least angle."""
     falls = (spec.counts_from == "far") == is_slider
     end = output.high if falls else output.low
     unit = "mm" if is_slider else "deg"
-    return Way(end.position, -1.0 if falls else 1.0, unit, PATH, is_table=not spec.piece)
+    return WishWay(end.position, -1.0 if falls else 1.0, unit, PATH, is_table=not spec.piece)
 
 
-def _wanted(spec: WantedMotionSpec, output: Output, way: Way) -> WantedMotion:
+def _wanted(spec: WantedMotionSpec, output: Output, way: WishWay) -> WantedMotion:
     """The motion that a table says, in the output's own coordinate."""
     if spec.times is not None and spec.listed is not None and spec.period is not None:
         times, places = (np.array([one.si for one in own]) for own in (spec.times, spec.listed))
@@ -187,7 +187,9 @@ def _wanted(spec: WantedMotionSpec, output: Output, way: Way) -> WantedMotion:
     return from_pieces(tuple(pieces))
 
 
-def _piece(spec: MotionPieceSpec, start: float, at: float, to: float, output: Output, way: Way, number: int) -> Piece:
+def _piece(
+    spec: MotionPieceSpec, start: float, at: float, to: float, output: Output, way: WishWay, number: int
+) -> Piece:
     """A piece of the motion; a way to where it is already is a rest."""
     if to == at:
         return Piece(start, spec.duration.si, at, 0.0, None, number)

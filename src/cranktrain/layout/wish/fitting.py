@@ -22,7 +22,7 @@ _SLOW = 2
 """Power with which a motion turns round that the crank passes without a rest."""
 
 
-class Way(NamedTuple):
+class WishWay(NamedTuple):
     """How positions are written in the file: p in q = zero + sense·p, their unit, and where they stand."""
 
     zero: float
@@ -40,7 +40,7 @@ class Way(NamedTuple):
         return f"{self.path}.{'positions' if self.is_table else f'piece[{piece.number}].{key}'}"
 
 
-def fitted(output: Output, wanted: WantedMotion, way: Way) -> Following:
+def fitted(output: Output, wanted: WantedMotion, way: WishWay) -> Following:
     """Put a wanted motion to an output whose crank turns all round.
 
     Raises
@@ -64,7 +64,7 @@ def fitted(output: Output, wanted: WantedMotion, way: Way) -> Following:
     return following(output, put, high, low)
 
 
-def refuse_outside(output: Output, wanted: WantedMotion, way: Way) -> None:
+def refuse_outside(output: Output, wanted: WantedMotion, way: WishWay) -> None:
     """Refuse a motion for a rocking crank that is not within the stroke, or jumps."""
     highest, lowest = _extremes(wanted)
     inner = _NEAR * output.stroke
@@ -83,7 +83,7 @@ def _refuse(problems: Sequence[Problem]) -> None:
         raise InputError(problems)
 
 
-def _ends(output: Output, way: Way) -> dict[str, str]:
+def _ends(output: Output, way: WishWay) -> dict[str, str]:
     """Ends of the stroke as the file counts, the least first."""
     low, high = sorted((output.low.position, output.high.position), key=lambda end: (end - way.zero) * way.sense)
     return {"low": way.said(low), "high": way.said(high)}
@@ -99,7 +99,7 @@ def _moving(wanted: WantedMotion) -> list[int]:
     return [n for n, piece in enumerate(wanted.pieces) if piece.law is not None]
 
 
-def _turn_problems(wanted: WantedMotion, way: Way) -> Iterator[Problem]:
+def _turn_problems(wanted: WantedMotion, way: WishWay) -> Iterator[Problem]:
     """Find a motion that turns round more than twice a period."""
     moving = [wanted.pieces[n] for n in _moving(wanted)]
     senses = np.sign([piece.rise for piece in moving])
@@ -111,7 +111,7 @@ def _turn_problems(wanted: WantedMotion, way: Way) -> Iterator[Problem]:
         yield Problem(way.path, None, allowed.format(n=n_turns), repair)
 
 
-def _joint_problems(wanted: WantedMotion, way: Way) -> Iterator[Problem]:
+def _joint_problems(wanted: WantedMotion, way: WishWay) -> Iterator[Problem]:
     """Find jumps of the velocity from piece to piece."""
     pieces = wanted.pieces
     largest = max(abs(piece.rise) / piece.span for piece in pieces if piece.law is not None)
@@ -127,7 +127,7 @@ def _joint_problems(wanted: WantedMotion, way: Way) -> Iterator[Problem]:
             yield Problem(way.of(faulty, "law"), None, allowed.format(end=end, own=own))
 
 
-def _nearest(output: Output, highest: float, lowest: float, way: Way) -> Problem:
+def _nearest(output: Output, highest: float, lowest: float, way: WishWay) -> Problem:
     """Say which motion is the nearest that has the stroke's ends."""
     low, high = sorted((lowest, highest), key=lambda end: (end - way.zero) * way.sense)
     allowed = _(
@@ -157,7 +157,7 @@ def _around(wanted: WantedMotion, sense: float) -> tuple[int, int]:
 
 
 def _dead_problems(
-    output: Output, wanted: WantedMotion, way: Way, around: tuple[int, int], *, is_high: bool
+    output: Output, wanted: WantedMotion, way: WishWay, around: tuple[int, int], *, is_high: bool
 ) -> Iterator[Problem]:
     """Find an infinite acceleration of the crank at a dead centre."""
     coming, leaving = (wanted.pieces[n] for n in around)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.layout.wish.stroke import DeadCentre, Output
-from cranktrain.layout.wish.turning import Root, Turning, away_at, mirrored, of_series, root_of_distance
+from cranktrain.layout.wish.turning import Root, TurnOfWish, away_at, mirrored, of_series, root_of_distance
 from cranktrain.layout.wish.wanted import Piece, WantedMotion, moved
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
@@ -31,8 +31,8 @@ class End(NamedTuple):
     side: float
     angle: float
     time: float
-    of_angle: Turning
-    of_time: Turning
+    of_angle: TurnOfWish
+    of_time: TurnOfWish
 
 
 class Stroke(NamedTuple):
@@ -112,7 +112,7 @@ def _after(time: float, other: float, period: float) -> float:
     return other + (0.0 if period - late < 1e-12 * period else late)
 
 
-def _of_piece(piece: Piece, *, at_end: bool) -> Turning:
+def _of_piece(piece: Piece, *, at_end: bool) -> TurnOfWish:
     if piece.law is None:
         raise AssertionError
     return of_series(piece.law.end if at_end else piece.law.start, piece.rise, piece.span, piece.law.reach)

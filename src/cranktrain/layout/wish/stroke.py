@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.layout.mechanisms import Mechanisms
-from cranktrain.layout.wish.turning import Turning, about_dead_centre
+from cranktrain.layout.wish.turning import TurnOfWish, about_dead_centre
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import bracketed_roots, turn_grid
 from cranktrain.numerics.harmonics import TURN
@@ -20,7 +20,7 @@ class DeadCentre(NamedTuple):
 
     angle: float
     position: float
-    turning: Turning
+    turning: TurnOfWish
 
 
 class Output(NamedTuple):

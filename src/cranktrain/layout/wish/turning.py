@@ -17,7 +17,7 @@ _CLOSE = 2e-14
 _MOST_STEPS = 12
 
 
-class Turning(NamedTuple):
+class TurnOfWish(NamedTuple):
     """Distance from a turning point, |q − q_d| = uᵐ·P(u/reach), by how far in angle or time it is away.
 
     Attributes
@@ -43,7 +43,7 @@ class Root(NamedTuple):
     second: Array
 
 
-def root_of_distance(turning: Turning, away: Array) -> Root:
+def root_of_distance(turning: TurnOfWish, away: Array) -> Root:
     """Give s = u^{m/2} √P at distances u, shape (n,) and not below 0.
 
     docs/theory/servo, eq. (29.4).
@@ -65,7 +65,7 @@ def root_of_distance(turning: Turning, away: Array) -> Root:
     )
 
 
-def away_at(turning: Turning, root: Array) -> Array:
+def away_at(turning: TurnOfWish, root: Array) -> Array:
     """Distance u ≥ 0 at which the root is this, shape (n,) and not below 0; beyond the reach it may be anything."""
     m = turning.order
     target = root ** (2 / m)
@@ -83,22 +83,22 @@ def away_at(turning: Turning, root: Array) -> Array:
     return away
 
 
-def mirrored(turning: Turning) -> Turning:
+def mirrored(turning: TurnOfWish) -> TurnOfWish:
     """Look from a turning point the other way."""
     return turning._replace(series=turning.series * (-1.0) ** np.arange(turning.series.size))
 
 
-def of_series(series: Array, rise: float, span: float, reach: float) -> Turning:
+def of_series(series: Array, rise: float, span: float, reach: float) -> TurnOfWish:
     """Turning of a law from its power series over a span of time, on the way that `rise` measures.
 
     It holds for a share of the span.
     """
     order = leading(series)
     own = abs(rise) * np.sign(series[order]) * series[order:]
-    return Turning(order, own * reach ** np.arange(own.size) / span**order, reach * span)
+    return TurnOfWish(order, own * reach ** np.arange(own.size) / span**order, reach * span)
 
 
-def about_dead_centre(motion: Callable[[Array], Coefficient], angle: float) -> Turning:
+def about_dead_centre(motion: Callable[[Array], Coefficient], angle: float) -> TurnOfWish:
     """Turning of an output about its dead centre, from a polynomial through x″ there.
 
     x − x_d = δ² ∫(1 − u) x″(φ_d + uδ) du: no difference of near numbers. docs/theory/servo, eq. (29.5).
@@ -115,4 +115,4 @@ def about_dead_centre(motion: Callable[[Array], Coefficient], angle: float) -> T
         reach *= 0.7
     series = chebyshev.cheb2poly(fitted)
     k = np.arange(series.size)
-    return Turning(2, np.sign(series[0]) * series / ((k + 1) * (k + 2)), reach)
+    return TurnOfWish(2, np.sign(series[0]) * series / ((k + 1) * (k + 2)), reach)

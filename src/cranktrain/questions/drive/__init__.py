@@ -10,8 +10,11 @@ from cranktrain.layout.shaft_loads import on_shafts
 from cranktrain.layout.uses import inner_table, table
 from cranktrain.questions.drive import rows
 from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
+from cranktrain.questions.drive.declared_duty import WantedFlywheel
 from cranktrain.questions.drive.driven_speed import driven_speed
+from cranktrain.questions.drive.flywheel_sizing import DriveFlywheel, drive_flywheel
 from cranktrain.questions.drive.half_periods import half_periods
+from cranktrain.questions.drive.motor_sizing import MotorSizing, motor_sizing
 from cranktrain.questions.drive.reduction import reduced_machines
 from cranktrain.questions.drive.servo.rocking import is_rocking, rocking_course, rocking_drive
 from cranktrain.questions.drive.servo.stages import is_wanted, servo_drive, wanted_crank
@@ -38,6 +41,11 @@ def is_driven(drive: DeclaredDrive | None) -> bool:
     return drive is not None
 
 
+def is_flywheel_wanted(wanted: WantedFlywheel | None) -> bool:
+    """Whether a flywheel is to be found."""
+    return wanted is not None
+
+
 QUESTION = Question(
     "drive",
     tables={"drive": DriveSpec},
@@ -53,10 +61,14 @@ QUESTION = Question(
         Stage(rocking_course, applies=is_rocking),
         Stage(rocking_drive, applies=is_rocking),
         Stage(driven_speed),
+        Stage(motor_sizing),
+        Stage(drive_flywheel, applies=is_flywheel_wanted),
     ),
     dimensions=(
         ResultDimension("drive_shaft", N_("shaft of the drive")),
         ResultDimension("loss_rule", N_("losses")),
+        ResultDimension("sized_motor", N_("motor")),
+        ResultDimension("sizing_check", N_("check")),
         ResultDimension("half_period", N_("half-period"), is_number=True),
     ),
     headline=("rms_motor_torque",),
@@ -68,7 +80,14 @@ QUESTION = Question(
         rows.servo_rows,
         rows.rocking_rows,
         rows.rocking_drive_rows,
+        rows.sizing_rows,
+        rows.flywheel_rows,
     ),
     offers={"motor_torque": N_("torque of the motor")},
-    uses=(Use(table("drive"), (StaticTorques,)), Use(inner_table("drive", "motor"), (SteadyDrive,))),
+    uses=(
+        Use(table("drive"), (StaticTorques,)),
+        Use(inner_table("drive", "motor"), (SteadyDrive,)),
+        Use(inner_table("drive", "duty"), (MotorSizing,)),
+        Use(inner_table("drive", "flywheel"), (DriveFlywheel,)),
+    ),
 )

@@ -85,7 +85,7 @@ def transmitted_torque(demand: CrankDemand, pace: Array | float = 1.0) -> Array:
 
     Notes
     -----
-    docs/theory/drive, eq. (25.39): the loss takes its sense from the transmitted torque, with inertia in it.
+    docs/theory/drive, eq. (25.40): the loss takes its sense from the transmitted torque, with inertia in it.
     """
     torque = demand.static_torque + pace * pace * demand.inertia_torque
     forward, back = (np.asarray(one)[..., np.newaxis] for one in (demand.efficiency, demand.back_efficiency))
@@ -103,7 +103,7 @@ def history_at(demand: CrankDemand, ratio: Array, pace: Array | float = 1.0) -> 
 def rms_by_ratio(demand: CrankDemand, motor_inertia: Array, ratio: Array) -> Array:
     """Rms torque of a motor behind a ratio, all of shape (...). [N·m]
 
-    docs/theory/drive, eq. (25.39).
+    docs/theory/drive, eq. (25.40).
     """
     history = history_at(demand, ratio)
     return rms_torque(history.torque + np.asarray(motor_inertia)[..., np.newaxis] * history.acceleration, history.time)
@@ -125,7 +125,7 @@ def best_ratio(demand: CrankDemand, motor_inertia: Array) -> BestRatio:
 
     Notes
     -----
-    docs/theory/drive, eq. (25.40). Of a pure inertia it is √(J/J_m).
+    docs/theory/drive, eq. (25.41). Of a pure inertia it is √(J/J_m).
     """
     time = demand.time
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.motion import Array
+from cranktrain.questions.drive.declared_duty import declared_duty, wanted_flywheel
 from cranktrain.questions.drive.motor_tables import DeclaredMotor, declared_motor
 from cranktrain.questions.drive.running.gearing import Gearing
 from cranktrain.questions.drive.spec import DriveSpec, StartSpec
@@ -62,6 +63,9 @@ def drive_parts(designs: Designs) -> Iterator[object]:
     motor = None if spec.motor is None else declared_motor(spec.motor, designs)
     yield _declared_drive(spec, motor, designs)
     yield DeclaredStart(spec.start)
+    yield declared_duty(spec.duty, designs)
+    if spec.flywheel is not None:
+        yield wanted_flywheel(spec.flywheel, designs)
     if motor is not None:
         yield motor
         yield DrivenByMotor()

@@ -23,6 +23,7 @@ from cranktrain.quantities import (
     Quantity,
     Speed,
 )
+from cranktrain.questions.drive.duty_spec import DutySpec, SizedFlywheelSpec
 from cranktrain.questions.drive.motor_tables import AnyMotor
 from cranktrain.spec import Spec
 
@@ -147,9 +148,13 @@ class DriveSpec(Spec, frozen=True):
         default={}, description=N_("What turns with a shaft of the drive, by name: couplings, pulleys, flywheels.")
     )
     start: StartSpec = Field(default=StartSpec(), description=N_("How a run begins and when it ends."))
+    duty: DutySpec | None = Field(default=None, description=N_("How the motor is used; on and on unless given."))
+    flywheel: SizedFlywheelSpec | None = Field(default=None, description=N_("A flywheel that is to be found."))
 
     def _problems(self) -> Iterator[Problem]:
-        """Find parts on shafts that are not there."""
+        """Find parts on shafts that are not there, and a flywheel to be found without a motor."""
+        if self.flywheel is not None:
+            yield from self.flywheel.problems_with(len(self.stage), has_motor=self.motor is not None)
         for name, part in self.part.items():
             if part.on != "motor" and part.on > len(self.stage):
                 allowed = _('must be "motor" or the number of a stage, of which there are {n}')

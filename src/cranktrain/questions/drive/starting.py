@@ -32,15 +32,13 @@ from cranktrain.questions.drive.running.equation import (
 from cranktrain.questions.drive.running.floats import in_floats
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.reduced import (
-    COMPRESSION,
     DISCHARGE,
     SUCTION,
-    VOLUME,
     ReducedMachine,
-    place_of,
+    filled_at,
+    in_one_row,
     reduced_machine,
     settle,
-    value_of,
 )
 from cranktrain.questions.drive.running.runs import REASONS, Progress, Run, Wanted, run, wanted
 from cranktrain.questions.drive.running.step import N_STATE
@@ -270,7 +268,7 @@ def _train(case: StartCase, span: _Span, angle: float) -> DriveTrain:
     off, back, braked = _switches(case)
     numbers = () if case.motor is None else case.motor.row(case.design)
     return DriveTrain(
-        in_lists(_filled(span.machine, angle)),
+        in_list(span.machine, angle),
         Switching(numbers, off, back, span.start),
         (case.brake[0], braked - span.start),
         case.gearing,
@@ -359,7 +357,7 @@ def _curves(case: StartCase, time: Array, state: Array) -> StartCurves:
         [kernels.motor(w * ratio, t, numbers) for w, t in zip(speed.tolist(), time.tolist(), strict=True)]
     )
     load, inertia = np.empty(time.shape), np.empty(time.shape)
-    machine = in_lists(_filled(case.machine, float(angle[0])))
+    machine = in_list(case.machine, float(angle[0]))
     for at, (phi, omega) in enumerate(zip(angle.tolist(), speed.tolist(), strict=True)):
         inertia[at], _, load[at], _ = kernels.machine(phi, omega, np.sign(omega), machine)
         in_floats(settle)(phi, machine)
@@ -420,19 +418,11 @@ def _unloaded(machine: ReducedMachine) -> ReducedMachine:
     return machine._replace(chambers=chambers)
 
 
-def _filled(machine: ReducedMachine, angle: float) -> ReducedMachine:
-    """A machine whose chambers hold gas at suction pressure, as after standing long or running unloaded."""
-    piece, x, _ = place_of(angle, len(machine.pieces))
-    memory = np.zeros_like(machine.memory)
-    for at, chamber in enumerate(machine.chambers):
-        volume = value_of(machine.pieces[piece], int(chamber[VOLUME]), x)
-        memory[at] = chamber[SUCTION] * volume ** chamber[COMPRESSION], chamber[COMPRESSION]
-    return machine._replace(memory=memory)
-
-
-def in_lists(machine: ReducedMachine) -> ReducedMachine:
-    """The same numbers as lists, for a run that is not compiled."""
-    return ReducedMachine(*(part.tolist() for part in machine))
+def in_list(machine: ReducedMachine, angle: float) -> list[float]:
+    """Numbers for a run that is not compiled, from an angle where all chambers hold gas at suction pressure."""
+    numbers = in_one_row(machine).tolist()
+    filled_at(angle, numbers)
+    return numbers
 
 
 class Switching(NamedTuple):

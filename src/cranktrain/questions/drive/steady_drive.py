@@ -9,58 +9,22 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
-from cranktrain.questions.drive.at_angles import ReducedAt, reduced_at
 from cranktrain.questions.drive.declared import DeclaredDrive
-from cranktrain.questions.drive.gear_train import Passed, lost_torque, through_stages
+from cranktrain.questions.drive.gear_train import lost_torque
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.reduced import ReducedMachine
-from cranktrain.questions.drive.steady_cycle import CyclePieces, SpeedOverTurn, mesh_of, speed_over_turn
+from cranktrain.questions.drive.running.gearing import overall_ratio
+from cranktrain.questions.drive.steady_cycle import SpeedOverTurn
+from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed, settled
 from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/reduced-machine"
 _CURVE = ("crank_angle",)
 _ENERGY_LIMIT = 1e-9
-_MOST_MESHES = 4
-_N_SPEEDS = 400
 _N_CURVES, _N_FACTS = 5, 11
-_SLOWEST = 0.02
-"""Of the motor's top speed: slower it counts as stalled."""
-
-
-class DriveInTurn(NamedTuple):
-    """One design's machine, motor and gearing, as it turns forward; `here` is the machine at some crank angles."""
-
-    machine: ReducedMachine
-    motor: DeclaredMotor
-    design: int
-    gearing: Gearing
-    here: ReducedAt
-
-    def motor_torque(self, speed: Array) -> Array:
-        """At the motor, by speeds of the crank, shape (n,). [N·m]"""
-        at_motor = speed * overall_ratio(self.gearing)
-        return self.motor.torque(np.broadcast_to(at_motor, (self.motor.n_designs, *speed.shape)))[self.design]
-
-    def heat(self, speed: Array) -> Array:
-        """Power that heats the motor, by speeds of the crank, shape (n,). [W]"""
-        at_motor = speed * overall_ratio(self.gearing)
-        return self.motor.heating(np.broadcast_to(at_motor, (self.motor.n_designs, *speed.shape)))[self.design]
-
-    def passed(self, speed: Array) -> Passed:
-        """Acceleration of the crank, and torque at the output of every stage."""
-        taken = self.here.taken(speed)
-        return through_stages(self.motor_torque(speed), self.here.inertia, taken, self.gearing)
-
-    def at(self, angle: Array) -> "DriveInTurn":
-        """The same at other crank angles, shape (n,). [rad]"""
-        return self._replace(here=reduced_at(self.machine, angle))
-
-
-_NOWHERE = ReducedAt(np.empty(0), np.empty(0), np.empty(0), (), np.empty(0))
 
 
 @record
@@ -113,17 +77,28 @@ class SteadyDrive(StageResult):
 
 
 def steady_drive(
-    drive: DeclaredDrive, motor: DeclaredMotor, machines: ReducedMachines, crank_angle: CrankAngle
+    drive: DeclaredDrive,
+    motor: DeclaredMotor,
+    machines: ReducedMachines,
+    crank_angle: CrankAngle,
+    speed: Speed | None,
 ) -> SteadyDrive:
     """Find the steady cycle of every design, and what the motor and its drive do in it.
 
     Notes
     -----
+    A servo motor holds the declared speed of the crank, if it is not given a torque.
     docs/theory/reduced-machine, eqs. (31.6) to (31.8).
     """
     grid = np.broadcast_to(crank_angle.angle[:, 0], (len(drive.gearings), crank_angle.shown.size))
+    held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value))
     each = [
-        _of_design(DriveInTurn(machines.each[design], motor, design, gearing, _NOWHERE), machines, grid[design])
+        _of_design(
+            DriveInTurn(machines.each[design], motor, design, gearing, is_held=holds_speed(motor, design)),
+            machines,
+            grid[design],
+            float(held[design]),
+        )
         for design, gearing in enumerate(drive.gearings)
     ]
     return SteadyDrive(
@@ -138,7 +113,7 @@ def steady_drive(
                 _ENERGY_LIMIT,
             ),
         ),
-        flags=tuple(dict.fromkeys(flag for one in each for flag in one.flags)),
+        flags=(*dict.fromkeys(flag for one in each for flag in one.flags), *motor.flags, *motor.notes),
     )
 
 
@@ -152,65 +127,15 @@ class _Found(NamedTuple):
     flags: tuple[str, ...]
 
 
-def _of_design(turning: DriveInTurn, machines: ReducedMachines, angle: Array) -> _Found:
+def _of_design(turning: DriveInTurn, machines: ReducedMachines, angle: Array, held: float) -> _Found:
     """Steady running of one design, with its curves at some crank angles, shape (n,). [rad]"""
-    turning, found = _settled(turning, machines)
+    turning, found = settled(turning, machines, held if held > 0 else None)
     if found is None:
         return _Found(
             None, np.full((_N_CURVES, angle.size), np.nan), np.full(_N_FACTS, np.nan), 0.0, (_no_cycle(turning),)
         )
     curves = np.stack(_curves(turning.at(angle), found.at(angle)))
     return _Found(found, curves, _facts(turning, found), _residual(turning, found), tuple(_flags(found)))
-
-
-def _settled(turning: DriveInTurn, machines: ReducedMachines) -> tuple[DriveInTurn, SpeedOverTurn | None]:
-    """Steady cycle on pieces that end where loads have corners, and losses too; with the drive there."""
-    corners = machines.corners[min(turning.design, len(machines.corners) - 1)]
-    mesh = mesh_of(machines.cycle, corners)
-    turning = turning.at(mesh.nodes)
-    found = _cycle(turning, mesh)
-    for _again in range(_MOST_MESHES - 1):
-        kinks = np.empty(0) if found is None else _kinks(turning, found)
-        if kinks.size == 0:
-            break
-        mesh = mesh_of(machines.cycle, np.concatenate([corners, kinks]))
-        turning = turning.at(mesh.nodes)
-        found = _cycle(turning, mesh)
-    return turning, found
-
-
-def _cycle(turning: DriveInTurn, mesh: CyclePieces) -> SpeedOverTurn | None:
-    """Steady cycle nearest to the speed at which mean torques balance."""
-    first = _balanced_speed(turning, mesh)
-    return None if first is None else speed_over_turn(lambda speed: turning.passed(speed).acceleration, mesh, first)
-
-
-def _balanced_speed(turning: DriveInTurn, mesh: CyclePieces) -> float | None:
-    """Highest constant speed of the crank at which the mean acceleration falls through 0; None without one. [rad/s]"""
-    top = float(turning.motor.top_speed[turning.design]) / overall_ratio(turning.gearing)
-    if not np.isfinite(top):
-        top = 3 * float(turning.motor.rating.speed[turning.design]) / overall_ratio(turning.gearing)
-    speeds = np.linspace(_SLOWEST, 1.3, _N_SPEEDS) * top
-    means = np.array([float(mesh.mean(_work(turning, np.full(mesh.nodes.shape, speed)))) for speed in speeds])
-    falls = np.flatnonzero((means[:-1] > 0) & (means[1:] <= 0))
-    if falls.size == 0:
-        return None
-    low = falls[-1]
-    return float(speeds[low] + (speeds[low + 1] - speeds[low]) * means[low] / (means[low] - means[low + 1]))
-
-
-def _work(turning: DriveInTurn, speed: Array) -> Array:
-    """What drives the crank at a constant speed, less what holds it: what inertia would take. [N·m]"""
-    whole = turning.here.inertia + turning_inertia(turning.gearing)
-    return whole * turning.passed(speed).acceleration + 0.5 * turning.here.slope * speed**2
-
-
-def _kinks(turning: DriveInTurn, found: SpeedOverTurn) -> Array:
-    """Crank angles at which a stage's torque changes its sign: there the losses have a kink. [rad]"""
-    outputs, nodes = turning.passed(found.speed).outputs, found.mesh.nodes
-    row, place = np.nonzero(np.sign(outputs[:, :-1]) * np.sign(outputs[:, 1:]) < 0)
-    low, high = outputs[row, place], outputs[row, place + 1]
-    return nodes[place] + (nodes[place + 1] - nodes[place]) * low / (low - high)
 
 
 def _curves(turning: DriveInTurn, speed: Array) -> tuple[Array, ...]:
@@ -227,8 +152,9 @@ def _facts(turning: DriveInTurn, found: SpeedOverTurn) -> Array:
     torque = turning.motor_torque(speed)
     driven = turning.here.by_load(speed) * speed
     power, taken = found.over_time(torque * speed * ratio), found.over_time(driven)
-    whole = found.at(np.linspace(0, np.sum(found.mesh.width), 20001))
-    at_whole = turning.motor_torque(whole)
+    angles = np.linspace(0, np.sum(found.mesh.width), 20001)
+    whole = found.at(angles)
+    at_whole = (turning.at(angles) if turning.is_held else turning).motor_torque(whole)
     mean = ratio * np.sum(found.mesh.width) / found.period
     return np.array(
         [
@@ -259,6 +185,8 @@ def _residual(turning: DriveInTurn, found: SpeedOverTurn) -> float:
 
 def _no_cycle(turning: DriveInTurn) -> str:
     """Say why there is no steady running."""
+    if turning.is_held:
+        return _("No steady running: a servo motor holds the declared speed, and [shaft.main] speed is missing.")
     if np.any(np.isnan(turning.passed(np.full(turning.here.load.shape, 1.0)).acceleration)):
         return _("No steady running: irreversible gearing jams, as no acceleration or several satisfy it.")
     return _("No steady running: the motor cannot carry the machine through the cycle.")

@@ -8,15 +8,16 @@ from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.speed import Speed, SteadySpeed
+from cranktrain.layout.question import Applies
+from cranktrain.layout.speed import DrivenSpeed, Speed, SteadySpeed
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.periodic import plus
-from cranktrain.questions.evenness.applied_torque import AppliedTorque
+from cranktrain.questions.evenness.applied_torque import AppliedTorque, of_steady_running
 from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.motion_check import motion_check
 from cranktrain.questions.evenness.shaft_work import ShaftWork
-from cranktrain.questions.evenness.spec import Balancing, DrivenByMotor, DrivenSpeed, GivenFlywheel
+from cranktrain.questions.evenness.spec import Balancing, DrivenByMotor, GivenFlywheel
 from cranktrain.questions.evenness.speed_over_cycle import Mean
 from cranktrain.questions.evenness.steady_running import SteadyRunning, steady_running
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
@@ -71,11 +72,14 @@ class RunningSpeed(StageResult):
 
 
 def runs_steadily(
-    balancing: Balancing | None, flywheel: GivenFlywheel | None, driven: DrivenByMotor | None
-) -> bool | tuple[str, ...]:
+    balancing: Balancing | None, flywheel: GivenFlywheel | None, driven: DrivenByMotor | None, speed: Speed | None
+) -> Applies:
     """Whether there is a motor that gives the machine its speed, or a flywheel and what balances it."""
+    steadily = of_steady_running(balancing, speed)
     if driven is not None:
-        return True
+        return steadily is True or balancing is None or steadily
+    if steadily is not True and balancing is not None:
+        return steadily
     needs = [part.needs for part, given in ((Balancing, balancing), (GivenFlywheel, flywheel)) if given is None]
     return tuple(needs) or True
 

@@ -9,7 +9,6 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
 from cranktrain.motion import Array
-from cranktrain.numerics import Extreme
 from cranktrain.quantities import (
     Dimension,
     Given,
@@ -108,28 +107,6 @@ class DrivenByMotor:
     """Says that a motor drives the machine: it balances it, and gives it its mean speed."""
 
     needs: ClassVar[str] = N_("[drive.motor]")
-
-
-@record
-class DrivenSpeed:
-    """Speed over the cycle of a machine with its motor, arrays of shape (design,) unless said otherwise; NaN for none.
-
-    Attributes
-    ----------
-    speed, acceleration : Array, shape (design, n)
-        [rad/s, rad/s²]
-    over_time, over_angle : Array
-        Means of the speed. [rad/s]
-    largest, smallest : Extreme
-        At shown crank angles. [rad/s, rad]
-    """
-
-    speed: Array
-    acceleration: Array
-    over_time: Array
-    over_angle: Array
-    largest: Extreme
-    smallest: Extreme
 
 
 @record

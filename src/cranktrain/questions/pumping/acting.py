@@ -15,7 +15,7 @@ from cranktrain.questions.pumping.declared import DeclaredPumping
 from cranktrain.record import record
 
 
-class Acting(NamedTuple):
+class ActingOnUnit(NamedTuple):
     """Arrays of shape (design, n) at some crank angles.
 
     Attributes
@@ -38,7 +38,7 @@ class Acting(NamedTuple):
 
 
 @record
-class Unit:
+class PumpingUnit:
     """A pumping unit whose loads can be asked for; `bottom` and `top`, shape (design,), φ of its rod's ends. [rad]"""
 
     loaded: LoadedMachine
@@ -48,7 +48,7 @@ class Unit:
     bottom: Array
     top: Array
 
-    def at(self, angle: Array) -> Acting:
+    def at(self, angle: Array) -> ActingOnUnit:
         """What acts at φ, shape (design, n). [rad]"""
         own = angle[:, np.newaxis]
         speed = self.loaded.speed.drive(own).speed
@@ -59,7 +59,7 @@ class Unit:
             rod = rod + self._torque(load, own, speed)
         weights = 0.0 * rod if self.weights is None else self._torque(self.weights, own, speed)
         parts = np.broadcast_arrays(-way.place, -way.rate, pull, rod, weights)
-        return Acting(*(part[:, 0] for part in parts))
+        return ActingOnUnit(*(part[:, 0] for part in parts))
 
     def _torque(self, load: LinkLoad, angle: Array, speed: Array) -> Array:
         """Torque that the crank must be given for a load. [N·m]"""
@@ -97,7 +97,7 @@ def _area(places: Array, sizes: Array, end: float) -> float:
     return float(np.trapezoid(np.interp(at, places, sizes), at))
 
 
-def pumping_unit(declared: DeclaredPumping, loaded: LoadedMachine) -> Unit:
+def pumping_unit(declared: DeclaredPumping, loaded: LoadedMachine) -> PumpingUnit:
     """Find the loads by their names, and the ends of the stroke."""
     assert loaded.loads is not None  # the card is one
     by_name = {load.name: load for load in loaded.loads.each}
@@ -109,7 +109,7 @@ def pumping_unit(declared: DeclaredPumping, loaded: LoadedMachine) -> Unit:
         np.array(np.broadcast_to(one.angle[:, 0, 0], (n_designs,))) for one in (found.largest, found.smallest)
     )
     beside = tuple(load for load in loaded.loads.each if load is not well and load is not weights)
-    return Unit(loaded, well, weights, beside, bottom, top)
+    return PumpingUnit(loaded, well, weights, beside, bottom, top)
 
 
 def _place(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> Array:

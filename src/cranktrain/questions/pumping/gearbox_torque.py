@@ -15,9 +15,9 @@ from cranktrain.numerics import Extreme
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.pumping.acting import Acting, Unit, pumping_unit
+from cranktrain.questions.pumping.acting import ActingOnUnit, PumpingUnit, pumping_unit
 from cranktrain.questions.pumping.declared import DeclaredPumping
-from cranktrain.questions.pumping.turn_pieces import Balanced, Top, TurnPieces, balanced, turn_pieces
+from cranktrain.questions.pumping.turn_pieces import BalancedUnit, TurnPieces, TurnTop, balanced, turn_pieces
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_PUMPING_UNITS as _THEORY
 from cranktrain.wording import Names, number
@@ -120,14 +120,14 @@ class GearboxTorque(StageResult):
 class _Facts(NamedTuple):
     """Of one design; angles φ [rad], torques [N·m], share of the counterbalance."""
 
-    up: Top
-    down: Top
-    least: Top
+    up: TurnTop
+    down: TurnTop
+    least: TurnTop
     mean: float
     rms: float
     work: float
     pull: float
-    best: Balanced
+    best: BalancedUnit
     equal_peaks: float
     least_rms: float
     least_rms_peak: float
@@ -165,7 +165,7 @@ def gearbox_torque(
         zero = crank_angle.zero[:, 0, 0] if of.ndim == 1 else crank_angle.zero[:, 0]
         return within(of - zero, TURN)
 
-    equal, least_rms = (np.array([getattr(one.best, name) for one in facts]) for name in Balanced._fields)
+    equal, least_rms = (np.array([getattr(one.best, name) for one in facts]) for name in BalancedUnit._fields)
     mean, rms, work = each("mean"), each("rms"), each("work")
     largest = np.maximum(np.maximum(peak("up").value, peak("down").value), -peak("least").value)
     with np.errstate(all="ignore"):
@@ -207,7 +207,7 @@ def gearbox_torque(
     return replace(found, flags=tuple(_flags(found, declared)))
 
 
-def _facts(unit: Unit, design: int, events: Array) -> _Facts:
+def _facts(unit: PumpingUnit, design: int, events: Array) -> _Facts:
     """What holds over the whole turn of one design."""
     bottom, top = float(unit.bottom[design]), float(unit.top[design])
     top = bottom + (top - bottom) % TURN
@@ -215,14 +215,14 @@ def _facts(unit: Unit, design: int, events: Array) -> _Facts:
     own = [
         part[design] for part in unit.at(np.broadcast_to(pieces.cut.angle, (len(unit.bottom), pieces.cut.angle.size)))
     ]
-    at = Acting(*own)
+    at = ActingOnUnit(*own)
     torque = at.rod + at.weights
     best = balanced(pieces, at.rod, at.weights, (bottom, top))
     least = pieces.largest(-torque)
     return _Facts(
         up=pieces.largest(torque, bottom, top),
         down=pieces.largest(torque, top, bottom + TURN),
-        least=Top(least.angle, -least.value),
+        least=TurnTop(least.angle, -least.value),
         mean=pieces.mean(torque),
         rms=float(np.sqrt(pieces.mean(torque**2))),
         work=pieces.mean(at.load * at.factor) * TURN,
@@ -234,19 +234,19 @@ def _facts(unit: Unit, design: int, events: Array) -> _Facts:
     )
 
 
-def _largest(pieces: TurnPieces, at: Acting, share: float) -> float:
+def _largest(pieces: TurnPieces, at: ActingOnUnit, share: float) -> float:
     """Largest torque with a share of the counterbalance; NaN with none. [N·m]"""
     return pieces.largest(at.rod + share * at.weights).value if np.isfinite(share) else np.nan
 
 
-def _permissible(at: Acting, rated: Array) -> Array:
+def _permissible(at: ActingOnUnit, rated: Array) -> Array:
     """Rod load that brings the gearbox to its rating; NaN beside the dead centres, where none does. [N]"""
     factor = np.where(np.abs(at.factor) > _FLAT * np.max(np.abs(at.factor), axis=-1, keepdims=True), at.factor, np.nan)
     others = at.rod - at.load * at.factor + at.weights
     return (rated[:, np.newaxis] - others) / factor
 
 
-def _checks(unit: Unit, work: Array) -> Iterator[Check]:
+def _checks(unit: PumpingUnit, work: Array) -> Iterator[Check]:
     """Work of the polished rod by quadrature over the crank angle against the area of its card by its corners."""
     area = unit.card_area()
     if np.all(np.isfinite(area)):

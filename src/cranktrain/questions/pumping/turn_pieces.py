@@ -16,7 +16,7 @@ _FIRST, _NEXT, _TIMES = 17, 9, 9
 """Points at which a piece is looked at; and how often again, nine points between the neighbours of the best."""
 
 
-class Top(NamedTuple):
+class TurnTop(NamedTuple):
     """A largest value, and the angle at which it stands. [rad]"""
 
     angle: float
@@ -40,9 +40,9 @@ class TurnPieces(NamedTuple):
         """Mean over the crank angle of values at the points of the pieces, exact as far as these are polynomials."""
         return float(np.sum(values * self.cut.weight) / self.cycle)
 
-    def largest(self, values: Array, low: float = -np.inf, high: float = np.inf) -> Top:
+    def largest(self, values: Array, low: float = -np.inf, high: float = np.inf) -> TurnTop:
         """Largest value between the points; only of pieces from `low` to `high`, which are edges of such. [rad]"""
-        best = Top(np.nan, -np.inf)
+        best = TurnTop(np.nan, -np.inf)
         middles = low + np.mod(self.cut.start + self.cut.width / 2 - low, self.cycle) if np.isfinite(low) else None
         for size in np.unique(self.cut.size).tolist():
             chosen = self.cut.size == size
@@ -56,7 +56,7 @@ class TurnPieces(NamedTuple):
             place = int(np.argmax(value))
             if value[place] > best.value:
                 angle = self.cut.start[own[place]] + self.cut.width[own[place]] * (1 + way[place]) / 2
-                best = Top(float(np.mod(angle, self.cycle)), float(value[place]))
+                best = TurnTop(float(np.mod(angle, self.cycle)), float(value[place]))
         return best
 
 
@@ -81,14 +81,14 @@ def _tops(values: Array, size: int) -> tuple[Array, Array]:
     return way, top
 
 
-class Balanced(NamedTuple):
+class BalancedUnit(NamedTuple):
     """How much of the declared counterbalance is best: for equal peaks of up- and downstroke, and for the least rms."""
 
     equal_peaks: float
     least_rms: float
 
 
-def balanced(pieces: TurnPieces, of_rod: Array, of_weights: Array, ends: tuple[float, float]) -> Balanced:
+def balanced(pieces: TurnPieces, of_rod: Array, of_weights: Array, ends: tuple[float, float]) -> BalancedUnit:
     """Find the best counterbalances, in parts of the declared one; NaN where none makes both peaks equal.
 
     Parameters
@@ -106,7 +106,7 @@ def balanced(pieces: TurnPieces, of_rod: Array, of_weights: Array, ends: tuple[f
     bottom, top = ends
     squares = pieces.mean(of_weights**2)
     if not squares > 0:
-        return Balanced(np.nan, np.nan)
+        return BalancedUnit(np.nan, np.nan)
 
     def higher(shares: Array) -> Array:
         torques = [of_rod + share * of_weights for share in shares]
@@ -116,4 +116,4 @@ def balanced(pieces: TurnPieces, of_rod: Array, of_weights: Array, ends: tuple[f
 
     most = 4 * float(np.max(np.abs(of_rod)) / np.max(np.abs(of_weights)))
     found = bracketed_roots(higher, np.zeros(1), np.full(1, most))
-    return Balanced(float(found[0]), -pieces.mean(of_rod * of_weights) / squares)
+    return BalancedUnit(float(found[0]), -pieces.mean(of_rod * of_weights) / squares)

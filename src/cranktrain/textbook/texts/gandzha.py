@@ -38,7 +38,7 @@ TEXT = Text(
         Formula("(8)", N_("T = Q v_A/v_B"), "right", _RATIO, N_("no losses, no inertia")),
         Formula("(9)", N_("T = Q AC/BC"), "right", _RATIO, N_("no losses, no inertia")),
         Formula("(10)", N_("AC/BC = sin(α − β)/sin(α₁ − β)"), "right", _RATIO, note=N_("exact")),
-        Formula("(11)", N_("sine of the angle BAC, proof of (10)"), "right", _DRAWN),
+        Formula("(11)", N_("sine of the angle BAC, proof of (10)"), "right", _DRIVE),
         Formula("(12)", N_("static torque on the crank's shaft, T r/η"), "right in a range", _DRIVE, _LOSSES),
         Formula(
             "(13)",

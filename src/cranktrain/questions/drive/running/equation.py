@@ -78,7 +78,7 @@ class Kernels(NamedTuple):
     settle: Callable[[float, Any], None] = no_memory
 
 
-class Train(NamedTuple):
+class TrainNumbers(NamedTuple):
     """A `DriveTrain` as the loop takes it: its one stage, or none, as plain numbers; the rows of several.
 
     Every array costs a call of the loop seven words to pass on.
@@ -91,11 +91,13 @@ class Train(NamedTuple):
     rows: Any
 
 
-def train_of(drive: DriveTrain, kernels: Kernels, is_compiled: bool) -> Train:
+def train_of(drive: DriveTrain, kernels: Kernels, is_compiled: bool) -> TrainNumbers:
     """Prepare a drive for a run: with a memory of its own, and without Numba with lists, which are quicker there."""
     machine = drive.machine if kernels.settle is no_memory else deepcopy(drive.machine)
     rows = np.array(drive.gearing[1:])
-    return Train(machine, drive.motor, drive.brake, in_one_stage(drive.gearing), rows if is_compiled else rows.tolist())
+    return TrainNumbers(
+        machine, drive.motor, drive.brake, in_one_stage(drive.gearing), rows if is_compiled else rows.tolist()
+    )
 
 
 @cache
@@ -114,7 +116,14 @@ def time_form(kernels: Kernels, law: Any) -> Derive:
     machine, motor, heat, brake, _ = kernels
 
     def derive(
-        time: float, angle: float, speed: float, sense: float, bound: float, slopes: Any, place: int, train: Train
+        time: float,
+        angle: float,
+        speed: float,
+        sense: float,
+        bound: float,
+        slopes: Any,
+        place: int,
+        train: TrainNumbers,
     ) -> tuple[float, float]:
         seen = bound if sense * (angle - bound) > 0 else angle
         inertia, first, load, _ = machine(seen, speed, sense, train.machine)

@@ -13,7 +13,7 @@ from cranktrain.questions.drive.running.equation import (
     DriveTrain,
     Joined,
     Kernels,
-    Train,
+    TrainNumbers,
     is_open,
     joined,
     no_memory,
@@ -80,7 +80,7 @@ class _Going(NamedTuple):
     """What an implicit run is made of."""
 
     parts: Joined
-    train: Train
+    train: TrainNumbers
     asked: Wanted
     method: str
     table: Array

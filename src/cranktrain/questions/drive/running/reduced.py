@@ -3,9 +3,13 @@
 import math
 from typing import Any, NamedTuple
 
+import numpy as np
+
+from cranktrain.motion import Array
+
 TURN = 2 * math.pi
 DEGREE = 11
-"""Of the polynomials in which smooth coefficients of the crank angle are written."""
+"""Of the polynomials in which smooth coefficients of the crank angle are written; `value_of` is written out for it."""
 INERTIA, WEIGHT, OUTPUT = range(3)
 """Coefficients of every machine, by their places: J, the torque that weights take at the crank, x′ of what is driven.
 
@@ -74,7 +78,7 @@ VOLUME, SUCTION, DISCHARGE, COMPRESSION, EXPANSION, AMBIENT = range(6)
 
 
 class ReducedMachine(NamedTuple):
-    """A machine of one design: arrays, or lists of the same for a run that is not compiled.
+    """A machine of one design.
 
     Attributes
     ----------
@@ -95,119 +99,164 @@ class ReducedMachine(NamedTuple):
     memory: Any
 
 
-def reduced_machine(angle: float, speed: float, sense: float, machine: ReducedMachine) -> Any:
+_N_PIECES, _WIDTH, _N_LOADS, _N_CHAMBERS, _PIECES, _LOADS, _POINTS, _CHAMBERS, _MEMORY = range(9)
+"""What stands first in the numbers of a machine for its kernel: how many there are, and where each begins."""
+_HEAD = 9
+_N_FIELDS, _N_POINT, _N_CHAMBER, _N_HELD = len(ReducedLoad._fields), 3, len(ReducedChamber._fields), 2
+
+
+def in_one_row(machine: ReducedMachine) -> Array:
+    """All numbers of a machine one after another, as its kernels take them.
+
+    Arrays within a tuple, and views into them, would cost a compiled kernel ten times what it computes.
+    """
+    parts = [np.asarray(part, dtype=float) for part in machine]
+    starts = _HEAD + np.concatenate([[0], np.cumsum([part.size for part in parts])[:-1]])
+    head = [len(parts[0]), parts[0].shape[1], len(parts[1]), len(parts[3]), *starts.tolist()]
+    return np.concatenate([np.array(head, dtype=float), *(part.ravel() for part in parts)])
+
+
+def reduced_machine(angle: float, speed: float, sense: float, numbers: Any) -> Any:
     """J, J′, torque that loads, weights and gas take at the crank, and x′ of what is driven.
 
     Parameters
     ----------
     angle, speed, sense : float
         Of the crank; the sense is that of a motion which may be about to begin. [rad, rad/s, 1]
-    machine : ReducedMachine
+    numbers : Array, or list of float
+        Of `in_one_row`.
 
     Notes
     -----
     docs/theory/reduced-machine, eqs. (31.1) to (31.5).
     """
-    piece, x, by_angle = place_of(angle, len(machine.pieces))
-    row = machine.pieces[piece]
-    inertia, slope = value_and_slope(row, INERTIA, x)
-    torque = value_of(row, WEIGHT, x)
-    for at in range(len(machine.loads)):
-        torque -= _load_torque(machine.loads[at], row, x, angle, speed, sense, machine.points)
-    for at in range(len(machine.chambers)):
-        chamber, held = machine.chambers[at], machine.memory[at]
-        volume, by_x = value_and_slope(row, int(chamber[VOLUME]), x)
-        pressure, _, _ = gas_in(chamber, held[0], held[1], volume)
-        torque -= (pressure - chamber[AMBIENT]) * by_x * by_angle
-    return inertia, slope * by_angle, torque, value_of(row, OUTPUT, x)
+    row, x, by_angle = place_of(angle, numbers)
+    inertia, slope = value_and_slope(numbers, row + INERTIA * (DEGREE + 1), x)
+    torque = value_of(numbers, row + WEIGHT * (DEGREE + 1), x)
+    for at in range(int(numbers[_N_LOADS])):
+        load = int(numbers[_LOADS]) + at * _N_FIELDS
+        torque -= _load_torque(numbers, load, row, x, angle, speed, sense)
+    for at in range(int(numbers[_N_CHAMBERS])):
+        chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * _N_HELD
+        volume, by_x = value_and_slope(numbers, row + int(numbers[chamber + VOLUME]) * (DEGREE + 1), x)
+        pressure, _, _ = _gas_in(numbers, chamber, numbers[held], numbers[held + 1], volume)
+        torque -= (pressure - numbers[chamber + AMBIENT]) * by_x * by_angle
+    return inertia, slope * by_angle, torque, value_of(numbers, row + OUTPUT * (DEGREE + 1), x)
 
 
-def settle(angle: float, machine: ReducedMachine) -> None:
+def settle(angle: float, numbers: Any) -> None:
     """Let every chamber remember its gas as it is at a crank angle. [rad]"""
-    piece, x, _ = place_of(angle, len(machine.pieces))
-    for at in range(len(machine.chambers)):
-        chamber, held = machine.chambers[at], machine.memory[at]
-        volume = value_of(machine.pieces[piece], int(chamber[VOLUME]), x)
-        _, constant, exponent = gas_in(chamber, held[0], held[1], volume)
-        held[0] = constant
-        held[1] = exponent
+    row, x, _ = place_of(angle, numbers)
+    for at in range(int(numbers[_N_CHAMBERS])):
+        chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * _N_HELD
+        volume = value_of(numbers, row + int(numbers[chamber + VOLUME]) * (DEGREE + 1), x)
+        _, constant, exponent = _gas_in(numbers, chamber, numbers[held], numbers[held + 1], volume)
+        numbers[held] = constant
+        numbers[held + 1] = exponent
 
 
-def place_of(angle: float, n_pieces: int) -> Any:
-    """In which piece of the turn an angle lies, its place −1…1 within, and the slope of that by the angle."""
+def filled_at(angle: float, numbers: Any) -> None:
+    """Fill every chamber with gas at suction pressure, as after standing long or running unloaded."""
+    row, x, _ = place_of(angle, numbers)
+    for at in range(int(numbers[_N_CHAMBERS])):
+        chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * _N_HELD
+        volume = value_of(numbers, row + int(numbers[chamber + VOLUME]) * (DEGREE + 1), x)
+        numbers[held] = numbers[chamber + SUCTION] * volume ** numbers[chamber + COMPRESSION]
+        numbers[held + 1] = numbers[chamber + COMPRESSION]
+
+
+def place_of(angle: float, numbers: Any) -> Any:
+    """Where the polynomials of an angle begin, its place −1…1 in their piece, and the slope of that by the angle."""
+    n_pieces = int(numbers[_N_PIECES])
     turns = angle / TURN
     along = (turns - math.floor(turns)) * n_pieces
     piece = min(int(along), n_pieces - 1)
-    return piece, 2 * (along - piece) - 1, n_pieces / math.pi
+    row = int(numbers[_PIECES]) + piece * int(numbers[_WIDTH])
+    return row, 2 * (along - piece) - 1, n_pieces / math.pi
 
 
 def gas_in(chamber: Any, constant: float, exponent: float, volume: float) -> Any:
     """Pressure [Pa] in a chamber that remembers p·Vⁿ and n, and what it then remembers. Eq. (31.5)"""
+    return _gas_in(chamber, 0, constant, exponent, volume)
+
+
+def _gas_in(numbers: Any, chamber: int, constant: float, exponent: float, volume: float) -> Any:
     pressure = constant * volume**-exponent
-    if pressure < chamber[SUCTION]:
-        pressure, exponent = chamber[SUCTION], chamber[COMPRESSION]
-    elif pressure > chamber[DISCHARGE]:
-        pressure, exponent = chamber[DISCHARGE], chamber[EXPANSION]
+    if pressure < numbers[chamber + SUCTION]:
+        pressure, exponent = numbers[chamber + SUCTION], numbers[chamber + COMPRESSION]
+    elif pressure > numbers[chamber + DISCHARGE]:
+        pressure, exponent = numbers[chamber + DISCHARGE], numbers[chamber + EXPANSION]
     else:
         return pressure, constant, exponent
     return pressure, pressure * volume**exponent, exponent
 
 
-def value_of(row: Any, which: int, x: float) -> float:
-    """A coefficient at the place −1…1 within a piece."""
-    first = which * (DEGREE + 1)
-    value = row[first + DEGREE]
-    for power in range(DEGREE - 1, -1, -1):
-        value = value * x + row[first + power]
-    return value
+def value_of(numbers: Any, first: int, x: float) -> float:
+    """A coefficient whose polynomial begins at a place, at −1…1 within its piece.
+
+    Even and odd powers apart: two short chains of products are quicker than a long one.
+    """
+    y = x * x
+    even, odd = numbers[first + 10], numbers[first + 11]
+    even, odd = even * y + numbers[first + 8], odd * y + numbers[first + 9]
+    even, odd = even * y + numbers[first + 6], odd * y + numbers[first + 7]
+    even, odd = even * y + numbers[first + 4], odd * y + numbers[first + 5]
+    even, odd = even * y + numbers[first + 2], odd * y + numbers[first + 3]
+    even, odd = even * y + numbers[first], odd * y + numbers[first + 1]
+    return even + x * odd
 
 
-def value_and_slope(row: Any, which: int, x: float) -> Any:
+def value_and_slope(numbers: Any, first: int, x: float) -> Any:
     """A coefficient, and its slope by the place, −1…1 within a piece."""
-    first = which * (DEGREE + 1)
-    value, slope = row[first + DEGREE], 0.0
-    for power in range(DEGREE - 1, -1, -1):
-        slope = slope * x + value
-        value = value * x + row[first + power]
-    return value, slope
+    y = x * x
+    rising, turning = 10 * numbers[first + 10], 11 * numbers[first + 11]
+    rising, turning = rising * y + 8 * numbers[first + 8], turning * y + 9 * numbers[first + 9]
+    rising, turning = rising * y + 6 * numbers[first + 6], turning * y + 7 * numbers[first + 7]
+    rising, turning = rising * y + 4 * numbers[first + 4], turning * y + 5 * numbers[first + 5]
+    rising, turning = rising * y + 2 * numbers[first + 2], turning * y + 3 * numbers[first + 3]
+    return value_of(numbers, first, x), x * rising + turning * y + numbers[first + 1]
 
 
-def _load_torque(load: Any, row: Any, x: float, angle: float, speed: float, sense: float, points: Any) -> float:
+def _load_torque(numbers: Any, load: int, row: int, x: float, angle: float, speed: float, sense: float) -> float:
     """Torque that a load gives to the crank. [N·m]"""
-    rate = load[COUNTS] if load[RATE] < 0 else value_of(row, int(load[RATE]), x)
-    if load[IS_SQUARED] > 0:
+    which, counts = int(numbers[load + RATE]), numbers[load + COUNTS]
+    rate = counts if which < 0 else value_of(numbers, row + which * (DEGREE + 1), x)
+    if numbers[load + IS_SQUARED] > 0:
         rate = math.sqrt(max(rate, 0.0))
-    way = load[COUNTS] * rate
-    size = _size_of(load, row, x, angle, way * speed, way * sense, points)
-    if load[RESISTS] > 0:
+    size = _size_of(numbers, load, row, x, angle, counts * rate * speed, counts * rate * sense)
+    if numbers[load + RESISTS] > 0:
         return -abs(rate) * size * sense
     return rate * size
 
 
-def _size_of(load: Any, row: Any, x: float, angle: float, speed: float, sense: float, points: Any) -> float:
+def _size_of(numbers: Any, load: int, row: int, x: float, angle: float, speed: float, sense: float) -> float:
     """Size of a load by its law, with the speed along its way, and the sense of that."""
-    first, n_points = int(load[FIRST]), int(load[N_POINTS])
-    if load[LAW] == BY_SPEED:
-        return load[SIZE] * (abs(speed) / load[AT]) ** load[EXPONENT]
-    if load[LAW] == BY_ANGLE:
-        along = _between(points, first, n_points, (angle - load[ORIGIN]) % load[PERIOD], 1)
-        return along * (abs(speed) / load[AT]) ** load[EXPONENT]
-    travel = load[COUNTS] * value_of(row, int(load[PLACE]), x) - load[ORIGIN]
-    return _between(points, first, n_points, travel, 1 if sense >= 0 else 2)
+    law, exponent = numbers[load + LAW], numbers[load + EXPONENT]
+    by_speed = 1.0 if exponent == 0 else (abs(speed) / numbers[load + AT]) ** exponent
+    if law == BY_SPEED:
+        return numbers[load + SIZE] * by_speed
+    if law == BY_ANGLE:
+        shown = (angle - numbers[load + ORIGIN]) % numbers[load + PERIOD]
+        return by_speed * _between(numbers, load, shown, 1)
+    place = value_of(numbers, row + int(numbers[load + PLACE]) * (DEGREE + 1), x)
+    travel = numbers[load + COUNTS] * place - numbers[load + ORIGIN]
+    return _between(numbers, load, travel, 1 if sense >= 0 else 2)
 
 
-def _between(points: Any, first: int, n_points: int, at: float, column: int) -> float:
-    """Straight lines from point to point; beyond the ends the last value."""
-    low, high = first, first + n_points - 1
-    if at <= points[low][0]:
-        return points[low][column]
-    if at >= points[high][0]:
-        return points[high][column]
+def _between(numbers: Any, load: int, at: float, column: int) -> float:
+    """Straight lines between a load's points; beyond the ends the last value."""
+    first = int(numbers[_POINTS]) + int(numbers[load + FIRST]) * _N_POINT
+    low, high = 0, int(numbers[load + N_POINTS]) - 1
+    if at <= numbers[first]:
+        return numbers[first + column]
+    if at >= numbers[first + high * _N_POINT]:
+        return numbers[first + high * _N_POINT + column]
     while high - low > 1:
         middle = (low + high) // 2
-        if at < points[middle][0]:
+        if at < numbers[first + middle * _N_POINT]:
             high = middle
         else:
             low = middle
-    share = (at - points[low][0]) / (points[high][0] - points[low][0])
-    return points[low][column] + share * (points[high][column] - points[low][column])
+    one, other = first + low * _N_POINT, first + high * _N_POINT
+    share = (at - numbers[one]) / (numbers[other] - numbers[one])
+    return numbers[one + column] + share * (numbers[other + column] - numbers[one + column])

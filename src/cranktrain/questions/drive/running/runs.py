@@ -25,7 +25,7 @@ from cranktrain.questions.drive.running.course import (
     course_from,
 )
 from cranktrain.questions.drive.running.endings import GOING, STOPPED, RunLimits
-from cranktrain.questions.drive.running.equation import DriveTrain, Joined, Kernels, Train, joined, train_of
+from cranktrain.questions.drive.running.equation import DriveTrain, Joined, Kernels, TrainNumbers, joined, train_of
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.step import N_STATE
 from cranktrain.questions.drive.running.transient import begin_run, run_on
@@ -304,7 +304,7 @@ def loop_of(parts: Joined, is_compiled: bool) -> Any:
     """Loop of a run with its kernels in it: given to it at every call, they would cost more than the run."""
     derive, kernels = parts
 
-    def loop(train: Train, asked: Wanted, course: Course, table: Array, marks: Array, most_steps: int) -> int:
+    def loop(train: TrainNumbers, asked: Wanted, course: Course, table: Array, marks: Array, most_steps: int) -> int:
         here, state = course.here, course.state
         if course.counts[STEPS] == 0:
             begin(kernels, train, asked, course, table)

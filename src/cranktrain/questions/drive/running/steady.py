@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.numerics.roots import bracketed_roots
 from cranktrain.questions.drive.running.compiling import quick
-from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, Train, joined, train_of
+from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, TrainNumbers, joined, train_of
 from cranktrain.questions.drive.running.gearing import turning_inertia
 from cranktrain.questions.drive.running.step import N_STATE, ROW, Derive, error_of, integrate_along, take_step
 from cranktrain.record import record
@@ -132,7 +132,7 @@ def _walk(kernels: Kernels, is_compiled: bool) -> Any:
         slopes[place + 3] = at_motor * at_motor / speed
         return slopes[place], slopes[place + 1]
 
-    def walk(train: Train, turning: float, energy: float, angles: Array) -> Array:
+    def walk(train: TrainNumbers, turning: float, energy: float, angles: Array) -> Array:
         state, ahead, slopes = np.zeros(N_STATE), np.zeros(N_STATE), np.zeros(7 * ROW)
         parts = (train, turning, np.zeros(ROW))
         table = np.zeros((len(angles), 5))

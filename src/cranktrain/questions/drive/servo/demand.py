@@ -12,7 +12,7 @@ from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.drive.at_angles import ReducedAt, reduced_at
 from cranktrain.questions.drive.motors.servo import Servo, servo_limit
 from cranktrain.questions.drive.running.gearing import Gearing, input_torque, overall_ratio
-from cranktrain.questions.drive.running.reduced import ReducedMachine, reduced_machine
+from cranktrain.questions.drive.running.reduced import ReducedMachine, in_one_row, reduced_machine
 from cranktrain.questions.drive.sizing.servo_uses import ServoUses
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
@@ -96,13 +96,14 @@ def rocking_demand(made: Rocking, machine: ReducedMachine, gearing: Gearing) -> 
     time, weight = _rule(made.wanted.period, [piece.start for piece in made.wanted.pieces], np.empty(0))
     crank = rocking_crank(made, time)
     ways = zip(crank.angle.tolist(), crank.speed.tolist(), crank.acceleration.tolist(), strict=True)
-    torque = np.array([_torque_either_way(*way, machine) for way in ways])
+    numbers = in_one_row(machine).tolist()
+    torque = np.array([_torque_either_way(*way, numbers) for way in ways])
     return _demand(crank, weight, torque, gearing)
 
 
-def _torque_either_way(angle: float, speed: float, acceleration: float, machine: ReducedMachine) -> float:
+def _torque_either_way(angle: float, speed: float, acceleration: float, numbers: list[float]) -> float:
     """Torque that the crank takes at one angle, whichever way it goes. [N·m]"""
-    inertia, slope, load, _output = reduced_machine(angle, speed, -1.0 if speed < 0 else 1.0, machine)
+    inertia, slope, load, _output = reduced_machine(angle, speed, -1.0 if speed < 0 else 1.0, numbers)
     return float(inertia * acceleration + 0.5 * slope * speed * speed + load)
 
 

@@ -1,0 +1,163 @@
+"""A flywheel on a shaft of the drive with which the motor gives no more than is wanted, or the crank runs as evenly."""
+
+from collections.abc import Callable
+from typing import NamedTuple, cast
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.questions.drive.declared import DeclaredDrive
+from cranktrain.questions.drive.declared_duty import WantedFlywheel
+from cranktrain.questions.drive.motor_checks import mean_inertia
+from cranktrain.questions.drive.motor_tables import DeclaredMotor
+from cranktrain.questions.drive.reduction import ReducedMachines
+from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
+from cranktrain.questions.drive.sizing.peaky_load import PeakyLoad, SlipLine, recovered_inertia
+from cranktrain.questions.drive.static_torques import StaticTorques
+from cranktrain.questions.drive.steady_drive import SteadyDrive
+from cranktrain.questions.drive.steady_turn import DriveInTurn, settled
+from cranktrain.record import record
+
+_THEORY = "docs/theory/drive"
+_N_ANGLES = 4001
+_MOST = 1e7
+"""In parts of the inertia that is there: above it no flywheel is looked for."""
+
+
+@record
+class DriveFlywheel(StageResult):
+    """Flywheel for a wanted largest torque of the motor, or a wanted evenness; infinite where none is large enough."""
+
+    needed_inertia: Array = quantity(
+        "J_F", "kg*m^2", (), N_("Moment of inertia of the flywheel that is to be added on its shaft"), _THEORY
+    )
+    formula_inertia: Array = quantity(
+        "J_F,rec", "kg*m^2", (), N_("The same by the formula for one peak after a full recovery"), _THEORY
+    )
+    formula_error: Array = quantity("Δ_F", "1", (), N_("Error of that formula, relative"), _THEORY)
+    peak_with_flywheel: Array = quantity("M_F,max", "N*m", (), N_("Largest torque of the motor with it"), _THEORY)
+    rms_with_flywheel: Array = quantity(
+        "M_F,rms", "N*m", (), N_("Root mean square of the motor's torque over time with it"), _THEORY
+    )
+    rms_without_flywheel: Array = quantity("M_0,rms", "N*m", (), N_("The same without it"), _THEORY)
+    fluctuation_with_flywheel: Array = quantity(
+        "δ_F", "1", (), N_("Coefficient of fluctuation of the crank's speed with it"), _THEORY
+    )
+
+
+class _Running(NamedTuple):
+    """Largest and rms torque of the motor, and fluctuation."""
+
+    peak: float
+    rms: float
+    fluctuation: float
+
+
+def drive_flywheel(
+    drive: DeclaredDrive,
+    motor: DeclaredMotor,
+    machines: ReducedMachines,
+    static: StaticTorques,
+    steady: SteadyDrive,
+    wanted: WantedFlywheel,
+) -> DriveFlywheel:
+    """Find the flywheel over steady cycles, with the machine's inertia over the turn and the motor's own curve.
+
+    Notes
+    -----
+    docs/theory/drive, eqs. (25.36) and (25.39).
+    """
+    rows: list[tuple[float, ...]] = []
+    flags: list[str] = []
+    for design, gearing in enumerate(drive.gearings):
+        turning = DriveInTurn(machines.each[design], motor, design, gearing)
+        torque, evenness = float(wanted.largest_torque[design]), float(wanted.fluctuation[design])
+
+        def excess(
+            inertia: float, turning: DriveInTurn = turning, limits: tuple[float, float] = (torque, evenness)
+        ) -> float:
+            found = _running(turning, machines, wanted.shaft, inertia)
+            return found.peak / limits[0] - 1 if np.isfinite(limits[0]) else found.fluctuation / limits[1] - 1
+
+        there = _at_shaft(
+            turning_inertia(gearing) + mean_inertia(machines.each[design], machines.cycle), gearing, wanted
+        )
+        needed = _least(excess, there)
+        if not np.isfinite(needed):
+            flags.append(
+                _("No flywheel is large enough: the load's mean asks for more, or the motor does not carry it.")
+            )
+        own = _running(turning, machines, wanted.shaft, needed if np.isfinite(needed) else 0.0)
+        formula = _formula(static, steady, motor, design, torque) - _at_motor(there, gearing, wanted)
+        formula = max(formula, 0.0) * _turned(gearing, wanted.shaft) ** 2 if not np.isnan(formula) else np.nan
+        error = formula / needed - 1 if needed > 0 else np.nan
+        rows.append(
+            (needed, formula, error, own.peak, own.rms, float(steady.rms_motor_torque[design]), own.fluctuation)
+        )
+    return DriveFlywheel(*np.array(rows).T, flags=tuple(dict.fromkeys(flags)))
+
+
+def _turned(gearing: Gearing, shaft: int) -> float:
+    """Turns of the motor for one of a shaft."""
+    return float(np.prod(gearing.ratio[:shaft]))
+
+
+def _at_shaft(at_crank: float, gearing: Gearing, wanted: WantedFlywheel) -> float:
+    """Inertia at the crank, reduced to the flywheel's shaft. [kg·m²]"""
+    return at_crank * (_turned(gearing, wanted.shaft) / overall_ratio(gearing)) ** 2
+
+
+def _at_motor(at_shaft: float, gearing: Gearing, wanted: WantedFlywheel) -> float:
+    """Inertia at the flywheel's shaft, reduced to the motor's. [kg·m²]"""
+    return at_shaft / _turned(gearing, wanted.shaft) ** 2
+
+
+def _running(turning: DriveInTurn, machines: ReducedMachines, shaft: int, inertia: float) -> _Running:
+    """Steady running with a flywheel; infinite where there is none."""
+    gearing = turning.gearing
+    if shaft == 0:
+        gearing = gearing._replace(motor_inertia=gearing.motor_inertia + inertia)
+    else:
+        gearing = gearing._replace(inertia=gearing.inertia + inertia * (np.arange(gearing.ratio.size) == shaft - 1))
+    at, found = settled(turning._replace(gearing=gearing), machines)
+    if found is None:
+        return _Running(np.inf, np.nan, np.inf)
+    whole = found.at(np.linspace(0, machines.cycle, _N_ANGLES))
+    mean = machines.cycle / found.period
+    rms = float(np.sqrt(found.over_time(at.motor_torque(found.speed) ** 2)))
+    return _Running(float(np.max(at.motor_torque(whole))), rms, float(np.ptp(whole)) / mean)
+
+
+def _least(excess: Callable[[float], float], there: float) -> float:
+    """Least inertia with which nothing is in excess: 0 where none is needed, infinite where none is enough. [kg·m²]"""
+    from scipy.optimize import brentq  # pyright: ignore[reportUnknownVariableType]
+
+    if excess(0.0) <= 0:
+        return 0.0
+    low, high = 0.0, 0.25 * there
+    while excess(high) > 0:
+        low, high = high, 4 * high
+        if high > _MOST * there:
+            return np.inf
+    root = cast(float, brentq(excess, low, high, xtol=1e-11 * high))
+    return float(root)
+
+
+def _formula(static: StaticTorques, steady: SteadyDrive, motor: DeclaredMotor, design: int, allowed: float) -> float:
+    """Inertia at the motor by the formula, for two levels with the extremes and the mean of the static torque."""
+    most, least, mean = (
+        float(one[design, 0])
+        for one in (static.largest_static_torque.value, static.smallest_static_torque.value, static.mean_static_torque)
+    )
+    top, rating = float(motor.top_speed[design]), motor.rating
+    if np.isnan(rating.torque[design]) or not np.isfinite(top) or most <= least or np.isnan(allowed):
+        return np.nan
+    period = float(steady.cycle_time[design])
+    share = (mean - least) / (most - least)
+    load = PeakyLoad(*(np.asarray(one) for one in (most, share * period, least, (1 - share) * period)))
+    slip = 1 - float(rating.speed[design]) / top
+    line = SlipLine(rating.torque[design], np.asarray(slip), np.asarray(top))
+    return float(recovered_inertia(load, line, np.asarray(allowed)))

@@ -1,0 +1,260 @@
+"""Which motor is enough: the declared one against every check, and the smallest of the small catalogue that passes."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
+from cranktrain.language import N_, _
+from cranktrain.layout.speed import Speed
+from cranktrain.motion import Array
+from cranktrain.numerics.nested import mapped
+from cranktrain.questions.drive.declared import DeclaredDrive
+from cranktrain.questions.drive.declared_duty import DeclaredDuty
+from cranktrain.questions.drive.motor_checks import (
+    SIZING_CHECKS,
+    UNCHECKED,
+    AskedOfMotor,
+    CheckedMotor,
+    MotorAtMachine,
+    checked_motor,
+    mean_inertia,
+)
+from cranktrain.questions.drive.motor_tables import DeclaredMotor
+from cranktrain.questions.drive.motor_tables.declared import Rating
+from cranktrain.questions.drive.motors import CAGE, SERVO
+from cranktrain.questions.drive.motors.cage import catalogue_curve
+from cranktrain.questions.drive.motors.catalogue import four_pole_motors
+from cranktrain.questions.drive.motors.heat import cage_heat
+from cranktrain.questions.drive.reduction import ReducedMachines
+from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
+from cranktrain.questions.drive.sizing.checks import TorqueDemand, motor_choice
+from cranktrain.questions.drive.static_torques import StaticTorques
+from cranktrain.record import record
+from cranktrain.wording import Names, number
+
+_THEORY = "docs/theory/drive"
+_EACH = ("sized_motor",)
+SIZED_MOTORS = (N_("as declared"), N_("smallest that passes"), N_("next smaller"))
+_PACE = 0.1
+"""By how much the typical motors may turn the crank at another pace than the file has, and still be compared."""
+
+
+@record
+class MotorSizing(StageResult):
+    """Checks of the declared motor, of the smallest typical four-pole motor that passes, and of the next smaller."""
+
+    sizing_share: Array = quantity(
+        "u", "1", ("sized_motor", "sizing_check"), N_("What is asked of a motor over what it can do"), _THEORY
+    )
+    largest_share: Array = quantity("u_max", "1", _EACH, N_("Largest of these: up to 1 the motor is enough"), _THEORY)
+    sized_power: Array = quantity("P_n", "W", _EACH, N_("Rated power of the motor that is checked"), _THEORY)
+    sized_torque: Array = quantity("M_n", "N*m", _EACH, N_("Rated torque of the motor that is checked"), _THEORY)
+    sized_rms_torque: Array = quantity(
+        "M_rms", "N*m", _EACH, N_("Root mean square of its torque over time, from its own steady cycle"), _THEORY
+    )
+    sized_peak_torque: Array = quantity("M_max", "N*m", _EACH, N_("Largest torque in that cycle"), _THEORY)
+    sized_start_time: Array = quantity(
+        "t_st", "s", _EACH, N_("Time of a start at the lowest voltage against the mean static torque"), _THEORY
+    )
+    sized_rotor_heat: Array = quantity("Q_st", "J", _EACH, N_("Heat of the rotor in such a start"), _THEORY)
+    sized_inertia_ratio: Array = quantity(
+        "λ_J", "1", _EACH, N_("Mean inertia of what is driven over that of the rotor, at the motor"), _THEORY
+    )
+
+    def answer(self, _names: Names, design: int) -> str:
+        """Say which typical motor is enough, what governs it, and by how much the next smaller one misses."""
+        chosen, smaller = self.largest_share[design, 1:].tolist()
+        if np.isnan(chosen):
+            return ""
+        said = _("Of typical four-pole motors {power} is enough, governed by: {check}, {share}.").format(
+            power=number(float(self.sized_power[design, 1]), "kW"),
+            check=self.governing(design, 1),
+            share=number(chosen, "%"),
+        )
+        if np.isnan(smaller):
+            return said
+        missed = _("{power} misses by {by}: {check}.") if np.isfinite(smaller) else _("{power} cannot: {check}.")
+        power = number(float(self.sized_power[design, 2]), "kW")
+        by = number(smaller - 1, "%") if np.isfinite(smaller) else ""
+        return f"{said} {missed.format(power=power, by=by, check=self.governing(design, 2))}"
+
+    def governing(self, design: int, which: int) -> str:
+        """Name of the check whose share is largest; nothing where none is known."""
+        shares = self.sizing_share[design, which]
+        return "" if np.all(np.isnan(shares)) else _(SIZING_CHECKS[int(np.nanargmax(shares))])
+
+
+class _Design(NamedTuple):
+    """One design: its machine alone, its gearing without the declared rotor, and what it asks."""
+
+    machines: ReducedMachines
+    bare: Gearing
+    asked: AskedOfMotor
+    duty: DeclaredDuty
+    design: int
+
+    def with_motor(self, motor: DeclaredMotor, place: int) -> MotorAtMachine:
+        """Give the machine one motor of a range."""
+        rotor = 0.0 if motor.inertia is None else float(motor.inertia[place])
+        gearing = self.bare._replace(motor_inertia=self.bare.motor_inertia + rotor)
+        return MotorAtMachine(motor, place, gearing, self.machines)
+
+
+def motor_sizing(
+    drive: DeclaredDrive,
+    duty: DeclaredDuty,
+    machines: ReducedMachines,
+    static: StaticTorques,
+    motor: DeclaredMotor | None,
+    speed: Speed | None,
+) -> MotorSizing:
+    """Check the declared motor, and find the smallest typical one that passes the same checks.
+
+    Notes
+    -----
+    docs/theory/drive, section Sizing of a declared machine. Of each motor the torque is that of its own steady cycle;
+    the start is against static torques, which hang on no motor. Where typical motors would turn the crank at another
+    pace, or loads drive the motor, none is chosen.
+    """
+    rows: list[tuple[CheckedMotor, ...]] = []
+    rated: list[list[tuple[float, float]]] = []
+    flags: list[str] = []
+    held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value)).tolist()
+    for design, gearing in enumerate(drive.gearings):
+        one = _one_design(design, gearing, machines, static, motor, duty)
+        own = UNCHECKED if motor is None else checked_motor(_declared(one, motor, design), *one[2:], held[design])
+        reason = _other_pace(gearing, motor, design, held[design]) if one.asked.running_torque > 0 else ""
+        places = (-1, -1) if reason or not one.asked.running_torque > 0 else None
+        found, places = ((UNCHECKED,) * 2, (-1, -1)) if places else _smallest(one)
+        if duty.is_asked and reason:
+            flags.append(reason)
+        rows.append((own, *found))
+        rated.append([_rated(motor, design), *(_rated(typical_motors(), place) for place in places)])
+        flags += _beyond(own) if motor is not None else ()
+    points = np.array(rated)
+    columns = [np.array([[getattr(one, name) for one in row] for row in rows]) for name in CheckedMotor._fields[1:]]
+    return MotorSizing(
+        np.array([[one.shares for one in row] for row in rows]),
+        np.array([[one.largest for one in row] for row in rows]),
+        points[..., 0],
+        points[..., 1],
+        *columns,
+        labels={
+            "sized_motor": tuple(_(name) for name in SIZED_MOTORS),
+            "sizing_check": tuple(_(name) for name in SIZING_CHECKS),
+        },
+        flags=tuple(dict.fromkeys(flags)),
+    )
+
+
+def _one_design(
+    design: int,
+    gearing: Gearing,
+    machines: ReducedMachines,
+    static: StaticTorques,
+    motor: DeclaredMotor | None,
+    duty: DeclaredDuty,
+) -> _Design:
+    """Take one design apart from the others, and its rotor from its gearing."""
+    rotor = 0.0 if motor is None or motor.inertia is None else float(motor.inertia[design])
+    bare = gearing._replace(motor_inertia=gearing.motor_inertia - rotor)
+    corner = min(design, len(machines.corners) - 1)
+    alone = replace(machines, each=machines.each[design : design + 1], corners=machines.corners[corner : corner + 1])
+    turned = np.cumprod(np.append(1.0, gearing.ratio))
+    of_stages = float(np.sum(gearing.inertia / turned[1:] ** 2))
+    of_machine = mean_inertia(alone.each[0], alone.cycle) / overall_ratio(gearing) ** 2
+    asked = AskedOfMotor(
+        float(static.largest_static_torque.value[design, 0]),
+        float(static.mean_static_torque[design, 0]),
+        bare.motor_inertia + of_stages + of_machine,
+    )
+    return _Design(alone, bare, asked, duty, design)
+
+
+def _declared(one: _Design, motor: DeclaredMotor, design: int) -> MotorAtMachine:
+    """The declared motor as one of a range of one, so that its own design is the first."""
+    return one.with_motor(motor_alone(motor, design), 0)
+
+
+def motor_alone(motor: DeclaredMotor, design: int) -> DeclaredMotor:
+    """One of several designs of a motor, as the only one."""
+    kept = slice(design, design + 1)
+    return replace(
+        motor,
+        numbers=mapped(lambda _name, each: each[..., kept], motor.numbers),
+        rating=Rating(*(each[kept] for each in motor.rating)),
+        top_speed=motor.top_speed[kept],
+        inertia=None if motor.inertia is None else motor.inertia[kept],
+    )
+
+
+@cache
+def typical_motors() -> DeclaredMotor:
+    """Motors of the small catalogue, each as one design."""
+    motors = four_pole_motors()
+    values = motors.values
+    curve = catalogue_curve(values)
+    numbers = curve._replace(pull_up_slip=np.broadcast_to(curve.pull_up_slip, motors.power.shape))
+    return DeclaredMotor(
+        CAGE,
+        numbers,
+        Rating(values.rated_torque, values.rated_speed),
+        values.synchronous_speed,
+        motors.inertia,
+        cage_heat,
+    )
+
+
+def _rated(motor: DeclaredMotor | None, place: int) -> tuple[float, float]:
+    """Rated power and torque; NaN where there is none."""
+    if motor is None or place < 0:
+        return np.nan, np.nan
+    return float(motor.rating.power[place]), float(motor.rating.torque[place])
+
+
+def _smallest(one: _Design) -> tuple[tuple[CheckedMotor, CheckedMotor], tuple[int, int]]:
+    """Smallest typical motor that passes and the next smaller one; the largest as the latter where none is enough."""
+    motors = typical_motors()
+    n = motors.n_designs
+
+    @cache
+    def checked(place: int) -> CheckedMotor:
+        alone = one.with_motor(motor_alone(motors, place), 0)
+        return checked_motor(alone, one.asked, one.duty, one.design, None)
+
+    worst = np.asarray(max(one.asked.worst_torque, 0.0))
+    first = motor_choice(TorqueDemand(worst / 2, worst, worst), four_pole_motors(), float(one.duty.reserve[one.design]))
+    place = int(first.motor) if first.motor >= 0 else n - 1
+    while place > 0 and not checked(place).largest > 1:
+        place -= 1
+    while place < n and checked(place).largest > 1:
+        place += 1
+    chosen = checked(place) if place < n else UNCHECKED
+    smaller = checked(place - 1) if place > 0 else UNCHECKED
+    return (chosen, smaller), (place if place < n else -1, place - 1)
+
+
+def _other_pace(gearing: Gearing, motor: DeclaredMotor | None, design: int, declared: float) -> str:
+    """Say that typical motors turn the crank at another pace than the motor that is there, or the declared speed."""
+    ratio = overall_ratio(gearing)
+    typical = float(four_pole_motors().values.synchronous_speed[0])
+    wanted = declared * ratio
+    if motor is not None and motor.motor is not SERVO and np.isfinite(motor.top_speed[design]):
+        wanted = float(motor.top_speed[design])
+    if np.isnan(wanted) or abs(typical / wanted - 1) <= _PACE:
+        return ""
+    said = _("Typical four-pole motors turn at {typical}, the motor here at {wanted}: none is chosen for this gearing.")
+    return said.format(typical=number(typical, "rpm"), wanted=number(wanted, "rpm"))
+
+
+def _beyond(own: CheckedMotor) -> Iterator[str]:
+    """Flag what the declared motor cannot do."""
+    for share, name in zip(own.shares.tolist(), SIZING_CHECKS, strict=True):
+        if np.isfinite(share) and share > 1:
+            said = _("The motor is too small: {check} {share} of what it can.")
+            yield said.format(check=_(name), share=number(share, "%"))

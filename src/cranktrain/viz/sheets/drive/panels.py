@@ -1,0 +1,42 @@
+"""Curves of a drive over the crank angle: torque and flywheel moment at the motor, how it runs."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
+
+
+def drive_panels(shown: OneDesign) -> Iterator[Panel]:
+    """Collect the curves: static torque by where losses go, flywheel moment, torque and speed of the motor."""
+    angle = shown.cycle
+    right, dividing = (closed(values) for values in shown("static_motor_torque"))
+    curves = [Curve(right, "whole", "T", "M_{st}")]
+    if not np.allclose(right, dividing):
+        curves.append(Curve(dividing, "formula", "F", r"M_{st}^{1/\eta}"))
+    yield Panel(_("Static torque at the motor's shaft"), "N*m", angle, tuple(curves))
+    own = np.full(angle.size, float(shown("gear_flywheel_moment")[0]))
+    moment = closed(shown("driven_flywheel_moment")[0])
+    yield Panel(
+        _("Flywheel moment at the motor's shaft"),
+        "kg*m^2",
+        angle,
+        (Curve(moment, "whole", "s", "GD^2"), Curve(own, "mean", "F", "(GD^2)_0")),
+    )
+    if runs(shown):
+        torque = closed(shown("motor_torque"))
+        effective = np.full(angle.size, float(shown("rms_motor_torque")))
+        yield Panel(
+            _("Torque of the motor in steady running"),
+            "N*m",
+            angle,
+            (Curve(torque, "whole", "T", "M_m"), Curve(effective, "mean", "F", "M_{eff}")),
+        )
+        speed = Curve(closed(shown("motor_speed")) * (60 / (2 * np.pi)), "first", "v", "n_m")
+        yield Panel(_("Speed of the motor, rpm"), "1", angle, (speed,), "n_m")
+
+
+def runs(shown: OneDesign) -> bool:
+    """Whether there is a motor with which the machine runs."""
+    return shown.has("motor_torque") and bool(np.all(np.isfinite(shown("motor_torque"))))

@@ -1,0 +1,90 @@
+"""The sheet of a drive: curves over the crank angle, the motor's curve with the loop of steady running, facts."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.analysis import Result
+from cranktrain.language import _
+from cranktrain.questions.drive.motor_tables import DeclaredMotor, motor_of
+from cranktrain.scales import scale_for
+from cranktrain.viz.figures import figure, with_unit
+from cranktrain.viz.panel import OneDesign, closed
+from cranktrain.viz.paper.head import result_page
+from cranktrain.viz.paper.page import Box, Figure, drawing_settings
+from cranktrain.viz.paper.panels import FORCES, draw_panels
+from cranktrain.viz.paper.tables import write_table
+from cranktrain.viz.sheets.drive.panels import drive_panels, runs
+from cranktrain.viz.sheets.drive.torque_speed import draw_torque_speed
+
+_LEFT = 0.55
+"""Share of the curves over the crank angle in the width."""
+_LOOP = 0.5
+"""Share of the motor's curve in the height."""
+_RPM = 60 / (2 * np.pi)
+_LOOK = FORCES._replace(has_zero=False)
+"""Flywheel moment and speed change by little."""
+
+
+@drawing_settings()
+def sheet_drive(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
+    """Draw the sheet of a drive.
+
+    Parameters
+    ----------
+    result : Result
+        Of a machine with [drive].
+    size : "A4" or "A3"
+        Lying.
+    design : int
+        Which of the result's machines.
+
+    Returns
+    -------
+    Figure
+    """
+    shown = OneDesign(result, design)
+    page, box = result_page(result, design, size, _("Drive"))
+    left = box._replace(left=box.left + 14.0, width=_LEFT * box.width - 20.0)
+    draw_panels(page, list(drive_panels(shown)), left, _LOOK)
+    start = box.left + _LEFT * box.width + 8.0
+    right = Box(start, box.bottom, box.left + box.width - start, box.height)
+    below = right.bottom + right.height
+    motor = _motor(result, design)
+    if motor is not None and runs(shown):
+        room = right._replace(bottom=below - _LOOP * right.height, height=_LOOP * right.height)
+        way = (closed(shown("motor_speed")), closed(shown("motor_torque")))
+        below = draw_torque_speed(page, motor, 0, way, room, _("steady running")) - 2.0
+    write_table(page, list(_facts(shown)), (right.left, below, right.width), (1.0,))
+    return page.figure
+
+
+def _motor(result: Result, design: int) -> DeclaredMotor | None:
+    """The motor of the machine's file."""
+    drive = result.machines[design].drive
+    return None if drive is None or drive.motor is None else motor_of(drive.motor)
+
+
+def _facts(shown: OneDesign) -> Iterator[tuple[str, str]]:
+    """Rows of the table."""
+
+    def of(words: str, name: str, unit: str, at: int | None = None) -> tuple[str, str]:
+        value = float(shown(name) if at is None else shown(name)[at])
+        return words, with_unit(value, scale_for(unit, abs(value))) if np.isfinite(value) else "–"
+
+    yield _("At the motor's shaft"), ""
+    yield of(_("largest static torque"), "largest_static_torque", "N*m", 0)
+    yield of(_("smallest static torque"), "smallest_static_torque", "N*m", 0)
+    yield of(_("effective static torque"), "rms_static_torque", "N*m", 0)
+    yield of(_("flywheel moment of the drive alone"), "gear_flywheel_moment", "kg*m^2", 0)
+    if not runs(shown):
+        return
+    yield _("mean speed"), f"{figure(float(shown('mean_motor_speed')) * _RPM)} rpm"
+    yield _("coefficient of fluctuation"), figure(float(shown("drive_fluctuation")))
+    yield of(_("largest torque of the motor"), "largest_motor_torque", "N*m")
+    yield of(_("smallest torque of the motor"), "smallest_motor_torque", "N*m")
+    yield of(_("effective torque of the motor"), "rms_motor_torque", "N*m")
+    yield of(_("power of the motor"), "motor_power", "W")
+    yield of(_("power that the loads take"), "driven_power", "W")
+    yield of(_("power that the drive loses"), "lost_power", "W")
+    yield of(_("heat in the motor"), "motor_heat", "W")

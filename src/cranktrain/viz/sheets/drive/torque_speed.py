@@ -1,0 +1,62 @@
+"""A motor's torque over its speed, on paper, with the way that a machine takes through that."""
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.questions.drive.motor_tables import DeclaredMotor
+from cranktrain.scales import scale_for
+from cranktrain.viz.paper.page import Box, Page
+from cranktrain.viz.paper.panels import axes_in
+from cranktrain.viz.paper.style import COLOURS, INK, MUTED
+
+_BEYOND = 1.1
+"""Of the motor's top speed; so far its curve is drawn."""
+_RPM = 60 / (2 * np.pi)
+
+
+def draw_torque_speed(
+    page: Page, motor: DeclaredMotor, design: int, way: tuple[Array, Array], room: Box, said: str
+) -> float:
+    """Draw a motor's curve with the speeds and torques that a machine goes through; give where the picture ends. [mm]
+
+    Parameters
+    ----------
+    page : Page
+    motor : DeclaredMotor
+    design : int
+    way : tuple of Array
+        Speed and torque at its shaft. [rad/s, N·m]
+    room : Box
+    said : str
+        What the way is, for the legend.
+    """
+    top = float(motor.top_speed[design])
+    end = _BEYOND * max(top if np.isfinite(top) else 0.0, float(np.max(way[0])))
+    speeds = np.linspace(min(0.0, float(np.min(way[0]))), end, 801)
+    torques = motor.torque(np.broadcast_to(speeds, (motor.n_designs, speeds.size)))[design]
+    scale = scale_for("N*m", float(np.nanmax(np.abs(torques))))
+    page.heading(
+        room.left,
+        room.bottom + room.height - 5.0,
+        _("Torque of the motor over its speed, {unit} over rpm").format(unit=scale.label),
+    )
+    axes = axes_in(page, Box(room.left + 13.0, room.bottom + 15.0, room.width - 15.0, room.height - 24.0))
+    axes.axhline(0.0, color=MUTED, linewidth=0.6, zorder=1)
+    axes.plot(speeds * _RPM, scale.of(torques), color=INK, linewidth=0.9, linestyle=(0, (6.0, 2.0)))
+    axes.plot(way[0] * _RPM, scale.of(way[1]), color=COLOURS["T"], linewidth=1.7)
+    rated = motor.rating
+    if np.isfinite(rated.torque[design]):
+        point = (float(rated.speed[design]) * _RPM, float(scale.of(rated.torque[design])))
+        axes.plot(*point, "o", ms=4.0, mfc="white", mec=INK, mew=1.0, zorder=5)
+    x, y = room.left, room.bottom + 4.0
+    for words, line in (
+        (_("motor"), {"color": INK, "linewidth": 0.9, "linestyle": (0, (6.0, 2.0))}),
+        (said, {"color": COLOURS["T"], "linewidth": 1.7}),
+    ):
+        page.sample(x, x + 8.0, y + 0.9, **line)
+        _begin, x = page.ends(page.text(x + 9.5, y, words))
+        x += 5.0
+    if np.isfinite(rated.torque[design]):
+        page.text(x, y, _("○ rated"))
+    return room.bottom
