@@ -17,7 +17,7 @@ ASKED = ("start", "tilting_table", "--set", "drive.start.duration=10000 s")
 def test_ctrl_c_shows_what_was_computed():
     child, terminal = pty.fork()
     if child == 0:
-        os.execve(sys.executable, [sys.executable, "-c", COMMAND, *ASKED], environment())  # noqa: S606
+        os.execve(sys.executable, [sys.executable, "-c", COMMAND, *ASKED], environment())
     said, is_sent, since = b"", False, time.monotonic()
     while time.monotonic() - since < 60:
         try:

@@ -23,7 +23,7 @@ MOST_LINES, MOST_ROWS = 45, 5
 TODAY = {"motion": 9, "cylinders": 7, "gas": 6}
 """Questions of today that may have more rows than a later one."""
 
-DRIVEN = ("compressor_start", "gas_compressor", "mud_pump_12p160", "two_throw_compressor")
+DRIVEN = ("compressor_start", "gas_compressor", "shaking_conveyor", "mud_pump_12p160", "two_throw_compressor")
 WITHOUT_CYLINDERS = (
     "eccentric_press",
     "jaw_crusher",
