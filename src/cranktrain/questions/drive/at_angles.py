@@ -1,7 +1,7 @@
 """A reduced machine at many crank angles at once, as it turns forward through its cycle."""
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -14,6 +14,8 @@ from cranktrain.questions.drive.running.reduced import (
     COMPRESSION,
     COUNTS,
     DEGREE,
+    DISCHARGE,
+    EXPANSION,
     EXPONENT,
     FIRST,
     INERTIA,
@@ -32,9 +34,11 @@ from cranktrain.questions.drive.running.reduced import (
     VOLUME,
     WEIGHT,
     ReducedMachine,
-    gas_in,
 )
 from cranktrain.questions.evenness.speed_law import Power
+
+_Coefficient: TypeAlias = Callable[[float], Array]
+"""A coefficient by its place, at the angles that are asked for, shape (n,)."""
 
 
 class ReducedAt(NamedTuple):
@@ -94,7 +98,7 @@ def reduced_at(machine: ReducedMachine, angle: Array) -> ReducedAt:
             powers.append(Power(taken * size * (np.abs(rate) / row[AT]) ** row[EXPONENT], row[EXPONENT]))
         else:
             load = load + taken * size
-    for chamber, pressure in zip(machine.chambers, _steady_pressures(machine, angle, value), strict=True):
+    for chamber, pressure in zip(machine.chambers, _steady_pressures(machine, value, slope), strict=True):
         load = load - (pressure - chamber[AMBIENT]) * slope(chamber[VOLUME])
     return ReducedAt(value(INERTIA), slope(INERTIA), load, tuple(powers), value(OUTPUT))
 
@@ -123,17 +127,32 @@ def _size(
     return np.where(row[COUNTS] * rate >= 0, np.interp(travel, at, out), np.interp(travel, at, back))
 
 
-def _steady_pressures(machine: ReducedMachine, angle: Array, value: Callable[[float], Array]) -> list[Array]:
-    """Pressure in each chamber after it has gone through its cycle, shape (n,). [Pa]"""
-    order = np.argsort(np.mod(angle, TURN), kind="stable")
+def _steady_pressures(machine: ReducedMachine, value: _Coefficient, slope: _Coefficient) -> list[Array]:
+    """Pressure in each chamber in the steady state, as it turns forward, shape of the asked angles. [Pa]
+
+    Compression from the largest volume on, re-expansion from the smallest; what reaches no discharge goes back along
+    the same line.
+    """
     found: list[Array] = []
     for chamber in np.asarray(machine.chambers).tolist():
-        volumes = value(chamber[VOLUME])
-        exponent = chamber[COMPRESSION]
-        constant = chamber[SUCTION] * float(np.max(volumes)) ** exponent
-        pressure = np.empty(angle.shape)
-        for _ in range(2):
-            for place in order.tolist():
-                pressure[place], constant, exponent = gas_in(chamber, constant, exponent, float(volumes[place]))
-        found.append(pressure)
+        largest, smallest = (_extreme_volume(machine, int(chamber[VOLUME]), sign) for sign in (1.0, -1.0))
+        volume, shrinks = value(chamber[VOLUME]), slope(chamber[VOLUME]) < 0
+        pressed = chamber[SUCTION] * (largest / volume) ** chamber[COMPRESSION]
+        delivers = chamber[SUCTION] * (largest / smallest) ** chamber[COMPRESSION] > chamber[DISCHARGE]
+        spread = chamber[DISCHARGE] * (smallest / volume) ** chamber[EXPANSION] if delivers else pressed
+        one_way = np.minimum(pressed, chamber[DISCHARGE])
+        found.append(np.where(shrinks, one_way, np.maximum(spread, chamber[SUCTION])))
     return found
+
+
+def _extreme_volume(machine: ReducedMachine, which: int, sign: float) -> float:
+    """Largest (1) or smallest (−1) value of a coefficient over the turn."""
+    own = np.asarray(machine.pieces)[:, which * (DEGREE + 1) : (which + 1) * (DEGREE + 1)]
+    places = np.linspace(-1.0, 1.0, 33)
+    samples = sign * own @ np.vander(places, DEGREE + 1, increasing=True).T
+    piece, place = np.unravel_index(np.argmax(samples), samples.shape)
+    curve = np.polynomial.Polynomial(own[piece])
+    slope, x = curve.deriv(), float(places[place])
+    for _ in range(6):
+        x = float(np.clip(x - slope(x) / slope.deriv()(x), -1.0, 1.0))
+    return float(sign * max(sign * curve(x), samples[piece, place]))
