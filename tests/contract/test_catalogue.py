@@ -80,6 +80,11 @@ EVERYTHING = {
         "coefficient": 0.02,
         "rim": {"mean_diameter": "600 mm"},
     },
+    "drive": {
+        "motor": {"kind": "shunt", "torque": "100 N·m", "speed": "1750 rpm", "no_load_speed": "1800 rpm"},
+        "stage": [{"ratio": 2}],
+        "flywheel": {"on": 1, "fluctuation": 0.01},
+    },
 }
 """A machine of all kinds, which declares all there is for such a one."""
 

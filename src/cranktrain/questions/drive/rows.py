@@ -24,18 +24,13 @@ def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[An
     yield worded(
         _("static torque at {shaft}").format(shaft=labels["drive_shaft"][0]),
         _("{range}; effective {rms}"),
-        range=Extent(
-            float(least.value[design, 0]),
-            float(most.value[design, 0]),
-            "N*m",
-            (float(least.angle[design, 0]), float(most.angle[design, 0])),
-        ),
+        range=Extent(float(least.value[design, 0]), float(most.value[design, 0]), "N*m"),
         rms=Amount(float(found.rms_static_torque[design, 0]), "N*m"),
     )
     moments = found.driven_flywheel_moment[design, 0]
     yield worded(
         _("GD² at {shaft}").format(shaft=labels["drive_shaft"][0]),
-        _("{range}; {own} of it the drive's own"),
+        _("{range}, {own} without the machine"),
         range=Extent(float(np.min(moments)), float(np.max(moments)), "kg*m^2"),
         own=Amount(float(found.gear_flywheel_moment[design, 0]), "kg*m^2"),
     )
@@ -45,7 +40,7 @@ def running_rows(labels: Names, design: int, found: SteadyDrive) -> Iterator[Ans
     """How the motor runs in the steady state."""
     yield worded(
         _("motor runs at"),
-        _("{speed}, fluctuation {delta}; a cycle takes {time}"),
+        _("{speed}, fluctuation {delta}; cycle {time}"),
         speed=Amount(float(found.mean_motor_speed[design]), "rpm"),
         delta=Amount(float(found.drive_fluctuation[design]), "1"),
         time=Amount(float(found.cycle_time[design]), "s"),
@@ -59,7 +54,7 @@ def running_rows(labels: Names, design: int, found: SteadyDrive) -> Iterator[Ans
     power, taken = float(found.motor_power[design]), float(found.driven_power[design])
     yield worded(
         _("power of the motor"),
-        _("{power}; loads take {taken}, the drive loses {lost}"),
+        _("{power}; to loads {taken}, lost {lost}"),
         power=Amount(power, "W"),
         taken=Amount(taken if abs(taken) > _NOTHING * abs(power) else 0.0, "W"),
         lost=Amount(float(found.lost_power[design]), "W"),
@@ -77,15 +72,14 @@ def sizing_rows(labels: Names, design: int, found: MotorSizing) -> Iterator[Answ
             check=found.governing(design, 0),
         )
     if np.isfinite(chosen):
-        words = _("{power}, used to {share}: {check}")
+        words = _("typical {power}, used to {share}")
         if np.isfinite(smaller):
             words += _("; {less} misses by {by}: {missed}")
         yield worded(
-            _("typical motor that is enough"),
+            _("motor that is enough"),
             words,
             power=Amount(float(found.sized_power[design, 1]), "W"),
             share=Amount(chosen, "%"),
-            check=found.governing(design, 1),
             **_smaller(found, design, smaller),
         )
 
