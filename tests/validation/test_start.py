@@ -1,4 +1,4 @@
-"""Starts of machine files against a multibody solver (golden/startup_crank_rocker) and other integrators (drive/startup)."""
+"""Starts of machine files against a multibody solver and other integrators (startup_crank_rocker, drive/startup)."""
 
 import json
 

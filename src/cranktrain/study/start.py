@@ -22,9 +22,11 @@ from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import overall_ratio
 from cranktrain.questions.drive.running.runs import Progress
+from cranktrain.questions.drive.start_record import StartCurves, StartEvent, StartRun
 from cranktrain.questions.drive.start_rows import start_rows
-from cranktrain.questions.drive.starting import StartCase, StartCurves, StartEvent, StartRun, run_start
+from cranktrain.questions.drive.starting import StartCase, run_start
 from cranktrain.questions.drive.steady_drive import SteadyDrive
+from cranktrain.questions.drive.switching import Braking
 from cranktrain.record import record
 from cranktrain.rows import AnswerLine
 
@@ -121,11 +123,17 @@ def start(machine: Machine, *, progress: Progress | None = None) -> Start:
         raise InputError([Problem("drive", None, _("needs what the machine moves: {lacks}").format(lacks=lacks))])
     wanted = [kind for kind in (ReducedMachines, SteadyDrive) if kind not in absent]
     found: Any = run_stages(leading_to(STAGES, wanted), parts, absent)
-    case = _case(parts, found)
+    case = _case(machine, parts, found)
     return Start(machine, run_start(case, progress), case.motor, overall_ratio(case.gearing))
 
 
-def _case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCase:
+def _brake(machine: Machine) -> Braking:
+    """The brake of the file, whose torque begins its delay after the command."""
+    brake = None if machine.drive is None else machine.drive.brake
+    return Braking(0.0, 0.0, 0.0) if brake is None else Braking(brake.torque.si, brake.delay.si, brake.rise_time.si)
+
+
+def _case(machine: Machine, parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCase:
     """The start of the only design."""
     drive, grid = parts[DeclaredDrive], parts[CrankAngle]
     machines, steady = found[ReducedMachines], found.get(SteadyDrive)
@@ -138,7 +146,7 @@ def _case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCase:
         motor=parts.get(DeclaredMotor),
         design=0,
         spec=parts[DeclaredStart].spec,
-        brake=(0.0, 0.0),
+        brake=_brake(machine),
         zero=float(grid.zero[0, 0, 0]),
         steady_speed=machines.cycle / cycle_time,
         cycle_time=cycle_time,

@@ -20,6 +20,7 @@ from cranktrain.quantities import (
     PositiveRatio,
     PositiveSpeed,
     PositiveTime,
+    PositiveTorque,
     Quantity,
     Speed,
 )
@@ -137,6 +138,18 @@ class StartSpec(Spec, frozen=True):
     )
 
 
+class DriveBrakeSpec(Spec, frozen=True):
+    """A brake on the motor's shaft: it slows whichever way that turns, and holds it at rest."""
+
+    torque: PositiveTorque = Field(description=N_("Pressed on fully, at the motor's shaft; at rest it holds as much."))
+    delay: NonNegativeTime = Field(
+        default=Given(0.0, "0 s"), description=N_("From the command until its torque begins; none unless given.")
+    )
+    rise_time: NonNegativeTime = Field(
+        default=Given(0.0, "0 s"), description=N_("From there until its full torque, in a line; none unless given.")
+    )
+
+
 class DriveSpec(Spec, frozen=True):
     """What drives the crank of shaft main: a motor, stages between, what turns with their shafts, and a start."""
 
@@ -147,14 +160,17 @@ class DriveSpec(Spec, frozen=True):
     part: Mapping[str, PartSpec] = Field(
         default={}, description=N_("What turns with a shaft of the drive, by name: couplings, pulleys, flywheels.")
     )
+    brake: DriveBrakeSpec | None = Field(default=None, description=N_("A brake on the motor's shaft."))
     start: StartSpec = Field(default=StartSpec(), description=N_("How a run begins and when it ends."))
     duty: DutySpec | None = Field(default=None, description=N_("How the motor is used; on and on unless given."))
     flywheel: SizedFlywheelSpec | None = Field(default=None, description=N_("A flywheel that is to be found."))
 
     def _problems(self) -> Iterator[Problem]:
-        """Find parts on shafts that are not there, and a flywheel to be found without a motor."""
+        """Find parts on no shaft, a flywheel to be found without a motor, a command without a brake."""
         if self.flywheel is not None:
             yield from self.flywheel.problems_with(len(self.stage), has_motor=self.motor is not None)
+        if self.start.brake_on is not None and self.brake is None:
+            yield Problem("start.brake_on", self.start.brake_on.text, _("needs [drive.brake] as well"))
         for name, part in self.part.items():
             if part.on != "motor" and part.on > len(self.stage):
                 allowed = _('must be "motor" or the number of a stage, of which there are {n}')

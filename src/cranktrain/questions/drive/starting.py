@@ -3,12 +3,10 @@
 import math
 from collections.abc import Iterator
 from dataclasses import fields
-from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
@@ -23,11 +21,6 @@ from cranktrain.questions.drive.running.equation import (
     MOTOR_WORK,
     SPEED,
     DriveTrain,
-    Kernels,
-    Motor,
-    no_heat,
-    no_motor,
-    untimed,
 )
 from cranktrain.questions.drive.running.floats import in_floats
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
@@ -37,17 +30,16 @@ from cranktrain.questions.drive.running.reduced import (
     ReducedMachine,
     filled_at,
     in_one_row,
-    reduced_machine,
     settle,
 )
 from cranktrain.questions.drive.running.runs import REASONS, Progress, Run, Wanted, run, wanted
 from cranktrain.questions.drive.running.step import N_STATE
 from cranktrain.questions.drive.spec import StartSpec
+from cranktrain.questions.drive.start_record import StartCurves, StartEvent, StartRun
+from cranktrain.questions.drive.switching import Braking, Switching, start_kernels
 from cranktrain.record import record
 from cranktrain.wording import number
 
-_THEORY = "docs/theory/transient"
-_TIME = ("time",)
 _NEARLY = 0.98
 """Of the mean speed of steady running: from there on a start is over but for two cycles more."""
 _MORE_CYCLES = 2.0
@@ -72,69 +64,6 @@ OVERSPEED = N_("it turns faster than overspeed allows")
 
 
 @record
-class StartCurves:
-    """A run over time; all arrays of shape (time,)."""
-
-    crank_angle_turned: Array = quantity(
-        "φ", "rad", _TIME, N_("Crank angle as shown, counted on through all turns"), _THEORY
-    )
-    crank_speed: Array = quantity("ω", "rad/s", _TIME, N_("Speed of the crank"), _THEORY)
-    motor_speed: Array = quantity("ω_m", "rad/s", _TIME, N_("Speed of the motor"), _THEORY)
-    motor_torque: Array = quantity("M_m", "N*m", _TIME, N_("Torque of the motor at its own shaft"), _THEORY)
-    load_torque: Array = quantity("M_Q", "N*m", _TIME, N_("Torque that the loads take at the crank"), _THEORY)
-    motor_power: Array = quantity("P_m", "W", _TIME, N_("Power of the motor at its shaft"), _THEORY)
-    motor_work: Array = quantity("W_m", "J", _TIME, N_("Work of the motor since the beginning"), _THEORY)
-    load_work: Array = quantity("W_Q", "J", _TIME, N_("Work that the loads have taken"), _THEORY)
-    lost_work: Array = quantity("W_v", "J", _TIME, N_("Work that gearing and brake have lost"), _THEORY)
-    kinetic_energy: Array = quantity("T", "J", _TIME, N_("Kinetic energy of machine and drive"), _THEORY)
-    motor_heat: Array = quantity("Q_m", "J", _TIME, N_("Heat in the motor's rotor"), _THEORY)
-
-
-@record
-class StartEvent:
-    """Something on the way: its name; time, crank angle as shown, counted on, speed of the crank. [s, rad, rad/s]"""
-
-    name: str
-    time: float
-    angle: float
-    speed: float
-
-
-@record
-class StartRun:
-    """What became of a start.
-
-    Attributes
-    ----------
-    reason : str
-        Why it ended, a sentence.
-    time : Array, shape (time,)
-        [s]
-    curves : StartCurves
-    whole_time, whole : Array, StartCurves
-        The same from beginning to end, whatever times were asked for. [s]
-    events : tuple of StartEvent
-    residual, supplied : float
-        Kinetic energy at the end less what was given and taken, and the work by which to judge it. [J]
-    tolerance : float
-    n_steps : int
-    method : str
-    """
-
-    reason: str
-    time: Array
-    curves: StartCurves
-    whole_time: Array
-    whole: StartCurves
-    events: tuple[StartEvent, ...]
-    residual: float
-    supplied: float
-    tolerance: float
-    n_steps: int
-    method: str
-
-
-@record
 class StartCase:
     """One design, ready to start.
 
@@ -149,8 +78,8 @@ class StartCase:
     motor : DeclaredMotor or None
     design : int
     spec : StartSpec
-    brake : tuple of float
-        Its torque at the motor's shaft, and its delay. [N·m, s]
+    brake : Braking
+        From its command on: `begins` is its delay.
     zero : float
         φ where the shown crank angle is 0. [rad]
     steady_speed, cycle_time : float
@@ -164,7 +93,7 @@ class StartCase:
     motor: DeclaredMotor | None
     design: int
     spec: StartSpec
-    brake: tuple[float, float]
+    brake: Braking
     zero: float
     steady_speed: float
     cycle_time: float
@@ -232,7 +161,7 @@ def _runs(case: StartCase, samples: Array, end: float, progress: Progress | None
     while spans:
         span = spans.pop(0)
         span = _from_speed(case, span._replace(end=min(span.end, end)), speed)
-        train, kernels = _train(case, span, angle), _kernels(case.motor)
+        train, kernels = _train(case, span, angle), start_kernels(case.motor)
         asked = _wanted(case, span, angle, speed, samples)
         found = run(kernels, train, asked, is_compiled=False, progress=_from(span.start, progress))
         yield span, found
@@ -260,7 +189,7 @@ def _switches(case: StartCase) -> tuple[float, float, float]:
     """When the motor is switched off, when it is reversed, and when the brake's torque comes. [s]"""
     spec = case.spec
     off, back, brake_on = (_at(time) for time in (spec.motor_off, spec.motor_reversed, spec.brake_on))
-    return off, back, brake_on + case.brake[1]
+    return off, back, brake_on + case.brake.begins
 
 
 def _train(case: StartCase, span: _Span, angle: float) -> DriveTrain:
@@ -270,7 +199,7 @@ def _train(case: StartCase, span: _Span, angle: float) -> DriveTrain:
     return DriveTrain(
         in_list(span.machine, angle),
         Switching(numbers, off, back, span.start),
-        (case.brake[0], braked - span.start),
+        case.brake._replace(begins=braked - span.start),
         case.gearing,
     )
 
@@ -348,7 +277,7 @@ def _curves(case: StartCase, time: Array, state: Array) -> StartCurves:
     """Speeds, torques, powers and energies at the samples."""
     angle, speed = state[:, ANGLE], state[:, SPEED]
     ratio = overall_ratio(case.gearing)
-    kernels = _kernels(case.motor)
+    kernels = start_kernels(case.motor)
     spec = case.spec
     numbers = Switching(
         () if case.motor is None else case.motor.row(case.design), _at(spec.motor_off), _at(spec.motor_reversed), 0.0
@@ -423,44 +352,3 @@ def in_list(machine: ReducedMachine, angle: float) -> list[float]:
     numbers = in_one_row(machine).tolist()
     filled_at(angle, numbers)
     return numbers
-
-
-class Switching(NamedTuple):
-    """A motor with its switch: its numbers; when it is switched off and reversed; when the run began. [s]"""
-
-    motor: Any
-    off: float
-    back: float
-    since: float
-
-
-@cache
-def switched(kernel: Motor, is_even: bool) -> Motor:
-    """A motor that is switched off or reversed, or what is even in its sense, as its heat."""
-
-    def at(speed: float, time: float, numbers: Switching) -> float:
-        now = time + numbers.since
-        if now >= numbers.off:
-            return 0.0
-        if now < numbers.back:
-            return own(speed, now, numbers.motor)
-        turned = own(-speed, now - numbers.back, numbers.motor)
-        return turned if is_even else -turned
-
-    own = kernel
-    return at
-
-
-def braking(time: float, numbers: tuple[float, float]) -> float:
-    """Torque of a brake at the motor's shaft: its size, and when it comes on. [N·m, s]"""
-    return numbers[0] if time >= numbers[1] else 0.0
-
-
-def _kernels(motor: DeclaredMotor | None) -> Kernels:
-    """Kernels of a run that is not compiled."""
-    if motor is None:
-        return Kernels(in_floats(reduced_machine), no_motor, no_heat, braking, in_floats(settle))
-    torque = in_floats(motor.motor.kernel)
-    timed = torque if motor.motor.is_timed else untimed(torque)
-    heat = no_heat if motor.heat is None else in_floats(motor.heat)
-    return Kernels(in_floats(reduced_machine), switched(timed, False), switched(heat, True), braking, in_floats(settle))
