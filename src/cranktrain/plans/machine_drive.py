@@ -98,7 +98,7 @@ def _torque(load: LoadSpec) -> float | None:
     if load.torque is None and load.radius is None:
         return None
     arm = 1.0 if load.torque is not None or load.radius is None else load.radius.si
-    torque = -sizes[0].si * arm
+    torque = -next(iter(sizes)).si * arm
     return abs(torque) if load.sense == "resisting" else torque
 
 

@@ -205,7 +205,7 @@ def _curve_lines(drive: CrankRockerDrive, angle: float, width: int) -> Iterator[
     words = {"right": _("right"), "source": _("printed"), "refuted": _("refuted")}
     heads = ("", "", _("at α"), _("advancing"), _("going back"), _("mean"), _("rms"), _("a turn"))
     for unit in ("1", "N*m", "kg", "kg*m^2"):
-        rows = []
+        rows: list[tuple[str, ...]] = []
         for one in (curve for curve in drive_curves(drive) if curve.unit == unit):
             facts = curve_facts(drive, one)
             value = float(values_at(drive, one, np.array([angle]))[0])

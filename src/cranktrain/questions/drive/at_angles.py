@@ -137,11 +137,11 @@ def _steady_pressures(machine: ReducedMachine, value: _Coefficient, slope: _Coef
     for chamber in np.asarray(machine.chambers).tolist():
         largest, smallest = (_extreme_volume(machine, int(chamber[VOLUME]), sign) for sign in (1.0, -1.0))
         volume, shrinks = value(chamber[VOLUME]), slope(chamber[VOLUME]) < 0
-        pressed = chamber[SUCTION] * (largest / volume) ** chamber[COMPRESSION]
+        pressed: Array = chamber[SUCTION] * (largest / volume) ** chamber[COMPRESSION]
         delivers = chamber[SUCTION] * (largest / smallest) ** chamber[COMPRESSION] > chamber[DISCHARGE]
-        spread = chamber[DISCHARGE] * (smallest / volume) ** chamber[EXPANSION] if delivers else pressed
-        one_way = np.minimum(pressed, chamber[DISCHARGE])
-        found.append(np.where(shrinks, one_way, np.maximum(spread, chamber[SUCTION])))
+        spread: Array = chamber[DISCHARGE] * (smallest / volume) ** chamber[EXPANSION] if delivers else pressed
+        pressures: tuple[Array, Array] = (np.minimum(pressed, chamber[DISCHARGE]), np.maximum(spread, chamber[SUCTION]))
+        found.append(np.where(shrinks, *pressures))
     return found
 
 

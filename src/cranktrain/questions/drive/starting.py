@@ -6,6 +6,7 @@ from dataclasses import fields
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
@@ -151,7 +152,7 @@ def _asked_times(interval: Given | None, end: float) -> Array:
             least=number(end / MOST_SAMPLES, "s"), n=MOST_SAMPLES
         )
         raise InputError([Problem("drive.start.interval", interval.text, allowed)])
-    return np.arange(math.floor(n)) * interval.si
+    return np.arange(math.floor(n), dtype=np.float64) * interval.si
 
 
 def _runs(case: StartCase, samples: Array, end: float, progress: Progress | None) -> Iterator[tuple[_Span, Run]]:
@@ -241,7 +242,7 @@ def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int, asked
         before[MOTOR_WORK:] += found.end[MOTOR_WORK:]
     span, last = runs[-1]
     time, state = np.concatenate(times), np.concatenate(states)
-    wanted_too = np.isin(time, asked)
+    wanted_too = np.flatnonzero(np.isin(time, asked))
     whole = _curves(case, time, state)
     return StartRun(
         reason=_(_reason(case, runs, reason)),
@@ -268,7 +269,7 @@ def _reason(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> str:
     return LONGEST_OVER if span.start + last.end_time >= _LONGEST else SETTLED
 
 
-def _at_times(curves: StartCurves, chosen: Array) -> StartCurves:
+def _at_times(curves: StartCurves, chosen: NDArray[np.intp]) -> StartCurves:
     """Curves at some of their times."""
     return StartCurves(**{one.name: getattr(curves, one.name)[chosen] for one in fields(curves)})
 
