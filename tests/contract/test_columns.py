@@ -120,6 +120,7 @@ TABLES = {
                 "wheel": {"on": 2, "flywheel_moment": "3 kg*m^2"},
                 "gear": {"on": 3, "inertia": "2 kg*m^2"},
             },
+            "brake": {"torque": "100 N*m", "delay": "50 ms", "rise_time": "80 ms"},
             "start": {
                 "angle": "60 deg",
                 "speed": "1 rpm",
@@ -267,7 +268,7 @@ SAYS_NOTHING = (
     re.compile(r"crank\.\w+\.ratio$"),  # of a chain's crank is 1
     re.compile(r"leg\.\d+\.near\.\d$"),  # chooses a way of putting together, but does not move it
     re.compile(r"^drive\.motor\.pull_up_slip"),  # of a curve without a saddle
-    re.compile(r"^drive\.start\."),  # of a run over time, which is of one design
+    re.compile(r"^drive\.(start|brake)\."),  # of a run over time, which is of one design
     re.compile(r"^gas\.(ambient|peg\.(pressure|exponent|angle|start|end))$"),  # of a card that says otherwise
 )
 """Numbers by which nothing that is laid out need change."""

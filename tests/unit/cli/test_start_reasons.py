@@ -1,6 +1,7 @@
 """How starts end, and what is refused, at the terminal."""
 
 import pytest
+from tests.sentences import NOT_A_KEY, NOT_POSITIVE
 
 DRY = ("--set", "load.table.sense=resisting")
 
@@ -48,17 +49,17 @@ def test_rows_do_not_depend_on_the_interval(typed):
 @pytest.mark.parametrize(
     ("setting", "said"),
     [
-        ("drive.start.interval=0 s", "must be more than 0 s"),
+        ("drive.start.interval=0 s", f"{NOT_POSITIVE} s"),
         ("drive.start.interval=1e-9 s", "must be at least"),
-        ("drive.start.until_speed=-5 rpm", "must be more than 0 rpm"),
-        ("drive.start.overspeed=0 rpm", "must be more than 0 rpm"),
+        ("drive.start.until_speed=-5 rpm", f"{NOT_POSITIVE} rpm"),
+        ("drive.start.overspeed=0 rpm", f"{NOT_POSITIVE} rpm"),
         ("drive.start.motor_off=3 m", "m measures a length; must be a time"),
         ("drive.start.motor_off=-3 s", "must be at least 0 s"),
-        ("drive.start.duration=-1 s", "must be more than 0 s"),
+        ("drive.start.duration=-1 s", f"{NOT_POSITIVE} s"),
         ("drive.start.tolerance=1", "must be at most 0.001"),
         ("drive.start.angle=1 m", "must be an angle"),
         ("drive.start.speed=nan rpm", "must be finite"),
-        ("drive.start.motor_of=1 s", "is not a key of this table"),
+        ("drive.start.motor_of=1 s", NOT_A_KEY),
     ],
 )
 def test_refused(typed, setting, said):
