@@ -145,7 +145,7 @@ def pumping_unit(**more):
         "force": ["5000 lbf", "8500 lbf", "8500 lbf", "8500 lbf"],
         "force_back": ["5000 lbf", "5000 lbf", "5000 lbf", "8500 lbf"],
     }
-    return ct.load("pumping_unit_c57").with_({"load": {"card": card, **more}})
+    return ct.load("pumping_unit_c57").with_({"load": {"card": card, **more}, "pumping": {"card": "card"}})
 
 
 def test_torque_of_a_pumping_unit_under_its_card():
