@@ -106,7 +106,7 @@ def strokes():
 def test_stroke():
     marks = strokes()
     plan = PressPlan(5.0, command_angle=COMMAND_ANGLE, jumps=PRESSING, tolerance=1e-12)
-    found = single_stroke(KERNELS, PRESS, plan, wheel_speed=IDLE, is_compiled=False)
+    found = single_stroke(KERNELS, PRESS, plan, wheel_speed=IDLE)
     assert [event.kind for event in found.run.events] == list(marks)
     for event in found.run.events:
         time, state = marks[event.kind]

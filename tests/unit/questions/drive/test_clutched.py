@@ -50,7 +50,7 @@ PLAN = PressPlan(4.0, command_angle=math.radians(300.0), jumps=PRESSING)
 
 
 def plain(kernels, press, start, plan):
-    return run_press(kernels, press, start, plan, is_compiled=False)
+    return run_press(kernels, press, start, plan)
 
 
 def start_of(press, speed=40.0, angle=0.0):
@@ -58,7 +58,7 @@ def start_of(press, speed=40.0, angle=0.0):
 
 
 def stroke_of(press, plan=PLAN, **others):
-    return single_stroke(KERNELS, press, plan, wheel_speed=IDLE, is_compiled=False, **others)
+    return single_stroke(KERNELS, press, plan, wheel_speed=IDLE, **others)
 
 
 def constant(_speed, _time, motor):
@@ -299,14 +299,14 @@ class TestStroke:
         assert found.clutch_heat == pytest.approx(self.found.clutch_heat, rel=1e-8)
 
     def test_stops_on_top(self):
-        angle = top_command_angle(KERNELS, PRESS, PLAN, wheel_speed=IDLE, is_compiled=False)
+        angle = top_command_angle(KERNELS, PRESS, PLAN, wheel_speed=IDLE)
         found = stroke_of(PRESS, PLAN._replace(command_angle=angle))
         assert found.stop_angle == pytest.approx(0.0, abs=1e-9)
 
     def test_never_on_top(self):
         """A brake that does not hold has no angle of command that does."""
         slack = PRESS._replace(brake=Grip(20.0, 20.0))
-        assert math.isnan(top_command_angle(KERNELS, slack, PLAN, wheel_speed=IDLE, is_compiled=False))
+        assert math.isnan(top_command_angle(KERNELS, slack, PLAN, wheel_speed=IDLE))
 
 
 class TestStops:
@@ -315,7 +315,7 @@ class TestStops:
     def test_of_constant_inertia_are_alike(self):
         press = bare_press(Grip(900.0, 1000.0), Grip(300.0, 400.0, 0.05), load=0.0)
         plan = PressPlan(1.0, passed=(0.5, 2.0, 4.0))
-        found = stop_measurement(BARE, press, turning(press, 40.0, 0.0), plan, is_compiled=False)
+        found = stop_measurement(BARE, press, turning(press, 40.0, 0.0), plan)
         np.testing.assert_allclose(found.command_angle, [0.5, 2.0, 4.0], rtol=1e-13)
         np.testing.assert_allclose(found.time, 0.05 + 40.0 / 50.0, rtol=1e-12)
         np.testing.assert_allclose(found.angle, 40.0 * 0.05 + 40.0**2 / 100.0, rtol=1e-12)
@@ -326,7 +326,7 @@ class TestStops:
         plan = PLAN._replace(end_time=1.0, passed=tuple(np.radians([60.0, 250.0])))
         free = self.press._replace(machine=(14.0, 900.0, 0.0, 150.0, *PRESSING))
         start = turning(free, IDLE / 5, 0.0, PRESSING)
-        found = stop_measurement(KERNELS, free, start, plan, is_compiled=False)
+        found = stop_measurement(KERNELS, free, start, plan)
         assert found.reasons == (RESTS, RESTS)
         assert found.worst_angle == found.worst_time == 0
 
@@ -334,7 +334,7 @@ class TestStops:
         angle = math.radians(200.0)
         start = starting(at_rest(IDLE, 0.0, PRESSING), self.press)
         plan = PLAN._replace(passed=(angle,), end_time=0.6)
-        found = stop_measurement(KERNELS, self.press, start, plan, is_compiled=False)
+        found = stop_measurement(KERNELS, self.press, start, plan)
         stroke = stroke_of(self.press, PLAN._replace(command_angle=angle))
         assert found.angle[0] == pytest.approx(stroke.brake_angle, rel=1e-8)
         assert found.time[0] == pytest.approx(stroke.brake_time, rel=1e-8)
@@ -409,7 +409,7 @@ def test_kinetic_energy():
 class TestRepeated:
     """Thirty strokes a minute, each of which begins as the one before."""
 
-    found = repeated_stroke(KERNELS, PRESS, PLAN, period=2.0, idle_speed=IDLE, is_compiled=False)
+    found = repeated_stroke(KERNELS, PRESS, PLAN, period=2.0, idle_speed=IDLE)
 
     def test_it_is_what_strokes_come_to(self):
         """From the flywheel's idle speed on, one after another."""
@@ -431,7 +431,7 @@ class TestRepeated:
 
     def test_too_fast(self):
         """It is still on its way when the next one should begin."""
-        found = repeated_stroke(KERNELS, PRESS, PLAN, period=0.5, idle_speed=IDLE, is_compiled=False)
+        found = repeated_stroke(KERNELS, PRESS, PLAN, period=0.5, idle_speed=IDLE)
         assert not found.is_in_time
         assert math.isnan(found.wheel_speed)
 
@@ -450,12 +450,4 @@ def test_worst_stop():
 
 
 def stroke_of_speed(speed, end_time):
-    return single_stroke(
-        KERNELS, PRESS, PLAN._replace(end_time=end_time), wheel_speed=speed, recovery_limit=0.0, is_compiled=False
-    )
-
-
-def test_compiled_press_is_the_same():
-    found, other = single_stroke(KERNELS, PRESS, PLAN, wheel_speed=IDLE), stroke_of(PRESS)
-    np.testing.assert_allclose(found.run.end.state, other.run.end.state, rtol=1e-9, atol=1e-12)
-    assert found.locked_at == pytest.approx(other.locked_at, rel=1e-9)
+    return single_stroke(KERNELS, PRESS, PLAN._replace(end_time=end_time), wheel_speed=speed, recovery_limit=0.0)

@@ -30,7 +30,9 @@ def test_numbers():
         (BrakeSpec, {}, "torque"),
         (BrakeSpec, {"torque": "900 N·m", "on": "ram"}, "on"),
         (StrokeSpec, {"command_angle": "20 deg", "start_angle": "20 deg"}, "command_angle"),
-        (StrokeSpec, {"strokes_per_minute": 0}, "strokes_per_minute"),
+        (StrokeSpec, {"command_angle": "541 deg", "start_angle": "180 deg"}, "command_angle"),
+        (StrokeSpec, {"command_angle": "300 deg"}, "start_angle"),
+        (StrokeSpec, {"start_angle": "0 deg", "strokes_per_minute": 0}, "strokes_per_minute"),
     ],
 )
 def test_refused(spec, table, path):
@@ -43,7 +45,7 @@ def test_refused(spec, table, path):
 def test_a_brake_stands_behind_the_clutch(on):
     clutch = validated(ClutchSpec, {"torque": "900 N·m", "on": 1})
     brake = validated(BrakeSpec, {"torque": "900 N·m", "on": on})
-    found = [problem.path for problem in press_problems(clutch, brake, StrokeSpec(), 2)]
+    found = [problem.path for problem in press_problems(clutch, brake, StrokeSpec(start_angle="0 deg"), 2)]
     assert found == (["brake.on"] if on in ("motor", "flywheel") else [])
     without = [problem.path for problem in press_problems(None, brake, None, 2)]
     assert without == (["brake.on"] if on in ("clutch", "flywheel") else [])
@@ -57,7 +59,7 @@ def test_a_clutch_divides_a_shaft_that_is_there(on, n_stages):
 
 
 def test_a_stroke_needs_both():
-    found = [problem.allowed for problem in press_problems(None, None, StrokeSpec(), 1)]
+    found = [problem.allowed for problem in press_problems(None, None, StrokeSpec(start_angle="0 deg"), 1)]
     assert len(found) == 2
     assert "[drive.clutch]" in found[0]
     assert "[drive.brake]" in found[1]

@@ -1,16 +1,14 @@
 """The equation of motion of a press with a clutch and a brake, by its phase."""
 
-from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.courses import Grip
-from cranktrain.questions.drive.running.compiling import quick
-from cranktrain.questions.drive.running.equation import Kernels, joined
+from cranktrain.questions.drive.clutched.step import Derive
+from cranktrain.questions.drive.running.equation import Kernels
 from cranktrain.questions.drive.running.gearing import NONE, Gearing, acceleration, overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.general_step import Derive
 
 WHEEL, ANGLE, SPEED, MOTOR_WORK, LOAD_WORK, CLUTCH_HEAT, BRAKE_HEAT, LOST_WORK, MOTOR_HEAT = range(9)
 """Components of the state: speed of the flywheel, angle and speed of the crank, and what work became of since."""
@@ -54,11 +52,12 @@ class Press(NamedTuple):
 def press_of(
     machine: Any, motor: Any, before: Gearing, behind: Gearing, clutch: Grip, brake: Grip, *, brake_on_crank: bool
 ) -> Press:
-    """Put the numbers of a press together; fields as of `Press`.
+    """Put the numbers of a press together; fields as of `Press`, stages in lists, which are the quickest here.
 
     Where no stage stands behind the clutch, it sits on the crankshaft, and so does the brake.
     """
-    numbers = [np.concatenate(pair) for pair in zip(before[1:], behind[1:], strict=True)]
+    before, behind = _listed(before), _listed(behind)
+    numbers = [[*one, *other] for one, other in zip(before[1:], behind[1:], strict=True)]
     motor_inertia, inertia, n_before = before.motor_inertia, numbers[-1], len(before.ratio)
     if n_before:
         inertia[n_before - 1] += behind.motor_inertia
@@ -68,6 +67,11 @@ def press_of(
     motor_ratio, ratio = float(overall_ratio(before)), float(overall_ratio(behind))
     on_crank = 1.0 if brake_on_crank or not len(behind.ratio) else 0.0
     return Press(machine, motor, before, behind, locked, motor_ratio, ratio, clutch, brake, on_crank)
+
+
+def _listed(gearing: Gearing) -> Gearing:
+    """Gearing with its stages in lists."""
+    return Gearing(gearing.motor_inertia, *(np.asarray(part).tolist() for part in gearing[1:]))
 
 
 class PressPhase(NamedTuple):
@@ -107,7 +111,7 @@ class ActingPress(NamedTuple):
 def needed_torque(grown: float, sense: float, inertia: float, facing: float, gearing: Gearing) -> float:
     """Torque that must enter a gearing for an acceleration of the crank behind it. [N·m]
 
-    docs/theory/transient, eq. (26.5). A kernel for numbers; it compiles.
+    docs/theory/transient, eq. (26.5).
     """
     passed, overall = inertia * grown + facing, 1.0
     for stage in range(len(gearing.ratio) - 1, -1, -1):
@@ -139,20 +143,20 @@ def firm_acceleration(
 
 def _braked(gearing: Gearing, stage: int, torque: float) -> Gearing:
     """Gearing with a torque more that a stage takes at its input."""
-    drag = gearing.drag.copy()
+    drag = list(gearing.drag)
     if stage < len(drag):
         drag[stage] += torque
     return Gearing(gearing.motor_inertia, gearing.ratio, gearing.forward, gearing.backward, drag, gearing.inertia)
 
 
-def press_form(kernels: Kernels, law: Any, braked: Any) -> Derive:
+def press_form(kernels: Kernels) -> Derive:
     """Join the kernels to the slopes of the state by time; a sense of 0 is a crank that is held.
 
     docs/theory/clutched-drive, eqs. (30.1), (30.2) and (30.8).
     """
-    machine, motor, heat, _, _ = kernels
+    machine, motor, heat = kernels[:3]
 
-    def derive(time: float, state: Array, slopes: Array, sense: float, acting: ActingPress) -> int:
+    def derive(time: float, state: Any, slopes: Any, sense: float, acting: ActingPress) -> int:
         press, phase = acting.press, acting.phase
         wheel, speed, since = state[0], state[2], time - phase.start
         angle = min(max(state[1], phase.low), phase.high)
@@ -166,17 +170,17 @@ def press_form(kernels: Kernels, law: Any, braked: Any) -> Derive:
         facing = load + 0.5 * first * speed * speed + on_crank * sense
         grown, taken, lost, count = 0.0, 0.0, 0.0, 0
         if phase.is_locked:
-            gearing = braked(press.locked, len(press.before.ratio), on_clutch)
-            grown, taken, count = law(driving, sense, inertia, facing, gearing)
+            gearing = _braked(press.locked, len(press.before.ratio), on_clutch)
+            grown, taken, count = firm_acceleration(driving, sense, inertia, facing, gearing)
             slopes[0] = press.ratio * grown
             # what the brake takes is not the gears' loss
             lost = taken * speed - on_clutch * press.ratio * sense * speed
             slopes[5] = 0.0
         else:
-            slopes[0], taken, count = law(driving, 1.0, 0.0, grip, press.before)
+            slopes[0], taken, count = firm_acceleration(driving, 1.0, 0.0, grip, press.before)
             lost = taken * wheel
             if sense != 0 and count == 0:
-                grown, taken, count = law(grip - on_clutch * sense, sense, inertia, facing, press.behind)
+                grown, taken, count = firm_acceleration(grip - on_clutch * sense, sense, inertia, facing, press.behind)
                 lost += taken * speed
             slopes[5] = grip * (wheel - press.ratio * speed)
         slopes[1] = speed
@@ -191,15 +195,6 @@ def press_form(kernels: Kernels, law: Any, braked: Any) -> Derive:
         return 0
 
     return derive
-
-
-@cache
-def joined_press(kernels: Kernels, is_compiled: bool) -> tuple[Derive, Kernels]:
-    """Join kernels once, compiled with Numba or as they are: slopes by time, and the kernels."""
-    if not is_compiled:
-        return press_form(kernels, firm_acceleration, _braked), kernels
-    own = joined(kernels, True).kernels
-    return quick(press_form(own, quick(firm_acceleration), quick(_braked))), own
 
 
 def kinetic_energy(kernels: Kernels, press: Press, state: Array) -> float:

@@ -1,10 +1,8 @@
 """Which way things go on from an instant: clutch locked or slipping, crank held or moving."""
 
 import math
+from typing import Any
 
-import numpy as np
-
-from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.equation import (
     ANGLE,
     N_PRESS_STATE,
@@ -14,18 +12,16 @@ from cranktrain.questions.drive.clutched.equation import (
     firm_acceleration,
     needed_torque,
 )
+from cranktrain.questions.drive.clutched.step import Derive
 from cranktrain.questions.drive.running.equation import Kernels
-from cranktrain.questions.drive.running.general_step import Derive
 
 _LOOKS = 64
 _HALVINGS = 80
 
 
-def transmitted(
-    derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: ActingPress
-) -> float:
+def transmitted(derive: Derive, kernels: Kernels, time: float, state: Any, sense: float, acting: ActingPress) -> float:
     """Torque that a locked clutch hands on to what it drives. [N·m] docs/theory/clutched-drive, eq. (30.4)."""
-    press, phase, slopes = acting.press, acting.phase, np.zeros(N_PRESS_STATE)
+    press, phase, slopes = acting.press, acting.phase, [0.0] * N_PRESS_STATE
     derive(time, state, slopes, sense, acting)
     angle, speed = min(max(float(state[ANGLE]), phase.low), phase.high), float(state[SPEED])
     inertia, first, load, _ = kernels.machine(angle, speed, sense, press.machine)
@@ -36,7 +32,7 @@ def transmitted(
 
 
 def static_margin(
-    derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: ActingPress
+    derive: Derive, kernels: Kernels, time: float, state: Any, sense: float, acting: ActingPress
 ) -> float:
     """By how much a locked clutch could hand on more than it does; below 0 it breaks loose. [N·m]"""
     phase = acting.phase
@@ -45,7 +41,7 @@ def static_margin(
 
 
 def locked_or_slipping(
-    derive: Derive, kernels: Kernels, time: float, state: Array, sense: float, acting: ActingPress, *, must_slip: bool
+    derive: Derive, kernels: Kernels, time: float, state: Any, sense: float, acting: ActingPress, *, must_slip: bool
 ) -> PressPhase:
     """Phase of a clutch whose sides turn alike: locked, or slipping the way that it is driven beyond what it holds.
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.equation import N_PRESS_FED
-from cranktrain.questions.drive.running.general_step import INTERPOLANT
+from cranktrain.questions.drive.clutched.step import INTERPOLANT
 
 LOOKS = np.linspace(0.0, 1.0, 17)
 """Parts of a step at which it is looked at."""

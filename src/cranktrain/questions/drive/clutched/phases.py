@@ -28,8 +28,8 @@ from cranktrain.questions.drive.clutched.runs import (
     PressPlan,
     piece_ends,
 )
+from cranktrain.questions.drive.clutched.step import Derive
 from cranktrain.questions.drive.running.equation import Kernels
-from cranktrain.questions.drive.running.general_step import Derive
 from cranktrain.record import record
 
 _BESIDE = 1e-11

@@ -49,7 +49,6 @@ def repeated_stroke(
     period: float,
     idle_speed: float,
     start_angle: float = 0.0,
-    is_compiled: bool = True,
 ) -> RepeatedStroke:
     """Stroke that repeats itself every so often, all beginning at the same crank angle.
 
@@ -65,7 +64,6 @@ def repeated_stroke(
         Of the flywheel without strokes, from which it is looked for. [rad/s]
     start_angle : float, optional
         [rad]
-    is_compiled : bool, optional
 
     Returns
     -------
@@ -80,12 +78,11 @@ def repeated_stroke(
     def after(speed: float) -> tuple[PressStroke, PressRun | None]:
         stroke = single_stroke(
             kernels, press, whole, wheel_speed=speed, start_angle=start_angle, recovery_limit=0.0,
-            is_compiled=is_compiled,
         )  # fmt: skip
         if stroke.run.reason != RESTS:
             return stroke, None
         waiting = whole._replace(command_angle=math.inf, ends_at_rest=False)
-        return stroke, run_press(kernels, press, stroke.run.end, waiting, is_compiled=is_compiled)
+        return stroke, run_press(kernels, press, stroke.run.end, waiting)
 
     speed, grown, before = idle_speed, math.nan, math.nan
     stroke, wait = after(speed)

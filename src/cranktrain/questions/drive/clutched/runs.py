@@ -11,6 +11,7 @@ from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.courses import PRESSED, RELEASED, GripCourse
 from cranktrain.questions.drive.clutched.equation import ANGLE, N_PRESS_STATE, SPEED, WHEEL, Press, kinetic_energy
+from cranktrain.questions.drive.clutched.step import INTERPOLANT
 from cranktrain.questions.drive.running.equation import Kernels
 from cranktrain.record import record
 
@@ -118,6 +119,8 @@ class PressRun:
     times : Array, shape (n,)
         Of all steps. [s]
     states : Array, shape (n, 9)
+    slopes : tuple of Array, shape (7, 9)
+        Of the stages of each step, by which there are states within it; an event at the end of a step has one row.
     lowest_speed : float
         Of the flywheel. [rad/s]
     residual, supplied : float
@@ -132,6 +135,7 @@ class PressRun:
     events: tuple[PressEvent, ...]
     times: Array
     states: Array
+    slopes: tuple[Array, ...]
     lowest_speed: float
     residual: float
     supplied: float
@@ -140,6 +144,21 @@ class PressRun:
     def of_kind(self, kind: int) -> tuple[PressEvent, ...]:
         """Events of one kind."""
         return tuple(event for event in self.events if event.kind == kind)
+
+    def at(self, times: Array) -> Array:
+        """States at times of the run, shape (n, 9), by the interpolant of each step."""
+        steps = np.clip(np.searchsorted(self.times, times, side="right") - 1, 0, len(self.slopes) - 1)
+        return np.array([self._within(step, time) for step, time in zip(steps, times, strict=True)]).reshape(
+            len(times), N_PRESS_STATE
+        )
+
+    def _within(self, step: int, time: float) -> Array:
+        """State within a step."""
+        begun, width = self.times[step], self.times[step + 1] - self.times[step]
+        if not width > 0:
+            return self.states[step]
+        part = (time - begun) / width
+        return self.states[step] + width * (part ** np.arange(1, 5) @ INTERPOLANT.T @ self.slopes[step])
 
 
 def piece_of(angle: float, jumps: tuple[float, ...]) -> int:

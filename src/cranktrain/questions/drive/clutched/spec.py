@@ -1,5 +1,6 @@
 """The tables [drive.clutch], [drive.brake] and [drive.stroke] of the machine file."""
 
+import math
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
@@ -21,7 +22,7 @@ from cranktrain.spec import Spec
 
 _AT_ONCE = Given(0.0, "0 s")
 _NOTHING = Given(0.0, "0 kg·m²")
-_TOP = Given(0.0, "0 deg")
+_TURN = 2 * math.pi
 
 
 class GripSpec(Spec, frozen=True):
@@ -79,21 +80,27 @@ class BrakeSpec(GripSpec, frozen=True):
 class StrokeSpec(Spec, frozen=True):
     """Single strokes: from rest by the clutch, and to rest by the brake."""
 
+    start_angle: TurnedAngle = Field(
+        description=N_("Shown crank angle at which the crank rests, with the ram up: 180 deg of one below the shaft.")
+    )
     command_angle: TurnedAngle | None = Field(
         default=None,
-        description=N_("At which the clutch is let go and the brake comes on; that which ends on top unless given."),
-    )
-    start_angle: TurnedAngle = Field(
-        default=_TOP, description=N_("At which the crank rests at the beginning; top dead centre unless given.")
+        description=N_(
+            "At which the clutch is let go and the brake comes on, counted on from start_angle; unless given that "
+            "with which the stroke ends a turn behind its start."
+        ),
     )
     strokes_per_minute: PositiveRatio | None = Field(
         default=None, description=N_("How many are required, which the flywheel and the heat must allow.")
     )
 
     def _problems(self) -> Iterator[Problem]:
-        """Find a command that comes before the start."""
+        """Find a command that comes before the start, or a turn behind it."""
         if self.command_angle is not None and self.command_angle.si <= self.start_angle.si:
             allowed = _("must be more than start_angle = {angle}: it comes on the way from there")
+            yield Problem("command_angle", self.command_angle.text, allowed.format(angle=self.start_angle.text))
+        elif self.command_angle is not None and self.command_angle.si > self.start_angle.si + _TURN:
+            allowed = _("must be within a turn of start_angle = {angle}: a stroke is one")
             yield Problem("command_angle", self.command_angle.text, allowed.format(angle=self.start_angle.text))
 
 

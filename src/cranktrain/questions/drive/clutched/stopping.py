@@ -48,9 +48,7 @@ class StopMeasurement:
     worst_time: int
 
 
-def stop_measurement(
-    kernels: Kernels, press: Press, start: Moment, plan: PressPlan, *, is_compiled: bool = True
-) -> StopMeasurement:
+def stop_measurement(kernels: Kernels, press: Press, start: Moment, plan: PressPlan) -> StopMeasurement:
     """Stop a press at each of the angles that a plan lists in `passed`, in a run from a moment.
 
     Parameters
@@ -71,9 +69,9 @@ def stop_measurement(
     docs/theory/clutched-drive, eq. (30.14). The angles are as dense as they are given; between them nothing is known.
     """
     through = plan._replace(command_angle=math.inf)
-    run = run_press(kernels, press, start, through, is_compiled=is_compiled)
+    run = run_press(kernels, press, start, through)
     passed = [event.moment for event in run.of_kind(ANGLE_PASSED)]
-    found = [_stop(kernels, press, moment, through, is_compiled) for moment in passed]
+    found = [_stop(kernels, press, moment, through) for moment in passed]
     angle, time, heat = (np.array([one[index] for one in found], dtype=float) for index in range(3))
     largest = [int(np.nanargmax(each)) if np.isfinite(each).any() else -1 for each in (angle, time)]
     return StopMeasurement(
@@ -87,12 +85,10 @@ def stop_measurement(
     )
 
 
-def _stop(
-    kernels: Kernels, press: Press, moment: Moment, plan: PressPlan, is_compiled: bool
-) -> tuple[float, float, float, int]:
+def _stop(kernels: Kernels, press: Press, moment: Moment, plan: PressPlan) -> tuple[float, float, float, int]:
     """Angle, time and brake's heat of one stop, and the reason of its end."""
     ahead = plan._replace(end_time=moment.time + plan.end_time, passed=())
-    run = run_press(kernels, press, stopping(moment, press), ahead, is_compiled=is_compiled)
+    run = run_press(kernels, press, stopping(moment, press), ahead)
     if run.reason != RESTS or not run.of_kind(AT_STAND):
         return math.nan, math.nan, math.nan, run.reason
     rest = run.of_kind(AT_STAND)[-1].moment
@@ -127,7 +123,6 @@ def worst_stop(
     over: tuple[float, float],
     n_angles: int = 72,
     n_zooms: int = 4,
-    is_compiled: bool = True,
 ) -> WorstStop:
     """Find the longest stop over a range of command angles. [rad]
 
@@ -138,7 +133,7 @@ def worst_stop(
     def measured(low: float, high: float, n: int) -> StopMeasurement:
         angles = np.linspace(low, high, n + 1)
         passed = tuple(float(angle) for angle in angles)
-        return stop_measurement(kernels, press, start, plan._replace(passed=passed), is_compiled=is_compiled)
+        return stop_measurement(kernels, press, start, plan._replace(passed=passed))
 
     found = measured(*over, n_angles)
     if not len(found.reasons) or any(reason != RESTS for reason in found.reasons):

@@ -80,7 +80,6 @@ def single_stroke(
     start_angle: float = 0.0,
     recovered_part: float = RECOVERED_PART,
     recovery_limit: float = 60.0,
-    is_compiled: bool = True,
 ) -> PressStroke:
     """Run a stroke from a crank at rest, clutch in at once, clutch out and brake on at the plan's command angle.
 
@@ -97,7 +96,6 @@ def single_stroke(
         Of that speed, which counts as recovered.
     recovery_limit : float, optional
         So long is it waited for. [s]
-    is_compiled : bool, optional
 
     Returns
     -------
@@ -108,15 +106,13 @@ def single_stroke(
     docs/theory/clutched-drive, eqs. (30.10) to (30.12).
     """
     begin = starting(at_rest(wheel_speed, start_angle, plan.jumps), press)
-    run = run_press(kernels, press, begin, plan, is_compiled=is_compiled)
+    run = run_press(kernels, press, begin, plan)
     locks, commands = run.of_kind(LOCKED), run.of_kind(COMMAND)
     is_over = run.reason == RESTS
     stands = [event.moment for event in run.of_kind(AT_STAND)] or [run.end]
     rest = stands[-1] if is_over else None
     command = commands[0].moment if commands else None
-    recovery = (
-        _recovery(kernels, press, run, plan, recovered_part, recovery_limit, is_compiled) if is_over else math.nan
-    )
+    recovery = _recovery(kernels, press, run, plan, recovered_part, recovery_limit) if is_over else math.nan
     return PressStroke(
         run,
         _slip_time(run),
@@ -159,9 +155,7 @@ def _pressing_drop(run: PressRun) -> float:
     return float(np.max(np.maximum.accumulate(speeds) - speeds))
 
 
-def _recovery(
-    kernels: Kernels, press: Press, run: PressRun, plan: PressPlan, part: float, limit: float, is_compiled: bool
-) -> float:
+def _recovery(kernels: Kernels, press: Press, run: PressRun, plan: PressPlan, part: float, limit: float) -> float:
     """How long a crank at rest waits for the flywheel; NaN if in vain. [s]"""
     aim = part * float(run.start.state[WHEEL])
     if run.end.state[WHEEL] >= aim:
@@ -169,7 +163,7 @@ def _recovery(
     waiting = plan._replace(
         end_time=run.end.time + limit, command_angle=math.inf, passed=(), wheel_speed=aim, ends_at_rest=False
     )
-    found = run_press(kernels, press, run.end, waiting, is_compiled=is_compiled)
+    found = run_press(kernels, press, run.end, waiting)
     rested = run.of_kind(AT_STAND)[-1].moment.time if run.of_kind(AT_STAND) else run.end.time
     return found.end.time - rested if found.reason == WHEEL_RECOVERED else math.nan
 
@@ -182,7 +176,6 @@ def top_command_angle(
     wheel_speed: float,
     start_angle: float = 0.0,
     top: float = _TURN,
-    is_compiled: bool = True,
 ) -> float:
     """Crank angle of the command with which the stroke ends at an angle, a turn behind the start unless given. [rad]
 
@@ -192,7 +185,7 @@ def top_command_angle(
     def missed(command: float) -> float:
         stroke = single_stroke(
             kernels, press, plan._replace(command_angle=command), wheel_speed=wheel_speed, start_angle=start_angle,
-            recovery_limit=0.0, is_compiled=is_compiled,
+            recovery_limit=0.0,
         )  # fmt: skip
         end = stroke.run.end.state[ANGLE] if stroke.run.reason == RESTS else math.nan
         return float(end - top)

@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -16,7 +15,7 @@ from cranktrain.questions.drive.clutched.equation import (
     SPEED,
     WHEEL,
     Press,
-    joined_press,
+    press_form,
 )
 from cranktrain.questions.drive.clutched.modes import static_margin
 from cranktrain.questions.drive.clutched.passings import least_within, states_within
@@ -38,6 +37,7 @@ from cranktrain.questions.drive.clutched.runs import (
     PressRun,
     account,
 )
+from cranktrain.questions.drive.clutched.step import ERRORS, Slopes, no_slopes, take_step
 from cranktrain.questions.drive.clutched.watches import (
     LOOSENS,
     MEETS,
@@ -52,9 +52,7 @@ from cranktrain.questions.drive.clutched.watches import (
     first_met,
     watches_of,
 )
-from cranktrain.questions.drive.running.compiling import quick
 from cranktrain.questions.drive.running.equation import Kernels
-from cranktrain.questions.drive.running.general_step import ERRORS, take_step
 
 _LARGEST_TURN = 2 * math.pi / 50
 """In a step: with more, a torque that is large for a moment would be overlooked. [rad]"""
@@ -62,7 +60,7 @@ _MOST_AT_ONCE = 50
 _LEAST_WIDTH = 1e-15
 
 
-def run_press(kernels: Kernels, press: Press, start: Moment, plan: PressPlan, *, is_compiled: bool = True) -> PressRun:
+def run_press(kernels: Kernels, press: Press, start: Moment, plan: PressPlan) -> PressRun:
     """Run a press from a moment until something ends it.
 
     Parameters
@@ -73,8 +71,6 @@ def run_press(kernels: Kernels, press: Press, start: Moment, plan: PressPlan, *,
     start : Moment
         As `at_rest` or `turning` gives it, or one of another run.
     plan : PressPlan
-    is_compiled : bool, optional
-        By Numba, which takes a while once.
 
     Returns
     -------
@@ -84,31 +80,30 @@ def run_press(kernels: Kernels, press: Press, start: Moment, plan: PressPlan, *,
     -----
     docs/theory/clutched-drive, eqs. (30.1) to (30.9). Events to rounding, as ends of steps.
     """
-    walk = _Walk(kernels, press, start, plan, is_compiled)
+    walk = _Walk(kernels, press, start, plan)
     reason = walk.to_end()
     own = walk.kernels
     residual, supplied = account(own, press, start.state, walk.now.state)
     return PressRun(
-        reason, start, walk.now, tuple(walk.events), np.array(walk.times), np.array(walk.states), walk.lowest,
-        residual, supplied, walk.n_steps,
+        reason, start, walk.now, tuple(walk.events), np.array(walk.times), np.array(walk.states), tuple(walk.stepped),
+        walk.lowest, residual, supplied, walk.n_steps,
     )  # fmt: skip
 
 
 class _Walk:
     """Where a run is, and what it has met."""
 
-    def __init__(self, kernels: Kernels, press: Press, start: Moment, plan: PressPlan, is_compiled: bool) -> None:
-        self.derive, self.kernels = joined_press(kernels, is_compiled)
-        self.take: Any = quick(take_step) if is_compiled else take_step
+    def __init__(self, kernels: Kernels, press: Press, start: Moment, plan: PressPlan) -> None:
+        self.derive, self.kernels = press_form(kernels), kernels
         self.press, self.plan, self.now = press, plan, start
         self.events: list[PressEvent] = []
-        self.times, self.states = [start.time], [start.state]
+        self.times, self.states, self.stepped = [start.time], [start.state], list[Array]()
         self.lowest = float(start.state[WHEEL])
         self.scale = max(abs(self.lowest), abs(float(start.state[SPEED]) * press.ratio)) or 1.0
         self.scales = np.array([self.scale, 1.0, self.scale / press.ratio])
         self.n_steps, self.n_at_once, self.is_loosened = 0, 0, False
         self.wanted = [angle for angle in plan.passed if angle > start.state[ANGLE]]
-        self.slopes, self.trial = np.zeros((7, N_PRESS_STATE)), np.zeros((7, N_PRESS_STATE))
+        self.slopes, self.trial = no_slopes(N_PRESS_STATE), no_slopes(N_PRESS_STATE)
 
     def to_end(self) -> int:
         """Go from phase to phase; the reason of the end."""
@@ -124,7 +119,7 @@ class _Walk:
 
     def _along(self, ahead: Ahead) -> int | None:
         """Step through a phase; a reason if it ends the run."""
-        trouble = self.derive(self.now.time, self.now.state, self.slopes[0], ahead.sense, ahead.acting)
+        trouble = self.derive(self.now.time, self.now.state.tolist(), self.slopes[0], ahead.sense, ahead.acting)
         if trouble:
             return _reason_of(trouble)
         watches = watches_of(ahead, self.now, self.plan, self.wanted, self.scale)
@@ -134,14 +129,15 @@ class _Walk:
             is_last = self.now.time + width * (1 + 1e-9) >= ahead.until
             width = ahead.until - self.now.time if is_last else width
             state, trouble = self._step(self.slopes, width, ahead)
-            error = self._error(width)
+            slopes = np.array(self.slopes)
+            error = self._error(width, slopes)
             self.n_steps += 1
             if trouble or not error <= 1:
                 width *= max(0.1, 0.9 * error**-0.2) if trouble == 0 and error == error else 0.1
                 if width < _LEAST_WIDTH * max(self.now.time, 1e-3):
                     return _reason_of(trouble)
                 continue
-            step = Stepped(self.now.state, self.slopes, width)
+            step = Stepped(self.now.state, slopes, width)
             met = first_met(
                 watches,
                 step,
@@ -150,48 +146,50 @@ class _Walk:
             )
             if met is not None:
                 return self._meet(*met, ahead)
-            self._watch_lowest(width)
-            self._move(ahead.until if is_last else self.now.time + width, state)
+            self._watch_lowest(width, slopes)
+            self._move(ahead.until if is_last else self.now.time + width, state, slopes)
             if is_last:
                 return None
-            self.slopes[0] = self.slopes[6]
+            self.slopes[0] = list(self.slopes[6])
             width *= min(5.0, 0.9 * max(error, 1e-10) ** -0.2)
         return STEPS_EXHAUSTED
 
     def _first_width(self, until: float) -> float:
-        grown = float(np.max(np.abs(self.slopes[0, [WHEEL, SPEED]]) * [1.0, self.press.ratio]))
+        grown = max(abs(self.slopes[0][WHEEL]), abs(self.slopes[0][SPEED]) * self.press.ratio)
         return min(until - self.now.time, 1e-3 * self.scale / grown if grown > 0 else math.inf, 1e-2)
 
     def _largest_width(self) -> float:
         """In which the crank turns by no more than it may in a step. [s]"""
-        speed, grown = abs(float(self.now.state[SPEED])), abs(float(self.slopes[0, SPEED]))
+        speed, grown = abs(float(self.now.state[SPEED])), abs(self.slopes[0][SPEED])
         reach = speed + math.sqrt(speed * speed + 2 * grown * _LARGEST_TURN)
         return 2 * _LARGEST_TURN / reach if reach > 0 else math.inf
 
-    def _step(self, slopes: Array, width: float, ahead: Ahead) -> tuple[Array, int]:
-        state, now = np.zeros(N_PRESS_STATE), self.now
-        trouble = self.take(
-            self.derive, now.time, width, now.state, slopes, N_PRESS_FED, state, ahead.sense, ahead.acting
+    def _step(self, slopes: Slopes, width: float, ahead: Ahead) -> tuple[Array, int]:
+        now = self.now
+        state, trouble = take_step(
+            self.derive, now.time, width, now.state.tolist(), slopes, N_PRESS_FED, ahead.sense, ahead.acting
         )
-        return state, trouble
+        return np.array(state), trouble
 
     def _again(self, width: float, ahead: Ahead) -> Array:
         """State behind a shorter step from the same beginning."""
-        self.trial[0] = self.slopes[0]
+        self.trial[0] = list(self.slopes[0])
         return self._step(self.trial, width, ahead)[0]
 
     def _spare(self, time: float, state: Array, ahead: Ahead) -> float:
         return static_margin(self.derive, self.kernels, self.now.time + time, state, ahead.sense, ahead.acting)
 
-    def _error(self, width: float) -> float:
-        errors = np.abs(width * (ERRORS @ self.slopes[:, :N_PRESS_FED]))
+    def _error(self, width: float, slopes: Array) -> float:
+        errors = np.abs(width * (ERRORS @ slopes[:, :N_PRESS_FED]))
         return float(np.max(errors / self.scales)) / self.plan.tolerance
 
     def _meet(self, watch: Watch, width: float, state: Array, ahead: Ahead) -> int | None:
         """Go to an event, and do what it brings; a reason if it ends the run."""
+        slopes = np.zeros((1, N_PRESS_STATE))
         if width > 0:
             self._step(self.slopes, width, ahead)
-            self._watch_lowest(width)
+            slopes = np.array(self.slopes)
+            self._watch_lowest(width, slopes)
         is_stalled = watch.kind == STALLS or (watch.kind == STANDS and ahead.acting.phase.is_locked)
         if watch.kind == STANDS or is_stalled:
             state[WHEEL if watch.kind == STALLS else SPEED] = 0.0
@@ -199,7 +197,7 @@ class _Walk:
             state[WHEEL] = self.lowest = 0.0
         elif watch.kind == MEETS:
             state[WHEEL] = self.press.ratio * state[SPEED]
-        self._move(self.now.time + width, state)
+        self._move(self.now.time + width, state, slopes)
         if is_stalled:
             return WHEEL_STALLS
         if watch.kind == RECOVERS:
@@ -222,16 +220,17 @@ class _Walk:
             self.now = stopping(self.now, self.press)
             self._note(COMMAND)
 
-    def _watch_lowest(self, width: float) -> None:
-        base, slopes = self.now.state, self.slopes
+    def _watch_lowest(self, width: float, slopes: Array) -> None:
+        base = self.now.state
         least = least_within(lambda parts: states_within(base, slopes, width, parts)[:, WHEEL])
         self.lowest = min(self.lowest, least)
 
-    def _move(self, time: float, state: Array) -> None:
+    def _move(self, time: float, state: Array, slopes: Array) -> None:
         self.n_at_once = self.n_at_once + 1 if time <= self.now.time else 0
         self.now = replace(self.now, time=time, state=state)
         self.times.append(time)
         self.states.append(state)
+        self.stepped.append(slopes)
 
     def _note(self, kind: int) -> None:
         if kind in (LOCKED, LOOSE):

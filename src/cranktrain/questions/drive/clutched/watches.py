@@ -11,6 +11,10 @@ from cranktrain.questions.drive.clutched.equation import N_PRESS_FED, N_PRESS_ST
 from cranktrain.questions.drive.clutched.passings import FEW_LOOKS, LOOKS, fallen_at, first_fall, states_within
 from cranktrain.questions.drive.clutched.phases import Ahead
 from cranktrain.questions.drive.clutched.runs import Moment, PressPlan, piece_ends
+from cranktrain.questions.drive.clutched.step import INTERPOLANT
+
+_BESIDE = 1e-6
+"""Of a step: so near to where its interpolant sees an event it mostly is."""
 
 STANDS, STALLS, MEETS, LOOSENS, PASSES_JUMP, PASSES_COMMAND, PASSES_WANTED, RECOVERS = range(8)
 """The crank or the flywheel comes to a stand; clutch's sides meet or part; angles; the flywheel's speed."""
@@ -118,7 +122,25 @@ def _settled(
     def at(part: float) -> float:
         return margin(watch, part, again(part), spare)
 
+    near = _near(watch, step, bracket)
+    beside = _BESIDE * step.width
+    if beside < near < step.width - beside and at(near - beside) > 0 > at(near + beside):
+        return fallen_at(at, near - beside, near + beside)
     for end in (bracket[1] * step.width, step.width):
         if at(end) < 0:
             return fallen_at(at, bracket[0] * step.width, end)
     return None
+
+
+def _near(watch: Watch, step: Stepped, bracket: tuple[float, float]) -> float:
+    """Where the interpolant sees what is watched pass 0; NaN of what is no sum of speeds and angle."""
+    if watch.weights is None:
+        return math.nan
+    weights = np.array(watch.weights)
+    begun = float(weights @ step.state[:N_PRESS_FED]) - watch.level
+    a, b, c, d = (step.width * INTERPOLANT.T @ step.slopes[:, :N_PRESS_FED] @ weights).tolist()
+
+    def curve(part: float) -> float:
+        return begun + part * (a + part * (b + part * (c + part * d)))
+
+    return step.width * fallen_at(curve, *bracket) if curve(bracket[1]) < 0 else math.nan

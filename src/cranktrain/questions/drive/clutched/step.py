@@ -1,0 +1,45 @@
+"""One step of Tsitouras' method for a state whose slopes come at once, in lists: without a compiler the quickest."""
+
+from collections.abc import Callable
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.questions.drive.running.tableau import ERRORS as _ERRORS
+from cranktrain.questions.drive.running.tableau import INTERPOLANT as _INTERPOLANT
+from cranktrain.questions.drive.running.tableau import NODES, WEIGHTS
+
+ERRORS: Array = np.array(_ERRORS)
+INTERPOLANT: Array = np.array(_INTERPOLANT)
+_ROWS = tuple(enumerate(zip(NODES[1:], WEIGHTS, strict=True), start=1))
+
+Slopes: TypeAlias = list[list[float]]
+Derive: TypeAlias = Callable[[float, Any, Any, float, Any], int]
+"""(x, state, slopes, sense, parts): writes the slopes and gives 0, or the reason why there are none."""
+
+
+def no_slopes(n_state: int) -> Slopes:
+    """Room for the slopes of all stages."""
+    return [[0.0] * n_state for _ in NODES]
+
+
+def take_step(
+    derive: Derive, x: float, width: float, state: list[float], slopes: Slopes, n_fed: int, sense: float, parts: Any
+) -> tuple[list[float], int]:
+    """Go a step from `state`, whose slopes stand in row 0; slopes of all stages are left in `slopes`.
+
+    Only the first `n_fed` components feed back; the others are integrals along the way. Gives the state behind it, and
+    0, or the reason of the first stage that has no slopes.
+    """
+    trouble, ahead = 0, list(state)
+    for stage, (node, weights) in _ROWS:
+        earlier = slopes[:stage]
+        for part in range(n_fed if stage < len(WEIGHTS) else len(state)):
+            total = 0.0
+            for weight, row in zip(weights, earlier, strict=True):
+                total += weight * row[part]
+            ahead[part] = state[part] + width * total
+        reason = derive(x + node * width, ahead, slopes[stage], sense, parts)
+        trouble = trouble or reason
+    return ahead, trouble
