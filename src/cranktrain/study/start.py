@@ -1,6 +1,7 @@
 """A start over time: what was asked of a machine with its motor, and what became of it."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -17,15 +18,19 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import short
+from cranktrain.questions.drive.clutched.declared import DeclaredBrake, DeclaredStroke
 from cranktrain.questions.drive.declared import DeclaredDrive, DeclaredStart
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
+from cranktrain.questions.drive.press_strokes import PressStrokes
 from cranktrain.questions.drive.reduction import ReducedMachines
+from cranktrain.questions.drive.running.equation import AT_MOTOR, BrakePlace
 from cranktrain.questions.drive.running.gearing import overall_ratio
 from cranktrain.questions.drive.running.runs import Progress
 from cranktrain.questions.drive.start_record import StartCurves, StartEvent, StartRun
 from cranktrain.questions.drive.start_rows import start_rows
-from cranktrain.questions.drive.starting import StartCase, run_start
+from cranktrain.questions.drive.starting import StartCase, asked_times, run_start
 from cranktrain.questions.drive.steady_drive import SteadyDrive
+from cranktrain.questions.drive.stroke_starting import run_stroke
 from cranktrain.questions.drive.switching import Braking
 from cranktrain.record import record
 from cranktrain.rows import AnswerLine
@@ -121,22 +126,42 @@ def start(machine: Machine, *, progress: Progress | None = None) -> Start:
     if ReducedMachines in absent:
         lacks = ", ".join(dict.fromkeys(absent[ReducedMachines]))
         raise InputError([Problem("drive", None, _("needs what the machine moves: {lacks}").format(lacks=lacks))])
-    wanted = [kind for kind in (ReducedMachines, SteadyDrive) if kind not in absent]
+    wanted = [kind for kind in (ReducedMachines, SteadyDrive, PressStrokes) if kind not in absent]
     found: Any = run_stages(leading_to(STAGES, wanted), parts, absent)
-    case = _case(machine, parts, found)
+    if DeclaredStroke in parts:
+        return _stroke(machine, parts, found)
+    case = _case(parts, found)
     return Start(machine, run_start(case, progress), case.motor, overall_ratio(case.gearing))
 
 
-def _brake(machine: Machine) -> Braking:
-    """The brake of the file, whose torque begins its delay after the command."""
-    brake = None if machine.drive is None else machine.drive.brake
-    return Braking(0.0, 0.0, 0.0) if brake is None else Braking(brake.torque.si, brake.delay.si, brake.rise_time.si)
+def _stroke(machine: Machine, parts: Mapping[type, Any], found: Mapping[type, Any]) -> Start:
+    """The start of a press, which is a stroke."""
+    strokes: PressStrokes = found[PressStrokes]
+    case, settled = strokes.cases[0], strokes.settled[0]
+    if case is None or settled is None:
+        raise InputError([Problem("drive.stroke", None, flag) for flag in strokes.flags])
+    end = settled.stroke.run.end.time if settled.pace is None else settled.pace.waiting.end.time
+    interval = parts[DeclaredStart].spec.interval
+    run = run_stroke(case, settled, None if interval is None else asked_times(interval, end))
+    if not settled.is_found:
+        run = replace(run, reason=strokes.flags[0])
+    return Start(machine, run, parts.get(DeclaredMotor), overall_ratio(parts[DeclaredDrive].gearings[0]))
 
 
-def _case(machine: Machine, parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCase:
+def _brake(found: DeclaredBrake | None) -> tuple[Braking, BrakePlace]:
+    """The brake of the file, whose torque begins its delay after the command, and where it sits."""
+    if found is None:
+        return Braking(0.0, 0.0, 0.0), AT_MOTOR
+    grip = found.of(0)
+    place = BrakePlace(float(found.on == "crank"), grip.static_torque / grip.torque)
+    return Braking(grip.torque, grip.delay, grip.rise_time), place
+
+
+def _case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCase:
     """The start of the only design."""
     drive, grid = parts[DeclaredDrive], parts[CrankAngle]
     machines, steady = found[ReducedMachines], found.get(SteadyDrive)
+    brake, place = _brake(parts.get(DeclaredBrake))
     cycle_time = np.nan if steady is None else float(steady.cycle_time[0])
     return StartCase(
         machine=machines.each[0],
@@ -146,7 +171,8 @@ def _case(machine: Machine, parts: Mapping[type, Any], found: Mapping[type, Any]
         motor=parts.get(DeclaredMotor),
         design=0,
         spec=parts[DeclaredStart].spec,
-        brake=_brake(machine),
+        brake=brake,
+        place=place,
         zero=float(grid.zero[0, 0, 0]),
         steady_speed=machines.cycle / cycle_time,
         cycle_time=cycle_time,

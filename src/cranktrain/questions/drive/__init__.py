@@ -9,12 +9,14 @@ from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, 
 from cranktrain.layout.shaft_loads import on_shafts
 from cranktrain.layout.uses import inner_table, table
 from cranktrain.questions.drive import rows
+from cranktrain.questions.drive.clutched.declared import DeclaredStroke
 from cranktrain.questions.drive.declared import DeclaredDrive, drive_parts
 from cranktrain.questions.drive.declared_duty import WantedFlywheel
 from cranktrain.questions.drive.driven_speed import driven_speed
 from cranktrain.questions.drive.flywheel_sizing import DriveFlywheel, drive_flywheel
 from cranktrain.questions.drive.half_periods import half_periods
 from cranktrain.questions.drive.motor_sizing import MotorSizing, motor_sizing
+from cranktrain.questions.drive.press_strokes import PressStrokes, press_strokes
 from cranktrain.questions.drive.reduction import reduced_machines
 from cranktrain.questions.drive.servo.rocking import is_rocking, rocking_course, rocking_drive
 from cranktrain.questions.drive.servo.stages import is_wanted, servo_drive, wanted_crank
@@ -46,6 +48,11 @@ def is_flywheel_wanted(wanted: WantedFlywheel | None) -> bool:
     return wanted is not None
 
 
+def are_strokes_wanted(stroke: DeclaredStroke | None) -> bool:
+    """Whether single strokes are asked for."""
+    return stroke is not None
+
+
 QUESTION = Question(
     "drive",
     tables={"drive": DriveSpec},
@@ -63,6 +70,7 @@ QUESTION = Question(
         Stage(driven_speed),
         Stage(motor_sizing),
         Stage(drive_flywheel, applies=is_flywheel_wanted),
+        Stage(press_strokes, applies=are_strokes_wanted),
     ),
     dimensions=(
         ResultDimension("drive_shaft", N_("shaft of the drive")),
@@ -82,6 +90,7 @@ QUESTION = Question(
         rows.rocking_drive_rows,
         rows.sizing_rows,
         rows.flywheel_rows,
+        rows.stroke_rows,
     ),
     offers={"motor_torque": N_("torque of the motor")},
     uses=(
@@ -89,5 +98,6 @@ QUESTION = Question(
         Use(inner_table("drive", "motor"), (SteadyDrive,)),
         Use(inner_table("drive", "duty"), (MotorSizing,)),
         Use(inner_table("drive", "flywheel"), (DriveFlywheel,)),
+        Use(inner_table("drive", "stroke"), (PressStrokes,)),
     ),
 )

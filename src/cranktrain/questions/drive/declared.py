@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.motion import Array
+from cranktrain.questions.drive.clutched.declared import declared_grips
 from cranktrain.questions.drive.declared_duty import declared_duty, wanted_flywheel
 from cranktrain.questions.drive.motor_tables import DeclaredMotor, declared_motor
 from cranktrain.questions.drive.running.gearing import Gearing
@@ -64,6 +65,7 @@ def drive_parts(designs: Designs) -> Iterator[object]:
     yield _declared_drive(spec, motor, designs)
     yield DeclaredStart(spec.start)
     yield declared_duty(spec.duty, designs)
+    yield from declared_grips(spec.clutch, spec.brake, spec.stroke, lambda *numbers: designs.by_design(list(numbers)))
     if spec.flywheel is not None:
         yield wanted_flywheel(spec.flywheel, designs)
     if motor is not None:
@@ -88,7 +90,10 @@ def _declared_drive(spec: DriveSpec, motor: DeclaredMotor | None, designs: Desig
         return designs.by_design(list(numbers)) if numbers else np.empty((designs.n_designs, 0))
 
     def turning(on: str | int) -> Array:
-        return np.sum(each(*(part.moment for part in spec.part.values() if part.on == on)), axis=1)
+        parts = [part.moment for part in spec.part.values() if part.on == on]
+        if spec.clutch is not None and spec.clutch.on == on:
+            parts.append(spec.clutch.driven_inertia.array)  # locked, both its sides turn with its shaft
+        return np.sum(each(*parts), axis=1)
 
     rotor = np.zeros(designs.n_designs) if motor is None or motor.inertia is None else motor.inertia
     n_stages = len(spec.stage)

@@ -13,6 +13,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.nested import mapped
+from cranktrain.questions.drive.clutched.declared import DeclaredClutch, before_clutch
 from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.declared_duty import DeclaredDuty
 from cranktrain.questions.drive.motor_checks import (
@@ -111,6 +112,7 @@ def motor_sizing(
     machines: ReducedMachines,
     static: StaticTorques,
     motor: DeclaredMotor | None,
+    clutch: DeclaredClutch | None,
     speed: Speed | None,
 ) -> MotorSizing:
     """Check the declared motor, and find the smallest typical one that passes the same checks.
@@ -118,7 +120,8 @@ def motor_sizing(
     Notes
     -----
     docs/theory/drive, section Sizing of a declared machine. Of each motor the torque is that of its own steady cycle;
-    the start is against static torques, which hang on no motor. Where typical motors would turn the crank at another
+    the start is against static torques, which hang on no motor; a clutch leaves it what turns before it
+    alone. Where typical motors would turn the crank at another
     pace, or loads drive the motor, none is chosen.
     """
     rows: list[tuple[CheckedMotor, ...]] = []
@@ -127,9 +130,12 @@ def motor_sizing(
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value)).tolist()
     for design, gearing in enumerate(drive.gearings):
         one = _one_design(design, gearing, machines, static, motor, duty)
+        is_asked_torque = one.asked.running_torque > 0
+        if clutch is not None:
+            one = one._replace(asked=_before_clutch(one.bare, clutch, design))
         own = UNCHECKED if motor is None else checked_motor(_declared(one, motor, design), *one[2:], held[design])
-        reason = _other_pace(gearing, motor, design, held[design]) if one.asked.running_torque > 0 else ""
-        places = (-1, -1) if reason or not one.asked.running_torque > 0 else None
+        reason = _other_pace(gearing, motor, design, held[design]) if is_asked_torque else ""
+        places = (-1, -1) if reason or not is_asked_torque else None
         found, places = ((UNCHECKED,) * 2, (-1, -1)) if places else _smallest(one)
         if duty.is_asked and reason:
             flags.append(reason)
@@ -165,15 +171,24 @@ def _one_design(
     bare = gearing._replace(motor_inertia=gearing.motor_inertia - rotor)
     corner = min(design, len(machines.corners) - 1)
     alone = replace(machines, each=machines.each[design : design + 1], corners=machines.corners[corner : corner + 1])
-    turned = np.cumprod(np.append(1.0, gearing.ratio))
-    of_stages = float(np.sum(gearing.inertia / turned[1:] ** 2))
     of_machine = mean_inertia(alone.each[0], alone.cycle) / overall_ratio(gearing) ** 2
     asked = AskedOfMotor(
         float(static.largest_static_torque.value[design, 0]),
         float(static.mean_static_torque[design, 0]),
-        bare.motor_inertia + of_stages + of_machine,
+        _at_motor(bare) + of_machine,
     )
     return _Design(alone, bare, asked, duty, design)
+
+
+def _before_clutch(bare: Gearing, clutch: DeclaredClutch, design: int) -> AskedOfMotor:
+    """What a motor starts whose clutch is let go: no load, and what turns before it."""
+    return AskedOfMotor(0.0, 0.0, float(_at_motor(before_clutch(bare, clutch, design))))
+
+
+def _at_motor(gearing: Gearing) -> float:
+    """Inertia of what turns with motor and stages, reduced to the motor. [kg·m²]"""
+    turned = np.cumprod(np.append(1.0, gearing.ratio))
+    return gearing.motor_inertia + float(np.sum(gearing.inertia / turned[1:] ** 2))
 
 
 def _declared(one: _Design, motor: DeclaredMotor, design: int) -> MotorAtMachine:

@@ -7,6 +7,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.questions.drive.flywheel_sizing import DriveFlywheel
 from cranktrain.questions.drive.motor_sizing import MotorSizing
+from cranktrain.questions.drive.press_strokes import PressStrokes
 from cranktrain.questions.drive.servo.rocking import RockingCrank, RockingDrive
 from cranktrain.questions.drive.servo.stages import ServoDrive, WantedCrank
 from cranktrain.questions.drive.static_torques import StaticTorques
@@ -151,4 +152,39 @@ def rocking_drive_rows(labels: Names, design: int, found: RockingDrive) -> Itera
         peak=Amount(float(found.rocking_peak_torque[design]), "N*m"),
         rms=Amount(float(found.rocking_rms_torque[design]), "N*m"),
         power=Amount(float(found.rocking_peak_power[design]), "W"),
+    )
+
+
+def stroke_rows(labels: Names, design: int, found: PressStrokes) -> Iterator[AnswerLine]:
+    """How a single stroke goes: clutch, flywheel, brake, and how many are possible."""
+    if np.isnan(found.stroke_time[design]):
+        return
+    yield worded(
+        _("stroke"),
+        _("takes {time}; command at {command}, {most} a minute at most"),
+        time=Amount(float(found.stroke_time[design]), "s"),
+        command=Amount(float(found.command_angle[design]), "rad"),
+        most=f"{float(found.most_strokes_per_minute[design]):.4g}",
+    )
+    yield worded(
+        _("clutch"),
+        _("slips for {time}, locks at {angle}, takes {heat}"),
+        time=Amount(float(found.clutch_slip_time[design]), "s"),
+        angle=Amount(float(found.clutch_lock_angle[design]), "rad"),
+        heat=Amount(float(found.clutch_heat[design]), "J"),
+    )
+    yield worded(
+        _("flywheel"),
+        _("slows by {drop}, in pressing by {pressing}; recovers in {time}"),
+        drop=Amount(float(found.stroke_speed_drop[design]), "%"),
+        pressing=Amount(float(found.pressing_speed_drop[design]), "%"),
+        time=Amount(float(found.recovery_time[design]), "s"),
+    )
+    yield worded(
+        _("brake"),
+        _("stops in {angle}, {time}, takes {heat}; rests {off} from where it started"),
+        angle=Amount(float(found.braking_angle[design]), "rad"),
+        time=Amount(float(found.braking_time[design]), "s"),
+        heat=Amount(float(found.brake_heat[design]), "J"),
+        off=Amount(float(found.stop_angle[design]), "rad"),
     )

@@ -20,10 +20,10 @@ from cranktrain.quantities import (
     PositiveRatio,
     PositiveSpeed,
     PositiveTime,
-    PositiveTorque,
     Quantity,
     Speed,
 )
+from cranktrain.questions.drive.clutched.spec import BrakeSpec, ClutchSpec, StrokeSpec, press_problems
 from cranktrain.questions.drive.duty_spec import DutySpec, SizedFlywheelSpec
 from cranktrain.questions.drive.motor_tables import AnyMotor
 from cranktrain.spec import Spec
@@ -35,6 +35,8 @@ Drag = Annotated[Given, Quantity(Dimension.TORQUE, at_least=0.0)]
 Tolerance = Annotated[Given, Quantity(Dimension.RATIO, at_least=1e-12, at_most=1e-3)]
 
 _LOSSLESS = Given(1.0, "1")
+_OF_STROKES = frozenset({"interval", "tolerance"})
+"""Keys of [drive.start] that strokes have, too."""
 
 
 class StageSpec(Spec, frozen=True):
@@ -138,18 +140,6 @@ class StartSpec(Spec, frozen=True):
     )
 
 
-class DriveBrakeSpec(Spec, frozen=True):
-    """A brake on the motor's shaft: it slows whichever way that turns, and holds it at rest."""
-
-    torque: PositiveTorque = Field(description=N_("Pressed on fully, at the motor's shaft; at rest it holds as much."))
-    delay: NonNegativeTime = Field(
-        default=Given(0.0, "0 s"), description=N_("From the command until its torque begins; none unless given.")
-    )
-    rise_time: NonNegativeTime = Field(
-        default=Given(0.0, "0 s"), description=N_("From there until its full torque, in a line; none unless given.")
-    )
-
-
 class DriveSpec(Spec, frozen=True):
     """What drives the crank of shaft main: a motor, stages between, what turns with their shafts, and a start."""
 
@@ -160,18 +150,40 @@ class DriveSpec(Spec, frozen=True):
     part: Mapping[str, PartSpec] = Field(
         default={}, description=N_("What turns with a shaft of the drive, by name: couplings, pulleys, flywheels.")
     )
-    brake: DriveBrakeSpec | None = Field(default=None, description=N_("A brake on the motor's shaft."))
+    clutch: ClutchSpec | None = Field(
+        default=None, description=N_("Between a flywheel that turns on and the crank; locked but in strokes.")
+    )
+    brake: BrakeSpec | None = Field(default=None, description=N_("What stops the machine, and holds it."))
+    stroke: StrokeSpec | None = Field(
+        default=None, description=N_("Single strokes, from rest by the clutch and to rest by the brake.")
+    )
     start: StartSpec = Field(default=StartSpec(), description=N_("How a run begins and when it ends."))
     duty: DutySpec | None = Field(default=None, description=N_("How the motor is used; on and on unless given."))
     flywheel: SizedFlywheelSpec | None = Field(default=None, description=N_("A flywheel that is to be found."))
 
     def _problems(self) -> Iterator[Problem]:
-        """Find parts on no shaft, a flywheel to be found without a motor, a command without a brake."""
+        """Find parts on no shaft, a flywheel to be found without a motor, what a press or a brake does not have."""
         if self.flywheel is not None:
             yield from self.flywheel.problems_with(len(self.stage), has_motor=self.motor is not None)
-        if self.start.brake_on is not None and self.brake is None:
-            yield Problem("start.brake_on", self.start.brake_on.text, _("needs [drive.brake] as well"))
+        yield from press_problems(self.clutch, self.brake, self.stroke, len(self.stage))
+        yield from self._start_problems()
         for name, part in self.part.items():
             if part.on != "motor" and part.on > len(self.stage):
                 allowed = _('must be "motor" or the number of a stage, of which there are {n}')
                 yield Problem(path_text(("part", name, "on")), str(part.on), allowed.format(n=len(self.stage)))
+
+    def _start_problems(self) -> Iterator[Problem]:
+        """Find a command to no brake, or to one that only strokes know, and a start beside strokes."""
+        command = self.start.brake_on
+        if command is not None and self.brake is None:
+            yield Problem("start.brake_on", command.text, _("needs [drive.brake] as well"))
+        elif command is not None and self.brake is not None and self.brake.on == "clutch":
+            allowed = _('is of a brake on the motor or the crank; one with on = "clutch" acts in [drive.stroke]')
+            yield Problem("start.brake_on", command.text, allowed)
+        if self.stroke is not None and self.motor is None:
+            yield Problem("stroke", None, _("needs [drive.{key}] as well").format(key="motor"))
+        if self.stroke is not None:
+            allowed = _("must not stand beside [drive.stroke]: a start is a stroke then")
+            for name in sorted(self.start.model_fields_set - _OF_STROKES):
+                given = getattr(self.start, name)
+                yield Problem(f"start.{name}", getattr(given, "text", None), allowed)

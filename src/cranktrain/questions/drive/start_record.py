@@ -3,6 +3,8 @@
 from cranktrain.catalogue import quantity
 from cranktrain.language import N_
 from cranktrain.motion import Array
+from cranktrain.questions.drive.clutched.settled import SettledStroke
+from cranktrain.questions.drive.clutched.stopping import WorstStop
 from cranktrain.record import record
 
 _THEORY = "docs/theory/transient"
@@ -23,7 +25,7 @@ class StartCurves:
     motor_power: Array = quantity("P_m", "W", _TIME, N_("Power of the motor at its shaft"), _THEORY)
     motor_work: Array = quantity("W_m", "J", _TIME, N_("Work of the motor since the beginning"), _THEORY)
     load_work: Array = quantity("W_Q", "J", _TIME, N_("Work that the loads have taken"), _THEORY)
-    lost_work: Array = quantity("W_v", "J", _TIME, N_("Work that gearing and brake have lost"), _THEORY)
+    lost_work: Array = quantity("W_v", "J", _TIME, N_("Work that gearing, clutch and brake have lost"), _THEORY)
     kinetic_energy: Array = quantity("T", "J", _TIME, N_("Kinetic energy of machine and drive"), _THEORY)
     motor_heat: Array = quantity("Q_m", "J", _TIME, N_("Heat in the motor's rotor"), _THEORY)
 
@@ -36,6 +38,14 @@ class StartEvent:
     time: float
     angle: float
     speed: float
+
+
+@record
+class StrokeRun:
+    """What a stroke tells besides its curves: the stroke, and the longest stop, None where there is none."""
+
+    settled: SettledStroke
+    longest_stop: WorstStop | None
 
 
 @record
@@ -57,6 +67,8 @@ class StartRun:
     tolerance : float
     n_steps : int
     method : str
+    stroke : StrokeRun or None
+        Of a start that is a single stroke.
     """
 
     reason: str
@@ -70,3 +82,4 @@ class StartRun:
     tolerance: float
     n_steps: int
     method: str
+    stroke: StrokeRun | None = None

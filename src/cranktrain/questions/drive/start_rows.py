@@ -6,7 +6,9 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.questions.drive.clutched.equation import ANGLE
 from cranktrain.questions.drive.running.endings import HELD, REVERSAL
+from cranktrain.questions.drive.start_record import StrokeRun
 from cranktrain.questions.drive.starting import EVENTS, StartRun
 from cranktrain.rows import Amount, AnswerLine, Extent, worded
 
@@ -39,12 +41,17 @@ def start_rows(run: StartRun) -> Iterator[AnswerLine]:
     )
     yield worded(
         _("energy"),
-        _("motor gives {motor}, loads take {load}, gearing and brake lose {lost}; {kinetic} in motion at the end"),
+        _(
+            "motor gives {motor}, loads take {load}, gearing, clutch and brake lose {lost}; "
+            "{kinetic} in motion at the end"
+        ),
         motor=Amount(_last(curves.motor_work), "J"),
         load=Amount(_last(curves.load_work), "J"),
         lost=Amount(_last(curves.lost_work), "J"),
         kinetic=Amount(_last(curves.kinetic_energy), "J"),
     )
+    if run.stroke is not None:
+        yield from _stroke_rows(run.stroke)
     if np.any(curves.motor_heat > 0):
         yield worded(_("heat in the rotor"), "{heat}", heat=Amount(_last(curves.motor_heat), "J"))
     yield worded(
@@ -55,6 +62,33 @@ def start_rows(run: StartRun) -> Iterator[AnswerLine]:
         tolerance=f"{run.tolerance:.0e}",
         residual=f"{abs(run.residual) / run.supplied if run.supplied else 0.0:.1e}",
     )
+
+
+def _stroke_rows(found: StrokeRun) -> Iterator[AnswerLine]:
+    """What clutch and brake did, and the longest stop that a command on the way could lead to."""
+    stroke, worst = found.settled.stroke, found.longest_stop
+    yield worded(
+        _("clutch"),
+        _("slips for {time}, takes {heat}"),
+        time=Amount(stroke.slip_time, "s"),
+        heat=Amount(stroke.clutch_heat, "J"),
+    )
+    yield worded(
+        _("brake"),
+        _("stops in {angle}, {time}, takes {heat}"),
+        angle=Amount(stroke.brake_angle, "rad"),
+        time=Amount(stroke.brake_time, "s"),
+        heat=Amount(stroke.brake_heat, "J"),
+    )
+    if worst is not None and np.isfinite(worst.time):
+        yield worded(
+            _("longest stop"),
+            _("{time}, commanded at {at_time}; {angle}, commanded at {at_angle} from the start"),
+            time=Amount(worst.time, "s"),
+            at_time=Amount(worst.time_command - float(stroke.run.start.state[ANGLE]), "rad"),
+            angle=Amount(worst.angle, "rad"),
+            at_angle=Amount(worst.angle_command - float(stroke.run.start.state[ANGLE]), "rad"),
+        )
 
 
 def _reversals(run: StartRun) -> int:

@@ -21,6 +21,7 @@ from cranktrain.questions.drive.running.equation import (
     LOST_WORK,
     MOTOR_WORK,
     SPEED,
+    BrakePlace,
     DriveTrain,
 )
 from cranktrain.questions.drive.running.floats import in_floats
@@ -81,6 +82,7 @@ class StartCase:
     spec : StartSpec
     brake : Braking
         From its command on: `begins` is its delay.
+    place : BrakePlace
     zero : float
         φ where the shown crank angle is 0. [rad]
     steady_speed, cycle_time : float
@@ -95,6 +97,7 @@ class StartCase:
     design: int
     spec: StartSpec
     brake: Braking
+    place: BrakePlace
     zero: float
     steady_speed: float
     cycle_time: float
@@ -133,7 +136,7 @@ def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
     first = list(_runs(case, _NO_TIMES, np.inf, progress))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
-    asked = _asked_times(case.spec.interval, end)
+    asked = asked_times(case.spec.interval, end)
     samples = np.union1d(np.linspace(0.0, end, _N_SAMPLES), asked)
     again = list(_runs(case, samples, end if last.reason == endings.STOPPED else np.inf, None))
     return _together(case, again, last.reason, asked)
@@ -142,7 +145,7 @@ def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
 _NO_TIMES = np.empty(0)
 
 
-def _asked_times(interval: Given | None, end: float) -> Array:
+def asked_times(interval: Given | None, end: float) -> Array:
     """Times at which curves are asked for. [s]"""
     if interval is None:
         return np.linspace(0.0, end, _N_SAMPLES)
@@ -202,6 +205,7 @@ def _train(case: StartCase, span: _Span, angle: float) -> DriveTrain:
         Switching(numbers, off, back, span.start),
         case.brake._replace(begins=braked - span.start),
         case.gearing,
+        case.place,
     )
 
 

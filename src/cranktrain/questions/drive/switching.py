@@ -36,7 +36,7 @@ def switched(kernel: Motor, is_even: bool) -> Motor:
 
 
 class Braking(NamedTuple):
-    """A brake at the motor's shaft: its torque, when that begins, and in which time it rises. [N·m, s]"""
+    """A brake: its torque while it slips, when that begins, and in which time it rises. [N·m, s]"""
 
     torque: float
     begins: float
@@ -44,7 +44,7 @@ class Braking(NamedTuple):
 
 
 def braking(time: float, brake: Braking) -> float:
-    """Torque of a brake at the motor's shaft, in a line from nothing. [N·m]"""
+    """Torque of a brake while it slips, in a line from nothing. [N·m]"""
     since = time - brake.begins
     if since < 0:
         return 0.0

@@ -18,7 +18,6 @@ from cranktrain.questions.drive.clutched.equation import (
     kinetic_energy,
     press_of,
 )
-from cranktrain.questions.drive.clutched.repeating import repeated_stroke
 from cranktrain.questions.drive.clutched.runs import (
     ANGLE_PASSED,
     AT_STAND,
@@ -38,8 +37,9 @@ from cranktrain.questions.drive.clutched.runs import (
     piece_of,
     turning,
 )
+from cranktrain.questions.drive.clutched.settled import settled_stroke
 from cranktrain.questions.drive.clutched.stopping import stop_measurement, worst_stop
-from cranktrain.questions.drive.clutched.stroke import heat_rate_limit, single_stroke, time_limit, top_command_angle
+from cranktrain.questions.drive.clutched.stroke import heat_rate_limit, single_stroke, time_limit
 from cranktrain.questions.drive.clutched.walking import run_press, starting, stopping
 from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, no_heat
 from cranktrain.questions.drive.running.gearing import stages
@@ -262,7 +262,7 @@ class TestEnds:
         assert (found.reason, found.end.time) == (NOTHING_MOVES, 0.0)
 
     def test_every_reason_has_a_sentence(self):
-        assert sorted(PRESS_REASONS) == list(range(10))
+        assert sorted(PRESS_REASONS) == list(range(11))
 
 
 class TestStroke:
@@ -299,14 +299,16 @@ class TestStroke:
         assert found.clutch_heat == pytest.approx(self.found.clutch_heat, rel=1e-8)
 
     def test_stops_on_top(self):
-        angle = top_command_angle(KERNELS, PRESS, PLAN, wheel_speed=IDLE)
-        found = stroke_of(PRESS, PLAN._replace(command_angle=angle))
+        settled = settled_stroke(KERNELS, PRESS, PLAN._replace(command_angle=math.inf), idle_speed=IDLE)
+        found = stroke_of(PRESS, PLAN._replace(command_angle=settled.command_angle))
         assert found.stop_angle == pytest.approx(0.0, abs=1e-9)
 
     def test_never_on_top(self):
         """A brake that does not hold has no angle of command that does."""
         slack = PRESS._replace(brake=Grip(20.0, 20.0))
-        assert math.isnan(top_command_angle(KERNELS, slack, PLAN, wheel_speed=IDLE))
+        found = settled_stroke(KERNELS, slack, PLAN._replace(command_angle=math.inf), idle_speed=IDLE)
+        assert not found.is_found
+        assert found.stroke.run.reason == SLIDES
 
 
 class TestStops:
@@ -409,7 +411,7 @@ def test_kinetic_energy():
 class TestRepeated:
     """Thirty strokes a minute, each of which begins as the one before."""
 
-    found = repeated_stroke(KERNELS, PRESS, PLAN, period=2.0, idle_speed=IDLE)
+    found = settled_stroke(KERNELS, PRESS, PLAN, period=2.0, idle_speed=IDLE)
 
     def test_it_is_what_strokes_come_to(self):
         """From the flywheel's idle speed on, one after another."""
@@ -420,20 +422,30 @@ class TestRepeated:
             speed = plain(KERNELS, PRESS, stroke.run.end, waiting).end.state[WHEEL]
         assert self.found.wheel_speed == pytest.approx(speed, rel=1e-8)
         assert self.found.wheel_speed < IDLE
-        assert self.found.is_in_time
+        assert self.found.is_found
+
+    def test_with_its_command(self):
+        """Both at once: a little behind the command of a flywheel at its idle speed, as it is slower."""
+        plan = PLAN._replace(command_angle=math.inf)
+        both = settled_stroke(KERNELS, PRESS, plan, period=2.0, idle_speed=IDLE)
+        alone = settled_stroke(KERNELS, PRESS, plan, idle_speed=IDLE)
+        assert both.stroke.stop_angle == pytest.approx(0.0, abs=1e-9)
+        end = both.pace.waiting.end.state[WHEEL]
+        assert end == pytest.approx(both.wheel_speed, rel=1e-9)
+        assert 0 < both.command_angle - alone.command_angle < 0.02
 
     def test_power(self):
         """What the motor gives is heat, work of the load and loss of the gear; heat of the clutch and brake for two."""
         stroke = self.found.stroke
         taken = stroke.run.end.state[4:8].sum()
-        assert self.found.motor_power * 2.0 == pytest.approx(taken, rel=1e-8)
-        assert self.found.clutch_power * 2.0 == stroke.clutch_heat
+        assert self.found.pace.motor_power * 2.0 == pytest.approx(taken, rel=1e-8)
+        assert self.found.pace.clutch_power * 2.0 == stroke.clutch_heat
 
     def test_too_fast(self):
         """It is still on its way when the next one should begin."""
-        found = repeated_stroke(KERNELS, PRESS, PLAN, period=0.5, idle_speed=IDLE)
-        assert not found.is_in_time
-        assert math.isnan(found.wheel_speed)
+        found = settled_stroke(KERNELS, PRESS, PLAN, period=0.5, idle_speed=IDLE)
+        assert not found.is_found
+        assert found.stroke.run.reason == TIME_IS_OVER
 
 
 def test_worst_stop():

@@ -17,8 +17,8 @@ from cranktrain.record import record
 
 (
     RESTS, WHEEL_STALLS, SLIPS_ON, SLIDES, NOTHING_MOVES, WHEEL_RECOVERED, TIME_IS_OVER, STEPS_EXHAUSTED,
-    LINKS_BREAK_OPEN, GEAR_STUCK,
-) = range(10)  # fmt: skip
+    LINKS_BREAK_OPEN, GEAR_STUCK, ALL_PASSED,
+) = range(11)  # fmt: skip
 """Why a run of a press ended."""
 PRESS_REASONS = {
     RESTS: N_("the crank rests, held by the brake or by the load itself"),
@@ -30,6 +30,7 @@ PRESS_REASONS = {
     TIME_IS_OVER: N_("the time asked for is over"),
     STEPS_EXHAUSTED: N_("it takes more steps than allowed"),
     LINKS_BREAK_OPEN: N_("the links do not close"),
+    ALL_PASSED: N_("it has passed all angles that are asked for"),
     GEAR_STUCK: N_("no acceleration or several satisfy the irreversible gear: it jams"),
 }
 """Sentences, not yet translated."""
@@ -82,6 +83,8 @@ class PressPlan(NamedTuple):
     wheel_speed : float
         At which a crank at rest waits no longer for the flywheel; infinite where nobody asks. [rad/s]
     ends_at_rest : bool
+    ends_when_passed : bool
+        With the last of these angles.
     tolerance : float
         Error of a step, of the angle in rad and of the speeds in parts of the flywheel's at the start.
     most_steps : int
@@ -93,6 +96,7 @@ class PressPlan(NamedTuple):
     passed: tuple[float, ...] = ()
     wheel_speed: float = math.inf
     ends_at_rest: bool = True
+    ends_when_passed: bool = False
     tolerance: float = 1e-10
     most_steps: int = 100_000
 

@@ -17,7 +17,6 @@ from cranktrain.quantities import (
     PositiveTorque,
     TurnedAngle,
 )
-from cranktrain.questions.drive.clutched.courses import Grip
 from cranktrain.spec import Spec
 
 _AT_ONCE = Given(0.0, "0 s")
@@ -70,10 +69,11 @@ class ClutchSpec(GripSpec, frozen=True):
 
 
 class BrakeSpec(GripSpec, frozen=True):
-    """A brake that stops the crank, and holds it."""
+    """A brake: it slows whichever way its shaft turns, and holds it at rest."""
 
-    on: Literal["motor", "flywheel", "clutch", "crank"] = Field(
-        default="crank", description=N_("On whose shaft it sits; of a clutch, on its driven side.")
+    on: Literal["motor", "clutch", "crank"] = Field(
+        default="motor",
+        description=N_("On whose shaft it sits, the motor's unless given; of a clutch, on its driven side."),
     )
 
 
@@ -115,15 +115,8 @@ def press_problems(
         for key, table in (("clutch", clutch), ("brake", brake)):
             if table is None:
                 yield Problem("stroke", None, _("needs [drive.{key}] as well").format(key=key))
-    if clutch is None and brake is not None and brake.on in ("clutch", "flywheel"):
-        yield Problem("brake.on", f'"{brake.on}"', _("needs [drive.clutch] as well"), _('write "motor" or "crank"'))
-    elif clutch is not None and brake is not None and brake.on in ("motor", "flywheel"):
+    if clutch is None and brake is not None and brake.on == "clutch":
+        yield Problem("brake.on", '"clutch"', _("needs [drive.clutch] as well"), _('write "motor" or "crank"'))
+    elif clutch is not None and brake is not None and brake.on == "motor":
         allowed = _("leaves the crank free as soon as the clutch is let go: the brake must be behind the clutch")
-        yield Problem("brake.on", f'"{brake.on}"', allowed, _('write "crank" or "clutch"'))
-
-
-def grip_of(table: GripSpec) -> Grip:
-    """Take the numbers of a clutch or brake. [N·m, s]"""
-    static = table.torque if table.static_torque is None else table.static_torque
-    each = (table.torque, static, table.delay, table.rise_time, table.release_delay, table.fall_time)
-    return Grip(*(float(one.si) for one in each))
+        yield Problem("brake.on", '"motor"', allowed, _('write "crank" or "clutch"'))

@@ -17,6 +17,9 @@ from cranktrain.questions.drive.clutched.walking import run_press, stopping
 from cranktrain.questions.drive.running.equation import Kernels
 from cranktrain.record import record
 
+_ZOOM = 8
+"""Steps in a denser look."""
+
 
 @record
 class StopMeasurement:
@@ -68,7 +71,7 @@ def stop_measurement(kernels: Kernels, press: Press, start: Moment, plan: PressP
     -----
     docs/theory/clutched-drive, eq. (30.14). The angles are as dense as they are given; between them nothing is known.
     """
-    through = plan._replace(command_angle=math.inf)
+    through = plan._replace(command_angle=math.inf, ends_when_passed=True)
     run = run_press(kernels, press, start, through)
     passed = [event.moment for event in run.of_kind(ANGLE_PASSED)]
     found = [_stop(kernels, press, moment, through) for moment in passed]
@@ -126,8 +129,8 @@ def worst_stop(
 ) -> WorstStop:
     """Find the longest stop over a range of command angles. [rad]
 
-    On even steps first, then between the neighbours of the worst of them, each time eight times as dense. NaN if a
-    command does not stop the press at all.
+    On even steps first, then between the neighbours of the worst of them, each time four times as dense, and last at
+    the vertex of a parabola. NaN if a command does not stop the press at all.
     """
 
     def measured(low: float, high: float, n: int) -> StopMeasurement:
@@ -143,11 +146,26 @@ def worst_stop(
         near, step = found, (over[1] - over[0]) / n_angles
         best = _largest(near, values)
         for _ in range(n_zooms):
-            near = measured(max(over[0], best[1] - step), min(over[1], best[1] + step), 16)
-            best, step = max(best, _largest(near, values)), step / 8
+            near = measured(max(over[0], best[1] - step), min(over[1], best[1] + step), _ZOOM)
+            best, step = max(best, _largest(near, values)), 2 * step / _ZOOM
+        vertex = _vertex(near, values)
+        if vertex is not None:
+            best = max(best, _largest(measured(vertex, vertex, 0), values))
         results.append(best)
     (angle, at_angle), (time, at_time) = results
     return WorstStop(angle, time, at_angle, at_time)
+
+
+def _vertex(found: StopMeasurement, values: str) -> float | None:
+    """Angle of the command at the vertex of a parabola through the worst stop and its neighbours."""
+    each = found.angle if values == "angle" else found.time
+    at = int(np.nanargmax(each))
+    if not 0 < at < len(each) - 1:
+        return None
+    left, middle, right = each[at - 1 : at + 2].tolist()
+    bend = left - 2 * middle + right
+    step = float(found.command_angle[at + 1] - found.command_angle[at])
+    return float(found.command_angle[at]) + 0.5 * step * (left - right) / bend if bend < 0 else None
 
 
 def _largest(found: StopMeasurement, values: str) -> tuple[float, float]:

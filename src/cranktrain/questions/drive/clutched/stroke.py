@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 
-from cranktrain.numerics.roots import bracketed_roots
 from cranktrain.questions.drive.clutched.equation import ANGLE, BRAKE_HEAT, CLUTCH_HEAT, WHEEL, Press
 from cranktrain.questions.drive.clutched.runs import (
     AT_STAND,
@@ -112,7 +111,7 @@ def single_stroke(
     stands = [event.moment for event in run.of_kind(AT_STAND)] or [run.end]
     rest = stands[-1] if is_over else None
     command = commands[0].moment if commands else None
-    recovery = _recovery(kernels, press, run, plan, recovered_part, recovery_limit) if is_over else math.nan
+    recovery = recovered(kernels, press, run, plan, recovered_part, recovery_limit) if is_over else math.nan
     return PressStroke(
         run,
         _slip_time(run),
@@ -155,7 +154,7 @@ def _pressing_drop(run: PressRun) -> float:
     return float(np.max(np.maximum.accumulate(speeds) - speeds))
 
 
-def _recovery(kernels: Kernels, press: Press, run: PressRun, plan: PressPlan, part: float, limit: float) -> float:
+def recovered(kernels: Kernels, press: Press, run: PressRun, plan: PressPlan, part: float, limit: float) -> float:
     """How long a crank at rest waits for the flywheel; NaN if in vain. [s]"""
     aim = part * float(run.start.state[WHEEL])
     if run.end.state[WHEEL] >= aim:
@@ -166,44 +165,6 @@ def _recovery(kernels: Kernels, press: Press, run: PressRun, plan: PressPlan, pa
     found = run_press(kernels, press, run.end, waiting)
     rested = run.of_kind(AT_STAND)[-1].moment.time if run.of_kind(AT_STAND) else run.end.time
     return found.end.time - rested if found.reason == WHEEL_RECOVERED else math.nan
-
-
-def top_command_angle(
-    kernels: Kernels,
-    press: Press,
-    plan: PressPlan,
-    *,
-    wheel_speed: float,
-    start_angle: float = 0.0,
-    top: float = _TURN,
-) -> float:
-    """Crank angle of the command with which the stroke ends at an angle, a turn behind the start unless given. [rad]
-
-    NaN where no command behind the start does. docs/theory/clutched-drive, eq. (30.13).
-    """
-
-    def missed(command: float) -> float:
-        stroke = single_stroke(
-            kernels, press, plan._replace(command_angle=command), wheel_speed=wheel_speed, start_angle=start_angle,
-            recovery_limit=0.0,
-        )  # fmt: skip
-        end = stroke.run.end.state[ANGLE] if stroke.run.reason == RESTS else math.nan
-        return float(end - top)
-
-    high = top - 1e-9
-    over = missed(high)
-    if not over > 0:
-        return math.nan
-    low = high - over
-    for _ in range(20):
-        if low <= start_angle or not missed(low) > 0:
-            break
-        low -= max(over, 0.1)
-    low = max(low, start_angle + 1e-9)
-    if not missed(low) < 0:
-        return math.nan
-    each = np.vectorize(missed, otypes=[float])
-    return float(bracketed_roots(each, np.array([low]), np.array([high]))[0])
 
 
 def heat_rate_limit(stroke: PressStroke, clutch_power: float, brake_power: float) -> float:

@@ -21,6 +21,7 @@ from cranktrain.questions.drive.clutched.modes import static_margin
 from cranktrain.questions.drive.clutched.passings import least_within, states_within
 from cranktrain.questions.drive.clutched.phases import Ahead, ahead_of
 from cranktrain.questions.drive.clutched.runs import (
+    ALL_PASSED,
     ANGLE_PASSED,
     AT_STAND,
     COMMAND,
@@ -203,7 +204,8 @@ class _Walk:
         if watch.kind == RECOVERS:
             return WHEEL_RECOVERED
         self._bring(watch.kind, ahead.sense)
-        return None
+        is_through = watch.kind == PASSES_WANTED and not self.wanted and self.plan.ends_when_passed
+        return ALL_PASSED if is_through else None
 
     def _bring(self, kind: int, sense: float) -> None:
         """What an event changes. That a clutch that has met locks, or slips on, the next phase finds."""

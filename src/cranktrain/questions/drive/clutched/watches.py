@@ -14,7 +14,8 @@ from cranktrain.questions.drive.clutched.runs import Moment, PressPlan, piece_en
 from cranktrain.questions.drive.clutched.step import INTERPOLANT
 
 _BESIDE = 1e-6
-"""Of a step: so near to where its interpolant sees an event it mostly is."""
+"""Of a step: an event within it is no nearer to its ends."""
+_MOST_STEPS = 8
 
 STANDS, STALLS, MEETS, LOOSENS, PASSES_JUMP, PASSES_COMMAND, PASSES_WANTED, RECOVERS = range(8)
 """The crank or the flywheel comes to a stand; clutch's sides meet or part; angles; the flywheel's speed."""
@@ -123,19 +124,21 @@ def _settled(
         return margin(watch, part, again(part), spare)
 
     near = _near(watch, step, bracket)
-    beside = _BESIDE * step.width
-    if beside < near < step.width - beside and at(near - beside) > 0 > at(near + beside):
-        return fallen_at(at, near - beside, near + beside)
+    if near is not None and (found := _by_newton(at, *near)) is not None:
+        return found
     for end in (bracket[1] * step.width, step.width):
         if at(end) < 0:
             return fallen_at(at, bracket[0] * step.width, end)
     return None
 
 
-def _near(watch: Watch, step: Stepped, bracket: tuple[float, float]) -> float:
-    """Where the interpolant sees what is watched pass 0; NaN of what is no sum of speeds and angle."""
+def _near(watch: Watch, step: Stepped, bracket: tuple[float, float]) -> tuple[float, float] | None:
+    """Where the step's interpolant sees what is watched pass 0, and its slope there; None of what is no sum of states.
+
+    Nor where it only touches 0, or at an end of the step.
+    """
     if watch.weights is None:
-        return math.nan
+        return None
     weights = np.array(watch.weights)
     begun = float(weights @ step.state[:N_PRESS_FED]) - watch.level
     a, b, c, d = (step.width * INTERPOLANT.T @ step.slopes[:, :N_PRESS_FED] @ weights).tolist()
@@ -143,4 +146,21 @@ def _near(watch: Watch, step: Stepped, bracket: tuple[float, float]) -> float:
     def curve(part: float) -> float:
         return begun + part * (a + part * (b + part * (c + part * d)))
 
-    return step.width * fallen_at(curve, *bracket) if curve(bracket[1]) < 0 else math.nan
+    if not curve(bracket[1]) < 0:
+        return None
+    part = fallen_at(curve, *bracket)
+    slope = (a + part * (2 * b + part * (3 * c + part * 4 * d))) / step.width
+    is_within = _BESIDE < part < 1 - _BESIDE
+    return (step.width * part, slope) if is_within and slope < 0 else None
+
+
+def _by_newton(at: Callable[[float], float], near: float, slope: float) -> float | None:
+    """Where a curve passes 0, by steps with the slope of another that is next to it; None if they come to no end."""
+    for _ in range(_MOST_STEPS):
+        off = at(near) / slope
+        near -= off
+        if not near > 0 or not abs(off) < 1:
+            return None
+        if abs(off) <= 4 * np.spacing(near):
+            return near
+    return None

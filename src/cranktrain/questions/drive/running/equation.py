@@ -26,13 +26,24 @@ ANGLE, SPEED, MOTOR_WORK, LOAD_WORK, LOST_WORK, HEAT = range(N_STATE)
 """Components of the state."""
 
 
+class BrakePlace(NamedTuple):
+    """Where a brake sits: 1 of one on the crank, 0 of one on the motor's shaft; and at rest it holds so much more."""
+
+    on_crank: float = 0.0
+    holds: float = 1.0
+
+
+AT_MOTOR = BrakePlace()
+
+
 class DriveTrain(NamedTuple):
-    """What the equation is made of: numbers of machine, motor and brake for their kernels; and the gearing."""
+    """What the equation is made of: numbers of machine, motor and brake for their kernels; the gearing; the brake."""
 
     machine: Any
     motor: Any
     brake: Any
     gearing: Gearing
+    place: BrakePlace = AT_MOTOR
 
 
 def no_heat(_speed: float, _time: float, _numbers: Any) -> float:
@@ -64,7 +75,7 @@ class Kernels(NamedTuple):
     heat : Motor
         Power that heats the motor. [W]
     brake : callable
-        (time, numbers) → torque against the motion at the motor's shaft, up to which it holds at rest too. [N·m]
+        (time, numbers) → torque against the motion at the shaft on which it sits. [N·m]
     settle : callable, optional
         (crank angle, numbers of the machine) → None: lets a machine that remembers, such as gas in a chamber, carry on
         what it does, in an array (plain: a list) among its numbers. Asked at the start and at the end of every step,
@@ -87,6 +98,7 @@ class TrainNumbers(NamedTuple):
     machine: Any
     motor: Any
     brake: Any
+    place: BrakePlace
     one: OneStage
     rows: Any
 
@@ -96,7 +108,12 @@ def train_of(drive: DriveTrain, kernels: Kernels, is_compiled: bool) -> TrainNum
     machine = drive.machine if kernels.settle is no_memory else deepcopy(drive.machine)
     rows = np.array(drive.gearing[1:])
     return TrainNumbers(
-        machine, drive.motor, drive.brake, in_one_stage(drive.gearing), rows if is_compiled else rows.tolist()
+        machine,
+        drive.motor,
+        drive.brake,
+        drive.place,
+        in_one_stage(drive.gearing),
+        rows if is_compiled else rows.tolist(),
     )
 
 
@@ -131,14 +148,16 @@ def time_form(kernels: Kernels, law: Any) -> Derive:
         at_motor = speed * ratio
         # float: what NumPy gives to plain Python makes all that follows slow
         inertia, load, torque = float(inertia), float(load), float(motor(at_motor, time, train.motor))
-        drag = brake(time, train.brake) * sense
-        needed = load + 0.5 * float(first) * speed * speed
+        braked = brake(time, train.brake) * sense
+        on_crank = braked * train.place.on_crank
+        drag = braked - on_crank
+        needed = load + 0.5 * float(first) * speed * speed + on_crank
         grown, taken = law(torque - drag, sense, inertia, needed, train.one, train.rows)
         slopes[place] = speed
         slopes[place + 1] = grown
         slopes[place + 2] = torque * at_motor
         slopes[place + 3] = load * speed if inertia == inertia else inertia
-        slopes[place + 4] = taken * speed + drag * at_motor
+        slopes[place + 4] = (taken + on_crank) * speed + drag * at_motor
         slopes[place + 5] = float(heat(at_motor, time, train.motor))
         return speed, grown
 

@@ -19,11 +19,14 @@ def sense_of_start(
 ) -> float:
     """Which way a crank at rest sets off: 1 forward, −1 back, 0 held. docs/theory/transient, eq. (26.7)."""
     torque = kernels.motor(0.0, time, train.motor)
-    drag = kernels.brake(time, train.brake)
+    hold = kernels.brake(time, train.brake) * train.place.holds
+    on_crank = hold * train.place.on_crank
+    drag = hold - on_crank
     for sense in (1.0, -1.0):
         seen = on_the_way(angle, sense, corners, period)
         inertia, _, load, _ = kernels.machine(seen, 0.0, sense, train.machine)
-        grown, _ = accelerated(torque - drag * sense, sense, inertia, load, train.one, train.rows)
+        against = load + on_crank * sense
+        grown, _ = accelerated(torque - drag * sense, sense, inertia, against, train.one, train.rows)
         if grown * sense > 0:
             return sense
     return 0.0
