@@ -171,6 +171,41 @@ TABLES = {
             "cam": {"on": "crank", "torque": ["1 N*m", "3 N*m"], "crank_angles": ["20 deg", "200 deg"]},
         }
     },
+    "a press": {
+        "drive": {
+            "motor": {
+                "kind": "cage",
+                "curve": "kloss",
+                "breakdown_torque": "95 N*m",
+                "breakdown_slip": 0.2,
+                "synchronous_speed": "1500 rpm",
+            },
+            "stage": [{"ratio": 3}, {"ratio": 5}],
+            "part": {"flywheel": {"on": 1, "inertia": "24 kg*m^2"}},
+            "clutch": {
+                "on": 1,
+                "torque": "4800 N*m",
+                "static_torque": "6000 N*m",
+                "delay": "30 ms",
+                "rise_time": "60 ms",
+                "release_delay": "20 ms",
+                "fall_time": "30 ms",
+                "mean_power": "800 W",
+                "driven_inertia": "0.4 kg*m^2",
+            },
+            "brake": {
+                "on": "crank",
+                "torque": "2600 N*m",
+                "static_torque": "2800 N*m",
+                "delay": "40 ms",
+                "rise_time": "50 ms",
+                "release_delay": "10 ms",
+                "fall_time": "20 ms",
+                "mean_power": "900 W",
+            },
+            "stroke": {"start_angle": "180 deg", "command_angle": "470 deg", "strokes_per_minute": 30},
+        }
+    },
     "torsion by sizes": {
         "torsion": {"stiffness_method": "carter", "throw_inertia": "0.02 kg*m^2"},
         "crankshaft": {

@@ -157,6 +157,7 @@ STANDING = {
     "jaw_crusher": ("45.3 mm to the right and 815.7 mm down", "The jaw's lower end", jaw_crusher),
     "shears": ("blade below the shaft", "", eccentric_press),
     "shaking_conveyor": ("the trough lies to the right", "", to_the_right),
+    "high_slip_press": ("ram below the shaft", "", eccentric_press),
     "eccentric_press": ("ram below the shaft", "press's lower dead centre", eccentric_press),
     "servo_press": ("ram below the shaft", "press's lower dead centre", eccentric_press),
     "servo_press_rocking": ("ram below the shaft", "press's lower dead centre", eccentric_press),

@@ -26,6 +26,7 @@ TODAY = {"motion": 9, "cylinders": 7, "gas": 6}
 DRIVEN = ("compressor_start", "gas_compressor", "shaking_conveyor", "mud_pump_12p160", "two_throw_compressor")
 WITHOUT_CYLINDERS = (
     "eccentric_press",
+    "high_slip_press",
     "jaw_crusher",
     "pumping_unit_c57",
     "servo_press",

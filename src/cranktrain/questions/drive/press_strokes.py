@@ -67,8 +67,8 @@ class PressStrokes(StageResult):
     stroke_motor_heat: Array = quantity(
         "P_w,s", "W", (), N_("Mean power that heats the motor's rotor at that pace"), _THEORY
     )
-    clutch_power: Array = quantity("P_K", "W", (), N_("Mean power that heats the clutch at that pace"), _THEORY)
-    brake_power: Array = quantity("P_B", "W", (), N_("Mean power that heats the brake at that pace"), _THEORY)
+    clutch_heating: Array = quantity("P_K", "W", (), N_("Mean power that heats the clutch at that pace"), _THEORY)
+    brake_heating: Array = quantity("P_B", "W", (), N_("Mean power that heats the brake at that pace"), _THEORY)
     most_strokes_per_minute: Array = quantity(
         "n_max", "1", (), N_("Strokes a minute that the flywheel's recovery and the given mean powers allow"), _THEORY
     )

@@ -161,28 +161,28 @@ def stroke_rows(labels: Names, design: int, found: PressStrokes) -> Iterator[Ans
         return
     yield worded(
         _("stroke"),
-        _("takes {time}; command at {command}, {most} a minute at most"),
+        _("{time}, command at {command}; up to {most} a minute"),
         time=Amount(float(found.stroke_time[design]), "s"),
         command=Amount(float(found.command_angle[design]), "rad"),
         most=f"{float(found.most_strokes_per_minute[design]):.4g}",
     )
     yield worded(
         _("clutch"),
-        _("slips for {time}, locks at {angle}, takes {heat}"),
+        _("slips for {time} to {angle}, takes {heat}"),
         time=Amount(float(found.clutch_slip_time[design]), "s"),
         angle=Amount(float(found.clutch_lock_angle[design]), "rad"),
         heat=Amount(float(found.clutch_heat[design]), "J"),
     )
     yield worded(
         _("flywheel"),
-        _("slows by {drop}, in pressing by {pressing}; recovers in {time}"),
+        _("slows by {drop}, {pressing} pressing; back in {time}"),
         drop=Amount(float(found.stroke_speed_drop[design]), "%"),
         pressing=Amount(float(found.pressing_speed_drop[design]), "%"),
         time=Amount(float(found.recovery_time[design]), "s"),
     )
     yield worded(
         _("brake"),
-        _("stops in {angle}, {time}, takes {heat}; rests {off} from where it started"),
+        _("{angle} in {time}, {heat}; rests {off} past its start"),
         angle=Amount(float(found.braking_angle[design]), "rad"),
         time=Amount(float(found.braking_time[design]), "s"),
         heat=Amount(float(found.brake_heat[design]), "J"),
