@@ -39,7 +39,10 @@ WITHOUT_CYLINDERS = (
 VALVE_GEARS = ("eccentric", "stephenson")
 ROCKERS = ("crank_rocker", "slotted_lever")
 
-OF_ENGINES = r"fir(ing|es)\b|(two|four)-stroke|brake|burn|diagram|backward|engine|power -|power −|pressure [-−]"
+OF_ENGINES = (
+    r"fir(ing|es)\b|(two|four)-stroke|brake (power|thermal|torque)|burn|diagram|backward|engine"
+    r"|power -|power −|pressure [-−]"
+)
 OF_PISTONS = r"dead cent|iston|cylinder|wall|indicated|compression"
 
 

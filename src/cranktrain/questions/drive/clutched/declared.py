@@ -113,4 +113,6 @@ def before_clutch(gearing: Gearing, clutch: DeclaredClutch, design: int) -> Gear
     if n:
         inertia[n - 1] -= driven
     motor_inertia = gearing.motor_inertia - (0.0 if n else driven)
-    return Gearing(motor_inertia, *(part[:n] for part in gearing[1:5]), inertia)
+    return Gearing(
+        motor_inertia, gearing.ratio[:n], gearing.forward[:n], gearing.backward[:n], gearing.drag[:n], inertia
+    )

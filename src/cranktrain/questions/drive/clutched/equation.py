@@ -1,6 +1,6 @@
 """The equation of motion of a press with a clutch and a brake, by its phase."""
 
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
@@ -63,7 +63,7 @@ def press_of(
         inertia[n_before - 1] += behind.motor_inertia
     else:
         motor_inertia += behind.motor_inertia
-    locked = Gearing(float(motor_inertia), *numbers)
+    locked = Gearing(float(motor_inertia), *(cast(Array, part) for part in numbers))
     motor_ratio, ratio = float(overall_ratio(before)), float(overall_ratio(behind))
     on_crank = 1.0 if brake_on_crank or not len(behind.ratio) else 0.0
     return Press(machine, motor, before, behind, locked, motor_ratio, ratio, clutch, brake, on_crank)
@@ -71,7 +71,7 @@ def press_of(
 
 def _listed(gearing: Gearing) -> Gearing:
     """Gearing with its stages in lists."""
-    return Gearing(gearing.motor_inertia, *(np.asarray(part).tolist() for part in gearing[1:]))
+    return Gearing(gearing.motor_inertia, *(cast(Array, np.asarray(part).tolist()) for part in gearing[1:]))
 
 
 class PressPhase(NamedTuple):
@@ -146,7 +146,9 @@ def _braked(gearing: Gearing, stage: int, torque: float) -> Gearing:
     drag = list(gearing.drag)
     if stage < len(drag):
         drag[stage] += torque
-    return Gearing(gearing.motor_inertia, gearing.ratio, gearing.forward, gearing.backward, drag, gearing.inertia)
+    return Gearing(
+        gearing.motor_inertia, gearing.ratio, gearing.forward, gearing.backward, cast(Array, drag), gearing.inertia
+    )
 
 
 def press_form(kernels: Kernels) -> Derive:

@@ -1,6 +1,6 @@
 """The sheet of forces: gas, the forces of a piston, torque and its orders, and what they rest on."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from textwrap import wrap
 
 from cranktrain.analysis import Result
@@ -16,12 +16,25 @@ from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import LINE, MARGIN, Box, Figure, Page, drawing_settings, mathematics
 from cranktrain.viz.paper.panels import FORCES, axes_in, draw_curves, draw_panels
 from cranktrain.viz.paper.style import TEXT
+from cranktrain.viz.paper.tables import write_table
+from cranktrain.viz.sheets.crankshaft.polar import draw_diagrams
+from cranktrain.viz.sheets.forces.joints import (
+    JointForce,
+    force_scale,
+    joint_diagrams,
+    joint_forces,
+    joint_panels,
+    joint_rows,
+)
 from cranktrain.viz.sheets.forces.panels import force_panels, formula_error, has_forces, is_off
 from cranktrain.viz.sheets.gas.panels import chambers_of, indicator_panel
 from cranktrain.viz.sheets.torque.orders import draw_orders, draw_stars
 
 _LEFT = 0.55
 """Share of the curves over the crank angle in the width."""
+
+_POLAR = 0.27
+"""Share of the polar diagrams in the height."""
 
 _LETTERS = 68
 """Letters in a line of notes, for each 100 mm."""
@@ -53,11 +66,14 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
     """
     shown = OneDesign(result, design)
     name = _piston(result, piston)
+    joints = [] if name is not None and has_forces(result, name) else _joints(shown, name)
     page, box = result_page(result, design, size, _("Forces"))
     curves = box._replace(left=box.left + 12.0, width=_LEFT * box.width - 18.0)
-    draw_panels(page, list(force_panels(result, name, design)), curves, FORCES)
+    draw_panels(page, [*joint_panels(shown, joints), *force_panels(result, name, design)], curves, FORCES)
     left, right = box.left + _LEFT * box.width + 12.0, box.left + box.width
     below = _draw_indicator(page, shown, name, (left, right, box.bottom + box.height))
+    if joints:
+        below = _draw_joints(page, shown, joints, (left - 8.0, right, below))
     below = draw_orders(page, shown, left, right, below)
     below = draw_stars(page, shown, left, right, below)
     _write_notes(page, shown, name, (left - 8.0, right, below))
@@ -73,6 +89,25 @@ def _piston(result: Result, wanted: str | None) -> str | None:
     if wanted is not None or "piston_force" not in result.catalogue:
         return wanted or next(iter(names), None)
     return next(name for name in names if has_forces(result, name))
+
+
+def _joints(shown: OneDesign, piston: str | None) -> list[JointForce]:
+    """Joints of the mechanism of a piston without forces of its own, or of the first."""
+    return joint_forces(shown, piston or shown.result.machines[shown.design].places[0].name)
+
+
+def _draw_joints(
+    page: Page, shown: OneDesign, joints: Sequence[JointForce], place: tuple[float, float, float]
+) -> float:
+    """Draw polar diagrams of the most loaded joints over a table of all; give where it ends. [mm]"""
+    left, right, top = place
+    height = _POLAR * page.height
+    room = Box(left, top - height, right - left, height)
+    words = draw_diagrams(page, joint_diagrams(shown, joints), room, force_scale(joints))
+    page.notes(left, room.bottom - 3.0, wrap(words, int(room.width * _LETTERS / 100.0)))
+    rows = list(joint_rows(shown, joints))
+    below = write_table(page, rows, (left, room.bottom - 10.0, room.width), (0.66, 0.8, 1.0))
+    return below - 2.0
 
 
 def _master_of(result: Result, piston: str) -> str | None:

@@ -1,0 +1,112 @@
+"""Forces of a mechanism without a piston's: reactions in its joints, what inertia does at the crank, polar diagrams."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.scales import Scale, scale_for
+from cranktrain.viz.figures import figure
+from cranktrain.viz.panel import Curve, OneDesign, Panel, Role, closed
+from cranktrain.viz.sheets.crankshaft.panels import PolarCurve, PolarDiagram
+
+_ROLES: tuple[Role, ...] = ("main", "side", "radial", "resultant")
+_LETTERS = ("T", "N", "K", "F")
+_POLAR = 2
+_NOTHING = 1e-9
+"""Of the largest force: less is rounding."""
+_ALIKE = 1e-3
+"""Of the largest force: reactions whose sizes differ by less are drawn as one curve."""
+
+
+class JointForce(NamedTuple):
+    """Joints whose reactions are alike in size: their number on the sheet, their names, the reaction of the first.
+
+    It is over the cycle, closed, shape (2, n). [N]
+    """
+
+    number: int
+    names: tuple[str, ...]
+    force: Array
+
+    @property
+    def size(self) -> Array:
+        """Of the reaction. [N]"""
+        return np.hypot(*self.force)
+
+    @property
+    def largest_at(self) -> int:
+        """Where it is largest."""
+        return int(np.argmax(self.size))
+
+
+def joint_forces(shown: OneDesign, mechanism: str) -> list[JointForce]:
+    """Joints of a mechanism by their largest reactions, the most loaded first; those that bear nothing are left out."""
+    labels = shown.result.labels.get("joint", ())
+    forces = {
+        label.removeprefix(f"{mechanism}."): np.stack([closed(shown(f"joint_force_{x}")[place]) for x in "xy"])
+        for place, label in enumerate(labels)
+        if label.startswith(f"{mechanism}.")
+    }
+    peaks = {name: float(np.max(np.hypot(*force))) for name, force in forces.items()}
+    most = max((peak for peak in peaks.values() if np.isfinite(peak)), default=0.0)
+    found: list[JointForce] = []
+    for name in sorted((name for name, peak in peaks.items() if peak > _NOTHING * most), key=lambda name: -peaks[name]):
+        size = np.hypot(*forces[name])
+        alike = next((at for at, one in enumerate(found) if np.max(np.abs(one.size - size)) < _ALIKE * most), None)
+        if alike is None:
+            found.append(JointForce(len(found) + 1, (name,), forces[name]))
+        else:
+            found[alike] = found[alike]._replace(names=(*found[alike].names, name))
+    return found
+
+
+def joint_panels(shown: OneDesign, joints: Sequence[JointForce]) -> Iterator[Panel]:
+    """Collect the curves over the crank angle: reactions in all joints, four to a panel; inertia at the crank."""
+    for first in range(0, len(joints), len(_ROLES)):
+        chosen = joints[first : first + len(_ROLES)]
+        curves = tuple(
+            Curve(joint.size, role, letter, f"R_{{{joint.number}}}")
+            for joint, role, letter in zip(chosen, _ROLES, _LETTERS, strict=False)
+        )
+        title = _("Reactions in other joints") if first else _("Reactions in the joints")
+        yield Panel(title, "N", shown.cycle, curves)
+    if shown.has("static_torque"):
+        static = Curve(closed(shown("static_torque")[-1]), "whole", "T", "M_{st}")
+        yield Panel(_("Static torque at the crank"), "N*m", shown.cycle, (static,))
+    if shown.has("reduced_inertia") and np.any(shown("reduced_inertia")):
+        inertia = Curve(closed(shown("reduced_inertia")), "main", "s", "J")
+        slope = Curve(closed(shown("reduced_inertia_slope")), "side", "v", "J'")
+        yield Panel(_("Reduced inertia, and its slope by the angle"), "kg*m^2", shown.cycle, (inertia, slope))
+
+
+def joint_diagrams(shown: OneDesign, joints: Sequence[JointForce]) -> list[PolarDiagram]:
+    """Polar diagrams of the most loaded joints, in the mechanism's axes."""
+    angle = shown.cycle
+    return [
+        PolarDiagram(
+            _("R{number} in {name}").format(number=joint.number, name=joint.names[0]),
+            (PolarCurve("", joint.force),),
+            joint.force[:, joint.largest_at],
+            float(angle[joint.largest_at]),
+            float(angle[-1]),
+        )
+        for joint in joints[:_POLAR]
+    ]
+
+
+def force_scale(joints: Sequence[JointForce]) -> Scale:
+    """Unit in which all reactions are shown."""
+    return scale_for("N", max(float(np.max(joint.size)) for joint in joints))
+
+
+def joint_rows(shown: OneDesign, joints: Sequence[JointForce]) -> Iterator[tuple[str, ...]]:
+    """Rows of the table: which joint has which number, its largest reaction and where, its smallest."""
+    unit = force_scale(joints)
+    yield _("Joint, {unit}").format(unit=unit.label), _("largest"), _("at"), _("smallest")
+    for joint in joints:
+        most, least = (figure(float(unit.of(value))) for value in (np.max(joint.size), np.min(joint.size)))
+        for name in joint.names:
+            yield f"R{joint.number}  {name}", most, f"{shown.cycle[joint.largest_at]:.0f}°", least
