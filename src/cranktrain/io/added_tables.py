@@ -45,6 +45,49 @@ def with_tables(text: str, path: str, tables: Sequence[Mapping[str, str]], taken
     return before + end + newline.join(lines) + newline
 
 
+def with_values(text: str, values: Mapping[str, str], whole: Sequence[str] = ()) -> str:
+    r"""Give a text with other values, and all else as it was.
+
+    Parameters
+    ----------
+    text : str
+        A TOML text that can be read.
+    values : mapping of str to str
+        TOML by path.
+    whole : sequence of str
+        Paths of tables of which nothing else is to stand: their other keys go behind comment marks.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> print(with_values('[motor]\nkind = "table"\nspeed = 3', {"motor.kind": '"cage"'}, ["motor"]))
+    [motor]
+    kind = "cage"
+    # speed = 3
+    """
+    source = text.encode()
+    for path in whole:
+        source = _with_table(source, path, {key: value for key, value in values.items() if key.startswith(f"{path}.")})
+    for path, value in values.items():
+        source = with_value(source, path, value)
+    return source.decode()
+
+
+def _with_table(source: bytes, path: str, values: Mapping[str, str]) -> bytes:
+    """Give the text with nothing of a table but some of its keys."""
+    parts = quantity_path(path)
+    spans = places(source).by_path
+    if parts in spans and spans[parts].kind == "inline":
+        inline = ", ".join(f"{key.removeprefix(f'{path}.')} = {value}" for key, value in values.items())
+        return with_value(source, path, f"{{ {inline} }}")
+    kept = {quantity_path(key) for key in values}
+    others = [one for one in spans if len(one) == len(parts) + 1 and one[:-1] == parts and one not in kept]
+    return _without(source, (), others)
+
+
 def _items(source: bytes, by_path: Mapping[PathParts, TextSpan], place: TextSpan) -> list[bytes]:
     """The items of an inline list as they are written."""
     items = [by_path[*place.path, number] for number in range(place.n_items)]

@@ -1,6 +1,6 @@
 """Counterbalance of a pumping unit: the weights that make both peaks of its gearbox torque equal, or its rms least."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Annotated, Literal
 
 import numpy as np
@@ -13,9 +13,8 @@ from cranktrain.machine import Machine
 from cranktrain.paths import path_text
 from cranktrain.quantities import Given, unlisted
 from cranktrain.questions.pumping.gearbox_torque import GearboxTorque
-from cranktrain.record import record
 from cranktrain.spec import words_of
-from cranktrain.synthesis.proposal import Alternative, Number, Proposal, found, quantity_text
+from cranktrain.synthesis.proposal import Alternative, MachineProposal, Number, found, quantity_text
 
 Aim = Literal["equal_peaks", "least_rms"]
 
@@ -27,26 +26,10 @@ _AIMS = {
 _QUANTITIES = ("upstroke_peak", "downstroke_peak")
 
 
-@record
-class CounterbalanceProposal(Proposal):
-    """A counterbalance for a pumping unit that there is.
-
-    Attributes
-    ----------
-    machine : Machine
-        With it.
-    values : mapping of str to str
-        What its file says otherwise, as TOML by path.
-    """
-
-    machine: Machine
-    values: Mapping[str, str]
-
-
 def counterbalance(
     machine: Machine,
     aim: Annotated[Aim, N_("What the weights are for; equal peaks unless given.")] = "equal_peaks",
-) -> CounterbalanceProposal:
+) -> MachineProposal:
     """Propose the counterbalance of a pumping unit, at the arm and in the direction that the file declares.
 
     Parameters
@@ -58,7 +41,7 @@ def counterbalance(
 
     Returns
     -------
-    CounterbalanceProposal
+    MachineProposal
         With `force`, `moment`, `upstroke_peak`, `downstroke_peak`, `least`, `mean`, `rms` and `factor`. The
         alternatives are the file as it is, and the other aim.
 
@@ -88,7 +71,7 @@ def counterbalance(
     other = next(name for name in forces if name != aim)
     after, beside = (machine.with_({path: quantity_text(forces[name], unit)}) for name in (aim, other))
     text = found(forces[aim], unit, _("for {aim} under the card").format(aim=_(_AIMS[aim])))
-    return CounterbalanceProposal(
+    return MachineProposal(
         title=_title(machine, aim),
         numbers=tuple(_numbers(after)),
         alternatives=(

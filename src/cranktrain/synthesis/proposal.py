@@ -8,6 +8,7 @@ import numpy as np
 
 from cranktrain.brief import brief_fields
 from cranktrain.language import _
+from cranktrain.machine import Machine
 from cranktrain.paths import quoted
 from cranktrain.quantities import Dimension, Status, read, shown
 from cranktrain.record import record
@@ -20,6 +21,7 @@ _DIMENSIONS = {
     "N": Dimension.FORCE,
     "kN": Dimension.FORCE,
     "lbf": Dimension.FORCE,
+    "kW": Dimension.POWER,
 }
 _MOST_DIGITS = 17
 _ROUNDINGS = 2
@@ -106,6 +108,25 @@ class Proposal:
         return "\n".join(lines) + "\n"
 
 
+@record
+class MachineProposal(Proposal):
+    """Other values for a machine that there is.
+
+    Attributes
+    ----------
+    machine : Machine
+        With them.
+    values : mapping of str to str
+        What its file says otherwise, as TOML by path.
+    whole : tuple of str
+        Paths of tables of which nothing else is to stand.
+    """
+
+    machine: Machine
+    values: Mapping[str, str]
+    whole: tuple[str, ...] = ()
+
+
 def listed_in_lines(values: Sequence[str]) -> str:
     """Write a TOML list of long values, one in a line."""
     return "[\n" + "".join(f"    {value},\n" for value in values) + "]"
@@ -119,7 +140,7 @@ def quantity_text(value: float, unit: str) -> str:
     value : float
         In SI.
     unit : str
-        `mm`, `deg`, `rpm`, `kg`, `N`, `kN` or `lbf`.
+        `mm`, `deg`, `rpm`, `kg`, `N`, `kN`, `lbf` or `kW`.
 
     Returns
     -------

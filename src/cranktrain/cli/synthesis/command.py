@@ -86,6 +86,12 @@ _HELP = {
         "  cranktrain synthesise counterbalance pumping_unit_c57\n"
         "  cranktrain synthesise counterbalance pumping_unit_c57 --aim least-rms -o evened.toml"
     ),
+    "drive": N_(
+        "Find the smallest typical motor that is enough for a machine, with the ratio of its gear.\n\n"
+        "\b\n"
+        "  cranktrain synthesise drive jaw_crusher\n"
+        "  cranktrain synthesise drive tilting_table --ratio exact -o driven.toml"
+    ),
 }
 """What each problem is, with what may be typed for it."""
 

@@ -13,17 +13,15 @@ from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_errors_of
 from cranktrain.grouping import grouped
-from cranktrain.io.added_tables import with_tables
+from cranktrain.io.added_tables import with_tables, with_values
 from cranktrain.io.description import units_of
-from cranktrain.io.editing import with_value
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import STANDARD_OUTPUT, write_machine_file
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.quantities import chosen_unit, shown_as_in
-from cranktrain.synthesis.counterbalance import CounterbalanceProposal
 from cranktrain.synthesis.counterweights import CounterweightProposal
-from cranktrain.synthesis.proposal import Number, Proposal
+from cranktrain.synthesis.proposal import MachineProposal, Number, Proposal
 from cranktrain.synthesis.relief import Progress
 from cranktrain.textbook.errata import SYNTHESIS
 from cranktrain.wording import figure, number
@@ -100,11 +98,8 @@ def _searching() -> Generator[Progress]:
 
 def _machine_file(proposal: Proposal, file: MachineFile | None) -> str:
     """The machine file of a proposal; of one for a machine, that one's own with what is proposed in it."""
-    if file is not None and isinstance(proposal, CounterbalanceProposal):
-        text = file.document.text.encode()
-        for path, value in proposal.values.items():
-            text = with_value(text, path, value)
-        return text.decode()
+    if file is not None and isinstance(proposal, MachineProposal):
+        return with_values(file.document.text, proposal.values, proposal.whole)
     if file is None or not isinstance(proposal, CounterweightProposal):
         return proposal.machine_file()
     tables = [table.keys for table in proposal.tables]

@@ -16,6 +16,7 @@ from cranktrain.spec import missing, parts_of, quantity_of, words_of
 from cranktrain.synthesis.counterbalance import counterbalance
 from cranktrain.synthesis.counterweights import counterweights
 from cranktrain.synthesis.crank_rocker import crank_rocker_from_swing
+from cranktrain.synthesis.drive import drive
 from cranktrain.synthesis.knuckle import knuckle_from_requirements
 from cranktrain.synthesis.proposal import Proposal
 from cranktrain.synthesis.quick_return import quick_return
@@ -34,6 +35,7 @@ SYNTHESES: Mapping[str, Callable[..., Proposal]] = {
     "radial": radial,
     "counterweights": counterweights,
     "counterbalance": counterbalance,
+    "drive": drive,
 }
 """What can be synthesised; the annotations of its parameters say what each is, and what may be typed for it."""
 
