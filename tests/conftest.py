@@ -40,7 +40,6 @@ SLOW = (
     "tests/unit/numerics/test_numerics.py::test_residual_of_derivatives",
     "tests/unit/plans/test_force_polygons.py",
     "tests/unit/plans/test_uneven_plans.py::test_polygons_close_and_levers_balance",
-    "tests/unit/questions/drive/test_clutched.py::test_compiled_press_is_the_same",
     "tests/unit/questions/drive/test_clutched.py::test_worst_stop",
     "tests/unit/questions/evenness/test_load_curve.py::test_designs_may_have_curves_of_their_own",
     "tests/unit/questions/evenness/test_rim.py::test_compiled",

@@ -7,6 +7,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.plans.drive_scheme import drive_chain
 from cranktrain.plans.positions import plan_angles
 from cranktrain.plans.schemes import MarkedAngle, Scheme, scheme
 from cranktrain.plans.vectors import angle_of, spoken_name
@@ -17,6 +18,7 @@ from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.plans.drive_chain import draw_drive_chain
 from cranktrain.viz.plans.sheet import (
     centre,
     fitted_scale,
@@ -78,7 +80,11 @@ def plan_scheme(
     notes = [_("Angles count in the sense in which the crank turns.")]
     if found.forces:
         notes.append(_("Forces in parts of Q, by direction alone; lines of OB and O₁A meet in C."))
-    write_beside(page, box, box.left + wide + 8.0, _rows(found), notes, shares=_COLUMNS)
+    beside = box.left + wide + 8.0
+    below = write_beside(page, box, beside, _rows(found), notes, shares=_COLUMNS)
+    if chain := drive_chain(machine):
+        room = Box(beside, box.bottom + 8.0, box.left + box.width - beside, below - 4.0 - box.bottom - 8.0)
+        draw_drive_chain(page, chain, room)
     return page.figure
 
 

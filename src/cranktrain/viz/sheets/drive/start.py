@@ -57,6 +57,8 @@ def _panels(start: Start) -> Iterator[tuple[str, str, tuple[_Line, ...]]]:
     curves = start.run.curves
     speed = _Line("n", curves.motor_speed * _RPM, COLOURS["v"])
     yield _("Speed of the motor, rpm"), "1", (speed,)
+    if start.run.stroke is not None:
+        yield _("Speed of the crank, rpm"), "1", (_Line("n", curves.crank_speed * _RPM, COLOURS["s"]),)
     yield _("Torque of the motor"), "N*m", (_Line("M_m", curves.motor_torque, COLOURS["T"]),)
     yield _("Power of the motor"), "W", (_Line("P_m", curves.motor_power, COLOURS["j"]),)
     yield (
@@ -118,7 +120,7 @@ def _facts(start: Start) -> Iterator[tuple[str, str]]:
     yield of(_("largest power of the motor"), np.max(curves.motor_power), "W")
     yield of(_("work of the motor"), curves.motor_work[-1], "J")
     yield of(_("work that the loads took"), curves.load_work[-1], "J")
-    yield of(_("lost in gearing and brake"), curves.lost_work[-1], "J")
+    yield of(_("lost in gearing, clutch and brake"), curves.lost_work[-1], "J")
     yield of(_("in motion at the end"), curves.kinetic_energy[-1], "J")
     yield of(_("heat in the motor"), curves.motor_heat[-1], "J")
     yield _("energy left over"), f"{abs(run.residual) / run.supplied if run.supplied else 0.0:.1e}"
