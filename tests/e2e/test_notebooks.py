@@ -155,3 +155,13 @@ def test_sweep(after):
     offsets = np.repeat(known["offsets"] / 1e3, len(rods))
     largest = np.arcsin((0.040 + np.abs(offsets)) / np.tile(rods, len(known["offsets"])))
     np.testing.assert_allclose(np.abs(known["angles"]), largest, rtol=1e-12)
+
+
+def test_start(after):
+    """What was in motion and what the motor gave is what load and losses took, once all stands still."""
+    known = after("tasks/start.md")
+    stopped = known["stopped"]
+    given = stopped.motor_work[-1] + stopped.kinetic_energy[0]
+    assert stopped.load_work[-1] + stopped.lost_work[-1] == pytest.approx(given, rel=1e-6)
+    assert known["hard"].crank_speed[-1] == 0
+    assert max(known["full"].load_work) > max(known["empty"].load_work)

@@ -38,7 +38,7 @@ _N_SAMPLES = 1001
 _N_STOPS, _N_ZOOMS = 24, 1
 _LONGEST_STOP = 10.0
 """[s]"""
-_METHOD = "Tsitouras 5(4)"
+_METHOD = "tsit5"
 
 STROKE_EVENTS = {
     COMMAND: N_("command to stop"),
