@@ -20,7 +20,7 @@ COMPLETED = (
     ("cranktrain run mine", ["mine.toml"], "mine.toml "),
     ("cranktrain run 3d", ["3d12", "3d12_fit_85_235", "3d12_quoted_rods"], "3d12"),
     ("cranktrain run 3d12 --set cylinder.bo", ["cylinder.bore="], "cylinder.bore="),
-    ("cranktrain run 3d12 --quantities rod_angle,strok", ["rod_angle,stroke"], "rod_angle,stroke "),
+    ("cranktrain run 3d12 --quantities rod_angle,swept", ["rod_angle,swept_volume"], "rod_angle,swept_volume "),
     ("cranktrain completion z", ["zsh"], "zsh "),
 )
 """Lines, what may stand for their last words, and as far as that is known; a blank where nothing follows at once."""

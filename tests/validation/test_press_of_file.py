@@ -158,7 +158,7 @@ def test_longest_stop_is_longest():
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"drive.brake.torque": "60 N*m", "drive.brake.static_torque": "60 N*m"}, "brake is too weak"),
+        ({"drive.brake.torque": "60 N*m", "drive.brake.static_torque": "60 N*m"}, "no command angle"),
         ({"drive.clutch.torque": "20 N*m", "drive.clutch.static_torque": "20 N*m"}, "slips on"),
         ({"drive.stroke.strokes_per_minute": 100}, "not over when the next begins"),
     ],

@@ -48,7 +48,8 @@ def _compiled(kernel: FunctionType) -> object:
     copy = FunctionType(kernel.__code__, {**kernel.__globals__, **callees}, kernel.__name__)
     # As NumPy: what cannot close is NaN, not an exception. LLVM would not inline a large kernel into a loop by itself,
     # which costs a sixth of its time; a kernel's private parts it may weigh, or long kernels would take minutes.
-    return numba.njit(error_model="numpy", forceinline=not kernel.__name__.startswith("_"))(copy)
+    # Said in so many words, as else it would take after the function that calls it first.
+    return numba.njit(error_model="numpy", fastmath=False, forceinline=not kernel.__name__.startswith("_"))(copy)
 
 
 @cache
