@@ -12,6 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.declared import MINUTE, DeclaredBrake, DeclaredClutch, DeclaredStroke
+from cranktrain.questions.drive.clutched.equation import ANGLE
 from cranktrain.questions.drive.clutched.runs import PRESS_REASONS, RESTS, TIME_IS_OVER
 from cranktrain.questions.drive.clutched.settled import TURN, SettledStroke, settled_stroke
 from cranktrain.questions.drive.clutched.stroke import heat_rate_limit, time_limit
@@ -24,6 +25,9 @@ from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/clutched-drive"
 _ENERGY_LIMIT = 1e-6
+_SEEN = 1e-6
+"""An angle that is more than rounding of a stroke which was to end there. [rad]"""
+_N_FACTS = 18
 
 
 @record
@@ -167,9 +171,9 @@ def _facts(found: _Found, parts: PressParts, design: int) -> Array:
     """Facts of one design, in the order of `PressStrokes`."""
     case, settled = found.case, found.settled
     if case is None or settled is None or not settled.is_found:
-        return np.full(18, np.nan)
+        return np.full(_N_FACTS, np.nan)
     own, pace = settled.stroke, settled.pace
-    end = float(own.run.end.state[1])
+    end = float(own.run.end.state[ANGLE])
     limit = min(
         time_limit(own) if math.isfinite(own.recovery_time) else math.nan,
         heat_rate_limit(own, float(parts.clutch.mean_power[design]), float(parts.brake.mean_power[design])),
@@ -199,9 +203,9 @@ def _facts(found: _Found, parts: PressParts, design: int) -> Array:
 
 
 def _stop(turned: float) -> float:
-    """Where the crank rests, from where it started; rounding of a stroke that was to end there is 0. [rad]"""
+    """Where the crank rests, from where it started. [rad]"""
     off = math.remainder(turned, TURN)
-    return off if abs(off) > _ENERGY_LIMIT else 0.0
+    return off if abs(off) > _SEEN else 0.0
 
 
 def _residual(found: _Found) -> float:
