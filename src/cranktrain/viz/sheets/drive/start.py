@@ -59,8 +59,9 @@ def _panels(start: Start) -> Iterator[tuple[str, str, tuple[_Line, ...]]]:
     yield _("Speed of the motor, rpm"), "1", (speed,)
     if start.run.stroke is not None:
         yield _("Speed of the crank, rpm"), "1", (_Line("n", curves.crank_speed * _RPM, COLOURS["s"]),)
-    yield _("Torque of the motor"), "N*m", (_Line("M_m", curves.motor_torque, COLOURS["T"]),)
-    yield _("Power of the motor"), "W", (_Line("P_m", curves.motor_power, COLOURS["j"]),)
+    if start.motor is not None:
+        yield _("Torque of the motor"), "N*m", (_Line("M_m", curves.motor_torque, COLOURS["T"]),)
+        yield _("Power of the motor"), "W", (_Line("P_m", curves.motor_power, COLOURS["j"]),)
     yield (
         _("Energy"),
         "J",
