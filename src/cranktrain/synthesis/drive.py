@@ -142,18 +142,18 @@ def drive(
 def _asked(machine: Machine, ratio: Ratio) -> _Asked:
     """Find what is asked; refuse a machine that lacks something."""
     spec: DriveSpec | None = machine.drive
-    shaft = machine.shaft["main"]
+    shaft = machine.shaft.get("main")
     problems: list[Problem] = []
     if spec is None or not spec.stage:
         allowed = _("is missing: a ratio is that of a stage; [[drive.stage]] ratio = 1 would do")
         problems.append(Problem("drive.stage", None, allowed))
-    if shaft.motion is not None:
+    if shaft is not None and shaft.motion is not None:
         allowed = _("must not stand here: typical motors turn at one speed, and do not follow a wanted motion")
         problems.append(Problem("shaft.main.motion", None, allowed))
-    elif shaft.speed is None:
+    elif shaft is None or shaft.speed is None:
         problems.append(Problem("shaft.main.speed", None, _("is missing: the speed that the crank shall have")))
     refuse(problems)
-    assert spec is not None and shaft.speed is not None
+    assert spec is not None and shaft is not None and shaft.speed is not None
     ratios = [stage.ratio.si for stage in spec.stage]
     stage = int(np.argmax(ratios))
     return _Asked(machine, shaft.speed.si, stage, math.prod(ratios) / ratios[stage], ratio)
@@ -206,6 +206,10 @@ def _with_ratio(asked: _Asked, place: int, ratio: float) -> _Tried:
     motor = {"kind": "cage", "size": power}
     changed = asked.machine.with_({"drive.motor": motor, f"drive.stage[{asked.stage}].ratio": ratio})
     result = run(changed, quantities=_QUANTITIES)
+    if needs := result.needs_of(*_QUANTITIES):
+        raise InputError(
+            [Problem("drive", None, _("cannot be sized: needs {needs}").format(needs=_(" and ").join(needs)))]
+        )
     sizing, overall = result[MotorSizing], ratio * asked.others
     speed = float(result[SteadyDrive].mean_motor_speed[0]) / overall
     return _Tried(place, ratio, overall, changed, tuple(sizing.sizing_share[0, 0].tolist()), speed)

@@ -10,6 +10,8 @@ from cranktrain.synthesis.drive import drive
 
 R20 = (1.0, 1.12, 1.25, 1.4, 1.6, 1.8, 2.0, 2.24, 2.5, 2.8, 3.15, 3.55, 4.0, 4.5, 5.0, 5.6, 6.3, 7.1, 8.0, 9.0)
 RPM = np.pi / 30
+YOKE = {"kind": "scotch_yoke", "crank_radius": "10 mm"}
+SLOW = {"main": {"speed": "90 rpm"}}
 REACTIVE = {"load.table.sense": "resisting"}
 
 
@@ -100,6 +102,8 @@ def test_a_motor_in_one_line_is_replaced(tmp_path):
         (lambda: ct.load("servo_press"), "shaft.main.motion"),
         (lambda: ct.load("tilting_table", set={"drive.stage": []}), "drive.stage"),
         (lambda: ct.load("tilting_table", set={"load.table.force": "4000 kN"}), "drive"),
+        (lambda: ct.Machine(name="w", mechanism=YOKE), "shaft.main.speed"),
+        (lambda: ct.Machine(name="w", mechanism=YOKE, shaft=SLOW, drive={"stage": [{"ratio": 2}]}), "drive"),
     ],
 )
 def test_refused(machine, path):
