@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.language import N_, _
 from cranktrain.machine import Machine
 from cranktrain.questions.drive.motor_tables import motor_of
+from cranktrain.questions.drive.shafts import shaft_number
 from cranktrain.questions.drive.spec import DriveSpec, StageSpec
 
 Symbol: TypeAlias = Literal["motor", "disc", "brake", "clutch", "stage", "crank"]
@@ -42,8 +43,6 @@ class DriveShaft(NamedTuple):
     """A shaft with what stands on it from the motor's side on; a stage ends each but the last, the crank's."""
 
     elements: tuple[DriveElement, ...]
-    ratio: float
-    """Of the stage that ends it; NaN of the last. [1]"""
 
 
 def drive_chain(machine: Machine) -> tuple[DriveShaft, ...]:
@@ -69,14 +68,13 @@ def drive_chain(machine: Machine) -> tuple[DriveShaft, ...]:
     for place in range(n_stages + 1):
         elements = list(_on_shaft(spec, place, n_stages))
         if place < n_stages:
-            stage = spec.stage[place]
-            elements.append(_of_stage(stage))
+            elements.append(_of_stage(spec.stage[place]))
         else:
             elements.append(DriveElement("crank", _("crank"), float(crank_speed), "rad/s"))
         if place == 0 and spec.motor is not None:
             title = _(motor_of(spec.motor).motor.title)
             elements.insert(0, DriveElement("motor", title, float(crank_speed * behind[0]), "rad/s"))
-        shafts.append(DriveShaft(tuple(elements), spec.stage[place].ratio.si if place < n_stages else np.nan))
+        shafts.append(DriveShaft(tuple(elements)))
     return tuple(shafts)
 
 
@@ -84,10 +82,10 @@ def _on_shaft(spec: DriveSpec, place: int, n_stages: int) -> Iterator[DriveEleme
     """What turns with a shaft by its own name, and clutch and brake."""
     brake, clutch = spec.brake, spec.clutch
     for name, part in spec.part.items():
-        if (0 if part.on == "motor" else part.on) == place:
+        if shaft_number(part.on) == place:
             inertia = float(np.ravel(part.moment)[0])
             yield DriveElement("disc", name.replace("_", " "), inertia, "kg*m^2")
-    of_clutch = None if clutch is None else 0 if clutch.on == "motor" else clutch.on
+    of_clutch = None if clutch is None else shaft_number(clutch.on)
     places = {"motor": 0, "clutch": of_clutch, "crank": n_stages}
     if clutch is not None and of_clutch == place:
         yield DriveElement("clutch", _(_CLUTCH), clutch.torque.si, "N*m")

@@ -44,7 +44,7 @@ def test_speeds_by_the_ratios():
     motor, crank = chain[0].elements[0], chain[-1].elements[-1]
     assert crank.value == pytest.approx(37.5 * math.pi / 30, rel=1e-12)
     assert motor.value == pytest.approx(1500 * math.pi / 30, rel=1e-12)
-    assert [shaft.ratio for shaft in chain[:-1]] == [40, 1]
+    assert [shaft.elements[-1].value for shaft in chain[:-1]] == [40, 1]
 
 
 def test_press_has_its_clutch_and_brake():

@@ -10,6 +10,7 @@ from cranktrain.motion import Array
 from cranktrain.quantities import Given
 from cranktrain.questions.drive.choosing import duty_factor
 from cranktrain.questions.drive.duty_spec import DutySpec, SizedFlywheelSpec
+from cranktrain.questions.drive.shafts import shaft_number
 from cranktrain.record import record
 
 
@@ -93,7 +94,7 @@ def declared_duty(spec: DutySpec | None, designs: Designs) -> DeclaredDuty:
 def wanted_flywheel(spec: SizedFlywheelSpec, designs: Designs) -> WantedFlywheel:
     """Take what the table says."""
     numbers = [_asked(spec.largest_torque), _asked(spec.fluctuation)]
-    return WantedFlywheel(0 if spec.on == "motor" else spec.on, *designs.by_design(numbers).T)
+    return WantedFlywheel(shaft_number(spec.on), *designs.by_design(numbers).T)
 
 
 def _asked(given: Given | None) -> Array:

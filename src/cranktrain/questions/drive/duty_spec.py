@@ -16,6 +16,7 @@ from cranktrain.quantities import (
     Quantity,
 )
 from cranktrain.questions.drive.motor_tables.spec import out_of_place
+from cranktrain.questions.drive.shafts import OnShaft, absent_shaft
 from cranktrain.spec import Spec
 
 Share = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, below=1.0)]
@@ -98,7 +99,7 @@ class DutySpec(Spec, frozen=True):
 class SizedFlywheelSpec(Spec, frozen=True):
     """A flywheel to be found: with it the motor gives no more, or the crank runs as evenly as is wanted."""
 
-    on: Literal["motor"] | Annotated[int, Field(ge=1)] = Field(
+    on: OnShaft = Field(
         default="motor", description=N_("On which shaft: the motor's, or that behind a stage, by its number.")
     )
     largest_torque: PositiveTorque | None = Field(
@@ -117,8 +118,6 @@ class SizedFlywheelSpec(Spec, frozen=True):
 
     def problems_with(self, n_stages: int, *, has_motor: bool) -> Iterator[Problem]:
         """Find a shaft that is not there, and no motor."""
-        if self.on != "motor" and self.on > n_stages:
-            allowed = _('must be "motor" or the number of a stage, of which there are {n}')
-            yield Problem("flywheel.on", str(self.on), allowed.format(n=n_stages))
+        yield from absent_shaft("flywheel.on", self.on, n_stages)
         if not has_motor:
             yield Problem("motor", None, _("is missing; the flywheel helps a motor"))

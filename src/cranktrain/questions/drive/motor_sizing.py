@@ -32,7 +32,7 @@ from cranktrain.questions.drive.motors.cage import catalogue_curve
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.motors.heat import cage_heat
 from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
+from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.questions.drive.sizing.checks import TorqueDemand, motor_choice
 from cranktrain.questions.drive.static_torques import StaticTorques
 from cranktrain.record import record
@@ -182,13 +182,12 @@ def _one_design(
 
 def _before_clutch(bare: Gearing, clutch: DeclaredClutch, design: int) -> AskedOfMotor:
     """What a motor starts whose clutch is let go: no load, and what turns before it."""
-    return AskedOfMotor(0.0, 0.0, float(_at_motor(before_clutch(bare, clutch, design))))
+    return AskedOfMotor(0.0, 0.0, _at_motor(before_clutch(bare, clutch, design)))
 
 
 def _at_motor(gearing: Gearing) -> float:
     """Inertia of what turns with motor and stages, reduced to the motor. [kg·m²]"""
-    turned = np.cumprod(np.append(1.0, gearing.ratio))
-    return gearing.motor_inertia + float(np.sum(gearing.inertia / turned[1:] ** 2))
+    return float(turning_inertia(gearing) / overall_ratio(gearing) ** 2)
 
 
 def _declared(one: _Design, motor: DeclaredMotor, design: int) -> MotorAtMachine:

@@ -11,10 +11,11 @@ from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.drive.clutched.declared import MINUTE, DeclaredBrake, DeclaredClutch, DeclaredStroke
 from cranktrain.questions.drive.clutched.equation import ANGLE
 from cranktrain.questions.drive.clutched.runs import PRESS_REASONS, RESTS, TIME_IS_OVER
-from cranktrain.questions.drive.clutched.settled import TURN, SettledStroke, settled_stroke
+from cranktrain.questions.drive.clutched.settled import SettledStroke, settled_stroke
 from cranktrain.questions.drive.clutched.stroke import heat_rate_limit, time_limit
 from cranktrain.questions.drive.declared import DeclaredDrive, DeclaredStart
 from cranktrain.questions.drive.motor_tables import DeclaredMotor

@@ -1,7 +1,7 @@
 """The table [drive] of the machine file: what drives the crank, through which gearing, and how it starts."""
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Literal
+from typing import Annotated
 
 import numpy as np
 from pydantic import Field
@@ -26,6 +26,7 @@ from cranktrain.quantities import (
 from cranktrain.questions.drive.clutched.spec import BrakeSpec, ClutchSpec, StrokeSpec, press_problems
 from cranktrain.questions.drive.duty_spec import DutySpec, SizedFlywheelSpec
 from cranktrain.questions.drive.motor_tables import AnyMotor
+from cranktrain.questions.drive.shafts import OnShaft, absent_shaft
 from cranktrain.spec import Spec
 
 Efficiency = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)]
@@ -87,7 +88,7 @@ class StageSpec(Spec, frozen=True):
 class PartSpec(Spec, frozen=True):
     """What turns with a shaft of the drive: coupling, brake pulley, gear wheel, flywheel."""
 
-    on: Literal["motor"] | Annotated[int, Field(ge=1)] = Field(
+    on: OnShaft = Field(
         default="motor", description=N_("On which shaft: the motor's, or that behind a stage, by its number.")
     )
     inertia: NonNegativeInertia | None = Field(default=None, description=N_("About its own axis."))
@@ -168,9 +169,7 @@ class DriveSpec(Spec, frozen=True):
         yield from press_problems(self.clutch, self.brake, self.stroke, len(self.stage))
         yield from self._start_problems()
         for name, part in self.part.items():
-            if part.on != "motor" and part.on > len(self.stage):
-                allowed = _('must be "motor" or the number of a stage, of which there are {n}')
-                yield Problem(path_text(("part", name, "on")), str(part.on), allowed.format(n=len(self.stage)))
+            yield from absent_shaft(path_text(("part", name, "on")), part.on, len(self.stage))
 
     def _start_problems(self) -> Iterator[Problem]:
         """Find a command to no brake, or to one that only strokes know, and a start beside strokes."""

@@ -251,7 +251,7 @@ def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int, asked
     return StartRun(
         reason=_(_reason(case, runs, reason)),
         time=time[wanted_too],
-        curves=_at_times(whole, wanted_too),
+        curves=at_times(whole, wanted_too),
         whole_time=time,
         whole=whole,
         events=tuple(_events(case, runs)),
@@ -273,7 +273,7 @@ def _reason(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> str:
     return LONGEST_OVER if span.start + last.end_time >= _LONGEST else SETTLED
 
 
-def _at_times(curves: StartCurves, chosen: NDArray[np.intp]) -> StartCurves:
+def at_times(curves: StartCurves, chosen: NDArray[np.intp]) -> StartCurves:
     """Curves at some of their times."""
     return StartCurves(**{one.name: getattr(curves, one.name)[chosen] for one in fields(curves)})
 

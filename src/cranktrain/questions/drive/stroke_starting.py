@@ -7,6 +7,7 @@ import numpy as np
 
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.drive.clutched.equation import (
     ANGLE,
     BRAKE_HEAT,
@@ -29,10 +30,11 @@ from cranktrain.questions.drive.clutched.runs import (
     PressRun,
     turning,
 )
-from cranktrain.questions.drive.clutched.settled import TURN, SettledStroke
+from cranktrain.questions.drive.clutched.settled import SettledStroke
 from cranktrain.questions.drive.clutched.stopping import WorstStop, worst_stop
 from cranktrain.questions.drive.press_case import PressCase
 from cranktrain.questions.drive.start_record import StartCurves, StartEvent, StartRun, StrokeRun
+from cranktrain.questions.drive.starting import at_times
 
 _N_SAMPLES = 1001
 _N_STOPS, _N_ZOOMS = 24, 1
@@ -67,15 +69,19 @@ def run_stroke(case: PressCase, settled: SettledStroke, times: Array | None) -> 
     """
     runs = [settled.stroke.run, *([] if settled.pace is None else [settled.pace.waiting])]
     end = float(runs[-1].end.time)
-    asked = np.linspace(0.0, end, _N_SAMPLES) if times is None else times[times <= end]
-    whole_time = np.unique(np.concatenate([*(run.times for run in runs), np.linspace(0.0, end, _N_SAMPLES)]))
+    even = np.linspace(0.0, end, _N_SAMPLES)
+    whole_time = np.unique(np.concatenate([*(run.times for run in runs), even]))
+    whole = _curves(case, _states(runs, whole_time))
+    asked = even if times is None else times[times <= end]
     reason = _(WAITED) if settled.pace is not None else _(PRESS_REASONS[settled.stroke.run.reason])
     return StartRun(
         reason=reason,
         time=asked,
-        curves=_curves(case, _states(runs, asked)),
+        curves=at_times(whole, np.searchsorted(whole_time, even))
+        if times is None
+        else _curves(case, _states(runs, asked)),
         whole_time=whole_time,
-        whole=_curves(case, _states(runs, whole_time)),
+        whole=whole,
         events=tuple(_events(case, runs)),
         residual=sum(run.residual for run in runs),
         supplied=sum(run.supplied for run in runs),

@@ -38,7 +38,7 @@ def draw_drive_chain(page: Page, chain: tuple[DriveShaft, ...], box: Box) -> Non
         _draw_shaft(page, shaft, (begin, end, level), (box.left + (number + 0.5) * apart, apart))
         for step, element in enumerate(shaft.elements):
             x = box.left + (number + step + 0.5) * apart
-            _draw(page, element, (x, level), shaft.ratio, beyond)
+            _draw(page, element, (x, level), beyond)
             up = 1 if element.symbol != "stage" else np.sign(level - beyond)
             page.text(
                 x, level + up * (_reach(element, level - beyond) + 3.4) - 1.2, str(number + step + 1), ha="center"
@@ -71,7 +71,7 @@ def _draw_shaft(page: Page, shaft: DriveShaft, line: tuple[float, float, float],
         page.paper.plot([start, stop], [level, level], **_LINE)
 
 
-def _draw(page: Page, element: DriveElement, at: tuple[float, float], ratio: float, beyond: float) -> None:
+def _draw(page: Page, element: DriveElement, at: tuple[float, float], beyond: float) -> None:
     """Draw one symbol."""
     x, y = at
     if element.symbol == "motor":
@@ -79,7 +79,7 @@ def _draw(page: Page, element: DriveElement, at: tuple[float, float], ratio: flo
         page.paper.fill(x + _MOTOR * np.cos(_ROUND), y + _MOTOR * np.sin(_ROUND), color="white", zorder=3)
         page.text(x, y - 1.1, "M", ha="center", zorder=5)
     elif element.symbol == "stage":
-        _draw_stage(page, x, y, ratio, beyond)
+        _draw_stage(page, x, y, element.value, beyond)
     elif element.symbol == "crank":
         page.paper.plot([x, x + 3.5], [y, y + 4.5], color=INK, linewidth=2.2)
         page.paper.plot(*at, "o", ms=4.0, mfc="white", mec=INK, mew=1.0, zorder=4)

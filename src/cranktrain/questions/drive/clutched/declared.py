@@ -11,6 +11,7 @@ from cranktrain.quantities import Given
 from cranktrain.questions.drive.clutched.courses import Grip
 from cranktrain.questions.drive.clutched.spec import BrakeSpec, ClutchSpec, GripSpec, StrokeSpec
 from cranktrain.questions.drive.running.gearing import Gearing
+from cranktrain.questions.drive.shafts import shaft_number
 from cranktrain.record import record
 
 MINUTE = 60.0
@@ -83,7 +84,7 @@ def declared_grips(
 ) -> Iterator[object]:
     """Give the parts that these tables declare."""
     if clutch is not None:
-        n_before = 0 if clutch.on == "motor" else clutch.on
+        n_before = shaft_number(clutch.on)
         driven = each(clutch.driven_inertia.array)[:, 0]
         yield DeclaredClutch(_grip(clutch, each), _or(clutch.mean_power, np.inf, each), n_before, driven)
     if brake is not None:

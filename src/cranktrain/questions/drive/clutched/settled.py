@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.drive.clutched.equation import ANGLE, MOTOR_HEAT, MOTOR_WORK, WHEEL, Press
 from cranktrain.questions.drive.clutched.runs import RESTS, PressPlan, PressRun
 from cranktrain.questions.drive.clutched.stroke import RECOVERED_PART, PressStroke, recovered, single_stroke
@@ -20,7 +21,6 @@ _LONGEST = 20.0
 """That a stroke may take where no pace is asked for. [s]"""
 _LONGEST_RECOVERY = 60.0
 """[s]"""
-TURN = 2 * math.pi
 
 
 @record

@@ -1,13 +1,13 @@
 """The tables [drive.clutch], [drive.brake] and [drive.stroke] of the machine file."""
 
-import math
 from collections.abc import Iterator
-from typing import Annotated, Literal
+from typing import Literal
 
 from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import (
     Given,
     NonNegativeInertia,
@@ -17,11 +17,11 @@ from cranktrain.quantities import (
     PositiveTorque,
     TurnedAngle,
 )
+from cranktrain.questions.drive.shafts import OnShaft, absent_shaft
 from cranktrain.spec import Spec
 
 _AT_ONCE = Given(0.0, "0 s")
 _NOTHING = Given(0.0, "0 kg·m²")
-_TURN = 2 * math.pi
 
 
 class GripSpec(Spec, frozen=True):
@@ -57,7 +57,7 @@ class GripSpec(Spec, frozen=True):
 class ClutchSpec(GripSpec, frozen=True):
     """A clutch between the flywheel, which turns on, and the crank."""
 
-    on: Literal["motor"] | Annotated[int, Field(ge=1)] = Field(
+    on: OnShaft = Field(
         description=N_(
             "Which shaft it divides: the motor's, or that behind a stage, by its number. What [drive.part] has on that "
             "shaft turns with its driving side."
@@ -99,7 +99,7 @@ class StrokeSpec(Spec, frozen=True):
         if self.command_angle is not None and self.command_angle.si <= self.start_angle.si:
             allowed = _("must be more than start_angle = {angle}: it comes on the way from there")
             yield Problem("command_angle", self.command_angle.text, allowed.format(angle=self.start_angle.text))
-        elif self.command_angle is not None and self.command_angle.si > self.start_angle.si + _TURN:
+        elif self.command_angle is not None and self.command_angle.si > self.start_angle.si + TURN:
             allowed = _("must be within a turn of start_angle = {angle}: a stroke is one")
             yield Problem("command_angle", self.command_angle.text, allowed.format(angle=self.start_angle.text))
 
@@ -108,9 +108,8 @@ def press_problems(
     clutch: ClutchSpec | None, brake: BrakeSpec | None, stroke: StrokeSpec | None, n_stages: int
 ) -> Iterator[Problem]:
     """Find what the three tables show only together, or with the stages, to be wrong; paths are relative to [drive]."""
-    if clutch is not None and clutch.on != "motor" and clutch.on > n_stages:
-        allowed = _('must be "motor" or the number of a stage, of which there are {n}').format(n=n_stages)
-        yield Problem("clutch.on", str(clutch.on), allowed)
+    if clutch is not None:
+        yield from absent_shaft("clutch.on", clutch.on, n_stages)
     if stroke is not None:
         for key, table in (("clutch", clutch), ("brake", brake)):
             if table is None:

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.drive.clutched.equation import ANGLE, BRAKE_HEAT, CLUTCH_HEAT, WHEEL, Press
 from cranktrain.questions.drive.clutched.runs import (
     AT_STAND,
@@ -23,7 +24,6 @@ from cranktrain.record import record
 
 RECOVERED_PART = 0.99
 """Of the flywheel's speed at the start, at which it counts as recovered: where nothing pulls it comes to it never."""
-_TURN = 2 * math.pi
 
 
 @record
@@ -122,7 +122,7 @@ def single_stroke(
         _pressing_drop(run) / wheel_speed,
         float(rest.state[ANGLE] - command.state[ANGLE]) if rest and command else math.nan,
         rest.time - command.time if rest and command else math.nan,
-        math.remainder(float(rest.state[ANGLE]), _TURN) if rest else math.nan,
+        math.remainder(float(rest.state[ANGLE]), TURN) if rest else math.nan,
         rest.time - run.start.time if rest else math.nan,
         recovery,
         recovered_part,
