@@ -61,8 +61,8 @@ def drive_chain(machine: Machine) -> tuple[DriveShaft, ...]:
     if spec is None:
         return ()
     n_stages = len(spec.stage)
-    speed = machine.shaft["main"].speed
-    crank_speed = np.nan if speed is None else speed.si
+    main = machine.shaft.get("main")
+    crank_speed = np.nan if main is None or main.speed is None else main.speed.si
     behind = np.append(np.cumprod([stage.ratio.si for stage in spec.stage][::-1])[::-1], 1.0)
     shafts: list[DriveShaft] = []
     for place in range(n_stages + 1):

@@ -65,3 +65,11 @@ def test_a_long_chain_has_room(size):
 def test_without_a_drive_there_is_none():
     assert drive_chain(ct.load("pumping_unit_c57")) == ()
     assert not any(text.startswith("Drive") for text in words_beside(ct.load("pumping_unit_c57")))
+
+
+def test_without_a_shaft_there_is_no_speed():
+    mechanism = {"kind": "slider_crank", "stroke": "100 mm", "rod_length": "200 mm"}
+    machine = ct.Machine(name="w", mechanism=mechanism, drive={"stage": [{"ratio": 2}]})
+    crank = drive_chain(machine)[-1].elements[-1]
+    assert math.isnan(crank.value)
+    assert "i = 2" in words_beside(machine)
