@@ -62,3 +62,11 @@ def test_a_piston_with_a_rod_keeps_its_own(results):
     words = [text for text, _box in words_of(sheet_forces(ct.run(ct.load("eccentric_press"))))]
     assert any(text.startswith("Forces at piston") for text in words)
     assert not any(text.startswith("Reactions in the joints") for text in words)
+    assert not any(text.startswith("Reduced inertia") for text in words)
+
+
+@pytest.mark.parametrize("name", ["shaper", "toggle_press", "pumping_unit_c57"])
+def test_what_is_left_out_is_said_before_what_lines_mean(results, name):
+    """There is no room for all notes."""
+    words = [text for text, _box in words_of(sheet_forces(results[name]))]
+    assert "No masses are given: forces and torque are of the loads alone." in words

@@ -69,7 +69,8 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
     joints = [] if name is not None and has_forces(result, name) else _joints(shown, name)
     page, box = result_page(result, design, size, _("Forces"))
     curves = box._replace(left=box.left + 12.0, width=_LEFT * box.width - 18.0)
-    draw_panels(page, [*joint_panels(shown, joints), *force_panels(result, name, design)], curves, FORCES)
+    own = list(joint_panels(shown, joints)) if joints else []
+    draw_panels(page, [*own, *force_panels(result, name, design)], curves, FORCES)
     left, right = box.left + _LEFT * box.width + 12.0, box.left + box.width
     below = _draw_indicator(page, shown, name, (left, right, box.bottom + box.height))
     if joints:
@@ -178,17 +179,17 @@ def _on_forces(shown: OneDesign, piston: str) -> Iterator[str]:
 
 
 def _notes(shown: OneDesign, piston: str | None) -> Iterator[str]:
-    """Sentences on what is shown."""
+    """Sentences on what is shown: what it leaves out first, as the last ones may find no room."""
     result = shown.result
+    masses = result[LoadedMachine].masses
+    if (said := result[LoadedMachine].without_mass()) is not None:
+        yield said
+    if masses.assumed:
+        yield _("Rods without a given inertia have that of two masses at their ends.")
+    gas = result.get(GasPressures)
+    yield from () if gas is None else gas.flags
     if piston is not None and has_forces(result, piston):
         yield from _on_forces(shown, piston)
     yield _("Torque: reactions of rigid links, each mechanism's thin.")
     if result.labels.get("cylinder"):
         yield _("Filled bars: orders in which all cylinders add up.")
-    masses = result[LoadedMachine].masses
-    if masses.assumed:
-        yield _("Rods without a given inertia have that of two masses at their ends.")
-    if (said := result[LoadedMachine].without_mass()) is not None:
-        yield said
-    gas = result.get(GasPressures)
-    yield from () if gas is None else gas.flags
