@@ -33,7 +33,8 @@ def draw_drive_chain(page: Page, chain: tuple[DriveShaft, ...], box: Box) -> Non
     number = 0
     for place, shaft in enumerate(chain):
         level, beyond = (middle + 0.5 * _APART * (-1) ** (place + n) for n in (0, 1))
-        begin = box.left + (number - 0.5 if place else 0.25) * apart
+        before = 1.0 if place else 0.0 if shaft.elements[0].symbol == "motor" else 0.25
+        begin = box.left + (number + 0.5 - before) * apart
         end = box.left + (number + len(shaft.elements) - 0.15) * apart
         _draw_shaft(page, shaft, (begin, end, level), (box.left + (number + 0.5) * apart, apart))
         for step, element in enumerate(shaft.elements):

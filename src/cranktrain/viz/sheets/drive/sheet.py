@@ -22,6 +22,8 @@ _LEFT = 0.55
 _LOOP = 0.5
 """Share of the motor's curve in the height."""
 _RPM = 60 / (2 * np.pi)
+_NOTHING = 1e-9
+"""Of what stands beside it: less is rounding."""
 _LOOK = FORCES._replace(has_zero=False)
 """Flywheel moment and speed change by little."""
 
@@ -68,13 +70,14 @@ def _motor(result: Result, design: int) -> DeclaredMotor | None:
 def _facts(shown: OneDesign) -> Iterator[tuple[str, str]]:
     """Rows of the table."""
 
-    def of(words: str, name: str, unit: str, at: int | None = None) -> tuple[str, str]:
+    def of(words: str, name: str, unit: str, at: int | None = None, beside: float = 0.0) -> tuple[str, str]:
         value = float(shown(name) if at is None else shown(name)[at])
+        value = 0.0 if abs(value) <= _NOTHING * abs(beside) else value
         return words, with_unit(value, scale_for(unit, abs(value))) if np.isfinite(value) else "–"
 
     yield _("At the motor's shaft"), ""
     yield of(_("largest static torque"), "largest_static_torque", "N*m", 0)
-    yield of(_("smallest static torque"), "smallest_static_torque", "N*m", 0)
+    yield of(_("smallest static torque"), "smallest_static_torque", "N*m", 0, float(shown("largest_static_torque")[0]))
     yield of(_("effective static torque"), "rms_static_torque", "N*m", 0)
     yield of(_("flywheel moment of the drive alone"), "gear_flywheel_moment", "kg*m^2", 0)
     if not runs(shown):
