@@ -118,6 +118,15 @@ def start(machine: Machine, *, progress: Progress | None = None) -> Start:
     InputError
         With everything that is wrong with the machine, or what it lacks.
     """
+    parts, found = parts_and_stages(machine)
+    if DeclaredStroke in parts:
+        return _stroke(machine, parts, found)
+    case = start_case(parts, found)
+    return Start(machine, run_start(case, progress), case.motor, overall_ratio(case.gearing))
+
+
+def parts_and_stages(machine: Machine) -> tuple[Mapping[type, Any], Mapping[type, Any]]:
+    """What a machine declares, and the stages that a start needs: reduced machine, steady running, strokes."""
     refuse_wrong((machine,))
     parts = parts_of((machine,), step=FACTS_STEP)
     if DeclaredDrive not in parts:
@@ -127,11 +136,7 @@ def start(machine: Machine, *, progress: Progress | None = None) -> Start:
         lacks = ", ".join(dict.fromkeys(absent[ReducedMachines]))
         raise InputError([Problem("drive", None, _("needs what the machine moves: {lacks}").format(lacks=lacks))])
     wanted = [kind for kind in (ReducedMachines, SteadyDrive, PressStrokes) if kind not in absent]
-    found: Any = run_stages(leading_to(STAGES, wanted), parts, absent)
-    if DeclaredStroke in parts:
-        return _stroke(machine, parts, found)
-    case = _case(parts, found)
-    return Start(machine, run_start(case, progress), case.motor, overall_ratio(case.gearing))
+    return parts, run_stages(leading_to(STAGES, wanted), parts, absent)
 
 
 def _stroke(machine: Machine, parts: Mapping[type, Any], found: Mapping[type, Any]) -> Start:
@@ -157,7 +162,7 @@ def _brake(found: DeclaredBrake | None) -> tuple[Braking, BrakePlace]:
     return Braking(grip.torque, grip.delay, grip.rise_time), place
 
 
-def _case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCase:
+def start_case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCase:
     """The start of the only design."""
     drive, grid = parts[DeclaredDrive], parts[CrankAngle]
     machines, steady = found[ReducedMachines], found.get(SteadyDrive)

@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 from tests.starts import SYNCHRONOUS, kloss, rotor_heat, wheel
 
+from cranktrain.questions.drive.motors.cage import CageMotor, cage_torque, kloss_curve
 from cranktrain.questions.drive.running import endings
+from cranktrain.questions.drive.running.compiling import quick
 from cranktrain.questions.drive.running.equation import (
     DriveTrain,
     Kernels,
@@ -51,6 +53,14 @@ def test_start_time_and_rotor_heat(load, time, heat):
     assert found.reason == endings.SPEED_REACHED
     assert found.end_time == pytest.approx(time, rel=1e-9)
     assert found.end[5] == pytest.approx(heat, rel=1e-9)
+
+
+def test_a_choice_between_numbers_is_a_number_in_loops():
+    """Not an array of one, which would cost more than all the rest of a step."""
+    motor = tuple(float(each) for each in kloss_curve(SYNCHRONOUS, 95.0, 0.2))
+    torque = quick(untimed(cage_torque))(0.8 * SYNCHRONOUS, 0.0, CageMotor(*motor))
+    assert isinstance(torque, float)
+    assert torque == pytest.approx(95.0, rel=1e-12)
 
 
 def test_plugging_heats_thrice():

@@ -5,6 +5,9 @@ from functools import cache
 from types import CellType, FunctionType
 from typing import Any, ParamSpec, TypeVar, cast
 
+from cranktrain.linkage.compile import taught_choices
+from cranktrain.motion import chosen
+
 Parameters = ParamSpec("Parameters")
 Outcome = TypeVar("Outcome")
 
@@ -23,10 +26,11 @@ def _quick(function: Any) -> Any:
         return function
     import numba
 
+    taught_choices()
     callees = {
         name: _quick(called)
         for name in function.__code__.co_names
-        if isinstance(called := function.__globals__.get(name), FunctionType)
+        if isinstance(called := function.__globals__.get(name), FunctionType) and called is not chosen
     }
     copy = FunctionType(
         function.__code__,

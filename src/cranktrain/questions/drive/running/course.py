@@ -24,8 +24,9 @@ class Course(NamedTuple):
     counts : Array, shape (6,)
     state, ahead, trial : Array, shape (6,)
         At the beginning of a step, at its end, and at an event within.
-    slopes, again : Array, shape (7 · 6,)
-        Of the stages of a step, row after row, and of one that was shortened to an event.
+    slopes, again : Array, shape (7 · 7,)
+        Of the stages of a step, row after row with x′ of what is driven at its end, and of one that was shortened to an
+        event.
     """
 
     here: Any

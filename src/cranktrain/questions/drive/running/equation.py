@@ -12,7 +12,7 @@ from cranktrain.linkage import compiled
 from cranktrain.questions.drive.running.compiling import quick
 from cranktrain.questions.drive.running.gearing import Gearing
 from cranktrain.questions.drive.running.law import OneStage, accelerated, in_one_stage
-from cranktrain.questions.drive.running.step import N_STATE, Derive
+from cranktrain.questions.drive.running.step import BESIDE, N_STATE, Derive
 
 Machine: TypeAlias = Callable[[float, float, float, Any], tuple[float, float, float, float]]
 """(crank angle, speed, sense, numbers) → J, J′, torque that the load takes at the crank, x′ of what is driven.
@@ -129,7 +129,7 @@ def untimed(kernel: Callable[[float, Any], float]) -> Motor:
 
 
 def time_form(kernels: Kernels, law: Any) -> Derive:
-    """Join the kernels to the slopes of the state by time. docs/theory/transient, eqs. (26.8) and (26.9)."""
+    """Join the kernels to the slopes of the state by time, x′ beside. docs/theory/transient, eqs. (26.8), (26.9)."""
     machine, motor, heat, brake, _ = kernels
 
     def derive(
@@ -143,7 +143,7 @@ def time_form(kernels: Kernels, law: Any) -> Derive:
         train: TrainNumbers,
     ) -> tuple[float, float]:
         seen = bound if sense * (angle - bound) > 0 else angle
-        inertia, first, load, _ = machine(seen, speed, sense, train.machine)
+        inertia, first, load, output = machine(seen, speed, sense, train.machine)
         ratio = train.one.ratio
         at_motor = speed * ratio
         # float: what NumPy gives to plain Python makes all that follows slow
@@ -159,6 +159,7 @@ def time_form(kernels: Kernels, law: Any) -> Derive:
         slopes[place + 3] = load * speed if inertia == inertia else inertia
         slopes[place + 4] = (taken + on_crank) * speed + drag * at_motor
         slopes[place + 5] = float(heat(at_motor, time, train.motor))
+        slopes[place + BESIDE] = output
         return speed, grown
 
     return derive

@@ -22,7 +22,7 @@ from cranktrain.questions.drive.running.equation import (
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.rest import kind_of_rest, let_go_at, sense_of_start
 from cranktrain.questions.drive.running.runs import Event, Run, Wanted, energy_account, run
-from cranktrain.questions.drive.running.step import N_STATE
+from cranktrain.questions.drive.running.step import N_STATE, ROW
 
 _STIFF = 1e-3
 """Slip time constant in parts of a turn, below which explicit steps are far shorter than the motion asks for."""
@@ -148,7 +148,7 @@ def _set_off(going: _Going, time: float, state: Array) -> tuple[float, float, in
 
 def _trouble(going: _Going, time: float, state: Array, sense: float) -> int:
     """Why a phase cannot begin; `GOING` where it can."""
-    slopes = np.zeros(N_STATE)
+    slopes = np.zeros(ROW)
     _, grown = going.parts.derive(time, state[0], state[1], sense, sense * np.inf, slopes, 0, going.train)
     if grown == grown:
         return GOING
@@ -184,12 +184,12 @@ def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array
     from scipy import integrate
 
     (derive, own), train, asked, method, _, _ = going
-    limits, slopes = asked.limits, np.empty(N_STATE)
+    limits, slopes = asked.limits, np.empty(ROW)
     bound = corner_ahead(state[0], sense, asked.corners, asked.period)
 
     def slope(time: float, state: Array) -> Array:
         derive(time, state[0], state[1], sense, bound, slopes, 0, train)
-        return slopes.copy()
+        return slopes[:N_STATE].copy()
 
     def stopped(_time: float, state: Array) -> float:
         return sense * state[1]

@@ -272,15 +272,19 @@ def _time_of(mark: list[float]) -> float:
 
 
 def run_all(kernels: Kernels, cases: list[tuple[DriveTrain, Wanted]], *, n_threads: int = 2) -> list[Run]:
-    """Run many machines of the same kernels, compiled, on several threads."""
-    first, rest = cases[0], cases[1:]
-    done = [run(kernels, *first)]
+    """Run many machines of the same kernels, compiled, on several threads: each has its own cases from the beginning.
 
-    def one(case: tuple[DriveTrain, Wanted]) -> Run:
-        return run(kernels, *case)
+    Handed out one by one they would wait for each other longer than half a short run takes.
+    """
+    done = [run(kernels, *case) for case in cases[:1]]  # compiles, which threads must not do at once
+    rest = cases[1:]
+
+    def some(first: int) -> list[Run]:
+        return [run(kernels, *case) for case in rest[first::n_threads]]
 
     with ThreadPoolExecutor(n_threads) as pool:
-        return done + list(pool.map(one, rest))
+        shares = list(pool.map(some, range(n_threads)))
+    return done + [shares[place % n_threads][place // n_threads] for place in range(len(rest))]
 
 
 def energy_account(drive: DriveTrain, inertias: tuple[float, float], start: Any, end: Any) -> tuple[float, float]:

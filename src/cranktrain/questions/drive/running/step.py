@@ -6,8 +6,10 @@ from typing import Any, TypeAlias
 from cranktrain.questions.drive.running.tableau import ERRORS, INTERPOLANT, NODES, WEIGHTS
 
 N_STATE = 6
-ROW = N_STATE
-"""How many slopes of a stage stand in a row."""
+BESIDE = N_STATE
+"""Where in a row a stage may leave what it knows besides its slopes."""
+ROW = N_STATE + 1
+"""How many numbers of a stage stand in a row."""
 
 Derive: TypeAlias = Callable[[float, float, float, float, float, Any, int, Any], tuple[float, float]]
 """(x, first, second, sense, bound, slopes, place, parts): writes the slopes of all components from a place on, of which

@@ -39,7 +39,7 @@ from cranktrain.questions.drive.running.endings import (
 )
 from cranktrain.questions.drive.running.equation import is_open
 from cranktrain.questions.drive.running.rest import kind_of_rest, set_off
-from cranktrain.questions.drive.running.step import N_STATE, ROW, error_of, integrate_along, take_step, within
+from cranktrain.questions.drive.running.step import BESIDE, N_STATE, ROW, error_of, integrate_along, take_step, within
 
 NOWHERE, AT_TIME, AT_CORNER = range(3)
 """Where a step is to land: wherever; at a break or the end of the run; at a corner of the load."""
@@ -117,7 +117,7 @@ def _begin_phase(derive: Any, kernels: Any, train: Any, asked: Any, course: Any,
     _, grown = derive(here[TIME], state[0], state[1], sense, here[BOUND], course.slopes, 0, train)
     if grown != grown:
         return LINKS_OPEN if is_open(course.slopes, 0) else GEARING_JAMS
-    output = kernels.machine(state[0], state[1], sense, train.machine)[3]
+    output = course.slopes[BESIDE]
     if output * here[OUTPUT] < 0:  # a corner that is a dead position too lies between two phases
         note(course, marks, DEAD_POSITION, here[TIME], state[0], state[1])
     here[OUTPUT] = output
@@ -266,7 +266,7 @@ def _note_on_the_way(
         if reached <= theta:
             part = step_to(derive, train, course, reached, width, 1, level)
             note(course, marks, SPEED_PASSED, here[TIME] + part, trial[0], trial[1])
-    now = kernels.machine(course.ahead[0], course.ahead[1], sense, train.machine)[3]
+    now = course.slopes[6 * ROW + BESIDE]
     if now * here[OUTPUT] < 0:
         dead = angle_of_dead_position(kernels.machine, train.machine, sense, state[0], course.ahead[0])
         at = passed_angle(course, width, dead)
