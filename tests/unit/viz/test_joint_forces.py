@@ -55,14 +55,26 @@ def test_sheet(results, name):
 
 @pytest.mark.parametrize("name", ROCKERS)
 def test_every_load_has_its_torque_at_the_crank(results, name):
-    """By virtual work, which the file's loads do: with a drive, too, where the drive's own result is drawn."""
+    """By virtual work, which the file's loads do; with a drive it is the drive's static torque at the crank, too."""
     panels = {panel.title: panel for panel in crank_panels(OneDesign(results[name], 0))}
     static = panels["Torque that the crank needs"].curves[0]
     assert static.symbol == "M_{st}"
     by_work = -np.sum(results[name].load_torque_on_crank, axis=0)
     np.testing.assert_allclose(static.values[:-1], by_work, atol=1e-10 * np.max(np.abs(by_work)))
+    if "static_torque" in results[name].catalogue:
+        of_drive = results[name].static_torque[-1]
+        np.testing.assert_allclose(static.values[:-1], of_drive, atol=1e-10 * np.max(np.abs(by_work)))
     words = [text for text, _box in words_of(sheet_forces(results[name]))]
     assert any("into the crank" in text and "opposite sign" in text for text in words)
+
+
+def test_a_load_that_goes_with_the_speed_is_as_at_the_declared_one():
+    """At rest, as the drive counts it, there is none; 100 N·m at 37.5 rpm, which is the declared speed."""
+    rub = {"on": "crank", "torque": "100 N*m", "at_turning": "37.5 rpm"}
+    result = ct.run(ct.load("tilting_table").with_({"load": {"rub": rub}}))
+    static, *_others = next(crank_panels(OneDesign(result, 0))).curves
+    np.testing.assert_allclose(static.values, 100.0, rtol=1e-10)
+    assert np.all(result.static_torque == 0.0)
 
 
 @pytest.fixture(scope="module", params=MACHINES)

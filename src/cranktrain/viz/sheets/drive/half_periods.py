@@ -43,6 +43,7 @@ def draw_half_periods(page: Page, axes: Axes, shown: OneDesign) -> None:
     foot = _ROW * (1 + max((one.row for one in placed), default=0)) + 1.0
     low, high = axes.get_ylim()
     axes.set_ylim(low - (high - low) * foot / (height - foot), high)
+    axes.set_yticks([tick for tick in axes.get_yticks() if low <= tick <= high])
     for angle, _words in changes:
         axes.axvline(angle, color=MUTED, linewidth=0.7, linestyle=(0, (3.0, 2.0)), zorder=1.5)
         axes.plot([angle], [0.0], "o", ms=4.5, mfc="white", mec=INK, mew=1.0, zorder=6, clip_on=False)

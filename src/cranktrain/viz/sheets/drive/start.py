@@ -13,7 +13,7 @@ from cranktrain.viz.figures import figure, power_of_ten, with_unit
 from cranktrain.viz.paper.head import title_block
 from cranktrain.viz.paper.page import MARGIN, Box, Figure, Page, drawing_settings, formula, paper
 from cranktrain.viz.paper.panels import axes_in
-from cranktrain.viz.paper.style import COLOURS, INK, MUTED
+from cranktrain.viz.paper.style import COLOURS, INK, MUTED, SYMBOL
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW, write_table
 from cranktrain.viz.sheets.drive.start_events import (
     STRIP,
@@ -64,7 +64,9 @@ def start_picture(start: Start, *, size: str = "A4") -> Figure:
     begin = box.left + _LEFT * box.width + 8.0
     right = Box(begin, box.bottom, box.left + box.width - begin, box.height)
     below = right.bottom + right.height
-    if start.time[-1] > start.time[0]:
+    if start.time[-1] <= start.time[0]:
+        right = right._replace(left=box.left)
+    else:
         _draw_over_time(page, start, sorts, left)
         if start.motor is not None:
             room = right._replace(bottom=below - _LOOP * right.height, height=_LOOP * right.height)
@@ -131,7 +133,7 @@ def _write_legend(page: Page, lines: tuple[_Line, ...], place: tuple[float, floa
     """Name the curves of a panel over its right end, where there are several."""
     x, y = place
     for line in reversed(lines) if len(lines) > 1 else ():
-        words = page.text(x, y, formula(line.symbol), ha="right", color=line.colour)
+        words = page.text(x, y, formula(line.symbol), ha="right", color=line.colour, fontsize=SYMBOL)
         begin, _end = page.ends(words)
         dashes = (0, line.dashes) if line.dashes else "-"
         page.sample(begin - 9.0, begin - 1.5, y + 0.9, color=line.colour, linewidth=1.4, linestyle=dashes)

@@ -27,12 +27,13 @@ class EventSort(NamedTuple):
 
 
 def event_sorts(events: Sequence[StartEvent]) -> list[EventSort]:
-    """Sort events by name, in the order in which each comes first; the rare ones are numbered."""
+    """Sort events by name: the rare ones, numbered, before the others, each in the order in which it first comes."""
     times: dict[str, list[float]] = {}
     for event in events:
         times.setdefault(event.name, []).append(event.time)
     rare = [name for name, own in times.items() if len(own) <= _FEW]
-    return [EventSort(name, rare.index(name) + 1 if name in rare else 0, tuple(own)) for name, own in times.items()]
+    numbered = [EventSort(name, number, tuple(times[name])) for number, name in enumerate(rare, start=1)]
+    return numbered + [EventSort(name, 0, tuple(own)) for name, own in times.items() if name not in rare]
 
 
 def draw_events(axes: Axes, sorts: Sequence[EventSort]) -> None:

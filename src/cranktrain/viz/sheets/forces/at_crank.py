@@ -27,7 +27,7 @@ class CrankTorques(NamedTuple):
 def crank_torques(shown: OneDesign) -> CrankTorques:
     """Split the driving torque of a machine, less what speeds the crank up, Jε.
 
-    With [drive] the static torque is the drive's own, of loads at rest.
+    What holds the loads is as at the declared speed, of loads and friction that go with it, too.
 
     Notes
     -----
@@ -38,7 +38,7 @@ def crank_torques(shown: OneDesign) -> CrankTorques:
     speed, acceleration = (part[min(shown.design, len(part) - 1), 0] for part in crank)
     inertia, slope, driving = (shown(name) for name in ("reduced_inertia", "reduced_inertia_slope", "driving_torque"))
     changing = 0.5 * slope * speed**2
-    held = shown("static_torque")[-1] if shown.has("static_torque") else driving - inertia * acceleration - changing
+    held = driving - inertia * acceleration - changing
     least = _NOTHING * max(map(_size, (held, changing, driving)))
     return CrankTorques(*(one if _size(one) > least else np.zeros(one.shape) for one in (held, changing)))
 
