@@ -20,14 +20,14 @@ MORE = {"plan brix-backward", "plan wittenbauer", "plan mertsalov"}
 
 
 def pictures_of(name: str) -> Iterator[tuple[str, object]]:
-    """Every picture that an example allows, drawn without further options, and its curves in a notebook."""
+    """Every picture that an example allows, drawn without further options, that of a start too, and its curves."""
     result = ct.run(name)
     yield "plot", result.plot()
     for picture in viz.PICTURES:
         if picture.kind != "file":
             try:
-                of = result.machines[0] if picture.over == "angles" else result
-                yield f"{picture.kind} {picture.name}", picture.function(of)
+                of = {"angles": lambda: result.machines[0], "cycle": lambda: result, "time": lambda: ct.start(name)}
+                yield f"{picture.kind} {picture.name}", picture.function(of[picture.over]())
             except ct.InputError:
                 continue
 

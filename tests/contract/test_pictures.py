@@ -71,6 +71,8 @@ def test_every_picture_is_drawn(tmp_path, picture):
         assert (tmp_path / "a.dxf").stat().st_size > 0
     elif picture.name == ".gif":
         assert draw(result, n_frames=2).startswith(b"GIF")
+    elif picture.over == "time":
+        assert draw(ct.start("tilting_table"), **options).axes
     elif picture.over == "angles":
         speed = {} if "speed" in picture.refused else {"speed": "constant"}
         assert draw(engine, [30.0], **options, **speed).axes

@@ -72,8 +72,7 @@ def _write(found: Start, file: MachineFile, request: StartRequest, suffix: str) 
     """Write curves or a picture."""
     assert request.output is not None
     if suffix in _PICTURES:
-        from cranktrain.viz import save
-        from cranktrain.viz.sheets.drive.start import start_picture
+        from cranktrain.viz import save, start_picture
 
         save(start_picture(found), request.output, force=request.force)
         return

@@ -20,14 +20,14 @@ class Picture:
 
     Attributes
     ----------
-    kind : "plan", "sheet" or "file"
+    kind : "plan", "sheet", "file" or "start"
     name : str
         As one asks for it; of a file the ending of its name.
     home : str
         The function that draws it, module:function.
-    over : "angles" or "cycle"
+    over : "angles", "cycle" or "time"
         At crank angles it is drawn of a machine, with `angles`, `mechanism`, `speed`; over the cycle of a result, with
-        `at` for one crank angle, and `piston`.
+        `at` for one crank angle, and `piston`; over the time of a start.
     needs : mapping of quantities to sentences
         What its result must have, and what is said where that is not there; {needs} is what the machine lacks.
     quantities : tuple of str, or None
@@ -41,10 +41,10 @@ class Picture:
         What else can be chosen for it.
     """
 
-    kind: Literal["plan", "sheet", "file"]
+    kind: Literal["plan", "sheet", "file", "start"]
     name: str
     home: str
-    over: Literal["angles", "cycle"]
+    over: Literal["angles", "cycle", "time"]
     needs: Mapping[str, str] = field(default_factory=dict[str, str])
     quantities: tuple[str, ...] | None = None
     refused: Mapping[str, str] = field(default_factory=dict[str, str])
@@ -62,7 +62,7 @@ class Picture:
             from cranktrain.io.description import units_of
             from cranktrain.quantities import shown_as_in
 
-            machine: Machine = of if self.over == "angles" else of.machines[0]
+            machine: Machine = self._machine_of(of)
             for quantity, sentence in self.needs.items():
                 if quantity not in of.catalogue:
                     needs = ", ".join(of.needs_of(quantity))
@@ -71,3 +71,9 @@ class Picture:
                 return draw(of, *arguments, **options)
 
         return drawn
+
+    def _machine_of(self, of: Any) -> "Machine":
+        """The machine of what it is drawn of."""
+        if self.over == "angles":
+            return of
+        return of.machine if self.over == "time" else of.machines[0]

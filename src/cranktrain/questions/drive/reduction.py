@@ -149,8 +149,8 @@ def _coefficients(
         rows = [inertia, weight, driven.first[:, 0]]
         for way in ways:
             along = loaded.load_way(way.load, angle)
-            rows.append((along.rate * along.rate if way.is_squared else along.rate)[:, 0])
-            rows += [along.place[:, 0]] if way.place >= 0 else []
+            rows.append(_by_angle(along.rate * along.rate if way.is_squared else along.rate))
+            rows += [_by_angle(along.place)] if way.place >= 0 else []
         if loaded.gas is not None and remembering:
             volume = loaded.gas.volume(angle).value
             rows += [volume[:, place] for filling in remembering for place in filling.places]
@@ -158,6 +158,11 @@ def _coefficients(
         return np.stack([np.broadcast_to(row, shape) for row in rows], axis=1)
 
     return at
+
+
+def _by_angle(values: Array | float) -> Array:
+    """What is of one link, shape (design, n) or (1, 1): the crank's own rate is 1 everywhere."""
+    return np.broadcast_to(values, np.broadcast_shapes(np.shape(values), (1, 1, 1)))[:, 0]
 
 
 def _reduced(loaded: LoadedMachine, motions: Sequence[Any]) -> tuple[Array, Array]:

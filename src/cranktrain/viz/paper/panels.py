@@ -92,17 +92,20 @@ def line_of(curve: Curve) -> dict[str, object]:
     return {"color": colour, "linewidth": pen.width, "linestyle": (0, dashes) if dashes else "-"}
 
 
-def draw_panels(page: Page, panels: Sequence[Panel], box: Box, look: Look) -> None:
-    """Stack panels over one crank angle in a room."""
+def draw_panels(page: Page, panels: Sequence[Panel], box: Box, look: Look) -> list[Axes]:
+    """Stack panels over one crank angle in a room; give the axes of each."""
+    drawn: list[Axes] = []
     each = min((box.height - _FOOT - look.head - look.gap * (len(panels) - 1)) / len(panels), look.tallest)
     low = box.bottom + box.height - look.head + look.gap
     for place, panel in enumerate(map(as_shown, panels), start=1):
         low -= each + look.gap
         axes = axes_in(page, Box(box.left, low, box.width, each), look.beside)
         _draw_panel(axes, panel, look)
+        drawn.append(axes)
         axes.tick_params(labelbottom=place == len(panels))
         _write_head(page, panel, (box.left, box.left + box.width, low + each + look.lift), look)
     page.text(box.left + box.width / 2, low - _FOOT, _("Crank angle φ, °"), ha="center")
+    return drawn
 
 
 def draw_curves(axes: Axes, panel: Panel) -> None:

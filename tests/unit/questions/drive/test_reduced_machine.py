@@ -26,6 +26,20 @@ def test_takes_the_torque_that_all_joints_give(name):
     np.testing.assert_allclose(taken, torque, rtol=0, atol=2e-9 * np.max(np.abs(torque)))
 
 
+@pytest.mark.parametrize(
+    ("load", "taken"),
+    [
+        ({"torque": "100 N*m"}, 100.0),
+        ({"torque": "-100 N*m", "sense": "active"}, 100.0),
+        ({"force": "400 N", "along": "250 mm"}, 100.0),
+    ],
+)
+def test_load_on_the_crank_itself(load, taken):
+    """It turns at the crank's own rate, 1: a moment is a torque on the crank, and a force one by its arm."""
+    result = ct.run(ct.load("tilting_table").with_({"load": {"rub": {"on": "crank", **load}}}))
+    np.testing.assert_allclose(result.static_torque[-1], taken, rtol=1e-12)
+
+
 def _phi(result):
     """φ of the grid. [rad]"""
     from cranktrain.analysis.parts import parts_of

@@ -14,4 +14,5 @@ PICTURES = (
         needs={"static_torque": N_("a sheet of the drive needs [drive] {needs}")},
         refused={"at": _WHOLE, "mechanism": _WHOLE},
     ),
+    Picture("start", "start", "cranktrain.viz.sheets.drive.start:start_picture", "time"),
 )

@@ -33,8 +33,8 @@ def drive_panels(shown: OneDesign) -> Iterator[Panel]:
             angle,
             (Curve(torque, "whole", "T", "M_m"), Curve(effective, "mean", "F", "M_{eff}")),
         )
-        speed = Curve(closed(shown("motor_speed")) * (60 / (2 * np.pi)), "first", "v", "n_m")
-        yield Panel(_("Speed of the motor, rpm"), "1", angle, (speed,), "n_m")
+        speed = Curve(closed(shown("motor_speed")), "first", "v", "n_m")
+        yield Panel(_("Speed of the motor"), "rpm", angle, (speed,), "n_m")
 
 
 def runs(shown: OneDesign) -> bool:

@@ -14,6 +14,7 @@ from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings
 from cranktrain.viz.paper.panels import FORCES, draw_panels
 from cranktrain.viz.paper.tables import write_table
+from cranktrain.viz.sheets.drive.half_periods import draw_half_periods
 from cranktrain.viz.sheets.drive.panels import drive_panels, runs
 from cranktrain.viz.sheets.drive.torque_speed import draw_torque_speed
 
@@ -21,7 +22,6 @@ _LEFT = 0.55
 """Share of the curves over the crank angle in the width."""
 _LOOP = 0.5
 """Share of the motor's curve in the height."""
-_RPM = 60 / (2 * np.pi)
 _NOTHING = 1e-9
 """Of what stands beside it: less is rounding."""
 _LOOK = FORCES._replace(has_zero=False)
@@ -48,7 +48,8 @@ def sheet_drive(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
     shown = OneDesign(result, design)
     page, box = result_page(result, design, size, _("Drive"))
     left = box._replace(left=box.left + 14.0, width=_LEFT * box.width - 20.0)
-    draw_panels(page, list(drive_panels(shown)), left, _LOOK)
+    at_motor, *_others = draw_panels(page, list(drive_panels(shown)), left, _LOOK)
+    draw_half_periods(page, at_motor, shown)
     start = box.left + _LEFT * box.width + 8.0
     right = Box(start, box.bottom, box.left + box.width - start, box.height)
     below = right.bottom + right.height
@@ -82,7 +83,7 @@ def _facts(shown: OneDesign) -> Iterator[tuple[str, str]]:
     yield of(_("flywheel moment of the drive alone"), "gear_flywheel_moment", "kg*m^2", 0)
     if not runs(shown):
         return
-    yield _("mean speed"), f"{figure(float(shown('mean_motor_speed')) * _RPM)} rpm"
+    yield of(_("mean speed"), "mean_motor_speed", "rpm")
     yield _("coefficient of fluctuation"), figure(float(shown("drive_fluctuation")))
     yield of(_("largest torque of the motor"), "largest_motor_torque", "N*m")
     yield of(_("smallest torque of the motor"), "smallest_motor_torque", "N*m")

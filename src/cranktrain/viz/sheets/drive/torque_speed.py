@@ -12,7 +12,6 @@ from cranktrain.viz.paper.style import COLOURS, INK, MUTED
 
 _BEYOND = 1.1
 """Of the motor's top speed; so far its curve is drawn."""
-_RPM = 60 / (2 * np.pi)
 
 
 def draw_torque_speed(
@@ -35,19 +34,19 @@ def draw_torque_speed(
     end = _BEYOND * max(top if np.isfinite(top) else 0.0, float(np.max(way[0])))
     speeds = np.linspace(min(0.0, float(np.min(way[0]))), end, 801)
     torques = motor.torque(np.broadcast_to(speeds, (motor.n_designs, speeds.size)))[design]
-    scale = scale_for("N*m", float(np.nanmax(np.abs(torques))))
+    scale, turning = scale_for("N*m", float(np.nanmax(np.abs(torques)))), scale_for("rpm", end)
     page.heading(
         room.left,
         room.bottom + room.height - 5.0,
-        _("Torque of the motor over its speed, {unit} over rpm").format(unit=scale.label),
+        _("Torque of the motor over its speed, {unit} over {speed}").format(unit=scale.label, speed=turning.label),
     )
     axes = axes_in(page, Box(room.left + 13.0, room.bottom + 15.0, room.width - 15.0, room.height - 24.0))
     axes.axhline(0.0, color=MUTED, linewidth=0.6, zorder=1)
-    axes.plot(speeds * _RPM, scale.of(torques), color=INK, linewidth=0.9, linestyle=(0, (6.0, 2.0)))
-    axes.plot(way[0] * _RPM, scale.of(way[1]), color=COLOURS["T"], linewidth=1.7)
+    axes.plot(turning.of(speeds), scale.of(torques), color=INK, linewidth=0.9, linestyle=(0, (6.0, 2.0)))
+    axes.plot(turning.of(way[0]), scale.of(way[1]), color=COLOURS["T"], linewidth=1.7)
     rated = motor.rating
     if np.isfinite(rated.torque[design]):
-        point = (float(rated.speed[design]) * _RPM, float(scale.of(rated.torque[design])))
+        point = (float(turning.of(rated.speed[design])), float(scale.of(rated.torque[design])))
         axes.plot(*point, "o", ms=4.0, mfc="white", mec=INK, mew=1.0, zorder=5)
     x, y = room.left, room.bottom + 4.0
     for words, line in (

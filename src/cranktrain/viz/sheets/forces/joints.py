@@ -1,4 +1,4 @@
-"""Forces of a mechanism without a piston's: reactions in its joints, what inertia does at the crank, polar diagrams."""
+"""Forces of a mechanism without a piston's: reactions in its joints as curves, as polar diagrams and as a table."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -15,6 +15,8 @@ from cranktrain.viz.sheets.crankshaft.panels import PolarCurve, PolarDiagram
 _ROLES: tuple[Role, ...] = ("main", "side", "radial", "resultant")
 _LETTERS = ("T", "N", "K", "F")
 _POLAR = 2
+MOST_CURVES = 3 * len(_ROLES)
+"""Joints whose reactions are drawn as curves."""
 _NOTHING = 1e-9
 """Of the largest force: less is rounding."""
 _ALIKE = 1e-3
@@ -64,8 +66,8 @@ def joint_forces(shown: OneDesign, mechanism: str) -> list[JointForce]:
 
 
 def joint_panels(shown: OneDesign, joints: Sequence[JointForce]) -> Iterator[Panel]:
-    """Collect the curves over the crank angle: reactions in all joints, four to a panel; inertia at the crank."""
-    for first in range(0, len(joints), len(_ROLES)):
+    """Collect the curves over the crank angle: reactions in the joints that bear most, four to a panel."""
+    for first in range(0, min(len(joints), MOST_CURVES), len(_ROLES)):
         chosen = joints[first : first + len(_ROLES)]
         curves = tuple(
             Curve(joint.size, role, letter, f"R_{{{joint.number}}}")
@@ -73,13 +75,6 @@ def joint_panels(shown: OneDesign, joints: Sequence[JointForce]) -> Iterator[Pan
         )
         title = _("Reactions in other joints") if first else _("Reactions in the joints")
         yield Panel(title, "N", shown.cycle, curves)
-    if shown.has("static_torque"):
-        static = Curve(closed(shown("static_torque")[-1]), "whole", "T", "M_{st}")
-        yield Panel(_("Static torque at the crank"), "N*m", shown.cycle, (static,))
-    if shown.has("reduced_inertia") and np.any(shown("reduced_inertia")):
-        inertia = Curve(closed(shown("reduced_inertia")), "main", "s", "J")
-        slope = Curve(closed(shown("reduced_inertia_slope")), "side", "v", "J'")
-        yield Panel(_("Reduced inertia, and its slope by the angle"), "kg*m^2", shown.cycle, (inertia, slope))
 
 
 def joint_diagrams(shown: OneDesign, joints: Sequence[JointForce]) -> list[PolarDiagram]:
@@ -103,7 +98,7 @@ def force_scale(joints: Sequence[JointForce]) -> Scale:
 
 
 def joint_rows(shown: OneDesign, joints: Sequence[JointForce]) -> Iterator[tuple[str, ...]]:
-    """Rows of the table: which joint has which number, its largest reaction and where, its smallest."""
+    """Rows of the table: a head; which joint has which number, its largest reaction and where, its smallest."""
     unit = force_scale(joints)
     yield _("Joint, {unit}").format(unit=unit.label), _("largest"), _("at"), _("smallest")
     for joint in joints:

@@ -6,18 +6,16 @@ from textwrap import wrap
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.questions.forces.carriers import carriers_of
-from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.page import LINE, MARGIN, Box, Figure, Page, drawing_settings, mathematics
+from cranktrain.viz.paper.page import LINE, MARGIN, Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.panels import FORCES, axes_in, draw_curves, draw_panels
 from cranktrain.viz.paper.style import TEXT
-from cranktrain.viz.paper.tables import write_table
+from cranktrain.viz.paper.tables import LEAST_ROW, ROW, write_table
 from cranktrain.viz.sheets.crankshaft.polar import draw_diagrams
+from cranktrain.viz.sheets.forces.at_crank import crank_panels
 from cranktrain.viz.sheets.forces.joints import (
     JointForce,
     force_scale,
@@ -26,15 +24,23 @@ from cranktrain.viz.sheets.forces.joints import (
     joint_panels,
     joint_rows,
 )
-from cranktrain.viz.sheets.forces.panels import force_panels, formula_error, has_forces, is_off
+from cranktrain.viz.sheets.forces.notes import force_notes
+from cranktrain.viz.sheets.forces.panels import force_panels, has_forces
 from cranktrain.viz.sheets.gas.panels import chambers_of, indicator_panel
-from cranktrain.viz.sheets.torque.orders import draw_orders, draw_stars
+from cranktrain.viz.sheets.torque.orders import ORDERS, draw_orders, draw_stars
 
 _LEFT = 0.55
 """Share of the curves over the crank angle in the width."""
 
 _POLAR = 0.27
 """Share of the polar diagrams in the height."""
+
+_LEAST_POLAR = 34.0
+"""Height of the polar diagrams beside a table of many joints. [mm]"""
+_SCALE = 10.0
+"""Under the diagrams, for their scale. [mm]"""
+_HEADS = 20.0
+"""What heads, rules and ticks of the table and of the torque's orders need. [mm]"""
 
 _LETTERS = 68
 """Letters in a line of notes, for each 100 mm."""
@@ -68,16 +74,18 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
     name = _piston(result, piston)
     joints = [] if name is not None and has_forces(result, name) else _joints(shown, name)
     page, box = result_page(result, design, size, _("Forces"))
-    curves = box._replace(left=box.left + 12.0, width=_LEFT * box.width - 18.0)
-    own = list(joint_panels(shown, joints)) if joints else []
-    draw_panels(page, [*own, *force_panels(result, name, design)], curves, FORCES)
     left, right = box.left + _LEFT * box.width + 12.0, box.left + box.width
     below = _draw_indicator(page, shown, name, (left, right, box.bottom + box.height))
     if joints:
         below = _draw_joints(page, shown, joints, (left - 8.0, right, below))
     below = draw_orders(page, shown, left, right, below)
     below = draw_stars(page, shown, left, right, below)
-    _write_notes(page, shown, name, (left - 8.0, right, below))
+    rest = _write_notes(page, list(force_notes(shown, name, joints)), (left - 8.0, right, below - 3.0))
+    curves = box._replace(left=box.left + 12.0, width=_LEFT * box.width - 18.0)
+    foot = _write_foot(page, rest, curves)
+    own = [*joint_panels(shown, joints), *crank_panels(shown)] if joints else []
+    above = curves._replace(bottom=curves.bottom + foot, height=curves.height - foot)
+    draw_panels(page, [*own, *force_panels(result, name, design)], above, FORCES)
     return page.figure
 
 
@@ -100,23 +108,24 @@ def _joints(shown: OneDesign, piston: str | None) -> list[JointForce]:
 def _draw_joints(
     page: Page, shown: OneDesign, joints: Sequence[JointForce], place: tuple[float, float, float]
 ) -> float:
-    """Draw polar diagrams of the most loaded joints over a table of all; give where it ends. [mm]"""
+    """Draw polar diagrams of the most loaded joints over a table of all; give where it ends. [mm]
+
+    Diagrams, then rows are made smaller where there are many joints; those that bear least may find no room.
+    """
     left, right, top = place
-    height = _POLAR * page.height
+    head, *rows = joint_rows(shown, joints)
+    free = top - MARGIN - _SCALE - _HEADS - ORDERS * page.height
+    line = ROW if free - _POLAR * page.height >= (len(rows) + 1) * ROW else LEAST_ROW
+    n_most = int((free - _LEAST_POLAR) / line) - 1
+    if len(rows) > n_most:
+        left_out = _("and {n} that bear less").format(n=len(rows) - n_most + 1)
+        rows = [*rows[: n_most - 1], (left_out, "", "", "")]
+    height = min(_POLAR * page.height, free - (len(rows) + 1) * line)
     room = Box(left, top - height, right - left, height)
     words = draw_diagrams(page, joint_diagrams(shown, joints), room, force_scale(joints))
     page.notes(left, room.bottom - 3.0, wrap(words, int(room.width * _LETTERS / 100.0)))
-    rows = list(joint_rows(shown, joints))
-    below = write_table(page, rows, (left, room.bottom - 10.0, room.width), (0.66, 0.8, 1.0))
+    below = write_table(page, [head, *rows], (left, room.bottom - _SCALE, room.width), (0.66, 0.8, 1.0), line)
     return below - 2.0
-
-
-def _master_of(result: Result, piston: str) -> str | None:
-    """Whose rod a piston's hangs on; None for one that hangs on none."""
-    carriers = carriers_of(result.machines[0].places)
-    names = [place.name for place in result.machines[0].places]
-    master = int(carriers.master[names.index(piston)])
-    return names[master] if master >= 0 else None
 
 
 def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tuple[float, float, float]) -> float:
@@ -146,50 +155,23 @@ def _means(shown: OneDesign, piston: str) -> Iterator[str]:
         yield words.format(side=side, mean=with_unit(mean, scale_for("Pa", abs(mean))))
 
 
-def _write_notes(page: Page, shown: OneDesign, piston: str | None, place: tuple[float, float, float]) -> None:
-    """Say what the curves rest on, as far as there is room."""
+def _write_notes(page: Page, notes: Sequence[str], place: tuple[float, float, float]) -> Sequence[str]:
+    """Say what the curves rest on, note by note; give those that find no room. [mm]"""
     left, right, top = place
-    room = int((top - MARGIN) / LINE)
+    room = int((top - MARGIN) / LINE) + 1
     fitting: list[str] = []
-    for note in _notes(shown, piston):
+    for number, note in enumerate(notes):
         lines = wrap(note, int((right - left) * _LETTERS / 100.0))
-        fitting += lines if len(fitting) + len(lines) <= room else []
-    page.notes(left, top - 3.0, fitting)
+        if len(fitting) + len(lines) > room:
+            page.notes(left, top, fitting)
+            return notes[number:]
+        fitting += lines
+    page.notes(left, top, fitting)
+    return ()
 
 
-def _on_forces(shown: OneDesign, piston: str) -> Iterator[str]:
-    """Sentences on a piston's forces: whose rod they are of, and by how much the formula is off."""
-    master = _master_of(shown.result, piston)
-    if master is not None:
-        yield _(
-            "{piston} hangs on the rod of {master}: {radial}, {tangential} are what the crank pin bears of it."
-        ).format(piston=piston, master=master, radial=mathematics("K_i"), tangential=mathematics("T_i"))
-        return
-    yield _("P, S, N, K, T: by the reactions in the joints, K without the rod's rotating mass.")
-    errors = {"N": "side_force_formula_error", "T": "tangential_force_formula_error"}
-    said = [
-        _("{error} in {symbol}").format(
-            error=with_unit(formula_error(shown, piston, name), scale_for("%", 1.0)), symbol=symbol
-        )
-        for symbol, name in errors.items()
-        if is_off(shown, piston, name)
-    ]
-    if said:
-        yield _("f: the textbook's P·f(β), off by up to {errors}.").format(errors=", ".join(said))
-
-
-def _notes(shown: OneDesign, piston: str | None) -> Iterator[str]:
-    """Sentences on what is shown: what it leaves out first, as the last ones may find no room."""
-    result = shown.result
-    masses = result[LoadedMachine].masses
-    if (said := result[LoadedMachine].without_mass()) is not None:
-        yield said
-    if masses.assumed:
-        yield _("Rods without a given inertia have that of two masses at their ends.")
-    gas = result.get(GasPressures)
-    yield from () if gas is None else gas.flags
-    if piston is not None and has_forces(result, piston):
-        yield from _on_forces(shown, piston)
-    yield _("Torque: reactions of rigid links, each mechanism's thin.")
-    if result.labels.get("cylinder"):
-        yield _("Filled bars: orders in which all cylinders add up.")
+def _write_foot(page: Page, notes: Sequence[str], below: Box) -> float:
+    """Write notes at the foot of a room, under what is drawn in it; give how high they are. [mm]"""
+    lines = [line for note in notes for line in wrap(note, int(below.width * _LETTERS / 100.0))]
+    page.notes(below.left, below.bottom + LINE * (len(lines) - 1), lines)
+    return LINE * len(lines) + 2.0 if lines else 0.0

@@ -12,6 +12,9 @@ from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED
 from cranktrain.viz.sheets.torque.panels import STARS, largest_stars, order_bars
 
+ORDERS = 0.16
+"""Share of the torque's orders in the height."""
+
 _RADIUS, _NAME = 8.0, 12.0
 """Of a star, and of the names round it. [mm]"""
 
@@ -44,7 +47,7 @@ def draw_orders(page: Page, shown: OneDesign, left: float, right: float, top: fl
     if not np.any(amplitude):
         page.heading(left, top - 3.0, _("The orders of the torque up to {most:g} cancel").format(most=last))
         return top - 7.0
-    height = 0.16 * page.height
+    height = ORDERS * page.height
     axes = axes_in(page, Box(left, top - 5.0 - height, right - left, height))
     colours = np.where(is_major, COLOURS["T"], "white").tolist()
     width = 0.7 * float(order[1] - order[0])
