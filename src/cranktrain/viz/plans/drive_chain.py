@@ -105,7 +105,7 @@ def _shafts(chain: Sequence[DriveShaft], seats: Sequence[Seat], letter: str) -> 
         beyond = 0.35 * apart if shafts_apart(shaft.elements[-1].symbol) else 0.0
         sketch = Sketch(1.0)
         sketch.add([line([(begin, level), (seats[last].x + beyond, level)])])
-        between = seats[first].x + (-0.5 if number > 1 else 0.5) * apart
+        between = seats[first].x + (-0.5 if number > 1 else 0.5 if last > first else -0.3) * apart
         if len(chain) > 1 or last > first:
             sketch.add([Label(np.array([between, level + _NUMERAL]), roman(number))])
         if number == len(chain) and letter:

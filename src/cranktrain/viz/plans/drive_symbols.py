@@ -52,7 +52,9 @@ def shafts_apart(symbol: str) -> float:
 
 def crank_mark(centre: Array, scale: float) -> list[Circle]:
     """Rings that mark the crank's shaft, in the chain and in the mechanism, with so many mm to one of paper."""
-    return [Circle(centre, radius * scale, "DRIVE", "outline", 8 - i, "paper") for i, radius in enumerate(_RING)]
+    inner, outer = _RING
+    ring = Circle(centre, outer * scale, "DRIVE", "outline", 7)
+    return [ring, Circle(centre, inner * scale, "DRIVE", "outline", 8, "paper")]
 
 
 def line(points: list[tuple[float, float]], habit: Habit = "outline", fill: Fill = "none") -> Line:
