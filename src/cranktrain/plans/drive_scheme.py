@@ -7,13 +7,50 @@ import numpy as np
 
 from cranktrain.language import N_, _
 from cranktrain.machine import Machine
-from cranktrain.questions.drive.motor_tables import motor_of
+from cranktrain.motion import Array
+from cranktrain.questions.drive.clutched.spec import BrakeSpec, ClutchSpec
+from cranktrain.questions.drive.motor_tables import AnyMotor, motor_of
 from cranktrain.questions.drive.shafts import shaft_number
-from cranktrain.questions.drive.spec import DriveSpec, StageSpec
+from cranktrain.questions.drive.spec import DriveSpec, PartSpec, StageKind, StageSpec
 
-Symbol: TypeAlias = Literal["motor", "disc", "brake", "clutch", "stage", "crank"]
+Symbol: TypeAlias = Literal["motor", "disc", "brake", "clutch", "stage", "crank"] | StageKind
 
-_STAGE, _WORM, _BRAKE, _CLUTCH = N_("gear"), N_("worm gear"), N_("brake"), N_("clutch")
+STAGES = {
+    "gear": N_("gear"),
+    "worm": N_("worm gear"),
+    "belt": N_("belt"),
+    "chain": N_("chain drive"),
+    "coupling": N_("coupling"),
+    "linkage": N_("linkage"),
+    "stage": N_("stage, its kind not said"),
+}
+"""What stages are called, by symbol."""
+
+MEANINGS = {
+    "P": N_("rated power"),
+    "n": N_("rated speed"),
+    "Mₘₐₓ": N_("breakdown torque"),
+    "Mₚ": N_("peak torque"),
+    "M": N_("torque while it slips"),
+    "Mₛ": N_("torque that it holds"),
+    "GD²": N_("flywheel moment"),
+    "J": N_("moment of inertia"),
+    "i": N_("ratio"),
+    "η": N_("efficiency toward the crank"),
+    "η′": N_("efficiency from the crank"),
+    "M₀": N_("drag at the input"),
+}
+"""What the letters of facts stand for; docs/theory/drive and docs/theory/transient write M_b, η_f and η_b."""
+
+_BRAKE, _CLUTCH, _FLYWHEEL, _CRANK = N_("brake"), N_("clutch"), N_("flywheel"), N_("crank shaft")
+
+
+class Fact(NamedTuple):
+    """A number with its letter and its SI unit."""
+
+    letter: str
+    value: float
+    unit: str
 
 
 class DriveElement(NamedTuple):
@@ -22,27 +59,36 @@ class DriveElement(NamedTuple):
     Attributes
     ----------
     symbol : Symbol
+        "stage" of one whose kind is not said.
     words : str
         What it is.
-    value : float
-        Of a motor and of the crank the speed, at the declared one of the crank; of a part the inertia; of clutch and
-        brake the torque while it slips; of a stage the ratio. NaN where it is not known. [rad/s, kg·m², N·m, 1]
-    unit : str
-    efficiency : float
-        Of a stage, toward the crank. [1]
+    facts : tuple of Fact
+        What the file has of it; the letters are those of `MEANINGS`.
+    ratio : float
+        Of a stage; 1 of all else.
     """
 
     symbol: Symbol
     words: str
-    value: float
-    unit: str
-    efficiency: float = 1.0
+    facts: tuple[Fact, ...] = ()
+    ratio: float = 1.0
 
 
 class DriveShaft(NamedTuple):
-    """A shaft with what stands on it from the motor's side on; a stage ends each but the last, the crank's."""
+    """A shaft with what stands on it from the motor's side on; a stage ends each but the last, the crank's.
+
+    Attributes
+    ----------
+    elements : tuple of DriveElement
+    speed : float
+        At the declared speed of the crank; NaN where it has none, or a wanted motion. [rad/s]
+    inertia : float
+        Of what turns with it, by `[drive]` and `[evenness]`; a clutch locked. [kg·m²]
+    """
 
     elements: tuple[DriveElement, ...]
+    speed: float
+    inertia: float
 
 
 def drive_chain(machine: Machine) -> tuple[DriveShaft, ...]:
@@ -60,40 +106,88 @@ def drive_chain(machine: Machine) -> tuple[DriveShaft, ...]:
     spec: DriveSpec | None = machine.drive
     if spec is None:
         return ()
-    n_stages = len(spec.stage)
-    main = machine.shaft.get("main")
-    crank_speed = np.nan if main is None or main.speed is None else main.speed.si
     behind = np.append(np.cumprod([stage.ratio.si for stage in spec.stage][::-1])[::-1], 1.0)
-    shafts: list[DriveShaft] = []
-    for place in range(n_stages + 1):
-        elements = list(_on_shaft(spec, place, n_stages))
-        if place < n_stages:
-            elements.append(_of_stage(spec.stage[place]))
-        else:
-            elements.append(DriveElement("crank", _("crank"), float(crank_speed), "rad/s"))
-        if place == 0 and spec.motor is not None:
-            title = _(motor_of(spec.motor).motor.title)
-            elements.insert(0, DriveElement("motor", title, float(crank_speed * behind[0]), "rad/s"))
-        shafts.append(DriveShaft(tuple(elements)))
-    return tuple(shafts)
+    speeds = _crank_speed(machine) * behind
+    return tuple(_shaft(machine, spec, place, float(speed)) for place, speed in enumerate(speeds))
+
+
+def _crank_speed(machine: Machine) -> float:
+    """Declared speed of a crank that turns at one; NaN of others. [rad/s]"""
+    main = machine.shaft.get("main")
+    return np.nan if main is None or main.speed is None or main.motion is not None else main.speed.si
+
+
+def _shaft(machine: Machine, spec: DriveSpec, place: int, speed: float) -> DriveShaft:
+    """A shaft by how many stages stand before it."""
+    is_last = place == len(spec.stage)
+    elements = list(_on_shaft(spec, place, len(spec.stage)))
+    inertias = [fact.value for one in elements for fact in one.facts if fact.letter == "J"]
+    own = machine.evenness.inertia if is_last and machine.evenness is not None else None
+    if own is not None:
+        elements.append(DriveElement("disc", _(_FLYWHEEL), (Fact("J", _first(own), "kg*m^2"),)))
+        inertias.append(_first(own))
+    elements.append(DriveElement("crank", _(_CRANK)) if is_last else _of_stage(spec.stage[place]))
+    return DriveShaft(tuple(elements), speed, sum(inertias))
 
 
 def _on_shaft(spec: DriveSpec, place: int, n_stages: int) -> Iterator[DriveElement]:
-    """What turns with a shaft by its own name, and clutch and brake."""
+    """Motor, what turns with a shaft by its own name, clutch and brake."""
     brake, clutch = spec.brake, spec.clutch
+    if place == 0 and spec.motor is not None:
+        yield DriveElement("motor", _(motor_of(spec.motor).motor.title), tuple(_of_motor(spec.motor)))
     for name, part in spec.part.items():
         if shaft_number(part.on) == place:
-            inertia = float(np.ravel(part.moment)[0])
-            yield DriveElement("disc", name.replace("_", " "), inertia, "kg*m^2")
+            yield DriveElement(
+                "disc", name.replace("_", " "), tuple(_of_rotor(part.moment, is_moment=_is_moment(part)))
+            )
     of_clutch = None if clutch is None else shaft_number(clutch.on)
     places = {"motor": 0, "clutch": of_clutch, "crank": n_stages}
     if clutch is not None and of_clutch == place:
-        yield DriveElement("clutch", _(_CLUTCH), clutch.torque.si, "N*m")
+        driven = (Fact("J", clutch.driven_inertia.si, "kg*m^2"),) if clutch.driven_inertia.si > 0 else ()
+        yield DriveElement("clutch", _(_CLUTCH), (*_of_grip(clutch), *driven))
     if brake is not None and places[brake.on] == place:
-        yield DriveElement("brake", _(_BRAKE), brake.torque.si, "N*m")
+        yield DriveElement("brake", _(_BRAKE), tuple(_of_grip(brake)))
+
+
+def _of_motor(motor: AnyMotor) -> Iterator[Fact]:
+    """Rated point, largest torque and rotor of a motor, as far as its table has them."""
+    rating, largest = motor_of(motor).rating, motor.largest_torque
+    letter = "Mₚ" if motor.kind == "servo" else "Mₘₐₓ"
+    facts = [Fact("P", _first(rating.power), "W"), Fact("n", _first(rating.speed), "rad/s")]
+    facts += [] if largest is None else [Fact(letter, _first(largest), "N*m")]
+    yield from (fact for fact in facts if np.isfinite(fact.value))
+    if motor.rotor_inertia is not None:
+        yield from _of_rotor(motor.rotor_inertia, is_moment=motor.flywheel_moment is not None)
+
+
+def _is_moment(part: PartSpec) -> bool:
+    """Whether a part is given by its flywheel moment."""
+    return part.flywheel_moment is not None
+
+
+def _of_rotor(inertia: Array, *, is_moment: bool) -> Iterator[Fact]:
+    """Inertia of what turns, beside its flywheel moment if that is how it is given."""
+    if is_moment:
+        yield Fact("GD²", 4 * _first(inertia), "kg*m^2")
+    yield Fact("J", _first(inertia), "kg*m^2")
+
+
+def _of_grip(grip: ClutchSpec | BrakeSpec) -> Iterator[Fact]:
+    """Torques of a clutch or brake."""
+    yield Fact("M", grip.torque.si, "N*m")
+    if grip.static_torque is not None:
+        yield Fact("Mₛ", grip.static_torque.si, "N*m")
 
 
 def _of_stage(stage: StageSpec) -> DriveElement:
-    """A stage with its ratio and efficiency."""
-    words = _(_STAGE) if stage.lead_angle is None else _(_WORM)
-    return DriveElement("stage", words, stage.ratio.si, "1", float(np.ravel(stage.efficiencies[0])[0]))
+    """A stage with its ratio, its efficiencies both ways, and what it takes whatever it passes on."""
+    symbol = stage.kind or ("stage" if stage.lead_angle is None else "worm")
+    forward, back = (_first(one) for one in stage.efficiencies)
+    facts = [Fact("i", stage.ratio.si, "1"), Fact("η", forward, "1"), Fact("η′", back, "1")]
+    facts += [Fact("M₀", stage.drag.si, "N*m")] if stage.drag.si > 0 else []
+    return DriveElement(symbol, _(STAGES[symbol]), tuple(facts), stage.ratio.si)
+
+
+def _first(number: Array) -> float:
+    """Number of the first design."""
+    return float(np.ravel(number)[0])

@@ -69,15 +69,25 @@ def _of_gear(machine: Machine) -> Iterator[tuple[str, object]]:
 
 def _of_masses(machine: Machine, place: PlacedMechanism) -> Iterator[tuple[str, object]]:
     """The rod, and what turns about the fixed pivots: inertia about its centre of mass and its mass at its distance."""
-    (bodies,) = (batch.bodies for batch in masses_of((place,), machine.weighed, 1).batches)
-    moving = dict(zip(place.kind.dynamics.moving, bodies, strict=True))
-    crank, rod, rocker = (tuple(float(np.ravel(one)[0]) for one in moving[name]) for name in ("crank", "rod", "rocker"))
-    about = [own + mass * (along**2 + across**2) for mass, along, across, own in (crank, rocker)]
-    yield "J", _written(about[0], "kg*m^2")
-    yield "GD2_O1", _written(4 * about[1], "kg*m^2")
+    rod = _body(machine, place, "rod")
+    yield "J", _written(inertia_about_pivot(machine, place, "crank"), "kg*m^2")
+    yield "GD2_O1", _written(4 * inertia_about_pivot(machine, place, "rocker"), "kg*m^2")
     if rod[0] > 0:
         values = zip(("m", "p", "q", "I"), rod, ("kg", "m", "m", "kg*m^2"), strict=True)
         yield from ((symbol, _written(value, unit)) for symbol, value, unit in values)
+
+
+def inertia_about_pivot(machine: Machine, place: PlacedMechanism, link: str) -> float:
+    """Moment of inertia of a crank or rocker about its fixed pivot, 0 of one without mass. [kg·m²]"""
+    mass, along, across, own = _body(machine, place, link)
+    return own + mass * (along**2 + across**2)
+
+
+def _body(machine: Machine, place: PlacedMechanism, link: str) -> tuple[float, ...]:
+    """Mass, place along and across, and inertia of a link. [kg, m, m, kg·m²]"""
+    (bodies,) = (batch.bodies for batch in masses_of((place,), machine.weighed, 1).batches)
+    body = dict(zip(place.kind.dynamics.moving, bodies, strict=True))[link]
+    return tuple(float(np.ravel(one)[0]) for one in body)
 
 
 def _of_loads(machine: Machine, place: PlacedMechanism) -> Iterator[tuple[str, object]]:

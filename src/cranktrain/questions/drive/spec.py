@@ -1,7 +1,7 @@
 """The table [drive] of the machine file: what drives the crank, through which gearing, and how it starts."""
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated
+from typing import Annotated, Literal, TypeAlias
 
 import numpy as np
 from pydantic import Field
@@ -35,14 +35,22 @@ GearAngle = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0)]
 Drag = Annotated[Given, Quantity(Dimension.TORQUE, at_least=0.0)]
 Tolerance = Annotated[Given, Quantity(Dimension.RATIO, at_least=1e-12, at_most=1e-3)]
 
+StageKind: TypeAlias = Literal["gear", "worm", "belt", "chain", "coupling", "linkage"]
+
 _LOSSLESS = Given(1.0, "1")
+_ALIKE = ("coupling", "linkage")
+"""Kinds of stages on whose both sides the shafts turn alike."""
 _OF_STROKES = frozenset({"interval", "tolerance"})
 """Keys of [drive.start] that strokes have, too."""
 
 
 class StageSpec(Spec, frozen=True):
-    """A gear or belt stage; the first one stands at the motor, the last one at the crank."""
+    """A gear, belt or other stage; the first one stands at the motor, the last one at the crank."""
 
+    kind: StageKind | None = Field(
+        default=None,
+        description=N_("What it is, for schemes: they draw a plain box unless given. A worm's angles say so, too."),
+    )
     ratio: PositiveRatio = Field(description=N_("Turns of its input for one turn of its output."))
     efficiency: Efficiency | None = Field(
         default=None, description=N_("While power flows toward the crank; 1 unless given, or by the angles of a worm.")
@@ -60,7 +68,7 @@ class StageSpec(Spec, frozen=True):
     )
 
     def _problems(self) -> Iterator[Problem]:
-        """Find a worm of one angle, and one beside efficiencies."""
+        """Find a worm of one angle, or beside efficiencies or another kind, and a coupling that changes the speed."""
         angles = [name for name in ("lead_angle", "friction_angle") if getattr(self, name) is not None]
         if len(angles) == 1:
             missing = "friction_angle" if angles == ["lead_angle"] else "lead_angle"
@@ -73,6 +81,16 @@ class StageSpec(Spec, frozen=True):
         if angles:
             beside = _("must not stand beside the angles of a worm, which give it")
             yield from (Problem(name, getattr(self, name).text, beside) for name in given)
+        yield from self._kind_problems(is_worm=bool(angles))
+
+    def _kind_problems(self, *, is_worm: bool) -> Iterator[Problem]:
+        """Find a kind that the other keys contradict."""
+        if is_worm and self.kind not in (None, "worm"):
+            allowed = _('must be "worm" or left out beside lead_angle and friction_angle, which only a worm has')
+            yield Problem("kind", f'"{self.kind}"', allowed)
+        if self.kind in _ALIKE and np.any(self.ratio.array != 1):
+            allowed = _('must be 1 beside kind = "{kind}", both of whose shafts turn alike')
+            yield Problem("ratio", self.ratio.text, allowed.format(kind=self.kind))
 
     @property
     def efficiencies(self) -> tuple[Array, Array]:

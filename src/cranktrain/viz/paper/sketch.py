@@ -11,7 +11,7 @@ import numpy as np
 
 from cranktrain.motion import Array
 
-Layer = Literal["LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "LOADS", "TEXT", "DIMENSIONS"]
+Layer = Literal["LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "LOADS", "TEXT", "DIMENSIONS", "DRIVE"]
 Habit = Literal[
     "outline",
     "rod",
@@ -32,6 +32,7 @@ Fill = Literal["none", "paper", "light", "dark", "ink"]
 Manner = Literal["symbol", "number", "name", "words"]
 
 LAYERS: tuple[Layer, ...] = ("LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "LOADS", "TEXT", "DIMENSIONS")
+"""Of every drawing; DRIVE is there where a machine has one."""
 
 
 class Line(NamedTuple):

@@ -16,6 +16,7 @@ from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import visible
+from cranktrain.plans.drive_scheme import DriveShaft, drive_chain
 from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_polygons
 from cranktrain.plans.positions import PositionPlan, position_plan, rescaled, track
 from cranktrain.plans.shown_loads import shown_loads
@@ -25,6 +26,10 @@ from cranktrain.scales import scale_for
 from cranktrain.viz.figures import plain
 from cranktrain.viz.paper.sketch import LAYERS, Circle, Line, Sketch, bounds_of
 from cranktrain.viz.paper.words import speed_words
+from cranktrain.viz.plans.drive_beside import crank_pin
+from cranktrain.viz.plans.drive_chain import bounds_of_chain, chain_drawing
+from cranktrain.viz.plans.drive_symbols import crank_mark
+from cranktrain.viz.plans.drive_table import drive_rows, meanings
 from cranktrain.viz.plans.sketches import polygon_sketch, positions_sketch
 
 # The DXF library is an extra, and its own types are partial.
@@ -35,6 +40,9 @@ _ROOM = (180.0, 160.0)
 _PLAN_ROOM = (90.0, 90.0)
 """Room for which positions and polygons are scaled. [mm of paper]"""
 
+_TABLE = 105.0
+"""Width of a drive's table on a sheet; letters of a drawing program are larger. [mm of paper]"""
+
 _ROWS = 4
 """Polygons one below the other."""
 
@@ -44,7 +52,17 @@ _GAP = 40.0
 _TEXT = 3.0
 """Height of text. [mm of paper]"""
 
-_COLOURS = {"LINKS": 7, "GUIDES": 8, "PATHS": 9, "PLAN_V": 3, "PLAN_A": 30, "LOADS": 6, "TEXT": 7, "DIMENSIONS": 5}
+_COLOURS = {
+    "LINKS": 7,
+    "GUIDES": 8,
+    "PATHS": 9,
+    "PLAN_V": 3,
+    "PLAN_A": 30,
+    "LOADS": 6,
+    "TEXT": 7,
+    "DIMENSIONS": 5,
+    "DRIVE": 7,
+}
 _LINE_TYPES = {"dotted": "DOT2", "axis": "DASHDOT2", "part": "DASHED2", "construction": "DASHED2"}
 
 
@@ -111,7 +129,8 @@ def _draw_all(
     curve: SpeedCurve | None,
 ) -> None:
     """Positions about the shaft centre; to the right of them the velocities' polygons, then the accelerations'."""
-    for layer in LAYERS:
+    chain = drive_chain(machine)
+    for layer in (*LAYERS, "DRIVE") if chain else LAYERS:
         document.layers.add(layer, color=_COLOURS[layer])
     space = document.modelspace()
     loads = shown_loads(machine, places_called(machine, mechanism), curve or "constant")
@@ -123,7 +142,7 @@ def _draw_all(
     document.header["$LTSCALE"] = 4.0 * scale
     _draw(space, sketch, np.zeros(2))
     _dimensions(space, plan)
-    _lowest, corner = bounds_of(sketch.outline())
+    lowest, corner = bounds_of(sketch.outline())
     if curve is not None:
         _write(space, speed_words(curve), corner + scale * np.array([30.0, 14.0]), _TEXT * scale)
     for number, polygons_of in enumerate((velocity_polygons, acceleration_polygons)):
@@ -132,6 +151,23 @@ def _draw_all(
             column = number * -(-len(polygons) // _ROWS) + i // _ROWS
             step = [30.0 + column * (_PLAN_ROOM[0] + _GAP), -(i % _ROWS) * (_PLAN_ROOM[1] + _GAP)]
             _polygon(space, polygon, corner + scale * np.array(step), scale)
+    if chain:
+        left = np.array([lowest[0] - scale * (_ROOM[0] + _GAP), corner[1]])
+        _drive(space, chain, crank_pin(machine, mechanism) or "", left, scale)
+
+
+def _drive(space: Modelspace, chain: Sequence[DriveShaft], pin: str, corner: Array, scale: float) -> None:
+    """Draw the drive's chain below a corner, as large beside the metal as it is on paper, and write its table below."""
+    parts = chain_drawing(chain, _ROOM[0], pin)
+    low, high = bounds_of_chain(parts)
+    for part in parts:
+        _draw(space, part.sketch, corner - scale * np.array([low[0], high[1]]), scale)
+    if pin == "O":
+        _draw(space, Sketch(scale, circles=crank_mark(np.zeros(2), scale)), np.zeros(2))
+    rows = ["   ".join(filter(None, row.cells)) for row in drive_rows(chain, pin, _TABLE)]
+    for number, words in enumerate([*rows, *meanings(chain, _TABLE)]):
+        down = high[1] - low[1] + 10.0 + 2 * _TEXT * number
+        _write(space, words, corner - scale * np.array([0.0, down]), _TEXT * scale)
 
 
 def _dimensions(space: Modelspace, plan: PositionPlan) -> None:

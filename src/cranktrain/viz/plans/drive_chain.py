@@ -1,121 +1,128 @@
 """The chain from motor to crank on paper, in the symbols of kinematic diagrams, its parts numbered as in its table."""
 
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.motion import Array
 from cranktrain.plans.drive_scheme import DriveElement, DriveShaft
-from cranktrain.quantities import shown
-from cranktrain.scales import scale_for
-from cranktrain.viz.figures import figure, with_unit
+from cranktrain.plans.vectors import pair
 from cranktrain.viz.paper.page import Box, Page
-from cranktrain.viz.paper.style import INK, MUTED
-from cranktrain.viz.paper.tables import ROW, write_table
+from cranktrain.viz.paper.sketch import Label, Sketch, bounds_of
+from cranktrain.viz.plans.drive_symbols import Seat, line, reach, shafts_apart, symbol_parts
 
-_HEIGHT = 36.0
-"""Of the drawing with its numbers. [mm]"""
-_APART = 13.0
-"""From shaft to shaft. [mm]"""
-_WHEEL, _DISC, _MOTOR = 0.9, 5.0, 4.0
-"""Half of a wheel's rim, half of a disc's height, radius of a motor. [mm]"""
-_LEAST_WHEEL, _LEAST_ROW = 0.2, 3.4
-"""Of both wheels of a stage together the smaller one has at least so much; the lowest row of the table. [1, mm]"""
-_COLUMNS = (1.0,)
-_LINE = {"color": INK, "linewidth": 1.1, "solid_capstyle": "butt"}
-_ROUND = np.linspace(0, 2 * np.pi, 73)
+_MOST_APART = 17.0
+"""From one symbol to the next. [mm]"""
+_NUMBER, _NUMERAL = 2.6, 2.2
+"""From a symbol to the middle of its number, from a shaft to that of its own. [mm]"""
+_ROMAN = ((10, "X"), (9, "IX"), (5, "V"), (4, "IV"), (1, "I"))
 
 
-def draw_drive_chain(page: Page, chain: tuple[DriveShaft, ...], box: Box) -> None:
-    """Draw shafts, stages and what turns with them at the top of a room, and the table of them below."""
+class DrawnPart(NamedTuple):
+    """A part of the chain and its drawing: `symbol` is that of its element, or "shaft". [mm of paper]"""
+
+    symbol: str
+    number: int
+    sketch: Sketch
+
+
+def chain_drawing(chain: Sequence[DriveShaft], width: float, shaft_letter: str) -> list[DrawnPart]:
+    """Draw shafts with their numerals and symbols with their numbers.
+
+    Parameters
+    ----------
+    chain : sequence of DriveShaft
+    width : float
+        Room for it along the shafts. [mm]
+    shaft_letter : str
+        Of the crank's shaft in the mechanism's own scheme.
+
+    Returns
+    -------
+    list of DrawnPart
+        Shafts first, numbered from 1, then symbols, numbered as in the table.
+    """
     elements = [element for shaft in chain for element in shaft.elements]
-    page.heading(box.left, box.bottom + box.height - 3.0, _("Drive, at the declared speed of the crank"))
-    apart = box.width / len(elements)
-    middle = box.bottom + box.height - 6.0 - 0.5 * _HEIGHT
-    number = 0
-    for place, shaft in enumerate(chain):
-        level, beyond = (middle + 0.5 * _APART * (-1) ** (place + n) for n in (0, 1))
-        before = 1.0 if place else 0.0 if shaft.elements[0].symbol == "motor" else 0.25
-        begin = box.left + (number + 0.5 - before) * apart
-        end = box.left + (number + len(shaft.elements) - 0.15) * apart
-        _draw_shaft(page, shaft, (begin, end, level), (box.left + (number + 0.5) * apart, apart))
-        for step, element in enumerate(shaft.elements):
-            x = box.left + (number + step + 0.5) * apart
-            _draw(page, element, (x, level), beyond)
-            up = 1 if element.symbol != "stage" else np.sign(level - beyond)
-            page.text(
-                x, level + up * (_reach(element, level - beyond) + 3.4) - 1.2, str(number + step + 1), ha="center"
-            )
-        number += len(shaft.elements)
-    rows = [(_("part"), ""), *((f"{n}  {one.words}", _value(one)) for n, one in enumerate(elements, start=1))]
-    room = box.height - 6.0 - _HEIGHT
-    line = max(_LEAST_ROW, min(ROW, (room - 4.0) / len(rows)))
-    write_table(page, rows, (box.left, box.bottom + room, box.width), _COLUMNS, line)
+    seats = list(_seats(elements, min(_MOST_APART, width / len(elements))))
+    shafts = [
+        DrawnPart("shaft", number, sketch) for number, sketch in enumerate(_shafts(chain, seats, shaft_letter), start=1)
+    ]
+    return shafts + [
+        DrawnPart(one.symbol, number, _numbered(one, seat, number))
+        for number, (one, seat) in enumerate(zip(elements, seats, strict=True), start=1)
+    ]
 
 
-def _value(element: DriveElement) -> str:
-    """Number of an element with its unit."""
-    if not np.isfinite(element.value):
-        return ""
-    if element.symbol == "stage":
-        ratio = f"i = {element.value:.5g}"
-        return ratio if element.efficiency == 1 else f"{ratio}, η = {element.efficiency:.4g}"
-    if element.unit == "rad/s":
-        return f"{figure(shown(element.value, 'rpm'))} rpm"
-    return with_unit(element.value, scale_for(element.unit, element.value))
+def bounds_of_chain(parts: Sequence[DrawnPart]) -> tuple[Array, Array]:
+    """Lower left and upper right corner of a chain with its words. [mm]"""
+    words = [label.position[:, np.newaxis] + _LETTERS for part in parts for label in part.sketch.labels]
+    return bounds_of([*(points for part in parts for points in part.sketch.outline()), *words])
 
 
-def _draw_shaft(page: Page, shaft: DriveShaft, line: tuple[float, float, float], places: tuple[float, float]) -> None:
-    """Draw the shaft's line, open where a clutch divides it."""
-    begin, end, level = line
-    first, apart = places
-    gaps = [first + n * apart for n, one in enumerate(shaft.elements) if one.symbol == "clutch"]
-    for start, stop in zip([begin, *(gap + 0.8 for gap in gaps)], [*(gap - 0.8 for gap in gaps), end], strict=True):
-        page.paper.plot([start, stop], [level, level], **_LINE)
+def draw_chain(page: Page, parts: Sequence[DrawnPart], box: Box) -> None:
+    """Draw a chain in the middle of a room; in an SVG every symbol has a name, such as drive-belt-2."""
+    low, high = bounds_of_chain(parts)
+    origin = pair(box.middle - 0.5 * (low + high))
+    for part in parts:
+        artists = page.draw(part.sketch, origin)
+        artists[0].set_gid(f"drive-{part.symbol}-{part.number}")
 
 
-def _draw(page: Page, element: DriveElement, at: tuple[float, float], beyond: float) -> None:
-    """Draw one symbol."""
-    x, y = at
-    if element.symbol == "motor":
-        page.paper.plot(x + _MOTOR * np.cos(_ROUND), y + _MOTOR * np.sin(_ROUND), color=INK, linewidth=1.1, zorder=4)
-        page.paper.fill(x + _MOTOR * np.cos(_ROUND), y + _MOTOR * np.sin(_ROUND), color="white", zorder=3)
-        page.text(x, y - 1.1, "M", ha="center", zorder=5)
-    elif element.symbol == "stage":
-        _draw_stage(page, x, y, element.value, beyond)
-    elif element.symbol == "crank":
-        page.paper.plot([x, x + 3.5], [y, y + 4.5], color=INK, linewidth=2.2)
-        page.paper.plot(*at, "o", ms=4.0, mfc="white", mec=INK, mew=1.0, zorder=4)
-        page.paper.plot(x + 3.5, y + 4.5, "o", ms=4.0, mfc="white", mec=INK, mew=1.0, zorder=4)
-    elif element.symbol == "clutch":
-        for side in (-0.8, 0.8):
-            page.paper.plot([x + side] * 2, [y - 3.0, y + 3.0], color=INK, linewidth=2.0)
-    else:
-        page.paper.plot([x, x], [y - _DISC, y + _DISC], color=INK, linewidth=2.6, solid_capstyle="butt")
-        if element.symbol == "brake":
-            _draw_shoes(page, x, y)
+def roman(number: int) -> str:
+    """Write a number of shafts as such.
+
+    Examples
+    --------
+    >>> roman(4), roman(13)
+    ('IV', 'XIII')
+    """
+    written = ""
+    for value, sign in _ROMAN:
+        while number >= value:
+            written, number = written + sign, number - value
+    return written
 
 
-def _draw_shoes(page: Page, x: float, y: float) -> None:
-    """Draw the shoes of a brake, which are fixed, on both sides of its disc."""
-    for side in (-1.6, 1.6):
-        page.paper.plot([x + side] * 2, [y - _DISC + 0.4, y - _DISC + 3.4], color=INK, linewidth=1.6)
-        page.paper.plot([x + side, x + 2.2 * side], [y - _DISC + 1.9] * 2, color=MUTED, linewidth=0.8)
+def _seats(elements: Sequence[DriveElement], apart: float) -> Iterator[Seat]:
+    """Where symbols stand: shafts step toward the middle, so that the chain stays low."""
+    level = 0.5 * shafts_apart("gear")
+    for place, one in enumerate(elements):
+        beyond = level - np.copysign(shafts_apart(one.symbol), level)
+        yield Seat((place + 0.5) * apart, level, float(beyond), one.ratio)
+        level = float(beyond)
 
 
-def _share(ratio: float) -> float:
-    """Part of the way from shaft to shaft that a stage's first wheel takes."""
-    return float(np.clip(1 / (1 + ratio), _LEAST_WHEEL, 1 - _LEAST_WHEEL))
+def _shafts(chain: Sequence[DriveShaft], seats: Sequence[Seat], letter: str) -> Iterator[Sketch]:
+    """Each shaft's line from the stage before it to that behind it, with its numeral; the last with its letter."""
+    apart = 2 * seats[0].x
+    first = 0
+    for number, shaft in enumerate(chain, start=1):
+        last = first + len(shaft.elements) - 1
+        level = seats[last].level
+        is_driven = number > 1 or shaft.elements[0].symbol == "motor"
+        begin = seats[first].x - (apart if number > 1 else 0.0 if is_driven else 0.35 * apart)
+        beyond = 0.35 * apart if shafts_apart(shaft.elements[-1].symbol) else 0.0
+        sketch = Sketch(1.0)
+        sketch.add([line([(begin, level), (seats[last].x + beyond, level)])])
+        between = seats[first].x + (-0.5 if number > 1 else 0.5 if last > first else -0.3) * apart
+        if len(chain) > 1 or last > first:
+            sketch.add([Label(np.array([between, level + _NUMERAL]), roman(number))])
+        if number == len(chain) and letter:
+            sketch.add([Label(np.array([seats[last].x + 4.0, level]), letter, "symbol")])
+        yield sketch
+        first = last + 1
 
 
-def _reach(element: DriveElement, apart: float) -> float:
-    """How far a symbol goes from its shaft. [mm]"""
-    return max(_DISC, _share(element.value) * abs(apart)) if element.symbol == "stage" else _DISC
+def _numbered(one: DriveElement, seat: Seat, number: int) -> Sketch:
+    """A symbol with its number, on the side away from the next shaft."""
+    away = float(np.sign(seat.level - seat.beyond)) or 1.0
+    sketch = Sketch(1.0)
+    sketch.add(symbol_parts(one.symbol, seat))
+    height = seat.level + away * (reach(one.symbol, seat) + _NUMBER)
+    sketch.add([Label(np.array([seat.x, height]), str(number))])
+    return sketch
 
 
-def _draw_stage(page: Page, x: float, level: float, ratio: float, beyond: float) -> None:
-    """Draw two wheels that meet: their sizes go with the ratio, as far as both can be seen."""
-    meets = level + _share(ratio) * (beyond - level)
-    for axis in (level, beyond):
-        far = 2 * axis - meets
-        page.paper.plot([x, x], [far, meets], color=INK, linewidth=1.4)
-        for rim in (far, meets):
-            page.paper.plot([x - _WHEEL, x + _WHEEL], [rim, rim], color=INK, linewidth=1.4)
+_LETTERS = np.array([[-2.0, 2.0], [-1.5, 1.5]])
+"""What a number fills about its middle. [mm]"""

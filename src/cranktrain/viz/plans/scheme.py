@@ -8,6 +8,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.drive_scheme import drive_chain
+from cranktrain.plans.pin_weights import pin_weights
 from cranktrain.plans.positions import plan_angles
 from cranktrain.plans.schemes import MarkedAngle, Scheme, scheme
 from cranktrain.plans.vectors import angle_of, spoken_name
@@ -16,9 +17,11 @@ from cranktrain.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics
+from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
-from cranktrain.viz.plans.drive_chain import draw_drive_chain
+from cranktrain.viz.paper.tables import ROW
+from cranktrain.viz.plans.drive_beside import DriveBeside, crank_pin
+from cranktrain.viz.plans.drive_symbols import crank_mark
 from cranktrain.viz.plans.sheet import (
     centre,
     fitted_scale,
@@ -32,6 +35,9 @@ from cranktrain.viz.plans.sketches import frame_lines, sides_of
 
 _COLUMNS = (0.76, 1.0)
 """Where the columns of a table of letters end, in parts of its width."""
+
+_LETTER_ROW = 4.2
+"""How low a row with a letter and its index may be. [mm]"""
 
 _ARC, _STEP, _FORCE = 9.0, 3.2, 17.0
 """Radius of the innermost angle at a point, from one to the next, and length of a force on paper. [mm]"""
@@ -72,20 +78,43 @@ def plan_scheme(
     title = _("Scheme with the letters of fig. {figure} of [{source}]").format(figure=found.figure, source=found.source)
     page, box = plan_page(machine, [found.angle], size, title, mechanism, has_key=False)
     wide = 0.60 * box.width
-    left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
-    scale = fitted_scale(lambda one: scheme_sketch(found, one), (left.width - 6.0, left.height - 10.0))
-    centre(page, scheme_sketch(found, scale), left)
+    beside = box.left + wide + 8.0
+    right = Box(beside, box.bottom + 8.0, box.left + box.width - beside, box.height - 8.0)
+    shaft = crank_pin(machine, mechanism)
+    drive = _drive(machine, "" if shaft is None else found.letters[shaft], (wide - 6.0, right.width))
+    foot = 8.0 if drive is None else 8.0 + drive.height
+    left = Box(box.left, box.bottom + foot, wide, box.height - foot)
+    marked = None if drive is None else shaft
+    scale = fitted_scale(lambda one: scheme_sketch(found, one, marked), (left.width - 6.0, left.height - 10.0))
+    centre(page, scheme_sketch(found, scale, marked), left)
     write_scales(page, box, [length_scale(1e-3 * scale)], scale)
     page.heading(box.left, box.bottom + box.height - 4.0, f"φ = {found.angle:g}°")
     notes = [_("Angles count in the sense in which the crank turns.")]
     if found.forces:
         notes.append(_("Forces in parts of Q, by direction alone; lines of OB and O₁A meet in C."))
-    beside = box.left + wide + 8.0
-    below = write_beside(page, box, beside, _rows(found), notes, shares=_COLUMNS)
-    if chain := drive_chain(machine):
-        room = Box(beside, box.bottom + 8.0, box.left + box.width - beside, below - 4.0 - box.bottom - 8.0)
-        draw_drive_chain(page, chain, room)
+    rows = [*_rows(found), *_weights(machine, found)]
+    line = ROW if drive is None else drive.row_height(len(rows), right.height - LINE * len(notes))
+    below = write_beside(page, box, beside, rows, notes, shares=_COLUMNS, line=max(line, _LETTER_ROW))
+    if drive is not None:
+        drive.draw(page, Box(box.left, box.bottom + 8.0, wide, 0.0))
+        drive.write(page, right, below, line)
     return page.figure
+
+
+def _drive(machine: Machine, shaft_letter: str, widths: tuple[float, float]) -> DriveBeside | None:
+    """What stands of a machine's drive beside its scheme."""
+    chain, main = drive_chain(machine), machine.shaft.get("main")
+    has_motion = main is not None and main.motion is not None
+    return DriveBeside(chain, shaft_letter, widths, has_motion=has_motion) if chain else None
+
+
+def _weights(machine: Machine, found: Scheme) -> Iterator[tuple[str, ...]]:
+    """Weights of what turns with the rocker, as masses at the pins."""
+    weights = pin_weights(machine, found)
+    if weights is not None:
+        words = (_("weight of what the rocker turns, at A"), _("the same at B, (17)"))
+        for letter, said, weight in zip(("G_A", "G_B"), words, weights, strict=True):
+            yield (mathematics(letter), said, with_unit(weight, scale_for("kg", weight)))
 
 
 def _rows(found: Scheme) -> Iterator[tuple[str, ...]]:
@@ -99,7 +128,7 @@ def _rows(found: Scheme) -> Iterator[tuple[str, ...]]:
         yield (mathematics(one.letter), _(one.words), "" if one.letter == "Q" else f"{figure(one.value)} Q")
 
 
-def scheme_sketch(found: Scheme, scale: float) -> Sketch:
+def scheme_sketch(found: Scheme, scale: float, marked: str | None = None) -> Sketch:
     """Links as lines, sliders in their guides, arcs of angles, forces; in mm of metal.
 
     Parameters
@@ -107,6 +136,8 @@ def scheme_sketch(found: Scheme, scale: float) -> Sketch:
     found : Scheme
     scale : float
         Millimetres of metal in one of paper.
+    marked : str, optional
+        Pin of the shaft that a drive turns, which has the mark of its end.
     """
     sketch = Sketch(scale)
     drawing = found.drawing.scaled(1e3)
@@ -127,10 +158,12 @@ def scheme_sketch(found: Scheme, scale: float) -> Sketch:
             line = np.stack([pins[name][:, 0] for name in ends], axis=1)
             sketch.add([Line(line, "LINKS", "outline", 5)])
     sketch.add(Circle(pin[:, 0], 0.8 * scale, "LINKS", "outline", 6, "paper") for pin in pins.values())
+    marks = [] if marked is None else crank_mark(pins[marked][:, 0], scale)
+    sketch.add(marks)
     sketch.add(Line(1e3 * line, "DIMENSIONS", "thin", 2) for line in found.thin)
     wishes = [*_arcs(found, sketch, scale), *_forces(found, sketch, pins, scale), *_names(found, pins)]
     lines = [line.points for line in sketch.lines if line.habit != "hatch"]
-    sketch.add(placed_labels(wishes, lines, scale))
+    sketch.add(placed_labels(wishes, lines, scale, marks))
     return sketch
 
 

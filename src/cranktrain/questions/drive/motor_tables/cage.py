@@ -30,6 +30,11 @@ class CageSpec(CageKeys, frozen=True):
         own = super().rotor_inertia
         return cage_numbers.of_size(self).inertia if own is None and self.size is not None else own
 
+    @property
+    def largest_torque(self) -> Array:
+        """Breakdown torque at the voltage that is there. [N·m]"""
+        return cage_numbers.cage_curve(self).breakdown_torque
+
     def declared(self) -> DeclaredMotor:
         """Give the motor in SI."""
         return cage_numbers.declared_cage(self)

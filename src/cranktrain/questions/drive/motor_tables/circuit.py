@@ -8,12 +8,13 @@ from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_
+from cranktrain.motion import Array
 from cranktrain.quantities import Dimension, Given, PositiveResistance, PositiveVoltage, Quantity
 from cranktrain.questions.drive.motor_tables.declared import DeclaredMotor
 from cranktrain.questions.drive.motor_tables.induction import InductionSpec
 from cranktrain.questions.drive.motor_tables.starters import InverterSpec
 from cranktrain.questions.drive.motors import heat, line_current
-from cranktrain.questions.drive.motors.circuit import CIRCUIT, Circuit
+from cranktrain.questions.drive.motors.circuit import CIRCUIT, Circuit, kloss_of_circuit
 from cranktrain.questions.drive.motors.inverter import INVERTER, Inverter
 
 Boost = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0)]
@@ -60,15 +61,25 @@ class CircuitSpec(InductionSpec, frozen=True):
         yield from super()._problems()
         yield from self.field_problems()
 
-    def declared(self) -> DeclaredMotor:
-        """Give the motor in SI."""
-        circuit = Circuit(
+    @property
+    def largest_torque(self) -> Array:
+        """Breakdown torque, direct on line. [N·m]"""
+        return kloss_of_circuit(self._circuit).breakdown_torque
+
+    @property
+    def _circuit(self) -> Circuit:
+        """Numbers of the circuit."""
+        return Circuit(
             self.phase_voltage.array,
             self.stator_resistance.array,
             self.rotor_resistance.array,
             self.reactance.array,
             self.field_speed,
         )
+
+    def declared(self) -> DeclaredMotor:
+        """Give the motor in SI."""
+        circuit = self._circuit
         rating = self.rating
         rated = heat.circuit_current(circuit.synchronous_speed - rating.speed, circuit)
         direct = DeclaredMotor(

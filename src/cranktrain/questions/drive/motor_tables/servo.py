@@ -7,7 +7,7 @@ from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
-from cranktrain.motion import single
+from cranktrain.motion import Array, single
 from cranktrain.quantities import Dimension, Given, PositivePower, PositiveSpeed, PositiveTorque, Quantity
 from cranktrain.questions.drive.motor_tables.declared import DeclaredMotor
 from cranktrain.questions.drive.motor_tables.spec import RatedSpec
@@ -41,6 +41,11 @@ class ServoSpec(RatedSpec, frozen=True):
         if self.speed is not None and self.top_speed is not None and self.top_speed.si < self.speed.si:
             allowed = _("must not be below speed = {speed}")
             yield Problem("top_speed", None, allowed.format(speed=self.speed.text))
+
+    @property
+    def largest_torque(self) -> Array:
+        """Largest torque for a short time. [N·m]"""
+        return self.peak_torque.array
 
     def declared(self) -> DeclaredMotor:
         """Give the motor in SI."""

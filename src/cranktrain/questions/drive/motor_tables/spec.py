@@ -51,6 +51,11 @@ class DrivingMotorSpec(Spec, frozen=True):
             return self.inertia.array
         return None if self.flywheel_moment is None else self.flywheel_moment.array / 4
 
+    @property
+    def largest_torque(self) -> Array | None:
+        """Breakdown torque of an induction motor, peak torque of a servo motor; None of other kinds. [N·m]"""
+        return None
+
 
 class RatedSpec(DrivingMotorSpec, frozen=True):
     """A motor whose plate may say a rated point: its speed, and power or torque."""

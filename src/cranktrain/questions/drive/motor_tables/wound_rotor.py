@@ -135,6 +135,11 @@ class WoundRotorSpec(InductionSpec, frozen=True):
         peak = ONE if steps.peak_ratio is None else steps.peak_ratio.array
         return resistance_steps(steps.steps, peak, self._rated_slip).ratio
 
+    @property
+    def largest_torque(self) -> Array:
+        """Breakdown torque at the voltage that is there, whatever is in the rotor's circuit. [N·m]"""
+        return self._rotor.breakdown_torque
+
     def declared(self) -> DeclaredMotor:
         """Give the motor in SI."""
         motor, numbers, heating = self._by_circuit()
