@@ -31,7 +31,7 @@ from cranktrain.synthesis.sized_motor import KeptSlip, declared_slip, motor_tabl
 from cranktrain.wording import number
 
 _TOLERANCE = 0.05
-_LARGER = 8
+_LARGER = 5
 """So many sizes above the chosen one are shown at most, where a flywheel is sought."""
 
 Inertia = Annotated[float | None, Quantity(Dimension.INERTIA, above=0.0)]

@@ -272,7 +272,7 @@ def with_ratio(bench: Bench, place: int, ratio: float) -> Trial:
 def _with_least_flywheel(bench: Bench, place: int, ratio: float, sought: SoughtFlywheel) -> Trial:
     """The least flywheel with which effective and largest torque are within; at the largest one where none is.
 
-    Bisection of the logarithm; found to 1 % above, and rounded up to three figures.
+    Bisection of the logarithm; found to 2 % above, and rounded up to three figures.
     """
     without = _checked(bench, place, ratio, 0.0)
     high = sought.most if math.isfinite(sought.most) else _plenty(bench.behind(ratio), sought.shaft)
@@ -294,7 +294,7 @@ def _with_least_flywheel(bench: Bench, place: int, ratio: float, sought: SoughtF
 
 _WIDEST = 1e6
 """Largest flywheel that is looked at over the smallest."""
-_FINE = 1.01
+_FINE = 1.02
 _PLENTY = 1e4
 """Times what turns with the machine: above it no flywheel is looked for."""
 

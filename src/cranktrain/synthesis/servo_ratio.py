@@ -32,6 +32,8 @@ _WIDEST = 1000.0
 _BESIDE = 4
 """So many preferred numbers are shown above and below the chosen one."""
 _N_FINE = 2001
+_WITHIN = 1 - 1e-9
+"""For rounding."""
 
 
 class _Servo(NamedTuple):
@@ -95,7 +97,7 @@ def servo_ratio(machine: Machine, ratio: str) -> MachineProposal:
     own = float(case.gearing.ratio[case.stage])
     best = _least_rms(case, own)
     near = [_at(case, one) for one in preferred_ratios(own / _WIDEST, own * _WIDEST).tolist()]
-    tried = near if ratio == "preferred" else [best, *(_at(case, one) for one in _fine(own))]
+    tried = near if ratio == "preferred" else [best, *(_at(case, one) for one in _fine(own, best))]
     passing = [one for one in tried if one.largest <= 1]
     if not passing:
         raise InputError([Problem("drive.motor", None, _not_enough(min(tried, key=lambda one: one.largest)))])
@@ -173,9 +175,10 @@ def _shares(motor: DeclaredMotor | None, demand: ServoDemand, speed: float) -> t
     return float(uses.rms), float(uses.peak), speed / top if math.isfinite(top) else math.nan
 
 
-def _fine(own: float) -> list[float]:
-    """Ratios close together, for limits that leave out the best one."""
-    return np.geomspace(own / _WIDEST, own * _WIDEST, _N_FINE).tolist()
+def _fine(own: float, best: _Behind) -> list[float]:
+    """Ratios close together, for limits that leave out the best one; among them that of the largest speed."""
+    fine: list[float] = np.geomspace(own / _WIDEST, own * _WIDEST, _N_FINE).tolist()
+    return fine if math.isnan(best.shares[-1]) else [best.ratio / best.shares[-1] * _WITHIN, *fine]
 
 
 def _least_rms(case: _Servo, own: float) -> _Behind:

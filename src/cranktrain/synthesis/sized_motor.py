@@ -13,11 +13,12 @@ from cranktrain.questions.drive.motor_tables.wound_rotor import WoundRotorSpec
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.synthesis.proposal import found, found_ratio, quantity_text
+from cranktrain.wording import number
 
 _HIGH_SLIP_BREAKDOWN = 2.75
 """Breakdown torque over the rated one of cage motors with high slip, NEMA design D; typical."""
-_ORDINARY = 1.5
-"""Up to so many times the slip of a typical motor of its size, a cage motor's is an ordinary one."""
+_ORDINARY, _MOST_ORDINARY = 1.5, 0.05
+"""Up to so many times the slip of a typical motor of its size, and up to 5 %, a cage motor's is an ordinary one."""
 
 
 class KeptSlip(NamedTuple):
@@ -36,11 +37,12 @@ class KeptSlip(NamedTuple):
 
 
 class _Entry(NamedTuple):
-    """A key of the motor's table: a word, or a number with its unit; "" is a plain one."""
+    """A key of the motor's table: a word, or a number with its unit, "" a plain one; whether the slip decides it."""
 
     key: str
     value: str | float
     unit: str = ""
+    is_of_slip: bool = False
 
 
 def typical_slip(place: int) -> float:
@@ -72,7 +74,7 @@ def declared_slip(machine: Machine) -> KeptSlip:
         torque = np.nan if spec.breakdown_torque is None else spec.breakdown_torque.array / ratio
     first, power = float(np.ravel(slip)[0]), float(np.ravel(torque * motor.top_speed * (1 - slip))[0])
     nearest = int(np.argmin(np.abs(four_pole_motors().power - power)))
-    return KeptSlip(slip=first) if first > _ORDINARY * typical_slip(nearest) else KeptSlip()
+    return KeptSlip(slip=first) if first > max(_ORDINARY * typical_slip(nearest), _MOST_ORDINARY) else KeptSlip()
 
 
 def slip_of_size(place: int, kept: KeptSlip) -> float:
@@ -82,12 +84,13 @@ def slip_of_size(place: int, kept: KeptSlip) -> float:
 
 def motor_table(place: int, kept: KeptSlip) -> dict[str, str | float]:
     """Table of a motor of the range, as `Machine.with_` takes it."""
-    return {key: _text(value, unit) for key, value, unit in _entries(place, kept)}
+    return {one.key: _text(one.value, one.unit) for one in _entries(place, kept)}
 
 
 def motor_values(place: int, kept: KeptSlip, note: str) -> dict[str, str]:
     """The same as TOML by key, each number with its status; a note says what the size is."""
-    return {entry.key: _toml(entry, note) for entry in _entries(place, kept)}
+    of_slip = _("for a slip of {slip} at the rated torque").format(slip=number(slip_of_size(place, kept), "%"))
+    return {entry.key: _toml(entry, of_slip if entry.is_of_slip else note) for entry in _entries(place, kept)}
 
 
 def _text(value: str | float, unit: str) -> str | float:
@@ -98,8 +101,10 @@ def _toml(entry: _Entry, note: str) -> str:
     """Value of a key as TOML."""
     if isinstance(entry.value, str):
         return f'"{entry.value}"'
-    if entry.key in ("size", "power"):
+    if entry.key in ("size", "power") or (entry.is_of_slip and entry.unit):
         return found(entry.value, entry.unit, note)
+    if entry.is_of_slip:
+        return found_ratio(entry.value, note)
     typical = _("typical")
     if entry.unit:
         return found(entry.value, entry.unit, typical, "assumed")
@@ -118,11 +123,14 @@ def _entries(place: int, kept: KeptSlip) -> Iterator[_Entry]:
     if not kept.is_wound:
         yield _Entry("curve", "kloss")
     yield _Entry("power", power, "kW")
-    yield _Entry("speed", float(values.rated_speed[place]) if kept.is_wound else _whole(field * (1 - slip)), "rpm")
+    if kept.is_wound:
+        yield _Entry("speed", float(values.rated_speed[place]), "rpm")
+    else:
+        yield _Entry("speed", _whole(field * (1 - slip)), "rpm", is_of_slip=True)
     yield _Entry("synchronous_speed", field, "rpm")
     yield _Entry("breakdown_ratio", float(values.breakdown_ratio[place]) if kept.is_wound else _HIGH_SLIP_BREAKDOWN)
     if kept.is_wound:
-        yield _Entry("resistance_ratio", round(slip / typical_slip(place), 4))
+        yield _Entry("resistance_ratio", round(slip / typical_slip(place), 4), is_of_slip=True)
     yield _Entry("inertia", float(motors.inertia[place]), "kg·m²")
 
 
