@@ -43,10 +43,10 @@ def numbers(asked: Asked, one: Trial, chosen: Trial) -> Iterator[Number]:
 def alternatives(asked: Asked, chosen: Trial, sizes: Sequence[Trial], ratios: Sequence[Trial]) -> Iterator[Alternative]:
     """The sizes that carry the machine, each with what it misses by, and the ratios beside."""
     for one in sizes:
-        if one is not chosen and np.isfinite(one.largest):
+        if one is not chosen and np.isfinite(one.speed):
             yield Alternative(_missed(one), tuple(_beside(asked, one, chosen)))
     for one in ratios:
-        if np.isfinite(one.largest):
+        if np.isfinite(one.speed):
             yield Alternative(_("ratio beside"), tuple(_beside(asked, one, chosen)))
 
 
@@ -54,6 +54,8 @@ def _missed(one: Trial) -> str:
     """By how much a size misses, and what."""
     if one.largest <= 1:
         return _("enough")
+    if not np.isfinite(one.largest):
+        return _("gets stuck")
     return _("misses by {by}").format(by=number(one.largest - 1, "%"))
 
 
@@ -74,6 +76,8 @@ def remarks(bench: Bench, chosen: Trial, sizes: Sequence[Trial]) -> Iterator[str
         by = number(smaller.largest - 1, "%")
         said = _("{power} misses by {by}: {check}.")
         yield said.format(power=number(smaller.power, "kW"), by=by, check=smaller.governing)
+    elif smaller is not None and np.isfinite(smaller.speed):
+        yield _("{power} cannot: {check}.").format(power=number(smaller.power, "kW"), check=smaller.governing)
     elif smaller is not None:
         yield _("{power} does not carry the machine through its cycle.").format(power=number(smaller.power, "kW"))
     elif chosen.place > 0:
@@ -120,7 +124,7 @@ def _of_slip(asked: Asked, chosen: Trial) -> Iterator[str]:
     own, ordinary = declared_slip(asked.machine), number(typical_slip(chosen.place), "%")
     if motor is not None and motor.kind not in _KINDS:
         yield _('The declared motor, kind = "{kind}", is replaced by an ordinary cage motor.').format(kind=motor.kind)
-    elif own.slip is not None and abs(asked.kept.slip / own.slip - 1) > 1e-9 if asked.kept.slip else False:
+    elif own.slip is not None and asked.kept != own:
         said = _("The slip at the rated torque is {slip}; the declared motor has {own}.")
         yield said.format(slip=number(chosen.slip, "%"), own=number(own.slip or 0.0, "%"))
     elif asked.kept != KeptSlip():

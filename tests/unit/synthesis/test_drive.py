@@ -122,9 +122,9 @@ def test_the_slip_of_the_declared_motor_is_kept(name, slip):
 
 
 def test_a_motor_of_another_kind_is_told():
-    spec = {"kind": "series", "power": "11 kW", "speed": "1450 rpm"}
+    spec = {"kind": "servo", "power": "5 kW", "speed": "1450 rpm", "peak_torque": "100 N*m"}
     machine = ct.load("tilting_table").with_({"drive.motor": spec})
-    assert any('kind = "series", is replaced' in one for one in drive(machine).remarks)
+    assert any('kind = "servo", is replaced' in one for one in drive(machine).remarks)
 
 
 PULSE = {
