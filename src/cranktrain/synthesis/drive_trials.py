@@ -335,7 +335,7 @@ def design_of(bench: Bench, ratio: float, inertia: float) -> SizedDesign:
 
 
 def every_trial(bench: Bench) -> Iterator[Trial]:
-    """Motors of the range by rising power; with a flywheel that is sought, from the first that bears the load's mean."""
+    """Motors of the range by rising power; where a flywheel is sought, from the first that bears the mean load."""
     for place in range(len(four_pole_motors().power)):
         if bench.asked.flywheel is None or carries_mean(bench, place):
             yield tried(bench, place)
