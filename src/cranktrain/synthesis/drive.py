@@ -1,107 +1,82 @@
-"""A drive for a machine: the smallest typical motor that is enough, with the ratio that keeps the crank's speed."""
+"""A drive for a machine: the smallest typical motor that is enough, with its ratio, and a flywheel if one is sought."""
 
 import math
-from collections.abc import Iterator
-from typing import Annotated, Literal, NamedTuple
+from typing import Annotated
 
 import numpy as np
 
 from cranktrain.analysis.parts import refuse_wrong
-from cranktrain.analysis.run import run
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.machine import Machine
-from cranktrain.quantities import unlisted
-from cranktrain.questions.drive.choosing_ratio import nearest_ratio, preferred_ratios
-from cranktrain.questions.drive.motor_checks import SIZING_CHECKS
-from cranktrain.questions.drive.motor_sizing import MotorSizing
+from cranktrain.quantities import Dimension, Quantity, unlisted
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.spec import DriveSpec
-from cranktrain.questions.drive.steady_drive import SteadyDrive
-from cranktrain.record import record
 from cranktrain.spec import words_of
-from cranktrain.synthesis.proposal import Alternative, MachineProposal, Number, found, quantity_text
+from cranktrain.synthesis.drive_trials import (
+    Asked,
+    Bench,
+    Ratio,
+    Trial,
+    bench_for,
+    every_trial,
+    ratios_beside,
+    sought_flywheel,
+    with_ratio,
+)
+from cranktrain.synthesis.drive_words import alternatives, numbers, remarks
+from cranktrain.synthesis.proposal import MachineProposal, found, found_ratio
+from cranktrain.synthesis.servo_ratio import servo_ratio
+from cranktrain.synthesis.sized_motor import KeptSlip, declared_slip, motor_table, motor_values
 from cranktrain.wording import number
 
-Ratio = Literal["preferred", "exact"]
+_TOLERANCE = 0.05
+_LARGER = 5
+"""So many sizes above the chosen one are shown at most, where a flywheel is sought."""
 
-_SYMBOLS = ("u_M", "u_max", "u_A", "u_t", "u_z", "u_J", "u_n")
-_NAMES = ("effective", "peak", "worst_start", "start_time", "starts", "inertia", "speed")
-_QUANTITIES = ("largest_share", "mean_motor_speed")
-_TURNS = 3
-"""Of the exact ratio: the motor's slip moves by little with it."""
-_NEAR = 1.3
-"""How far from the wanted one preferred ratios are looked for."""
-
-
-@record
-class _Tried:
-    """A motor of the range with a ratio of the stage, and what is found of it.
-
-    Attributes
-    ----------
-    place : int
-        In the range of typical motors.
-    ratio, overall : float
-        Of the stage, and of all stages. [1]
-    machine : Machine
-    shares : tuple of float
-        As `SIZING_CHECKS`; NaN of what is not asked for.
-    speed : float
-        Mean of the crank in steady running; NaN without it. [rad/s]
-    """
-
-    place: int
-    ratio: float
-    overall: float
-    machine: Machine
-    shares: tuple[float, ...]
-    speed: float
-
-    @property
-    def largest(self) -> float:
-        """Largest share; infinite where it does not run."""
-        return float(np.nanmax(self.shares)) if np.isfinite(self.speed) else math.inf
-
-    @property
-    def governing(self) -> str:
-        """Name of the check that governs."""
-        return _(SIZING_CHECKS[int(np.nanargmax(self.shares))])
-
-    @property
-    def power(self) -> float:
-        """Rated. [W]"""
-        return float(four_pole_motors().power[self.place])
-
-
-class _Asked(NamedTuple):
-    """What is asked: the machine, its crank's speed, which stage is to change, the ratio of the others."""
-
-    machine: Machine
-    speed: float
-    stage: int
-    others: float
-    ratio: Ratio
+Inertia = Annotated[float | None, Quantity(Dimension.INERTIA, above=0.0)]
+Slip = Annotated[float | None, Quantity(Dimension.RATIO, above=0.0, at_most=0.25, example="8 %")]
+Tolerance = Annotated[float, Quantity(Dimension.RATIO, at_least=0.0, at_most=0.25, example="5 %")]
 
 
 def drive(
     machine: Machine,
     ratio: Annotated[Ratio, N_("Preferred numbers, unless it is to keep the crank's speed exactly.")] = "preferred",
+    speed_tolerance: Annotated[
+        Tolerance, N_("On the crank's speed: preferred numbers within are tried; 5 % unless given.")
+    ] = _TOLERANCE,
+    flywheel: Annotated[str | None, N_("Name of the part of [drive.part] that is sought as a flywheel.")] = None,
+    flywheel_inertia_max: Annotated[Inertia, N_("Largest one of that part; any unless given.")] = None,
+    slip: Annotated[Slip, N_("At the rated torque; that of the declared motor unless given.")] = None,
+    unloaded_start: Annotated[bool, N_("The machine starts where nothing loads it.")] = False,
 ) -> MachineProposal:
-    """Propose a typical four-pole motor for a machine, and the ratio of its largest stage.
+    """Propose a typical four-pole motor for a machine, the ratio of its largest stage, and a flywheel if one is sought.
 
     Parameters
     ----------
     machine : Machine
-        With [drive], a stage, loads, and the speed that its crank shall have.
+        With [drive], a stage, loads, and the speed that its crank shall have; or with a wanted motion, then the ratio
+        alone is sought, of a servo motor.
     ratio : str
         `preferred`, the number of the series R20 that comes nearest, or `exact`.
+    speed_tolerance : float
+        Other preferred numbers are tried too that keep the crank's speed within it.
+    flywheel : str, optional
+        Part of the drive whose inertia is sought: for each motor the least with which it can do the work.
+    flywheel_inertia_max : float, optional
+        Of that part; a motor that needs more is not enough. [kg·m²]
+    slip : float, optional
+        Of the motors at their rated torque: by a resistance behind slip rings where the declared motor has them, else
+        by the bars of the cage. That of the declared motor where it is not an ordinary one, unless given.
+    unloaded_start : bool
+        Leave out the check of a start at the worst angle.
 
     Returns
     -------
     MachineProposal
-        With `power`, `ratio`, `overall_ratio`, `speed`, `off`, and the share of every check that is asked for. The
-        alternatives are the next smaller motor and the next larger one, and the ratios beside.
+        With `power`, `slip`, `ratio`, `overall_ratio`, `speed`, `off`, `flywheel` where it is sought, and the share of
+        every check that is asked for. The alternatives are all sizes that carry the machine, up to one above the chosen
+        one, and the ratios beside.
 
     Raises
     ------
@@ -115,31 +90,43 @@ def drive(
     """
     refuse([] if ratio in words_of(Ratio) else [unlisted("ratio", ratio, words_of(Ratio))])
     refuse_wrong((machine,))
-    asked = _asked(machine, ratio)
-    chosen = _smallest(asked)
-    others = {place: _tried(asked, place) for place in (chosen.place - 1, chosen.place + 1) if _is_there(place)}
-    ratios = [_with_ratio(asked, chosen.place, beside) for beside in _beside(chosen.ratio)] if ratio != "exact" else []
-    label = _("{power}, ratio {ratio}")
-    tried = [*others.values(), *ratios]
+    shaft = machine.shaft.get("main")
+    if shaft is not None and shaft.motion is not None:
+        refuse(_beside_motion(flywheel=flywheel, flywheel_inertia_max=flywheel_inertia_max, slip=slip))
+        return servo_ratio(machine, ratio)
+    asked = _asked(machine, ratio, speed_tolerance)
+    refuse(_flywheel_problems(machine, flywheel, flywheel_inertia_max))
+    most = math.inf if flywheel_inertia_max is None else flywheel_inertia_max
+    kept = declared_slip(machine)
+    bench = bench_for(
+        asked._replace(
+            kept=kept if slip is None else KeptSlip(kept.is_wound, slip),
+            flywheel=None if flywheel is None else sought_flywheel(machine, flywheel, most),
+            starts_loaded=not unloaded_start,
+        )
+    )
+    return _proposal(bench)
+
+
+def _proposal(bench: Bench) -> MachineProposal:
+    """Choose, and say what was tried."""
+    asked = bench.asked
+    sizes, chosen = _sizes(bench)
+    ratios = [with_ratio(bench, chosen.place, one) for one in ratios_beside(chosen.ratio)]
+    values = _values(asked, chosen)
     return MachineProposal(
-        title=_title(machine),
-        numbers=tuple(_numbers(asked, chosen, chosen)),
-        alternatives=tuple(
-            Alternative(
-                label.format(power=number(one.power, "kW"), ratio=number(one.ratio, "1")),
-                tuple(_numbers(asked, one, chosen)),
-            )
-            for one in sorted(tried, key=lambda one: (one.place, one.ratio))
-        ),
-        remarks=tuple(_remarks(asked, chosen, others.get(chosen.place - 1))),
+        title=_("{machine}: drive").format(machine=asked.machine.name) if asked.machine.name else _("Drive"),
+        numbers=tuple(numbers(asked, chosen, chosen)),
+        alternatives=tuple(alternatives(asked, chosen, sizes, [] if asked.ratio == "exact" else ratios)),
+        remarks=tuple(remarks(bench, chosen, sizes)),
         tables=(),
-        machine=chosen.machine,
-        values=_values(asked, chosen),
-        whole=("drive.motor",),
+        machine=_driven(asked, chosen),
+        values=values,
+        whole=("drive.motor", *([f"drive.part.{asked.flywheel.name}"] if asked.flywheel is not None else [])),
     )
 
 
-def _asked(machine: Machine, ratio: Ratio) -> _Asked:
+def _asked(machine: Machine, ratio: Ratio, tolerance: float) -> Asked:
     """Find what is asked; refuse a machine that lacks something."""
     spec: DriveSpec | None = machine.drive
     shaft = machine.shaft.get("main")
@@ -147,109 +134,97 @@ def _asked(machine: Machine, ratio: Ratio) -> _Asked:
     if spec is None or not spec.stage:
         allowed = _("is missing: a ratio is that of a stage; [[drive.stage]] ratio = 1 would do")
         problems.append(Problem("drive.stage", None, allowed))
-    if shaft is not None and shaft.motion is not None:
-        allowed = _("must not stand here: typical motors turn at one speed, and do not follow a wanted motion")
-        problems.append(Problem("shaft.main.motion", None, allowed))
-    elif shaft is None or shaft.speed is None:
+    if shaft is None or shaft.speed is None:
         problems.append(Problem("shaft.main.speed", None, _("is missing: the speed that the crank shall have")))
     refuse(problems)
     assert spec is not None and shaft is not None and shaft.speed is not None
     ratios = [stage.ratio.si for stage in spec.stage]
     stage = int(np.argmax(ratios))
-    return _Asked(machine, shaft.speed.si, stage, math.prod(ratios) / ratios[stage], ratio)
+    return Asked(
+        machine,
+        shaft.speed.si,
+        stage,
+        math.prod(ratios) / ratios[stage],
+        ratio,
+        tolerance,
+        KeptSlip(),
+        flywheel=None,
+        starts_loaded=True,
+    )
 
 
-def _is_there(place: int) -> bool:
-    """Whether the range has such a motor."""
-    return 0 <= place < len(four_pole_motors().power)
+def _flywheel_problems(machine: Machine, name: str | None, most: float | None) -> list[Problem]:
+    """Find a flywheel that is no part of the drive, and a largest one of none."""
+    spec: DriveSpec | None = machine.drive
+    names = [] if spec is None else list(spec.part)
+    if name is None:
+        allowed = _("needs flywheel, the name of the part that is sought")
+        return [] if most is None else [Problem("flywheel_inertia_max", number(most, "kg·m²"), allowed)]
+    if name in names:
+        return []
+    if not names:
+        allowed = _('is no part of the drive; [drive.part.flywheel] on = "motor", inertia = "1 kg*m^2" would be one')
+        return [Problem("flywheel", name, allowed)]
+    return [unlisted("flywheel", name, names)]
 
 
-def _smallest(asked: _Asked) -> _Tried:
-    """The smallest motor that passes all checks; larger ones may fail others, as starts an hour."""
-    best: _Tried | None = None
-    for place in range(len(four_pole_motors().power)):
-        trial = _tried(asked, place)
-        if trial.largest <= 1:
-            return trial
-        best = trial if best is None or trial.largest < best.largest else best
-    assert best is not None
-    if not np.isfinite(best.largest):
-        raise InputError([Problem("drive", None, _("no typical motor carries the machine through its cycle"))])
+def _beside_motion(**options: float | str | None) -> list[Problem]:
+    """Find options that say nothing of a servo motor."""
+    allowed = _("must not be given: the motor of a wanted motion has no slip, and a flywheel would be in its way")
+    return [Problem(name, str(given), allowed) for name, given in options.items() if given is not None]
+
+
+def _sizes(bench: Bench) -> tuple[list[Trial], Trial]:
+    """Sizes from the smallest that bears the load's mean to one above the chosen one, and the chosen one.
+
+    Where a flywheel is sought larger ones follow, to the first that needs none. Larger motors may fail what smaller
+    ones pass, as starts an hour: the first that passes is chosen.
+    """
+    sizes: list[Trial] = []
+    chosen: Trial | None = None
+    for one in every_trial(bench):
+        sizes.append(one)
+        if chosen is None:
+            chosen = one if one.largest <= 1 else None
+        elif bench.asked.flywheel is None or one.flywheel == 0 or one.place - chosen.place >= _LARGER:
+            break
+    if chosen is None:
+        raise InputError([Problem("drive", None, _none_is_enough(sizes))])
+    return sizes, chosen
+
+
+def _none_is_enough(sizes: list[Trial]) -> str:
+    """Say which motor comes nearest."""
+    best = min(sizes, key=lambda one: one.largest, default=None)
+    if best is None or not np.isfinite(best.largest):
+        return _("no typical motor carries the machine through its cycle")
     said = _("no typical motor is enough: {power}, which comes nearest, is used to {share}: {check}")
-    words = {"power": number(best.power, "kW"), "share": number(best.largest, "%")}
-    raise InputError([Problem("drive", None, said.format(**words, check=best.governing))])
+    return said.format(power=number(best.power, "kW"), share=number(best.largest, "%"), check=best.governing)
 
 
-def _tried(asked: _Asked, place: int) -> _Tried:
-    """A motor with the ratio that suits it."""
-    exact = float(four_pole_motors().values.rated_speed[place]) / asked.speed / asked.others
-    if asked.ratio == "preferred":
-        near = preferred_ratios(exact / _NEAR, exact * _NEAR)
-        return _with_ratio(asked, place, float(nearest_ratio(np.asarray(exact), near).ratio))
-    made = _with_ratio(asked, place, exact)
-    for _turn in range(_TURNS):
-        if np.isfinite(made.speed):
-            made = _with_ratio(asked, place, made.ratio * made.speed / asked.speed)
-    return made
+def _driven(asked: Asked, chosen: Trial) -> Machine:
+    """The machine with what is proposed."""
+    values: dict[str, object] = {
+        "drive.motor": motor_table(chosen.place, asked.kept),
+        f"drive.stage[{asked.stage}].ratio": chosen.ratio,
+    }
+    if asked.flywheel is not None:
+        on = asked.machine.drive.part[asked.flywheel.name].on
+        values[f"drive.part.{asked.flywheel.name}"] = {"on": on, "inertia": f"{chosen.flywheel!r} kg·m²"}
+    return asked.machine.with_(values)
 
 
-def _beside(ratio: float) -> tuple[float, ...]:
-    """Preferred ratios below and above one of them."""
-    near = preferred_ratios(ratio / _NEAR, ratio * _NEAR)
-    at = int(np.argmin(np.abs(near - ratio)))
-    return float(near[at - 1]), float(near[at + 1])
-
-
-def _with_ratio(asked: _Asked, place: int, ratio: float) -> _Tried:
-    """Run the machine with a motor and a ratio."""
-    power = quantity_text(float(four_pole_motors().power[place]), "kW")
-    motor = {"kind": "cage", "size": power}
-    changed = asked.machine.with_({"drive.motor": motor, f"drive.stage[{asked.stage}].ratio": ratio})
-    result = run(changed, quantities=_QUANTITIES)
-    if needs := result.needs_of(*_QUANTITIES):
-        raise InputError(
-            [Problem("drive", None, _("cannot be sized: needs {needs}").format(needs=_(" and ").join(needs)))]
-        )
-    sizing, overall = result[MotorSizing], ratio * asked.others
-    speed = float(result[SteadyDrive].mean_motor_speed[0]) / overall
-    return _Tried(place, ratio, overall, changed, tuple(sizing.sizing_share[0, 0].tolist()), speed)
-
-
-def _values(asked: _Asked, chosen: _Tried) -> dict[str, str]:
+def _values(asked: Asked, chosen: Trial) -> dict[str, str]:
     """What the machine's file says otherwise."""
-    size = found(chosen.power, "kW", _("the smallest typical motor that is enough"))
+    motor = motor_values(chosen.place, asked.kept, _("the smallest typical motor that is enough"))
     note = _("keeps {speed} at the crank").format(speed=number(asked.speed, "rpm"))
-    ratio = f'{{ value = {chosen.ratio!r}, status = "derived", note = "{note}" }}'
-    return {"drive.motor.kind": '"cage"', "drive.motor.size": size, f"drive.stage[{asked.stage}].ratio": ratio}
-
-
-def _title(machine: Machine) -> str:
-    """Whose drive."""
-    return _("{machine}: drive").format(machine=machine.name) if machine.name else _("Drive")
-
-
-def _numbers(asked: _Asked, one: _Tried, chosen: _Tried) -> Iterator[Number]:
-    """Motor and ratio, and the shares of the checks that are asked for of the chosen one."""
-    yield Number("power", "P_n", one.power, "kW", _("Rated power of a typical four-pole motor"))
-    yield Number("ratio", "i", one.ratio, "1", _("Ratio of stage {n}").format(n=asked.stage + 1))
-    yield Number("overall_ratio", "i_Σ", one.overall, "1", _("Ratio of all stages"))
-    yield Number("speed", "n", one.speed, "rpm", _("Mean speed of the crank in steady running"))
-    yield Number("off", "Δn", one.speed / asked.speed - 1, "%", _("Off the speed that it shall have"))
-    for name, symbol, check, share, own in zip(_NAMES, _SYMBOLS, SIZING_CHECKS, one.shares, chosen.shares, strict=True):
-        if not np.isnan(own):
-            yield Number(name, symbol, share, "%", _("Used: {check}").format(check=_(check)))
-
-
-def _remarks(asked: _Asked, chosen: _Tried, smaller: _Tried | None) -> Iterator[str]:
-    """Say what governs, how far the next smaller motor misses, and what typical values are."""
-    words = {"power": number(chosen.power, "kW"), "share": number(chosen.largest, "%")}
-    yield _("What governs {power} is: {check}, {share}.").format(check=chosen.governing, **words)
-    if smaller is not None and np.isfinite(smaller.largest):
-        by = number(smaller.largest - 1, "%")
-        said = _("{power} misses by {by}: {check}.")
-        yield said.format(power=number(smaller.power, "kW"), by=by, check=smaller.governing)
-    elif smaller is not None:
-        yield _("{power} does not carry the machine through its cycle.").format(power=number(smaller.power, "kW"))
-    yield _("Values of typical motors are nobody's: a maker's replace them before a motor is bought.")
-    if asked.machine.drive is not None and asked.machine.drive.duty is None:
-        yield _("Without [drive.duty] it runs on and on, and starts and voltage are not checked.")
+    values = {f"drive.motor.{key}": text for key, text in motor.items()}
+    values[f"drive.stage[{asked.stage}].ratio"] = found_ratio(chosen.ratio, note)
+    if asked.flywheel is not None:
+        power = number(float(four_pole_motors().power[chosen.place]), "kW")
+        on = asked.machine.drive.part[asked.flywheel.name].on
+        path = f"drive.part.{asked.flywheel.name}"
+        said = _("the least with which {power} is enough").format(power=power)
+        values[f"{path}.on"] = f'"{on}"' if isinstance(on, str) else str(on)
+        values[f"{path}.inertia"] = found(chosen.flywheel, "kg·m²", said)
+    return values

@@ -22,6 +22,7 @@ _DIMENSIONS = {
     "kN": Dimension.FORCE,
     "lbf": Dimension.FORCE,
     "kW": Dimension.POWER,
+    "kg·m²": Dimension.INERTIA,
 }
 _MOST_DIGITS = 17
 _ROUNDINGS = 2
@@ -140,7 +141,7 @@ def quantity_text(value: float, unit: str) -> str:
     value : float
         In SI.
     unit : str
-        `mm`, `deg`, `rpm`, `kg`, `N`, `kN`, `lbf` or `kW`.
+        `mm`, `deg`, `rpm`, `kg`, `N`, `kN`, `lbf`, `kW` or `kg·m²`.
 
     Returns
     -------
@@ -168,6 +169,11 @@ def wanted(value: float, unit: str) -> str:
 def found(value: float, unit: str, note: str, status: Status = "derived") -> str:
     """Write a quantity that follows from the requirements, as TOML text with its status."""
     return f'{{ value = {quoted(quantity_text(value, unit))}, status = "{status}", note = {quoted(note)} }}'
+
+
+def found_ratio(value: float, note: str, status: Status = "derived") -> str:
+    """Write a plain number that follows from the requirements, as `found` writes a quantity."""
+    return f'{{ value = {value!r}, status = "{status}", note = {quoted(note)} }}'
 
 
 def shaft_table(speed: float | None, note: str | None = None) -> tuple[ProposedTable, ...]:

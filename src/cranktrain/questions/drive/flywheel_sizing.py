@@ -12,9 +12,15 @@ from cranktrain.motion import Array
 from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.declared_duty import WantedFlywheel
 from cranktrain.questions.drive.motor_checks import mean_inertia
+from cranktrain.questions.drive.motor_limits import rated_slip
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
+from cranktrain.questions.drive.running.gearing import (
+    Gearing,
+    overall_ratio,
+    turning_inertia,
+    with_inertia,
+)
 from cranktrain.questions.drive.sizing.peaky_load import PeakyLoad, SlipLine, recovered_inertia
 from cranktrain.questions.drive.static_torques import StaticTorques
 from cranktrain.questions.drive.steady_drive import SteadyDrive
@@ -91,7 +97,9 @@ def drive_flywheel(
                 _("No flywheel is large enough: the load's mean asks for more, or the motor does not carry it.")
             )
         own = _running(turning, machines, wanted.shaft, needed if np.isfinite(needed) else 0.0)
-        formula = _formula(static, steady, motor, design, torque) - _at_motor(there, gearing, wanted)
+        formula = formula_inertia(
+            static, float(steady.cycle_time[design]), motor, design=design, allowed=torque
+        ) - _at_motor(there, gearing, wanted)
         formula = max(formula, 0.0) * _turned(gearing, wanted.shaft) ** 2 if not np.isnan(formula) else np.nan
         error = formula / needed - 1 if needed > 0 else np.nan
         rows.append(
@@ -117,11 +125,7 @@ def _at_motor(at_shaft: float, gearing: Gearing, wanted: WantedFlywheel) -> floa
 
 def _running(turning: DriveInTurn, machines: ReducedMachines, shaft: int, inertia: float) -> _Running:
     """Steady running with a flywheel; infinite where there is none."""
-    gearing = turning.gearing
-    if shaft == 0:
-        gearing = gearing._replace(motor_inertia=gearing.motor_inertia + inertia)
-    else:
-        gearing = gearing._replace(inertia=gearing.inertia + inertia * (np.arange(gearing.ratio.size) == shaft - 1))
+    gearing = with_inertia(turning.gearing, shaft, inertia)
     at, found = settled(turning._replace(gearing=gearing), machines)
     if found is None:
         return _Running(np.inf, np.nan, np.inf)
@@ -146,8 +150,31 @@ def _least(excess: Callable[[float], float], there: float) -> float:
     return float(root)
 
 
-def _formula(static: StaticTorques, steady: SteadyDrive, motor: DeclaredMotor, design: int, allowed: float) -> float:
-    """Inertia at the motor by the formula, for two levels with the extremes and the mean of the static torque."""
+def formula_inertia(
+    static: StaticTorques, period: float, motor: DeclaredMotor, *, design: int, allowed: float
+) -> float:
+    """Inertia of all at the motor by the formula, for two levels with the extremes and the mean of the static torque.
+
+    Parameters
+    ----------
+    static : StaticTorques
+    period : float
+        Of the steady cycle. [s]
+    motor : DeclaredMotor
+    design : int
+        Of the static torques, and of the motor.
+    allowed : float
+        Largest torque of the motor. [N·m]
+
+    Returns
+    -------
+    float
+        NaN where the motor has no rated slip. [kg·m²]
+
+    Notes
+    -----
+    docs/theory/drive, eq. (25.36).
+    """
     most, least, mean = (
         float(one[design, 0])
         for one in (static.largest_static_torque.value, static.smallest_static_torque.value, static.mean_static_torque)
@@ -155,9 +182,7 @@ def _formula(static: StaticTorques, steady: SteadyDrive, motor: DeclaredMotor, d
     top, rating = float(motor.top_speed[design]), motor.rating
     if np.isnan(rating.torque[design]) or not np.isfinite(top) or most <= least or np.isnan(allowed):
         return np.nan
-    period = float(steady.cycle_time[design])
     share = (mean - least) / (most - least)
     load = PeakyLoad(*(np.asarray(one) for one in (most, share * period, least, (1 - share) * period)))
-    slip = 1 - float(rating.speed[design]) / top
-    line = SlipLine(rating.torque[design], np.asarray(slip), np.asarray(top))
+    line = SlipLine(rating.torque[design], np.asarray(rated_slip(motor, design)), np.asarray(top))
     return float(recovered_inertia(load, line, np.asarray(allowed)))

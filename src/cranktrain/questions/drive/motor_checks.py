@@ -62,6 +62,8 @@ class CheckedMotor(NamedTuple):
     start_time, rotor_heat : float
         Of a start at the lowest voltage. [s, J]
     inertia_ratio : float
+    cycle : SpeedOverTurn or None
+        Its steady cycle; None where it has none.
     """
 
     shares: Array
@@ -70,6 +72,7 @@ class CheckedMotor(NamedTuple):
     start_time: float
     rotor_heat: float
     inertia_ratio: float
+    cycle: SpeedOverTurn | None
 
     @property
     def largest(self) -> float:
@@ -77,7 +80,7 @@ class CheckedMotor(NamedTuple):
         return float(np.nanmax(self.shares)) if np.any(~np.isnan(self.shares)) else np.nan
 
 
-UNCHECKED = CheckedMotor(np.full(len(SIZING_CHECKS), np.nan), *(np.nan,) * 5)
+UNCHECKED = CheckedMotor(np.full(len(SIZING_CHECKS), np.nan), *(np.nan,) * 5, cycle=None)
 
 
 class MotorAtMachine(NamedTuple):
@@ -142,7 +145,7 @@ def checked_motor(
         ratio / _largest_ratio(at, float(duty.inertia_ratio[own])),
         of_speed,
     )
-    return CheckedMotor(np.array(shares), rms, peak, time, heat, ratio)
+    return CheckedMotor(np.array(shares), rms, peak, time, heat, ratio, found)
 
 
 def _cycle_shares(

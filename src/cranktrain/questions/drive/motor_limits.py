@@ -115,10 +115,10 @@ def line_start(motor: DeclaredMotor, design: int, limits: MotorLimits, inertia: 
     -----
     docs/theory/drive, eq. (25.26).
     """
-    top, rated = float(motor.top_speed[design]), float(motor.rating.speed[design])
+    top = float(motor.top_speed[design])
     if not starts_on_line(motor, design):
         return StartTimeHeat(np.asarray(np.nan), np.asarray(np.nan))
-    end = top - _END_SLIP * (top - rated)
+    end = top * (1 - _END_SLIP * rated_slip(motor, design))
     breaks = np.array([float(np.ravel(speed[..., design])[0]) for speed in motor.motor.breaks(motor.numbers).speeds])
     inside = breaks[np.isfinite(breaks) & (breaks > 0) & (breaks < end)]
     speeds = np.unique(np.concatenate([[0.0], inside, [end]]))
@@ -129,6 +129,15 @@ def line_start(motor: DeclaredMotor, design: int, limits: MotorLimits, inertia: 
         np.asarray(top),
         speeds,
     )
+
+
+def rated_slip(motor: DeclaredMotor, design: int) -> float:
+    """Slip at the rated torque: with a resistance behind slip rings more than on the plate, in its proportion. [1]
+
+    docs/theory/drive, eq. (25.14).
+    """
+    own = 1 - float(motor.rating.speed[design]) / float(motor.top_speed[design])
+    return own * float(motor.numbers.resistance[design]) if motor.motor is WOUND_ROTOR else own
 
 
 def starts_on_line(motor: DeclaredMotor, design: int) -> bool:

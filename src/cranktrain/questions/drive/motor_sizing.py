@@ -41,6 +41,8 @@ from cranktrain.wording import Names, number
 _THEORY = "docs/theory/drive"
 _EACH = ("sized_motor",)
 SIZED_MOTORS = (N_("as declared"), N_("smallest that passes"), N_("next smaller"))
+_SHOWN = ("rms", "peak", "start_time", "rotor_heat", "inertia_ratio")
+"""Of a checked motor, in the order of `MotorSizing`."""
 _PACE = 0.1
 """By how much the typical motors may turn the crank at another pace than the file has, and still be compared."""
 
@@ -90,8 +92,20 @@ class MotorSizing(StageResult):
         return "" if np.all(np.isnan(shares)) else _(SIZING_CHECKS[int(np.nanargmax(shares))])
 
 
-class _Design(NamedTuple):
-    """One design: its machine alone, its gearing without the declared rotor, and what it asks."""
+class SizedDesign(NamedTuple):
+    """One design for which motors are checked.
+
+    Attributes
+    ----------
+    machines : ReducedMachines
+        Of this design alone.
+    bare : Gearing
+        Without the rotor of the declared motor.
+    asked : AskedOfMotor
+    duty : DeclaredDuty
+    design : int
+        Its place among all of them.
+    """
 
     machines: ReducedMachines
     bare: Gearing
@@ -100,7 +114,7 @@ class _Design(NamedTuple):
     design: int
 
     def with_motor(self, motor: DeclaredMotor, place: int) -> MotorAtMachine:
-        """Give the machine one motor of a range."""
+        """Give the machine one motor of a range, by its place in it."""
         rotor = 0.0 if motor.inertia is None else float(motor.inertia[place])
         gearing = self.bare._replace(motor_inertia=self.bare.motor_inertia + rotor)
         return MotorAtMachine(motor, place, gearing, self.machines)
@@ -129,10 +143,8 @@ def motor_sizing(
     flags: list[str] = []
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value)).tolist()
     for design, gearing in enumerate(drive.gearings):
-        one = _one_design(design, gearing, machines, static, motor, duty)
-        is_asked_torque = one.asked.running_torque > 0
-        if clutch is not None:
-            one = one._replace(asked=_before_clutch(one.bare, clutch, design))
+        is_asked_torque = float(static.mean_static_torque[design, 0]) > 0
+        one = sized_design(design, gearing, machines, static, motor=motor, duty=duty, clutch=clutch)
         own = UNCHECKED if motor is None else checked_motor(_declared(one, motor, design), *one[2:], held[design])
         reason = _other_pace(gearing, motor, design, held[design]) if is_asked_torque else ""
         places = (-1, -1) if reason or not is_asked_torque else None
@@ -143,7 +155,7 @@ def motor_sizing(
         rated.append([_rated(motor, design), *(_rated(typical_motors(), place) for place in places)])
         flags += _beyond(own) if motor is not None else ()
     points = np.array(rated)
-    columns = [np.array([[getattr(one, name) for one in row] for row in rows]) for name in CheckedMotor._fields[1:]]
+    columns = [np.array([[getattr(one, name) for one in row] for row in rows]) for name in _SHOWN]
     return MotorSizing(
         np.array([[one.shares for one in row] for row in rows]),
         np.array([[one.largest for one in row] for row in rows]),
@@ -158,26 +170,44 @@ def motor_sizing(
     )
 
 
-def _one_design(
+def sized_design(
     design: int,
     gearing: Gearing,
     machines: ReducedMachines,
     static: StaticTorques,
+    *,
     motor: DeclaredMotor | None,
     duty: DeclaredDuty,
-) -> _Design:
-    """Take one design apart from the others, and its rotor from its gearing."""
+    clutch: DeclaredClutch | None,
+) -> SizedDesign:
+    """Take one design apart from the others, and the rotor of the declared motor from its gearing.
+
+    Parameters
+    ----------
+    design : int
+    gearing : Gearing
+        Of this design.
+    machines : ReducedMachines
+    static : StaticTorques
+        Behind these ratios, whatever turns with the shafts.
+    motor : DeclaredMotor or None
+    duty : DeclaredDuty
+    clutch : DeclaredClutch or None
+        It leaves the start without load.
+    """
     rotor = 0.0 if motor is None or motor.inertia is None else float(motor.inertia[design])
     bare = gearing._replace(motor_inertia=gearing.motor_inertia - rotor)
     corner = min(design, len(machines.corners) - 1)
     alone = replace(machines, each=machines.each[design : design + 1], corners=machines.corners[corner : corner + 1])
+    if clutch is not None:
+        return SizedDesign(alone, bare, _before_clutch(bare, clutch, design), duty, design)
     of_machine = mean_inertia(alone.each[0], alone.cycle) / overall_ratio(gearing) ** 2
     asked = AskedOfMotor(
         float(static.largest_static_torque.value[design, 0]),
         float(static.mean_static_torque[design, 0]),
         _at_motor(bare) + of_machine,
     )
-    return _Design(alone, bare, asked, duty, design)
+    return SizedDesign(alone, bare, asked, duty, design)
 
 
 def _before_clutch(bare: Gearing, clutch: DeclaredClutch, design: int) -> AskedOfMotor:
@@ -190,7 +220,7 @@ def _at_motor(gearing: Gearing) -> float:
     return float(turning_inertia(gearing) / overall_ratio(gearing) ** 2)
 
 
-def _declared(one: _Design, motor: DeclaredMotor, design: int) -> MotorAtMachine:
+def _declared(one: SizedDesign, motor: DeclaredMotor, design: int) -> MotorAtMachine:
     """The declared motor as one of a range of one, so that its own design is the first."""
     return one.with_motor(motor_alone(motor, design), 0)
 
@@ -231,7 +261,7 @@ def _rated(motor: DeclaredMotor | None, place: int) -> tuple[float, float]:
     return float(motor.rating.power[place]), float(motor.rating.torque[place])
 
 
-def _smallest(one: _Design) -> tuple[tuple[CheckedMotor, CheckedMotor], tuple[int, int]]:
+def _smallest(one: SizedDesign) -> tuple[tuple[CheckedMotor, CheckedMotor], tuple[int, int]]:
     """Smallest typical motor that passes and the next smaller one; the largest as the latter where none is enough."""
     motors = typical_motors()
     n = motors.n_designs

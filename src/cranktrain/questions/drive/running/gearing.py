@@ -40,6 +40,13 @@ Solved: TypeAlias = tuple[float, float, int]
 """Acceleration of the crank [rad/s²], torque that losses take at the crank [N·m], and which of `UNIQUE`, …"""
 
 
+def with_inertia(gearing: Gearing, shaft: int, inertia: float) -> Gearing:
+    """Gearing with something more on a shaft, 0 the motor's, n that behind stage n. [kg·m²]"""
+    if shaft == 0:
+        return gearing._replace(motor_inertia=gearing.motor_inertia + inertia)
+    return gearing._replace(inertia=gearing.inertia + inertia * (np.arange(gearing.ratio.size) == shaft - 1))
+
+
 def stages(motor_inertia: float, *each: tuple[float, float, float, float, float]) -> Gearing:
     """Gearing of stages given as (ratio, forward, backward, drag, inertia) each; none is a motor on the crank itself.
 

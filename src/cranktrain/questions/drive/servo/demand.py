@@ -60,6 +60,10 @@ class ServoDemand(NamedTuple):
         """Energy that the motor takes back in a period. [J]"""
         return float(-np.sum(np.minimum(self.power, 0.0) * self.weight))
 
+    def behind(self, gearing: Gearing) -> "ServoDemand":
+        """The same motion and crank torque behind another gearing."""
+        return _demand(self.crank, self.weight, self.crank_torque, gearing)
+
     def uses(self, servo: Servo, continuous_torque: float) -> ServoUses:
         """Share of a servo motor's limits that is asked for: torque and power at once, torque for long [N·m]."""
         at_once = np.max(np.abs(self.motor_torque) / servo_limit(self.motor_speed, servo))
