@@ -31,6 +31,8 @@ _THEORY = "docs/theory/drive"
 _N_ANGLES = 4001
 _MOST = 1e7
 """In parts of the inertia that is there: above it no flywheel is looked for."""
+_CLOSE = 1e-11
+"""In parts of the flywheel: how near it is found."""
 
 
 @record
@@ -130,9 +132,12 @@ def _running(turning: DriveInTurn, machines: ReducedMachines, shaft: int, inerti
     if found is None:
         return _Running(np.inf, np.nan, np.inf)
     whole = found.at(np.linspace(0, machines.cycle, _N_ANGLES))
+    peak = float(np.max(at.motor_torque(whole)))
+    if np.isnan(peak):  # so near to a stall that it stands still between two points
+        return _Running(np.inf, np.nan, np.inf)
     mean = machines.cycle / found.period
     rms = float(np.sqrt(found.over_time(at.motor_torque(found.speed) ** 2)))
-    return _Running(float(np.max(at.motor_torque(whole))), rms, float(np.ptp(whole)) / mean)
+    return _Running(peak, rms, float(np.ptp(whole)) / mean)
 
 
 def _least(excess: Callable[[float], float], there: float) -> float:
@@ -146,7 +151,17 @@ def _least(excess: Callable[[float], float], there: float) -> float:
         low, high = high, 4 * high
         if high > _MOST * there:
             return np.inf
-    root = cast(float, brentq(excess, low, high, xtol=1e-11 * high))
+    stalls = np.isinf(excess(low))  # no chord leads from there
+    while stalls and high - low > _CLOSE * high:
+        middle = 0.5 * (low + high)
+        over = excess(middle)
+        if over > 0:
+            low, stalls = middle, np.isinf(over)
+        else:
+            high = middle
+    if stalls:
+        return high
+    root = cast(float, brentq(excess, low, high, xtol=_CLOSE * high))
     return float(root)
 
 

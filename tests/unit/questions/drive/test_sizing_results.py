@@ -6,6 +6,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import cranktrain as ct
+from cranktrain.questions.drive.flywheel_sizing import DriveFlywheel
+from cranktrain.questions.drive.rows import flywheel_rows
 
 STAGE = [{"ratio": 40, "efficiency": 0.846}]
 
@@ -103,6 +105,23 @@ def test_flywheel_against_an_ode(table):
     )
     cycle = turn(start)
     assert np.max(slope * (no_load - speed(cycle.t, cycle.y[0]))) == pytest.approx(25, rel=1e-3)
+
+
+@pytest.mark.parametrize(("wanted", "closeness"), [(45.0, 1e-4), (95.0, 1e-2)])
+def test_flywheel_of_a_motor_that_stalls_without(wanted, closeness):
+    """Shears: with it the motor runs within 45 N·m; of 95 N·m, beyond its breakdown torque of 91.2, it just runs."""
+    shears = ct.load("shears", set={"drive.part.flywheel.inertia": "0.01 kg*m^2"})
+    asked = ct.run(shears.with_({"drive.flywheel": {"on": 1, "largest_torque": f"{wanted} N*m"}}))
+    assert np.isnan(asked.largest_motor_torque)
+    (said,) = (line.words for line in flywheel_rows({}, 0, asked[DriveFlywheel]))
+    assert said.endswith("without it the motor stalls")
+
+    def largest(share):
+        inertia = f"{0.01 + share * float(asked.needed_inertia)!r} kg*m^2"
+        return ct.run(shears.with_({"drive.part.flywheel.inertia": inertia})).largest_motor_torque
+
+    assert largest(1 + closeness) <= wanted
+    assert not largest(1 - closeness) <= wanted
 
 
 @pytest.mark.parametrize(
