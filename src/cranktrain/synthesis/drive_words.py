@@ -113,7 +113,8 @@ def _of_flywheel(bench: Bench, chosen: Trial) -> Iterator[str]:
     if np.isfinite(added):
         said = _("For the same largest torque the formula for one peak after a full recovery gives {formula}: {error}.")
         yield said.format(
-            formula=number(max(added, 0.0), "kg·m²"), error=f"{100 * (added / chosen.flywheel - 1):+.0f} %"
+            formula=number(max(added, 0.0), "kg·m²"),
+            error=f"{100 * (added / chosen.flywheel - 1):+.0f} %".replace("-", "−"),
         )
 
 
