@@ -45,7 +45,7 @@ MEANINGS = {
 _BRAKE, _CLUTCH, _FLYWHEEL, _CRANK = N_("brake"), N_("clutch"), N_("flywheel"), N_("crank shaft")
 
 
-class Fact(NamedTuple):
+class ChainFact(NamedTuple):
     """A number with its letter and its SI unit."""
 
     letter: str
@@ -62,7 +62,7 @@ class DriveElement(NamedTuple):
         "stage" of one whose kind is not said.
     words : str
         What it is.
-    facts : tuple of Fact
+    facts : tuple of ChainFact
         What the file has of it; the letters are those of `MEANINGS`.
     ratio : float
         Of a stage; 1 of all else.
@@ -70,7 +70,7 @@ class DriveElement(NamedTuple):
 
     symbol: Symbol
     words: str
-    facts: tuple[Fact, ...] = ()
+    facts: tuple[ChainFact, ...] = ()
     ratio: float = 1.0
 
 
@@ -124,7 +124,7 @@ def _shaft(machine: Machine, spec: DriveSpec, place: int, speed: float) -> Drive
     inertias = [fact.value for one in elements for fact in one.facts if fact.letter == "J"]
     own = machine.evenness.inertia if is_last and machine.evenness is not None else None
     if own is not None:
-        elements.append(DriveElement("disc", _(_FLYWHEEL), (Fact("J", _first(own), "kg*m^2"),)))
+        elements.append(DriveElement("disc", _(_FLYWHEEL), (ChainFact("J", _first(own), "kg*m^2"),)))
         inertias.append(_first(own))
     elements.append(DriveElement("crank", _(_CRANK)) if is_last else _of_stage(spec.stage[place]))
     return DriveShaft(tuple(elements), speed, sum(inertias))
@@ -143,18 +143,18 @@ def _on_shaft(spec: DriveSpec, place: int, n_stages: int) -> Iterator[DriveEleme
     of_clutch = None if clutch is None else shaft_number(clutch.on)
     places = {"motor": 0, "clutch": of_clutch, "crank": n_stages}
     if clutch is not None and of_clutch == place:
-        driven = (Fact("J", clutch.driven_inertia.si, "kg*m^2"),) if clutch.driven_inertia.si > 0 else ()
+        driven = (ChainFact("J", clutch.driven_inertia.si, "kg*m^2"),) if clutch.driven_inertia.si > 0 else ()
         yield DriveElement("clutch", _(_CLUTCH), (*_of_grip(clutch), *driven))
     if brake is not None and places[brake.on] == place:
         yield DriveElement("brake", _(_BRAKE), tuple(_of_grip(brake)))
 
 
-def _of_motor(motor: AnyMotor) -> Iterator[Fact]:
+def _of_motor(motor: AnyMotor) -> Iterator[ChainFact]:
     """Rated point, largest torque and rotor of a motor, as far as its table has them."""
     rating, largest = motor_of(motor).rating, motor.largest_torque
     letter = "Mₚ" if motor.kind == "servo" else "Mₘₐₓ"
-    facts = [Fact("P", _first(rating.power), "W"), Fact("n", _first(rating.speed), "rad/s")]
-    facts += [] if largest is None else [Fact(letter, _first(largest), "N*m")]
+    facts = [ChainFact("P", _first(rating.power), "W"), ChainFact("n", _first(rating.speed), "rad/s")]
+    facts += [] if largest is None else [ChainFact(letter, _first(largest), "N*m")]
     yield from (fact for fact in facts if np.isfinite(fact.value))
     if motor.rotor_inertia is not None:
         yield from _of_rotor(motor.rotor_inertia, is_moment=motor.flywheel_moment is not None)
@@ -165,26 +165,26 @@ def _is_moment(part: PartSpec) -> bool:
     return part.flywheel_moment is not None
 
 
-def _of_rotor(inertia: Array, *, is_moment: bool) -> Iterator[Fact]:
+def _of_rotor(inertia: Array, *, is_moment: bool) -> Iterator[ChainFact]:
     """Inertia of what turns, beside its flywheel moment if that is how it is given."""
     if is_moment:
-        yield Fact("GD²", 4 * _first(inertia), "kg*m^2")
-    yield Fact("J", _first(inertia), "kg*m^2")
+        yield ChainFact("GD²", 4 * _first(inertia), "kg*m^2")
+    yield ChainFact("J", _first(inertia), "kg*m^2")
 
 
-def _of_grip(grip: ClutchSpec | BrakeSpec) -> Iterator[Fact]:
+def _of_grip(grip: ClutchSpec | BrakeSpec) -> Iterator[ChainFact]:
     """Torques of a clutch or brake."""
-    yield Fact("M", grip.torque.si, "N*m")
+    yield ChainFact("M", grip.torque.si, "N*m")
     if grip.static_torque is not None:
-        yield Fact("Mₛ", grip.static_torque.si, "N*m")
+        yield ChainFact("Mₛ", grip.static_torque.si, "N*m")
 
 
 def _of_stage(stage: StageSpec) -> DriveElement:
     """A stage with its ratio, its efficiencies both ways, and what it takes whatever it passes on."""
     symbol = stage.kind or ("stage" if stage.lead_angle is None else "worm")
     forward, back = (_first(one) for one in stage.efficiencies)
-    facts = [Fact("i", stage.ratio.si, "1"), Fact("η", forward, "1"), Fact("η′", back, "1")]
-    facts += [Fact("M₀", stage.drag.si, "N*m")] if stage.drag.si > 0 else []
+    facts = [ChainFact("i", stage.ratio.si, "1"), ChainFact("η", forward, "1"), ChainFact("η′", back, "1")]
+    facts += [ChainFact("M₀", stage.drag.si, "N*m")] if stage.drag.si > 0 else []
     return DriveElement(symbol, _(STAGES[symbol]), tuple(facts), stage.ratio.si)
 
 

@@ -14,12 +14,13 @@ from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.spec import words_of
 from cranktrain.synthesis.drive_trials import (
-    Asked,
+    AskedDrive,
     Bench,
     Ratio,
     Trial,
     bench_for,
     every_trial,
+    part_named,
     ratios_beside,
     sought_flywheel,
     with_ratio,
@@ -126,7 +127,7 @@ def _proposal(bench: Bench) -> MachineProposal:
     )
 
 
-def _asked(machine: Machine, ratio: Ratio, tolerance: float) -> Asked:
+def _asked(machine: Machine, ratio: Ratio, tolerance: float) -> AskedDrive:
     """Find what is asked; refuse a machine that lacks something."""
     spec: DriveSpec | None = machine.drive
     shaft = machine.shaft.get("main")
@@ -140,7 +141,7 @@ def _asked(machine: Machine, ratio: Ratio, tolerance: float) -> Asked:
     assert spec is not None and shaft is not None and shaft.speed is not None
     ratios = [stage.ratio.si for stage in spec.stage]
     stage = int(np.argmax(ratios))
-    return Asked(
+    return AskedDrive(
         machine,
         shaft.speed.si,
         stage,
@@ -202,19 +203,19 @@ def _none_is_enough(sizes: list[Trial]) -> str:
     return said.format(power=number(best.power, "kW"), share=number(best.largest, "%"), check=best.governing)
 
 
-def _driven(asked: Asked, chosen: Trial) -> Machine:
+def _driven(asked: AskedDrive, chosen: Trial) -> Machine:
     """The machine with what is proposed."""
     values: dict[str, object] = {
         "drive.motor": motor_table(chosen.place, asked.kept),
         f"drive.stage[{asked.stage}].ratio": chosen.ratio,
     }
     if asked.flywheel is not None:
-        on = asked.machine.drive.part[asked.flywheel.name].on
+        on = part_named(asked.machine, asked.flywheel.name).on
         values[f"drive.part.{asked.flywheel.name}"] = {"on": on, "inertia": f"{chosen.flywheel!r} kg·m²"}
     return asked.machine.with_(values)
 
 
-def _values(asked: Asked, chosen: Trial) -> dict[str, str]:
+def _values(asked: AskedDrive, chosen: Trial) -> dict[str, str]:
     """What the machine's file says otherwise."""
     motor = motor_values(chosen.place, asked.kept, _("the smallest typical motor that is enough"))
     note = _("keeps {speed} at the crank").format(speed=number(asked.speed, "rpm"))
@@ -222,7 +223,7 @@ def _values(asked: Asked, chosen: Trial) -> dict[str, str]:
     values[f"drive.stage[{asked.stage}].ratio"] = found_ratio(chosen.ratio, note)
     if asked.flywheel is not None:
         power = number(float(four_pole_motors().power[chosen.place]), "kW")
-        on = asked.machine.drive.part[asked.flywheel.name].on
+        on = part_named(asked.machine, asked.flywheel.name).on
         path = f"drive.part.{asked.flywheel.name}"
         said = _("the least with which {power} is enough").format(power=power)
         values[f"{path}.on"] = f'"{on}"' if isinstance(on, str) else str(on)

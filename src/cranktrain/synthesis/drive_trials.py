@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Iterator
 from functools import cache
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -24,6 +24,7 @@ from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, with_inertia
 from cranktrain.questions.drive.shafts import shaft_number
+from cranktrain.questions.drive.spec import DriveSpec, PartSpec
 from cranktrain.questions.drive.static_torques import StaticTorques
 from cranktrain.record import record
 from cranktrain.synthesis.sized_motor import KeptSlip, motor_table, slip_of_size
@@ -47,7 +48,7 @@ class SoughtFlywheel(NamedTuple):
     most: float
 
 
-class Asked(NamedTuple):
+class AskedDrive(NamedTuple):
     """What is asked of a drive.
 
     Attributes
@@ -143,7 +144,7 @@ class Trial:
 class Bench:
     """Where motors are tried: what is asked, the machine behind each ratio, and each motor of the range."""
 
-    asked: Asked
+    asked: AskedDrive
     behind: Callable[[float], "Behind"]
     motor: Callable[[int], DeclaredMotor]
 
@@ -164,7 +165,7 @@ class Behind(NamedTuple):
         return float(self.static.mean_static_torque[0, 0])
 
 
-def bench_for(asked: Asked) -> Bench:
+def bench_for(asked: AskedDrive) -> Bench:
     """Set up the trials for what is asked."""
 
     @cache
@@ -174,25 +175,26 @@ def bench_for(asked: Asked) -> Bench:
     @cache
     def motor(place: int) -> DeclaredMotor:
         changed = asked.machine.with_({"drive.motor": motor_table(place, asked.kept)})
-        return parts_of((changed,), step=FACTS_STEP)[DeclaredMotor]
+        parts: Any = parts_of((changed,), step=FACTS_STEP)
+        return parts[DeclaredMotor]
 
     return Bench(asked, behind, motor)
 
 
-def _behind(asked: Asked, ratio: float) -> Behind:
+def _behind(asked: AskedDrive, ratio: float) -> Behind:
     """Reduce the machine and its loads behind a ratio; a motor of any size stands for all."""
     changed = asked.machine.with_(
         {"drive.motor": motor_table(0, KeptSlip()), f"drive.stage[{asked.stage}].ratio": ratio}
     )
     if asked.flywheel is not None:
-        on = changed.drive.part[asked.flywheel.name].on
+        on = part_named(changed, asked.flywheel.name).on
         changed = changed.with_({f"drive.part.{asked.flywheel.name}": {"on": on, "inertia": "0 kg·m²"}})
     result = run(changed, quantities=_QUANTITIES)
     if needs := result.needs_of(*_QUANTITIES):
         raise InputError(
             [Problem("drive", None, _("cannot be sized: needs {needs}").format(needs=_(" and ").join(needs)))]
         )
-    parts = parts_of((changed,), step=FACTS_STEP)
+    parts: Any = parts_of((changed,), step=FACTS_STEP)
     drive, clutch = parts[DeclaredDrive], parts.get(DeclaredClutch)
     motor, duty = parts[DeclaredMotor], parts[DeclaredDuty]
     return Behind(drive.gearings[0], result[ReducedMachines], result[StaticTorques], motor, duty, clutch)
@@ -200,7 +202,14 @@ def _behind(asked: Asked, ratio: float) -> Behind:
 
 def sought_flywheel(machine: Machine, name: str, most: float) -> SoughtFlywheel:
     """Find the part by its name; it must be there."""
-    return SoughtFlywheel(name, shaft_number(machine.drive.part[name].on), most)
+    return SoughtFlywheel(name, shaft_number(part_named(machine, name).on), most)
+
+
+def part_named(machine: Machine, name: str) -> PartSpec:
+    """A part of the drive; it must be there."""
+    drive: DriveSpec | None = machine.drive
+    assert drive is not None
+    return drive.part[name]
 
 
 def carries_mean(bench: Bench, place: int) -> bool:
@@ -213,13 +222,13 @@ def carries_mean(bench: Bench, place: int) -> bool:
     return behind.mean_torque <= able
 
 
-def exact_ratio(asked: Asked, place: int) -> float:
+def exact_ratio(asked: AskedDrive, place: int) -> float:
     """Ratio of the stage with which a motor turns the crank at its speed, while it gives its rated torque. [1]"""
     rated = float(four_pole_motors().values.synchronous_speed[place]) * (1 - slip_of_size(place, asked.kept))
     return rated / asked.speed / asked.others
 
 
-def ratios_for(asked: Asked, exact: float) -> tuple[float, ...]:
+def ratios_for(asked: AskedDrive, exact: float) -> tuple[float, ...]:
     """Ratios to try: preferred ones that keep the speed within the tolerance, the nearest first and always."""
     reach = _NEAR * (1 + asked.tolerance)
     near = preferred_ratios(exact / reach, exact * reach)
@@ -301,7 +310,7 @@ _PLENTY = 1e4
 
 def _plenty(behind: Behind, shaft: int) -> float:
     """Inertia above which no flywheel is looked for, on its shaft. [kg·m²]"""
-    here = float(np.mean(behind.static.driven_inertia[0, shaft]))
+    here = float(behind.static.driven_inertia[0, shaft].mean())
     return _rounded_up(_PLENTY * here)
 
 

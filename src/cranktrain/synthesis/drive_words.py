@@ -8,7 +8,7 @@ from cranktrain.language import N_, _
 from cranktrain.questions.drive.flywheel_sizing import formula_inertia
 from cranktrain.questions.drive.motor_checks import SIZING_CHECKS
 from cranktrain.questions.drive.spec import DriveSpec
-from cranktrain.synthesis.drive_trials import Asked, Bench, Trial
+from cranktrain.synthesis.drive_trials import AskedDrive, Bench, Trial
 from cranktrain.synthesis.proposal import Alternative, Number
 from cranktrain.synthesis.sized_motor import KeptSlip, declared_slip, typical_slip
 from cranktrain.wording import number
@@ -20,7 +20,7 @@ _NOT_BESIDE = frozenset({"overall_ratio", "off"})
 _KINDS = {"cage": N_("a cage motor"), "wound_rotor": N_("a motor with slip rings")}
 
 
-def numbers(asked: Asked, one: Trial, chosen: Trial) -> Iterator[Number]:
+def numbers(asked: AskedDrive, one: Trial, chosen: Trial) -> Iterator[Number]:
     """Motor, ratio and flywheel, and the shares of the checks that are asked for of the chosen one."""
     yield Number("power", "P_n", one.power, "kW", _("Rated power of a typical four-pole motor"))
     yield Number("slip", "s_n", one.slip, "%", _("Its slip at the rated torque"))
@@ -40,7 +40,9 @@ def numbers(asked: Asked, one: Trial, chosen: Trial) -> Iterator[Number]:
             yield Number(name, symbol, share, "%", _("Used: {check}").format(check=_(check)))
 
 
-def alternatives(asked: Asked, chosen: Trial, sizes: Sequence[Trial], ratios: Sequence[Trial]) -> Iterator[Alternative]:
+def alternatives(
+    asked: AskedDrive, chosen: Trial, sizes: Sequence[Trial], ratios: Sequence[Trial]
+) -> Iterator[Alternative]:
     """The sizes that carry the machine, each with what it misses by, and the ratios beside."""
     for one in sizes:
         if one is not chosen and np.isfinite(one.speed):
@@ -59,7 +61,7 @@ def _missed(one: Trial) -> str:
     return _("misses by {by}").format(by=number(one.largest - 1, "%"))
 
 
-def _beside(asked: Asked, one: Trial, chosen: Trial) -> Iterator[Number]:
+def _beside(asked: AskedDrive, one: Trial, chosen: Trial) -> Iterator[Number]:
     """Numbers that stand in a table of several."""
     for each in numbers(asked, one, chosen):
         if each.name not in _NOT_BESIDE and np.isfinite(each.value):
@@ -108,7 +110,7 @@ def _of_flywheel(bench: Bench, chosen: Trial) -> Iterator[str]:
         behind.static, cycle.period, bench.motor(chosen.place), design=0, allowed=chosen.checked.peak
     )
     turned = float(np.prod(behind.gearing.ratio[: sought.shaft]))
-    own = float(np.mean(behind.static.driven_inertia[0, 0]))
+    own = float(behind.static.driven_inertia[0, 0].mean())
     added = (formula - own) * turned**2
     if np.isfinite(added):
         said = _("For the same largest torque the formula for one peak after a full recovery gives {formula}: {error}.")
@@ -118,7 +120,7 @@ def _of_flywheel(bench: Bench, chosen: Trial) -> Iterator[str]:
         )
 
 
-def _of_slip(asked: Asked, chosen: Trial) -> Iterator[str]:
+def _of_slip(asked: AskedDrive, chosen: Trial) -> Iterator[str]:
     """Say where the motor is another kind than the declared one, or has another slip."""
     spec: DriveSpec | None = asked.machine.drive
     motor = None if spec is None else spec.motor

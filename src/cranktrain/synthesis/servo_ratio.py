@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator
-from typing import NamedTuple, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
@@ -120,7 +120,7 @@ def _case(machine: Machine) -> _Servo:
     if spec is None or not spec.stage:
         allowed = _("is missing: a ratio is that of a stage; [[drive.stage]] ratio = 1 would do")
         raise InputError([Problem("drive.stage", None, allowed)])
-    parts = parts_of((machine,), step=FACTS_STEP)
+    parts: Any = parts_of((machine,), step=FACTS_STEP)
     gearing, motor = parts[DeclaredDrive].gearings[0], parts.get(DeclaredMotor)
     problems: list[Problem] = []
     if motor is not None and motor.motor is not SERVO:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.language import _
-from cranktrain.plans.drive_scheme import MEANINGS, DriveElement, DriveShaft, Fact
+from cranktrain.plans.drive_scheme import MEANINGS, ChainFact, DriveElement, DriveShaft
 from cranktrain.quantities import shown
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
@@ -48,7 +48,7 @@ def _rows(chain: Sequence[DriveShaft], letter: str) -> Iterator[DriveRow]:
     """Rows before they are folded."""
     number = 0
     for place, shaft in enumerate(chain, start=1):
-        inertia = (_written(Fact("J", shaft.inertia, "kg*m^2")),) if shaft.inertia > 0 else ()
+        inertia = (_written(ChainFact("J", shaft.inertia, "kg*m^2")),) if shaft.inertia > 0 else ()
         speed = (f"{figure(shown(shaft.speed, 'rpm'))} rpm",) if np.isfinite(shaft.speed) else ()
         yield DriveRow(_("Shaft {numeral}").format(numeral=roman(place)), (*speed, *inertia), is_shaft=True)
         for one in shaft.elements:
@@ -63,7 +63,7 @@ def _words(one: DriveElement, letter: str) -> str:
     return _("{shaft} {letter}, the same as in the mechanism").format(shaft=one.words, letter=letter.replace("_", ""))
 
 
-def _written(fact: Fact) -> str:
+def _written(fact: ChainFact) -> str:
     """A number with its letter and unit."""
     if fact.unit == "1":
         return f"{fact.letter} = {fact.value:.4g}".replace("-", "−")
