@@ -39,7 +39,7 @@ def _compiled(kernel: FunctionType) -> object:
     """Compile a copy of the kernel whose globals hold compiled callees."""
     import numba
 
-    taught_choices()
+    teach_choices()
     callees = {
         name: _compiled(called)
         for name in kernel.__code__.co_names
@@ -53,7 +53,7 @@ def _compiled(kernel: FunctionType) -> object:
 
 
 @cache
-def taught_choices() -> None:
+def teach_choices() -> None:
     """Tell Numba what `chosen` is: between numbers a plain choice, which is a number and lets loops be vectorised.
 
     Between arrays it is the same choice, element by element: `np.where` would take twenty times as long to compile.

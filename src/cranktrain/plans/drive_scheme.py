@@ -11,7 +11,7 @@ from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.spec import BrakeSpec, ClutchSpec
 from cranktrain.questions.drive.motor_tables import AnyMotor, motor_of
 from cranktrain.questions.drive.shafts import shaft_number
-from cranktrain.questions.drive.spec import DriveSpec, PartSpec, StageKind, StageSpec
+from cranktrain.questions.drive.spec import DriveSpec, StageKind, StageSpec
 
 Symbol: TypeAlias = Literal["motor", "disc", "brake", "clutch", "stage", "crank"] | StageKind
 
@@ -138,7 +138,9 @@ def _on_shaft(spec: DriveSpec, place: int, n_stages: int) -> Iterator[DriveEleme
     for name, part in spec.part.items():
         if shaft_number(part.on) == place:
             yield DriveElement(
-                "disc", name.replace("_", " "), tuple(_of_rotor(part.moment, is_moment=_is_moment(part)))
+                "disc",
+                name.replace("_", " "),
+                tuple(_of_rotor(part.moment, is_moment=part.flywheel_moment is not None)),
             )
     of_clutch = None if clutch is None else shaft_number(clutch.on)
     places = {"motor": 0, "clutch": of_clutch, "crank": n_stages}
@@ -158,11 +160,6 @@ def _of_motor(motor: AnyMotor) -> Iterator[ChainFact]:
     yield from (fact for fact in facts if np.isfinite(fact.value))
     if motor.rotor_inertia is not None:
         yield from _of_rotor(motor.rotor_inertia, is_moment=motor.flywheel_moment is not None)
-
-
-def _is_moment(part: PartSpec) -> bool:
-    """Whether a part is given by its flywheel moment."""
-    return part.flywheel_moment is not None
 
 
 def _of_rotor(inertia: Array, *, is_moment: bool) -> Iterator[ChainFact]:

@@ -113,12 +113,13 @@ def _proposal(bench: Bench) -> MachineProposal:
     """Choose, and say what was tried."""
     asked = bench.asked
     sizes, chosen = _sizes(bench)
-    ratios = [with_ratio(bench, chosen.place, one) for one in ratios_beside(chosen.ratio)]
+    beside = () if asked.ratio == "exact" else ratios_beside(chosen.ratio)
+    ratios = [with_ratio(bench, chosen.place, one) for one in beside]
     values = _values(asked, chosen)
     return MachineProposal(
         title=_("{machine}: drive").format(machine=asked.machine.name) if asked.machine.name else _("Drive"),
         numbers=tuple(numbers(asked, chosen, chosen)),
-        alternatives=tuple(alternatives(asked, chosen, sizes, [] if asked.ratio == "exact" else ratios)),
+        alternatives=tuple(alternatives(asked, chosen, sizes, ratios)),
         remarks=tuple(remarks(bench, chosen, sizes)),
         tables=(),
         machine=_driven(asked, chosen),

@@ -5,7 +5,7 @@ from functools import cache
 from types import CellType, FunctionType
 from typing import Any, ParamSpec, TypeVar, cast
 
-from cranktrain.linkage.compile import taught_choices
+from cranktrain.linkage.compile import teach_choices
 from cranktrain.motion import chosen
 
 Parameters = ParamSpec("Parameters")
@@ -26,7 +26,7 @@ def _quick(function: Any) -> Any:
         return function
     import numba
 
-    taught_choices()
+    teach_choices()
     callees = {
         name: _quick(called)
         for name in function.__code__.co_names
