@@ -40,7 +40,8 @@ def _quick(function: Any) -> Any:
     )
     # private parts are called in one place, and calls cost as many words as their arrays have
     is_part = function.__name__.startswith("_")
-    return numba.njit(error_model="numpy", nogil=True, fastmath={"contract"}, forceinline=is_part)(copy)
+    # they make no arrays: counting who holds those given would take a third of the time, and threads would wait on it
+    return numba.njit(error_model="numpy", nogil=True, fastmath={"contract"}, forceinline=is_part, _nrt=False)(copy)
 
 
 def _cells(closure: tuple[CellType, ...] | None) -> tuple[CellType, ...] | None:

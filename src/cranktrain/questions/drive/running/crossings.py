@@ -3,7 +3,8 @@
 from collections.abc import Callable
 from typing import Any
 
-from cranktrain.questions.drive.running.step import ROW, within
+from cranktrain.questions.drive.running.course import OUTPUT, SENSE
+from cranktrain.questions.drive.running.step import BESIDE, ROW, within
 
 NOT_PASSED = 2.0
 _N_LOOKS = 8
@@ -48,49 +49,110 @@ def crossing(value: Callable[[float, Any], float], low: float, high: float, clos
     return high
 
 
+def first_rise(value: Callable[[float, Any], float], start: float, parts: Any) -> tuple[float, float]:
+    """Between which two parts of a step a curve first rises to 0 from below; twice `NOT_PASSED` where it does not.
+
+    It is looked at between the ends too, and at the peak of a parabola through the greatest values: it may pass 0 and
+    come back.
+
+    Parameters
+    ----------
+    value : callable
+        (part θ, parts) → the curve.
+    start : float
+        From which θ on.
+    parts
+        What the curve needs.
+    """
+    apart = (1.0 - start) / _N_LOOKS
+    first, best, greatest = -1, -1, 0.0
+    for look in range(_N_LOOKS + 1):
+        now = value(start + look * apart if look < _N_LOOKS else 1.0, parts)
+        if now >= 0 and first >= 0:
+            return start + (look - 1) * apart, start + look * apart if look < _N_LOOKS else 1.0
+        if now < 0:
+            first = look if first < 0 else first
+            if best < 0 or now > greatest:
+                best, greatest = look, now
+    middle = min(max(best, first + 1), _N_LOOKS - 1)
+    if first < 0 or middle <= first:
+        return NOT_PASSED, NOT_PASSED
+    left, centre, right = (
+        value(start + (middle - 1) * apart, parts),
+        value(start + middle * apart, parts),
+        value(start + (middle + 1) * apart, parts),
+    )
+    bend = left - 2 * centre + right
+    peak = middle + 0.5 * (left - right) / bend if bend < 0 else -1.0
+    if not first < peak < _N_LOOKS or abs(peak - best) > 1 or value(start + peak * apart, parts) < 0:
+        return NOT_PASSED, NOT_PASSED
+    return start + (best if peak > best else best - 1) * apart, start + peak * apart
+
+
 def passed_level(course: Any, width: float, level: float, sign: float) -> float:
     """First part θ of a step at which sign·(ω − level) rises to 0 from below; `NOT_PASSED` where it does not.
 
-    Where the speed turns back within the step it is looked at between the ends as well.
+    No closer look is taken where the level is further from the speeds of all stages than these from one another.
     """
-    slopes = course.slopes
-    turns_back = slopes[1] * slopes[6 * ROW + 1] < 0
-    if sign * (course.ahead[1] - level) < 0 and not turns_back:
+    low = high = sign * course.state[1]
+    for stage in range(1, 7):
+        speed = sign * course.slopes[stage * ROW]
+        low, high = min(low, speed), max(high, speed)
+    if 2 * high - low < sign * level:
         return NOT_PASSED
-    n_looks = _N_LOOKS if turns_back else 1
-    before = 0.0
-    is_below = sign * (course.state[1] - level) < 0
-    for look in range(1, n_looks + 1):
-        theta = look / n_looks
-        speed = course.ahead[1] if look == n_looks else within(course.state, slopes, width, theta, 1)
-        if sign * (speed - level) < 0:
-            is_below = True
-            before = theta
-        elif is_below:
-            return crossing(speed_less, before, theta, _PART_CLOSE, (course.state, slopes, width, level))
-    return NOT_PASSED
+    parts = (course, width, level, sign)
+    before, after = first_rise(speed_over, 0.0, parts)
+    return NOT_PASSED if after == NOT_PASSED else crossing(speed_over, before, after, _PART_CLOSE, parts)
 
 
-def passed_angle(course: Any, width: float, angle: float) -> float:
-    """Part θ of a step at which the crank passes an angle that lies in it."""
-    return crossing(angle_less, 0.0, 1.0, _PART_CLOSE, (course.state, course.slopes, width, angle))
+def may_pass_dead_position(course: Any) -> bool:
+    """Whether x′ of what is driven changes its sign over a step, or comes near to that at a stage within."""
+    start = abs(course.here[OUTPUT])
+    sign = 1.0 if course.here[OUTPUT] > 0 else -1.0
+    end = course.slopes[6 * ROW + BESIDE] * sign
+    within_it = high = course.slopes[ROW + BESIDE] * sign
+    for stage in range(2, 6):
+        output = course.slopes[stage * ROW + BESIDE] * sign
+        within_it, high = min(within_it, output), max(high, output)
+    return end <= 0 or (within_it < min(start, end) and 2 * within_it <= max(start, high, end))
 
 
-def angle_of_dead_position(machine: Any, numbers: Any, sense: float, low: float, high: float) -> float:
-    """Crank angle between two at which x′ of what is driven passes 0."""
-    return crossing(output_rate, low, high, 0.0, (numbers, machine, sense))
+def passed_dead_position(machine: Any, numbers: Any, course: Any, width: float, start: float) -> tuple[float, float]:
+    """First part θ of a step, from one on, at which x′ of what is driven passes 0, and the crank angle there. [rad]
+
+    Both are `NOT_PASSED` where it does not.
+    """
+    before, after = first_rise(output_against, start, (course, width, numbers, machine))
+    if after == NOT_PASSED:
+        return NOT_PASSED, NOT_PASSED
+    low, high = angle_at(course, width, before), angle_at(course, width, after)
+    dead = crossing(output_rate, low, high, 0.0, (numbers, machine, course.here[SENSE]))
+    return crossing(angle_less, before, after, _PART_CLOSE, (course, width, dead)), dead
 
 
-def speed_less(theta: float, parts: Any) -> float:
-    """Speed at a part of a step, less a level. [rad/s]"""
-    state, slopes, width, level = parts
-    return within(state, slopes, width, theta, 1) - level
+def angle_at(course: Any, width: float, theta: float) -> float:
+    """Crank angle at a part of the step. [rad]"""
+    return course.ahead[0] if theta == 1.0 else within(course.state, course.slopes, width, theta, 0)
+
+
+def speed_over(theta: float, parts: Any) -> float:
+    """By how much the speed at a part of a step is beyond a level. [rad/s]"""
+    course, width, level, sign = parts
+    speed = course.ahead[1] if theta == 1.0 else within(course.state, course.slopes, width, theta, 1)
+    return sign * (speed - level)
 
 
 def angle_less(theta: float, parts: Any) -> float:
     """Crank angle at a part of a step, less another. [rad]"""
-    state, slopes, width, level = parts
-    return within(state, slopes, width, theta, 0) - level
+    course, width, angle = parts
+    return angle_at(course, width, theta) - angle
+
+
+def output_against(theta: float, parts: Any) -> float:
+    """x′ of what is driven at a part of a step, above 0 where it is not of the sign that it had. [m/rad or 1]"""
+    course, width, numbers, machine = parts
+    output = output_rate(angle_at(course, width, theta), (numbers, machine, course.here[SENSE]))
+    return -output if course.here[OUTPUT] > 0 else output
 
 
 def output_rate(angle: float, parts: Any) -> float:

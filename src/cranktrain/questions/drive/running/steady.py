@@ -88,14 +88,19 @@ def steady_cycle(
     at_start = kernels_inertia(kernels, drive, is_compiled) + turning
     angles = np.linspace(0.0, cycle, n)
 
+    def walked(energy: float, angles: Array) -> Array:
+        table = np.zeros((len(angles), 5))
+        walk(train, turning, energy, angles, table, *np.zeros((2, N_STATE)), np.zeros(7 * ROW), np.zeros(ROW))
+        return table
+
     def gained(energies: Array) -> Array:
-        return np.array([walk(train, turning, float(energy), angles[[0, -1]])[-1, 0] - energy for energy in energies])
+        return np.array([walked(float(energy), angles[[0, -1]])[-1, 0] - energy for energy in energies])
 
     ends = [np.array([0.5 * at_start * speed**2]) for speed in (slowest, fastest)]
     energy = float(bracketed_roots(gained, *ends)[0])
     if np.isnan(energy):
         return None
-    table = walk(train, turning, energy, angles)
+    table = walked(energy, angles)
     period = float(table[-1, 1])
     return SteadyCycle(
         angles,
@@ -114,7 +119,7 @@ def kernels_inertia(kernels: Kernels, drive: DriveTrain, is_compiled: bool) -> f
 
 @cache
 def _walk(kernels: Kernels, is_compiled: bool) -> Any:
-    """Walk over given angles: energy, time, ∫M dt, ∫M² dt and speed at each; energy −1 where it stalls."""
+    """Walk over given angles: fills a table of energy, −1 where it stalls, time, ∫M dt, ∫M² dt and speed at each."""
     own = joined(kernels, is_compiled)
     in_time, machine = own.derive, own.kernels.machine
 
@@ -132,10 +137,11 @@ def _walk(kernels: Kernels, is_compiled: bool) -> Any:
         slopes[place + 3] = at_motor * at_motor / speed
         return slopes[place], slopes[place + 1]
 
-    def walk(train: TrainNumbers, turning: float, energy: float, angles: Array) -> Array:
-        state, ahead, slopes = np.zeros(N_STATE), np.zeros(N_STATE), np.zeros(7 * ROW)
-        parts = (train, turning, np.zeros(ROW))
-        table = np.zeros((len(angles), 5))
+    def walk(
+        train: TrainNumbers, turning: float, energy: float, angles: Array,
+        table: Array, state: Array, ahead: Array, slopes: Array, by_time: Array,
+    ) -> None:  # fmt: skip
+        parts = (train, turning, by_time)
         state[0] = energy
         width = 1e-3
         derive_here(angles[0], energy, 0.0, 1.0, np.inf, slopes, 0, parts)
@@ -144,10 +150,10 @@ def _walk(kernels: Kernels, is_compiled: bool) -> Any:
                 width = walk_to(derive_here, angles[at - 1], angles[at], width, state, ahead, slopes, parts)
             if width <= 0:
                 table[-1, 0] = -1.0
-                return table
-            table[at, :4] = state[:4]
+                return
+            for part in range(4):
+                table[at, part] = state[part]
             table[at, 4] = 1.0 / slopes[1]
-        return table
 
     derive_here, walk_to = (quick(derive), quick(_walk_to)) if is_compiled else (derive, _walk_to)
     return quick(walk) if is_compiled else walk

@@ -20,8 +20,9 @@ from cranktrain.questions.drive.running.course import (
     note,
 )
 from cranktrain.questions.drive.running.crossings import (
-    angle_of_dead_position,
-    passed_angle,
+    angle_at,
+    may_pass_dead_position,
+    passed_dead_position,
     passed_level,
 )
 from cranktrain.questions.drive.running.endings import (
@@ -46,8 +47,8 @@ NOWHERE, AT_TIME, AT_CORNER = range(3)
 STOP, OVER, REACHED = range(3)
 """What speeds may end a step."""
 
-_LARGEST_TURN = 2 * math.pi / 50
-"""In a step: with more, a speed that passes a level twice would be overlooked."""
+_LARGEST_TURN = 2 * math.pi / 25
+"""In a step: with more, what happens twice between two of its stages would be overlooked."""
 _LEAST_WIDTH = 1e-14
 _SHORT_OF_BREAK = 1e-13
 """In parts of the run: a torque that begins at a break must not be seen by the last stages of the step before it."""
@@ -156,13 +157,13 @@ def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, t
     if landing != AT_TIME:
         landing = AT_CORNER if abs(ahead[0] - bound) <= _AT * beside(ahead[0]) else NOWHERE
     theta, event, level = _first_event(limits, course, width)
-    if sense * (_angle_at(course, width, theta) - bound) > _AT * beside(ahead[0]):
+    if sense * (angle_at(course, width, theta) - bound) > _AT * beside(ahead[0]):
         return try_shorter(course, width, 0.5, limits.end_time)
     if event < 0 and ahead[1] * sense < 0:  # it sets off the other way: nearer to where it stands
         reason = try_shorter(course, width, 0.25, limits.end_time)
         return reason if reason == GOING else kind_of_rest(here[TIME], kernels, train)
     integrate_along(width, course.state, slopes, ahead)
-    now = _note_on_the_way(derive, kernels, train, limits, course, width, theta, marks)
+    _note_on_the_way(derive, kernels, train, limits, course, width, theta, marks)
     if event >= 0:
         width = step_to(derive, train, course, theta, width, 1, level)
         _sample(asked.samples, course, course.again, width, table)
@@ -170,10 +171,10 @@ def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, t
         kernels.settle(course.state[0], train.machine)
         return _after_event(event, limits, course, marks)
     _sample(asked.samples, course, slopes, width, table)
+    if slopes[6 * ROW + BESIDE] != 0.0:
+        here[OUTPUT] = slopes[6 * ROW + BESIDE]
     _go_to_the_end(asked, course, width, landing, error)
     kernels.settle(course.state[0], train.machine)
-    if now != 0.0:
-        here[OUTPUT] = now
     return GOING
 
 
@@ -249,31 +250,24 @@ def _first_event(limits: Any, course: Any, width: float) -> tuple[float, int, fl
     return theta, event, level
 
 
-def _angle_at(course: Any, width: float, theta: float) -> float:
-    """Crank angle at a part of the step. [rad]"""
-    return course.ahead[0] if theta == 1.0 else within(course.state, course.slopes, width, theta, 0)
-
-
 def _note_on_the_way(
     derive: Any, kernels: Any, train: Any, limits: Any, course: Any, width: float, theta: float, marks: Any
-) -> float:
-    """Write down what happens within a step and does not end it; gives x′ of what is driven at its end."""
-    here, state, trial = course.here, course.state, course.trial
-    sense = here[SENSE]
+) -> None:
+    """Write down what happens within a step and does not end it."""
+    here, trial = course.here, course.trial
     if not limits.stops_at_target and limits.target_speed < math.inf:
-        level = sense * limits.target_speed
-        reached = passed_level(course, width, level, sense)
+        level = here[SENSE] * limits.target_speed
+        reached = passed_level(course, width, level, here[SENSE])
         if reached <= theta:
             part = step_to(derive, train, course, reached, width, 1, level)
             note(course, marks, SPEED_PASSED, here[TIME] + part, trial[0], trial[1])
-    now = course.slopes[6 * ROW + BESIDE]
-    if now * here[OUTPUT] < 0:
-        dead = angle_of_dead_position(kernels.machine, train.machine, sense, state[0], course.ahead[0])
-        at = passed_angle(course, width, dead)
-        if at <= theta:
-            part = step_to(derive, train, course, at, width, 0, dead)
+    start = 0.0
+    while start < theta and may_pass_dead_position(course):
+        start, dead = passed_dead_position(kernels.machine, train.machine, course, width, start)
+        if start <= theta:
+            part = step_to(derive, train, course, start, width, 0, dead)
             note(course, marks, DEAD_POSITION, here[TIME] + part, trial[0], trial[1])
-    return now
+            here[OUTPUT] = -here[OUTPUT]
 
 
 def step_to(derive: Any, train: Any, course: Any, theta: float, width: float, which: int, level: float) -> float:
