@@ -140,6 +140,7 @@ TABLES = {
                 "thermal_time_constant": "20 min",
                 "pause_cooling": 0.4,
                 "constant_losses": 0.2,
+                "start": "unloaded",
                 "starts_per_hour": "30 1/h",
                 "unloaded_starts": "900 1/h",
                 "start_load_factor": 0.7,

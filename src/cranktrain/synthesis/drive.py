@@ -32,6 +32,7 @@ from cranktrain.synthesis.sized_motor import KeptSlip, declared_slip, motor_tabl
 from cranktrain.wording import number
 
 _TOLERANCE = 0.05
+_START = "drive.duty.start"
 _LARGER = 5
 """So many sizes above the chosen one are shown at most, where a flywheel is sought."""
 
@@ -49,7 +50,7 @@ def drive(
     flywheel: Annotated[str | None, N_("Name of the part of [drive.part] that is sought as a flywheel.")] = None,
     flywheel_inertia_max: Annotated[Inertia, N_("Largest one of that part; any unless given.")] = None,
     slip: Annotated[Slip, N_("At the rated torque; that of the declared motor unless given.")] = None,
-    unloaded_start: Annotated[bool, N_("The machine starts where nothing loads it.")] = False,
+    unloaded_start: Annotated[bool, N_("The machine starts before its loads act.")] = False,
 ) -> MachineProposal:
     """Propose a typical four-pole motor for a machine, the ratio of its largest stage, and a flywheel if one is sought.
 
@@ -70,7 +71,7 @@ def drive(
         Of the motors at their rated torque: by a resistance behind slip rings where the declared motor has them, else
         by the bars of the cage. That of the declared motor where it is not an ordinary one, unless given.
     unloaded_start : bool
-        Leave out the check of a start at the worst angle.
+        Check starts against weights and drags alone, and put `start = "unloaded"` in [drive.duty].
 
     Returns
     -------
@@ -95,7 +96,8 @@ def drive(
     if shaft is not None and shaft.motion is not None:
         refuse(_beside_motion(flywheel=flywheel, flywheel_inertia_max=flywheel_inertia_max, slip=slip))
         return servo_ratio(machine, ratio)
-    asked = _asked(machine, ratio, speed_tolerance)
+    starting: dict[str, object] = {_START: "unloaded"} if unloaded_start else {}
+    asked = _asked(machine.with_(starting), ratio, speed_tolerance)
     refuse(_flywheel_problems(machine, flywheel, flywheel_inertia_max))
     most = math.inf if flywheel_inertia_max is None else flywheel_inertia_max
     kept = declared_slip(machine)
@@ -103,19 +105,18 @@ def drive(
         asked._replace(
             kept=kept if slip is None else KeptSlip(kept.is_wound, slip),
             flywheel=None if flywheel is None else sought_flywheel(machine, flywheel, most),
-            starts_loaded=not unloaded_start,
         )
     )
-    return _proposal(bench)
+    return _proposal(bench, dict.fromkeys(starting, '"unloaded"'))
 
 
-def _proposal(bench: Bench) -> MachineProposal:
-    """Choose, and say what was tried."""
+def _proposal(bench: Bench, values: dict[str, str]) -> MachineProposal:
+    """Choose, and say what was tried; the file says what was asked otherwise than it did."""
     asked = bench.asked
     sizes, chosen = _sizes(bench)
     beside = () if asked.ratio == "exact" else ratios_beside(chosen.ratio)
     ratios = [with_ratio(bench, chosen.place, one) for one in beside]
-    values = _values(asked, chosen)
+    values |= _values(asked, chosen)
     return MachineProposal(
         title=_("{machine}: drive").format(machine=asked.machine.name) if asked.machine.name else _("Drive"),
         numbers=tuple(numbers(asked, chosen, chosen)),
@@ -151,7 +152,6 @@ def _asked(machine: Machine, ratio: Ratio, tolerance: float) -> AskedDrive:
         tolerance,
         KeptSlip(),
         flywheel=None,
-        starts_loaded=True,
     )
 
 

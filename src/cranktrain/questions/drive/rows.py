@@ -68,7 +68,7 @@ def sizing_rows(labels: Names, design: int, found: MotorSizing) -> Iterator[Answ
     if np.isfinite(declared):
         yield worded(
             _("motor is used to"),
-            _("{share}: {check}"),
+            _("{share}: {check}") + (_("; started unloaded") if found.starts_unloaded else ""),
             share=Amount(declared, "%"),
             check=found.governing(design, 0),
         )

@@ -27,8 +27,6 @@ from cranktrain.questions.drive.running.equation import (
 from cranktrain.questions.drive.running.floats import in_floats
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.reduced import (
-    DISCHARGE,
-    SUCTION,
     ReducedMachine,
     filled_at,
     in_one_row,
@@ -39,6 +37,7 @@ from cranktrain.questions.drive.running.step import N_STATE
 from cranktrain.questions.drive.spec import StartSpec
 from cranktrain.questions.drive.start_record import StartCurves, StartEvent, StartRun
 from cranktrain.questions.drive.switching import Braking, Switching, start_kernels
+from cranktrain.questions.drive.unloaded import with_open_valves
 from cranktrain.record import record
 from cranktrain.wording import number
 
@@ -329,7 +328,7 @@ def _spans(case: StartCase) -> Iterator[_Span]:
     asked = np.inf if spec.until_speed is None else spec.until_speed.si
     begins = 0.0 if spec.unloaded_until is None else min(spec.unloaded_until.si, end)
     if begins > 0:
-        yield _Span(0.0, begins, asked, _unloaded(case.machine))
+        yield _Span(0.0, begins, asked, with_open_valves(case.machine))
     yield _Span(begins, end, _NEARLY * case.steady_speed if case.is_to_settle else asked, case.machine)
 
 
@@ -343,13 +342,6 @@ def _followed(case: StartCase, span: _Span, found: Run, speed: float) -> float:
     if found.reason == endings.SPEED_REACHED or (found.reason == endings.TIME_OUT and slows_yet):
         return min(ended + _MORE_CYCLES * case.cycle_time, _LONGEST)
     return ended
-
-
-def _unloaded(machine: ReducedMachine) -> ReducedMachine:
-    """A compressor whose suction valves are held open."""
-    chambers = machine.chambers.copy()
-    chambers[:, DISCHARGE] = chambers[:, SUCTION]
-    return machine._replace(chambers=chambers)
 
 
 def in_list(machine: ReducedMachine, angle: float) -> list[float]:
