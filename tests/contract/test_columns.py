@@ -130,7 +130,6 @@ TABLES = {
                 "motor_off": "3 s",
                 "motor_reversed": "4 s",
                 "brake_on": "4 s",
-                "unloaded_until": "1 s",
                 "interval": "0.01 s",
             },
             "duty": {

@@ -75,7 +75,7 @@ def test_time_of_the_start(started):
 
 def test_it_is_said_where_the_number_stands(started):
     own = ct.run(press({**STARTED, "start": "loaded"}))
-    rows = [list(sizing_rows({}, 0, each[MotorSizing]))[0].words for each in (own, started)]
+    rows = [next(iter(sizing_rows({}, 0, each[MotorSizing]))).words for each in (own, started)]
     assert [words.endswith("started unloaded") for words in rows] == [False, True]
     assert any("too small: start at the worst angle" in flag for flag in own.flags)
     assert not any("start" in flag for flag in started.flags)
