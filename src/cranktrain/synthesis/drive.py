@@ -13,6 +13,7 @@ from cranktrain.quantities import Dimension, Quantity, unlisted
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.spec import words_of
+from cranktrain.synthesis.changed_stage import largest_stage, without_stage
 from cranktrain.synthesis.drive_trials import (
     AskedDrive,
     Bench,
@@ -133,16 +134,13 @@ def _asked(machine: Machine, ratio: Ratio, tolerance: float) -> AskedDrive:
     """Find what is asked; refuse a machine that lacks something."""
     spec: DriveSpec | None = machine.drive
     shaft = machine.shaft.get("main")
-    problems: list[Problem] = []
-    if spec is None or not spec.stage:
-        allowed = _("is missing: a ratio is that of a stage; [[drive.stage]] ratio = 1 would do")
-        problems.append(Problem("drive.stage", None, allowed))
+    problems = list(without_stage(spec))
     if shaft is None or shaft.speed is None:
         problems.append(Problem("shaft.main.speed", None, _("is missing: the speed that the crank shall have")))
     refuse(problems)
     assert spec is not None and shaft is not None and shaft.speed is not None
     ratios = [stage.ratio.si for stage in spec.stage]
-    stage = int(np.argmax(ratios))
+    stage = largest_stage(spec)
     return AskedDrive(
         machine,
         shaft.speed.si,

@@ -174,8 +174,8 @@ def _overrun(case: PressCase, settled: SettledStroke) -> str:
     rest = float(stroke.run.end.state[ANGLE])
     shown = [math.fmod(angle - case.zero, TURN) for angle in (rest - stroke.brake_angle, rest)]
     said = _(
-        "No stroke: the brake is too weak to end it where it began. Commanded at {command} the crank runs on by {angle},"
-        " against brake, load and weight together, and rests at {rest}."
+        "No stroke: the brake is too weak to end it where it began. Commanded at {command} the crank runs on by"
+        " {angle}, against brake, load and weight together, and rests at {rest}."
     )
     command, at_rest = (number(angle, "deg") for angle in shown)
     return said.format(command=command, angle=number(stroke.brake_angle, "deg"), rest=at_rest)
