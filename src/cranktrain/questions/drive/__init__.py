@@ -1,6 +1,7 @@
 """Drive: what the motor must give through its gearing, and how the machine runs with it."""
 
 from collections.abc import Iterator, Mapping
+from typing import cast
 
 from cranktrain.errors import Problem
 from cranktrain.fluids.compressor import CompressorSpec
@@ -42,8 +43,9 @@ def _problems(design: Design) -> Iterator[Problem]:
 
 def _is_compressor(design: Design) -> bool:
     """Whether any chamber is a compressor's."""
-    gas = design.tables.get("gas")
-    return any(isinstance(one, CompressorSpec) for one in (gas.values() if isinstance(gas, Mapping) else (gas,)))
+    gas: object = design.tables.get("gas")
+    each = tuple(cast("Mapping[str, object]", gas).values()) if isinstance(gas, Mapping) else (gas,)
+    return any(isinstance(one, CompressorSpec) for one in each)
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:

@@ -58,7 +58,7 @@ class DriveFlywheel(StageResult):
         "δ_F", "1", (), N_("Coefficient of fluctuation of the crank's speed with it"), _THEORY
     )
 
-    def told(self, design: int) -> tuple[str, dict[str, Amount]]:
+    def words_and_numbers(self, design: int) -> tuple[str, dict[str, Amount]]:
         """Flywheel, and what it does to the effective torque: words, and the numbers in them."""
         without = float(self.rms_without_flywheel[design])
         numbers = {
@@ -74,7 +74,7 @@ class DriveFlywheel(StageResult):
         """Say the same as a sentence; nothing where no flywheel is large enough, which is flagged."""
         if not np.isfinite(self.needed_inertia[design]):
             return ""
-        words, numbers = self.told(design)
+        words, numbers = self.words_and_numbers(design)
         said = {name: number(one.value, one.unit) for name, one in numbers.items()}
         return _("Flywheel of the drive: {said}.").format(said=words.format(**said))
 

@@ -95,7 +95,7 @@ def _smaller(found: MotorSizing, design: int, share: float) -> dict[str, Amount 
 
 def flywheel_rows(labels: Names, design: int, found: DriveFlywheel) -> Iterator[AnswerLine]:
     """Flywheel for the wanted torque or evenness, and what it does to the effective torque."""
-    words, numbers = found.told(design)
+    words, numbers = found.words_and_numbers(design)
     yield worded(_("flywheel of the drive"), words, **numbers)
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cranktrain.motion import ONE
+from cranktrain.motion import ONE, Array
 from cranktrain.questions.drive.at_angles import reduced_at
 from cranktrain.questions.drive.gear_train import torque_through
 from cranktrain.questions.drive.running.gearing import Gearing
@@ -30,5 +30,5 @@ def idle_torques(machine: ReducedMachine, gearing: Gearing, cycle: float) -> tup
     """Largest and mean static torque at the motor of a machine without loads: weights, and drags of stages. [N·m]"""
     angle = np.arange(_N_ANGLES) * cycle / _N_ANGLES
     still = reduced_at(without_loads(machine), angle).by_load(0.0 * angle)
-    torque = torque_through(still, ONE, gearing)[0]
-    return float(np.max(torque)), float(np.mean(torque))
+    torque: Array = torque_through(still, ONE, gearing)[0]
+    return float(torque.max()), float(torque.mean())
