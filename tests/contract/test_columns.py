@@ -130,7 +130,6 @@ TABLES = {
                 "motor_off": "3 s",
                 "motor_reversed": "4 s",
                 "brake_on": "4 s",
-                "unloaded_until": "1 s",
                 "interval": "0.01 s",
             },
             "duty": {
@@ -140,6 +139,7 @@ TABLES = {
                 "thermal_time_constant": "20 min",
                 "pause_cooling": 0.4,
                 "constant_losses": 0.2,
+                "start": "unloaded",
                 "starts_per_hour": "30 1/h",
                 "unloaded_starts": "900 1/h",
                 "start_load_factor": 0.7,

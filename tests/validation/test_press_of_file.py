@@ -1,6 +1,7 @@
 """A press from its machine file against the same press from closed forms; its starts; a brake on a crank."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -158,7 +159,7 @@ def test_longest_stop_is_longest():
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"drive.brake.torque": "60 N*m", "drive.brake.static_torque": "60 N*m"}, "no command angle"),
+        ({"drive.brake.torque": "60 N*m", "drive.brake.static_torque": "60 N*m"}, "too weak to end it where it began"),
         ({"drive.clutch.torque": "20 N*m", "drive.clutch.static_torque": "20 N*m"}, "slips on"),
         ({"drive.stroke.strokes_per_minute": 100}, "not over when the next begins"),
     ],
@@ -169,6 +170,20 @@ def test_no_stroke_says_why(change, words):
     assert np.isnan(fact(result, "stroke_time"))
     assert any(words in flag for flag in result.flags)
     assert words in ct.start(machine).run.reason
+
+
+def test_a_weak_brake_tells_where_the_crank_rests():
+    """In the next pressing, which takes 600 kN from 5 mm before the lowest point on, and stops it within 4 mm."""
+    weak = {"drive.brake.torque": "60 N*m", "drive.brake.static_torque": "60 N*m"}
+    (said,) = [flag for flag in ct.run(ct.load("high_slip_press").with_(weak)).flags if "too weak" in flag]
+    command, angle, rest = map(float, re.findall(r"([\d.]+) deg", said))
+    assert (command + angle) % 360 == pytest.approx(rest, abs=0.011)
+    before_bottom = math.radians(360 - rest)
+    crank, rod = 65.0, 650.0
+    left = crank * (1 - math.cos(before_bottom)) - rod * (
+        1 - math.sqrt(1 - (crank / rod * math.sin(before_bottom)) ** 2)
+    )
+    assert 1 < left < 5
 
 
 def test_a_flywheel_must_be_there():

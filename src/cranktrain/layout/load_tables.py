@@ -103,8 +103,8 @@ class LoadSpec(Spec, frozen=True):
     radius: Length | None = Field(
         default=None,
         description=N_(
-            "Arm of the force about the link's first pin; less than 0 where it turns the link against the sense of"
-            " rotation. Across the link, or with a direction as a rope off an arc."
+            "Arm of the force about the link's first pin; less than 0 on the far side of that pin, where the force"
+            " turns the link against the sense of rotation. Across the link, or with a direction as a rope off an arc."
         ),
     )
     at_speed: PositiveVelocity | None = Field(

@@ -29,18 +29,18 @@ STAGES = {
 MEANINGS = {
     "P": N_("rated power"),
     "n": N_("rated speed"),
-    "Mₘₐₓ": N_("breakdown torque"),
-    "Mₚ": N_("peak torque"),
+    "M_b": N_("breakdown torque"),
+    "M_pk": N_("peak torque"),
     "M": N_("torque while it slips"),
-    "Mₛ": N_("torque that it holds"),
+    "M_s": N_("torque that it holds"),
     "GD²": N_("flywheel moment"),
     "J": N_("moment of inertia"),
     "i": N_("ratio"),
-    "η": N_("efficiency toward the crank"),
-    "η′": N_("efficiency from the crank"),
-    "M₀": N_("drag at the input"),
+    "η_f": N_("efficiency toward the crank"),
+    "η_b": N_("efficiency from the crank"),
+    "M_0": N_("drag at the input"),
 }
-"""What the letters of facts stand for; docs/theory/drive and docs/theory/transient write M_b, η_f and η_b."""
+"""What the letters of facts stand for, as docs/theory/drive and docs/theory/transient have them."""
 
 _BRAKE, _CLUTCH, _FLYWHEEL, _CRANK = N_("brake"), N_("clutch"), N_("flywheel"), N_("crank shaft")
 
@@ -154,7 +154,7 @@ def _on_shaft(spec: DriveSpec, place: int, n_stages: int) -> Iterator[DriveEleme
 def _of_motor(motor: AnyMotor) -> Iterator[ChainFact]:
     """Rated point, largest torque and rotor of a motor, as far as its table has them."""
     rating, largest = motor_of(motor).rating, motor.largest_torque
-    letter = "Mₚ" if motor.kind == "servo" else "Mₘₐₓ"
+    letter = "M_pk" if motor.kind == "servo" else "M_b"
     facts = [ChainFact("P", _first(rating.power), "W"), ChainFact("n", _first(rating.speed), "rad/s")]
     facts += [] if largest is None else [ChainFact(letter, _first(largest), "N*m")]
     yield from (fact for fact in facts if np.isfinite(fact.value))
@@ -173,15 +173,15 @@ def _of_grip(grip: ClutchSpec | BrakeSpec) -> Iterator[ChainFact]:
     """Torques of a clutch or brake."""
     yield ChainFact("M", grip.torque.si, "N*m")
     if grip.static_torque is not None:
-        yield ChainFact("Mₛ", grip.static_torque.si, "N*m")
+        yield ChainFact("M_s", grip.static_torque.si, "N*m")
 
 
 def _of_stage(stage: StageSpec) -> DriveElement:
     """A stage with its ratio, its efficiencies both ways, and what it takes whatever it passes on."""
     symbol = stage.kind or ("stage" if stage.lead_angle is None else "worm")
     forward, back = (_first(one) for one in stage.efficiencies)
-    facts = [ChainFact("i", stage.ratio.si, "1"), ChainFact("η", forward, "1"), ChainFact("η′", back, "1")]
-    facts += [ChainFact("M₀", stage.drag.si, "N*m")] if stage.drag.si > 0 else []
+    facts = [ChainFact("i", stage.ratio.si, "1"), ChainFact("η_f", forward, "1"), ChainFact("η_b", back, "1")]
+    facts += [ChainFact("M_0", stage.drag.si, "N*m")] if stage.drag.si > 0 else []
     return DriveElement(symbol, _(STAGES[symbol]), tuple(facts), stage.ratio.si)
 
 

@@ -13,6 +13,7 @@ from cranktrain.quantities import Dimension, Quantity, unlisted
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.spec import words_of
+from cranktrain.synthesis.changed_stage import largest_stage, without_stage
 from cranktrain.synthesis.drive_trials import (
     AskedDrive,
     Bench,
@@ -32,6 +33,7 @@ from cranktrain.synthesis.sized_motor import KeptSlip, declared_slip, motor_tabl
 from cranktrain.wording import number
 
 _TOLERANCE = 0.05
+_START = "drive.duty.start"
 _LARGER = 5
 """So many sizes above the chosen one are shown at most, where a flywheel is sought."""
 
@@ -49,7 +51,7 @@ def drive(
     flywheel: Annotated[str | None, N_("Name of the part of [drive.part] that is sought as a flywheel.")] = None,
     flywheel_inertia_max: Annotated[Inertia, N_("Largest one of that part; any unless given.")] = None,
     slip: Annotated[Slip, N_("At the rated torque; that of the declared motor unless given.")] = None,
-    unloaded_start: Annotated[bool, N_("The machine starts where nothing loads it.")] = False,
+    unloaded_start: Annotated[bool, N_("The machine starts before its loads act.")] = False,
 ) -> MachineProposal:
     """Propose a typical four-pole motor for a machine, the ratio of its largest stage, and a flywheel if one is sought.
 
@@ -70,7 +72,7 @@ def drive(
         Of the motors at their rated torque: by a resistance behind slip rings where the declared motor has them, else
         by the bars of the cage. That of the declared motor where it is not an ordinary one, unless given.
     unloaded_start : bool
-        Leave out the check of a start at the worst angle.
+        Check starts against weights and drags alone, and put `start = "unloaded"` in [drive.duty].
 
     Returns
     -------
@@ -95,7 +97,8 @@ def drive(
     if shaft is not None and shaft.motion is not None:
         refuse(_beside_motion(flywheel=flywheel, flywheel_inertia_max=flywheel_inertia_max, slip=slip))
         return servo_ratio(machine, ratio)
-    asked = _asked(machine, ratio, speed_tolerance)
+    starting: dict[str, object] = {_START: "unloaded"} if unloaded_start else {}
+    asked = _asked(machine.with_(starting), ratio, speed_tolerance)
     refuse(_flywheel_problems(machine, flywheel, flywheel_inertia_max))
     most = math.inf if flywheel_inertia_max is None else flywheel_inertia_max
     kept = declared_slip(machine)
@@ -103,19 +106,18 @@ def drive(
         asked._replace(
             kept=kept if slip is None else KeptSlip(kept.is_wound, slip),
             flywheel=None if flywheel is None else sought_flywheel(machine, flywheel, most),
-            starts_loaded=not unloaded_start,
         )
     )
-    return _proposal(bench)
+    return _proposal(bench, dict.fromkeys(starting, '"unloaded"'))
 
 
-def _proposal(bench: Bench) -> MachineProposal:
-    """Choose, and say what was tried."""
+def _proposal(bench: Bench, values: dict[str, str]) -> MachineProposal:
+    """Choose, and say what was tried; the file says what was asked otherwise than it did."""
     asked = bench.asked
     sizes, chosen = _sizes(bench)
     beside = () if asked.ratio == "exact" else ratios_beside(chosen.ratio)
     ratios = [with_ratio(bench, chosen.place, one) for one in beside]
-    values = _values(asked, chosen)
+    values |= _values(asked, chosen)
     return MachineProposal(
         title=_("{machine}: drive").format(machine=asked.machine.name) if asked.machine.name else _("Drive"),
         numbers=tuple(numbers(asked, chosen, chosen)),
@@ -132,16 +134,13 @@ def _asked(machine: Machine, ratio: Ratio, tolerance: float) -> AskedDrive:
     """Find what is asked; refuse a machine that lacks something."""
     spec: DriveSpec | None = machine.drive
     shaft = machine.shaft.get("main")
-    problems: list[Problem] = []
-    if spec is None or not spec.stage:
-        allowed = _("is missing: a ratio is that of a stage; [[drive.stage]] ratio = 1 would do")
-        problems.append(Problem("drive.stage", None, allowed))
+    problems = list(without_stage(spec))
     if shaft is None or shaft.speed is None:
         problems.append(Problem("shaft.main.speed", None, _("is missing: the speed that the crank shall have")))
     refuse(problems)
     assert spec is not None and shaft is not None and shaft.speed is not None
     ratios = [stage.ratio.si for stage in spec.stage]
-    stage = int(np.argmax(ratios))
+    stage = largest_stage(spec)
     return AskedDrive(
         machine,
         shaft.speed.si,
@@ -151,7 +150,6 @@ def _asked(machine: Machine, ratio: Ratio, tolerance: float) -> AskedDrive:
         tolerance,
         KeptSlip(),
         flywheel=None,
-        starts_loaded=True,
     )
 
 

@@ -17,7 +17,7 @@ from cranktrain.questions.drive.choosing_ratio import nearest_ratio, preferred_r
 from cranktrain.questions.drive.clutched.declared import DeclaredClutch
 from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.declared_duty import DeclaredDuty
-from cranktrain.questions.drive.motor_checks import SIZING_CHECKS, CheckedMotor, checked_motor
+from cranktrain.questions.drive.motor_checks import CheckedMotor, check_names, checked_motor
 from cranktrain.questions.drive.motor_sizing import SizedDesign, sized_design
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
@@ -36,7 +36,6 @@ _TURNS = 3
 """Of the exact ratio: the motor's slip moves by little with it."""
 _NEAR = 1.3
 """How far from the wanted one preferred ratios are looked for, besides the tolerance."""
-_START = SIZING_CHECKS.index("start at the worst angle")
 _N_ANGLES = 2001
 
 
@@ -65,8 +64,6 @@ class AskedDrive(NamedTuple):
         On the speed, in parts of it, of preferred ratios.
     kept : KeptSlip
     flywheel : SoughtFlywheel or None
-    starts_loaded : bool
-        Whether the motor may have to start at the worst angle.
     """
 
     machine: Machine
@@ -77,7 +74,6 @@ class AskedDrive(NamedTuple):
     tolerance: float
     kept: KeptSlip
     flywheel: SoughtFlywheel | None
-    starts_loaded: bool
 
 
 @record
@@ -96,6 +92,8 @@ class Trial:
         Of the part that is sought; NaN where none is. [kg·m²]
     shares : tuple of float
         As `SIZING_CHECKS`; NaN of what is not asked for.
+    checks : tuple of str
+        What these are called.
     speed : float
         Mean of the crank in steady running; NaN without it. [rad/s]
     checked : CheckedMotor
@@ -107,6 +105,7 @@ class Trial:
     slip: float
     flywheel: float
     shares: tuple[float, ...]
+    checks: tuple[str, ...]
     speed: float
     checked: CheckedMotor
 
@@ -123,7 +122,7 @@ class Trial:
     @property
     def governing(self) -> str:
         """Name of the check that governs."""
-        return _(SIZING_CHECKS[int(np.nanargmax(self.shares))])
+        return self.checks[int(np.nanargmax(self.shares))]
 
     @property
     def power(self) -> float:
@@ -327,11 +326,9 @@ def _checked(bench: Bench, place: int, ratio: float, inertia: float) -> Trial:
     found = checked_motor(one.with_motor(bench.motor(place), 0), one.asked, one.duty, one.design, None)
     overall = ratio * asked.others
     speed = math.nan if found.cycle is None else float(np.sum(found.cycle.mesh.width)) / found.cycle.period
-    shares = found.shares.tolist()
-    if not asked.starts_loaded:
-        shares[_START] = math.nan
     slip = slip_of_size(place, asked.kept)
-    return Trial(place, ratio, overall, slip, inertia, tuple(shares), speed, found)
+    names = check_names(one.duty)
+    return Trial(place, ratio, overall, slip, inertia, tuple(found.shares.tolist()), names, speed, found)
 
 
 def design_of(bench: Bench, ratio: float, inertia: float) -> SizedDesign:

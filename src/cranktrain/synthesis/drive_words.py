@@ -6,7 +6,6 @@ import numpy as np
 
 from cranktrain.language import N_, _
 from cranktrain.questions.drive.flywheel_sizing import formula_inertia
-from cranktrain.questions.drive.motor_checks import SIZING_CHECKS
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.synthesis.drive_trials import AskedDrive, Bench, Trial
 from cranktrain.synthesis.proposal import Alternative, Number
@@ -35,9 +34,9 @@ def numbers(asked: AskedDrive, one: Trial, chosen: Trial) -> Iterator[Number]:
         if np.isfinite(chosen.checked.start_time):
             said = _("Time of a start at the lowest voltage")
             yield Number("time_of_start", "t_st", one.checked.start_time, "s", said)
-    for name, symbol, check, share, own in zip(_NAMES, _SYMBOLS, SIZING_CHECKS, one.shares, chosen.shares, strict=True):
+    for name, symbol, check, share, own in zip(_NAMES, _SYMBOLS, one.checks, one.shares, chosen.shares, strict=True):
         if not np.isnan(own):
-            yield Number(name, symbol, share, "%", _("Used: {check}").format(check=_(check)))
+            yield Number(name, symbol, share, "%", _("Used: {check}").format(check=check))
 
 
 def alternatives(
@@ -86,11 +85,12 @@ def remarks(bench: Bench, chosen: Trial, sizes: Sequence[Trial]) -> Iterator[str
         yield _("Smaller motors do not bear the mean torque of the load for long.")
     yield from _of_flywheel(bench, chosen)
     yield from _of_slip(asked, chosen)
-    if not asked.starts_loaded:
-        yield _("It starts where nothing loads it: the start at the worst angle is not checked here, but by run.")
-    yield _("Values of typical motors are nobody's: a maker's replace them before a motor is bought.")
     spec: DriveSpec | None = asked.machine.drive
-    if spec is not None and spec.duty is None:
+    duty = None if spec is None else spec.duty
+    if duty is not None and duty.start == "unloaded":
+        yield _("It is started unloaded: against weights and drags, before loads act.")
+    yield _("Values of typical motors are nobody's: a maker's replace them before a motor is bought.")
+    if duty is None or duty.model_fields_set <= {"start"}:
         yield _("Without [drive.duty] it runs on and on, and starts and voltage are not checked.")
 
 

@@ -21,6 +21,7 @@ from cranktrain.questions.drive.servo.demand import ServoDemand
 from cranktrain.questions.drive.servo.rocking import RockingDrive
 from cranktrain.questions.drive.servo.stages import ServoDrive
 from cranktrain.questions.drive.spec import DriveSpec
+from cranktrain.synthesis.changed_stage import largest_stage, without_stage
 from cranktrain.synthesis.proposal import Alternative, MachineProposal, Number, found_ratio
 from cranktrain.wording import number
 
@@ -117,9 +118,8 @@ def servo_ratio(machine: Machine, ratio: str) -> MachineProposal:
 def _case(machine: Machine) -> _Servo:
     """Run the machine for what its crank asks; refuse one that lacks something."""
     spec: DriveSpec | None = machine.drive
-    if spec is None or not spec.stage:
-        allowed = _("is missing: a ratio is that of a stage; [[drive.stage]] ratio = 1 would do")
-        raise InputError([Problem("drive.stage", None, allowed)])
+    refuse(without_stage(spec))
+    assert spec is not None
     parts: Any = parts_of((machine,), step=FACTS_STEP)
     gearing, motor = parts[DeclaredDrive].gearings[0], parts.get(DeclaredMotor)
     problems: list[Problem] = []
@@ -133,8 +133,7 @@ def _case(machine: Machine) -> _Servo:
         )
         problems.append(Problem("drive", None, allowed))
     refuse(problems)
-    stage = int(np.argmax([one.ratio.si for one in spec.stage]))
-    return _Servo(machine, _demand(machine), gearing, stage, motor)
+    return _Servo(machine, _demand(machine), gearing, largest_stage(spec), motor)
 
 
 def _demand(machine: Machine) -> ServoDemand:

@@ -60,6 +60,7 @@ def test_rows_do_not_depend_on_the_interval(typed):
         ("drive.start.angle=1 m", "must be an angle"),
         ("drive.start.speed=nan rpm", "must be finite"),
         ("drive.start.motor_of=1 s", NOT_A_KEY),
+        ("drive.start.unloaded_until=1 s", "compressor"),
     ],
 )
 def test_refused(typed, setting, said):

@@ -120,3 +120,19 @@ def test_a_start_without_a_motor_is_drawn():
     machine = ct.load("tilting_table").with_({"drive": {"stage": [{"ratio": 40}], "start": {"duration": "2 s"}}})
     words = texts(start_picture(ct.start(machine)))
     assert not any(text.startswith("Torque of the motor over its speed") for text in words)
+
+
+@pytest.mark.parametrize(
+    ("resistance", "speed", "said"), [(3, 1320.0, "○ rated torque, with its resistance"), (1, 1440.0, "○ rated")]
+)
+def test_rated_point_lies_on_the_curve(resistance, speed, said):
+    """The plate's 36.47 N·m at 1440 rpm; three times the resistance slips by three times as much, 180 rpm, for them."""
+    machine = ct.load("shears", set={"drive.motor.resistance_ratio": str(resistance)})
+    for drawn in (sheet_drive(ct.run(machine)), start_picture(ct.start(machine))):
+        assert said in texts(drawn)
+        lines = [line for axes in drawn.axes for line in axes.lines]
+        (curve,) = (line for line in lines if len(line.get_xdata()) == 801)
+        (point,) = (line for line in curve.axes.lines if line.get_marker() == "o")
+        x, y = (float(np.ravel(values)[0]) for values in point.get_data())
+        assert (x, y) == (pytest.approx(speed), pytest.approx(5500 / (1440 * RPM)))
+        assert np.interp(x, *curve.get_data()) == pytest.approx(y, rel=1e-4)

@@ -1,8 +1,10 @@
 """Drive: what the motor must give through its gearing, and how the machine runs with it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import cast
 
 from cranktrain.errors import Problem
+from cranktrain.fluids.compressor import CompressorSpec
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
@@ -26,12 +28,24 @@ from cranktrain.questions.drive.steady_drive import SteadyDrive, steady_drive
 
 
 def _problems(design: Design) -> Iterator[Problem]:
-    """Find loads that would balance what a motor balances."""
+    """Find loads that would balance what a motor balances, and valves held open where there are none."""
     spec = design.table(DriveSpec)
+    open_until = None if spec is None else spec.start.unloaded_until
+    if open_until is not None and not _is_compressor(design):
+        allowed = _('holds the suction valves of [gas] kind = "compressor" open, which is not there')
+        repair = _('for a start that is checked without loads write [drive.duty] start = "unloaded"')
+        yield Problem("drive.start.unloaded_until", open_until.text, allowed, repair)
     if spec is not None and spec.motor is not None:
         allowed = _("must not stand beside [drive.motor], which balances the machine")
         balanced = (name for name, load in on_shafts(design).items() if load.is_balanced)
         yield from (Problem(f"load.{name}.scale", "balanced", allowed) for name in balanced)
+
+
+def _is_compressor(design: Design) -> bool:
+    """Whether any chamber is a compressor's."""
+    gas: object = design.tables.get("gas")
+    each = tuple(cast("Mapping[str, object]", gas).values()) if isinstance(gas, Mapping) else (gas,)
+    return any(isinstance(one, CompressorSpec) for one in each)
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:

@@ -34,6 +34,8 @@ class DeclaredDuty:
         What is left of torques at the lowest voltage. [1]
     inertia_ratio : Array
         Largest one. [1]
+    starts_unloaded : bool
+        Whether it starts before its loads act.
     """
 
     needs: ClassVar[str] = N_("[drive]")
@@ -46,6 +48,7 @@ class DeclaredDuty:
     longest_start: Array
     reserve: Array
     inertia_ratio: Array
+    starts_unloaded: bool
 
 
 @record
@@ -88,7 +91,7 @@ def declared_duty(spec: DutySpec | None, designs: Designs) -> DeclaredDuty:
         lowest * lowest,
         _asked(own.largest_inertia_ratio),
     )
-    return DeclaredDuty(spec is not None, *designs.by_design(list(numbers)).T)
+    return DeclaredDuty(spec is not None, *designs.by_design(list(numbers)).T, starts_unloaded=own.start == "unloaded")
 
 
 def wanted_flywheel(spec: SizedFlywheelSpec, designs: Designs) -> WantedFlywheel:

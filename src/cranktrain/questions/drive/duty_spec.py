@@ -49,6 +49,12 @@ class DutySpec(Spec, frozen=True):
         default=Given(0.0, "0"),
         description=N_("Share of its losses at rated load that do not hang on the load, of S3 and S6."),
     )
+    start: Literal["loaded", "unloaded"] = Field(
+        default="loaded",
+        description=N_(
+            "Against its loads at the worst crank angle, or before they act: against weights and drags alone."
+        ),
+    )
     starts_per_hour: PerHour | None = Field(default=None, description=N_("How often it has to start."))
     unloaded_starts: PerHour | None = Field(
         default=None, description=N_("How often the motor alone may start, of its maker; starts_per_hour needs it.")

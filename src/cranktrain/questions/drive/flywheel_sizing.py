@@ -1,6 +1,7 @@
 """A flywheel on a shaft of the drive with which the motor gives no more than is wanted, or the crank runs as evenly."""
 
 from collections.abc import Callable
+from functools import cache
 from typing import NamedTuple, cast
 
 import numpy as np
@@ -26,6 +27,8 @@ from cranktrain.questions.drive.static_torques import StaticTorques
 from cranktrain.questions.drive.steady_drive import SteadyDrive
 from cranktrain.questions.drive.steady_turn import DriveInTurn, settled
 from cranktrain.record import record
+from cranktrain.rows import Amount
+from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/drive"
 _N_ANGLES = 4001
@@ -54,6 +57,26 @@ class DriveFlywheel(StageResult):
     fluctuation_with_flywheel: Array = quantity(
         "δ_F", "1", (), N_("Coefficient of fluctuation of the crank's speed with it"), _THEORY
     )
+
+    def words_and_numbers(self, design: int) -> tuple[str, dict[str, Amount]]:
+        """Flywheel, and what it does to the effective torque: words, and the numbers in them."""
+        without = float(self.rms_without_flywheel[design])
+        numbers = {
+            "inertia": Amount(float(self.needed_inertia[design]), "kg*m^2"),
+            "rms": Amount(float(self.rms_with_flywheel[design]), "N*m"),
+        }
+        if np.isnan(without):
+            return _("{inertia}; effective torque {rms}; without it the motor stalls"), numbers
+        words = _("{inertia}; effective torque {rms} in place of {without}")
+        return words, numbers | {"without": Amount(without, "N*m")}
+
+    def answer(self, _names: Names, design: int) -> str:
+        """Say the same as a sentence; nothing where no flywheel is large enough, which is flagged."""
+        if not np.isfinite(self.needed_inertia[design]):
+            return ""
+        words, numbers = self.words_and_numbers(design)
+        said = {name: number(one.value, one.unit) for name, one in numbers.items()}
+        return _("Flywheel of the drive: {said}.").format(said=words.format(**said))
 
 
 class _Running(NamedTuple):
@@ -93,7 +116,7 @@ def drive_flywheel(
         there = _at_shaft(
             turning_inertia(gearing) + mean_inertia(machines.each[design], machines.cycle), gearing, wanted
         )
-        needed = _least(excess, there)
+        needed = least_inertia(excess, there)
         if not np.isfinite(needed):
             flags.append(
                 _("No flywheel is large enough: the load's mean asks for more, or the motor does not carry it.")
@@ -140,28 +163,28 @@ def _running(turning: DriveInTurn, machines: ReducedMachines, shaft: int, inerti
     return _Running(peak, rms, float(np.ptp(whole)) / mean)
 
 
-def _least(excess: Callable[[float], float], there: float) -> float:
+def least_inertia(excess: Callable[[float], float], there: float) -> float:
     """Least inertia with which nothing is in excess: 0 where none is needed, infinite where none is enough. [kg·m²]"""
     from scipy.optimize import brentq  # pyright: ignore[reportUnknownVariableType]
 
-    if excess(0.0) <= 0:
+    over = cache(excess)  # each value takes a steady cycle
+    if over(0.0) <= 0:
         return 0.0
     low, high = 0.0, 0.25 * there
-    while excess(high) > 0:
+    while over(high) > 0:
         low, high = high, 4 * high
         if high > _MOST * there:
             return np.inf
-    stalls = np.isinf(excess(low))  # no chord leads from there
+    stalls = np.isinf(over(low))  # no chord leads from there
     while stalls and high - low > _CLOSE * high:
         middle = 0.5 * (low + high)
-        over = excess(middle)
-        if over > 0:
-            low, stalls = middle, np.isinf(over)
+        if over(middle) > 0:
+            low, stalls = middle, np.isinf(over(middle))
         else:
             high = middle
     if stalls:
         return high
-    root = cast(float, brentq(excess, low, high, xtol=_CLOSE * high))
+    root = cast(float, brentq(over, low, high, xtol=_CLOSE * high))
     return float(root)
 
 

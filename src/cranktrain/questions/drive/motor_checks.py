@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import N_
+from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.questions.drive.at_angles import reduced_at
 from cranktrain.questions.drive.declared_duty import DeclaredDuty
@@ -28,8 +28,16 @@ SIZING_CHECKS = (
     N_("speed"),
 )
 """What a motor is checked for, in this order."""
+START = SIZING_CHECKS.index("start at the worst angle")
+_UNLOADED = N_("start, unloaded")
 _SERVO_RATIO = 10.0
 _N_ANGLES = 720
+
+
+def check_names(duty: DeclaredDuty) -> tuple[str, ...]:
+    """What a motor is checked for, in the user's language; of an unloaded start no angle is the worst."""
+    unloaded = {START: _UNLOADED} if duty.starts_unloaded else {}
+    return tuple(_(unloaded.get(place, name)) for place, name in enumerate(SIZING_CHECKS))
 
 
 class AskedOfMotor(NamedTuple):
@@ -38,9 +46,9 @@ class AskedOfMotor(NamedTuple):
     Attributes
     ----------
     worst_torque : float
-        The largest static torque over the turn, at the motor. [N·m]
+        The largest static torque over the turn at a start, at the motor. [N·m]
     running_torque : float
-        The mean of it, against which a start is reckoned. [N·m]
+        The mean of it, against which the time of a start is reckoned. [N·m]
     inertia : float
         Of all that is driven, its mean over the turn, at the motor without its rotor. [kg·m²]
     """

@@ -17,11 +17,11 @@ from cranktrain.questions.drive.clutched.declared import DeclaredClutch, before_
 from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.declared_duty import DeclaredDuty
 from cranktrain.questions.drive.motor_checks import (
-    SIZING_CHECKS,
     UNCHECKED,
     AskedOfMotor,
     CheckedMotor,
     MotorAtMachine,
+    check_names,
     checked_motor,
     mean_inertia,
 )
@@ -35,6 +35,7 @@ from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.questions.drive.sizing.checks import TorqueDemand, motor_choice
 from cranktrain.questions.drive.static_torques import StaticTorques
+from cranktrain.questions.drive.unloaded import idle_torques
 from cranktrain.record import record
 from cranktrain.wording import Names, number
 
@@ -69,6 +70,8 @@ class MotorSizing(StageResult):
         "λ_J", "1", _EACH, N_("Mean inertia of what is driven over that of the rotor, at the motor"), _THEORY
     )
 
+    starts_unloaded: bool = False
+
     def answer(self, _names: Names, design: int) -> str:
         """Say which typical motor is enough, what governs it, and by how much the next smaller one misses."""
         chosen, smaller = self.largest_share[design, 1:].tolist()
@@ -89,7 +92,7 @@ class MotorSizing(StageResult):
     def governing(self, design: int, which: int) -> str:
         """Name of the check whose share is largest; nothing where none is known."""
         shares = self.sizing_share[design, which]
-        return "" if np.all(np.isnan(shares)) else _(SIZING_CHECKS[int(np.nanargmax(shares))])
+        return "" if np.all(np.isnan(shares)) else self.labels["sizing_check"][int(np.nanargmax(shares))]
 
 
 class SizedDesign(NamedTuple):
@@ -141,6 +144,7 @@ def motor_sizing(
     rows: list[tuple[CheckedMotor, ...]] = []
     rated: list[list[tuple[float, float]]] = []
     flags: list[str] = []
+    names = check_names(duty)
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value)).tolist()
     for design, gearing in enumerate(drive.gearings):
         is_asked_torque = float(static.mean_static_torque[design, 0]) > 0
@@ -153,7 +157,7 @@ def motor_sizing(
             flags.append(reason)
         rows.append((own, *found))
         rated.append([_rated(motor, design), *(_rated(typical_motors(), place) for place in places)])
-        flags += _beyond(own) if motor is not None else ()
+        flags += _beyond(own, names) if motor is not None else ()
     points = np.array(rated)
     columns = [np.array([[getattr(one, name) for one in row] for row in rows]) for name in _SHOWN]
     return MotorSizing(
@@ -162,9 +166,10 @@ def motor_sizing(
         points[..., 0],
         points[..., 1],
         *columns,
+        starts_unloaded=duty.starts_unloaded,
         labels={
             "sized_motor": tuple(_(name) for name in SIZED_MOTORS),
-            "sizing_check": tuple(_(name) for name in SIZING_CHECKS),
+            "sizing_check": names,
         },
         flags=tuple(dict.fromkeys(flags)),
     )
@@ -193,7 +198,7 @@ def sized_design(
     motor : DeclaredMotor or None
     duty : DeclaredDuty
     clutch : DeclaredClutch or None
-        It leaves the start without load.
+        It leaves the start without load, as an unloaded start of the duty does.
     """
     rotor = 0.0 if motor is None or motor.inertia is None else float(motor.inertia[design])
     bare = gearing._replace(motor_inertia=gearing.motor_inertia - rotor)
@@ -202,11 +207,9 @@ def sized_design(
     if clutch is not None:
         return SizedDesign(alone, bare, _before_clutch(bare, clutch, design), duty, design)
     of_machine = mean_inertia(alone.each[0], alone.cycle) / overall_ratio(gearing) ** 2
-    asked = AskedOfMotor(
-        float(static.largest_static_torque.value[design, 0]),
-        float(static.mean_static_torque[design, 0]),
-        _at_motor(bare) + of_machine,
-    )
+    own = float(static.largest_static_torque.value[design, 0]), float(static.mean_static_torque[design, 0])
+    worst, mean = idle_torques(alone.each[0], bare, alone.cycle) if duty.starts_unloaded else own
+    asked = AskedOfMotor(worst, mean, _at_motor(bare) + of_machine)
     return SizedDesign(alone, bare, asked, duty, design)
 
 
@@ -296,9 +299,9 @@ def _other_pace(gearing: Gearing, motor: DeclaredMotor | None, design: int, decl
     return said.format(typical=number(typical, "rpm"), wanted=number(wanted, "rpm"))
 
 
-def _beyond(own: CheckedMotor) -> Iterator[str]:
+def _beyond(own: CheckedMotor, names: tuple[str, ...]) -> Iterator[str]:
     """Flag what the declared motor cannot do."""
-    for share, name in zip(own.shares.tolist(), SIZING_CHECKS, strict=True):
+    for share, name in zip(own.shares.tolist(), names, strict=True):
         if np.isfinite(share) and share > 1:
             said = _("The motor is too small: {check} {share} of what it can.")
-            yield said.format(check=_(name), share=number(share, "%"))
+            yield said.format(check=name, share=number(share, "%"))

@@ -164,8 +164,21 @@ def _why_none(case: PressCase, settled: SettledStroke) -> str:
         pace = number(MINUTE / case.period, "1")
         return _("No strokes at {pace} a minute: one is not over when the next begins.").format(pace=pace)
     if reason == RESTS:
-        return _("No stroke: there is no command angle behind the start with which it ends a turn behind it.")
+        return _overrun(case, settled)
     return _("No stroke: {reason}.").format(reason=_(PRESS_REASONS[reason]))
+
+
+def _overrun(case: PressCase, settled: SettledStroke) -> str:
+    """Say how far the last command that was tried is from ending a stroke where it began."""
+    stroke = settled.stroke
+    rest = float(stroke.run.end.state[ANGLE])
+    shown = [math.fmod(angle - case.zero, TURN) for angle in (rest - stroke.brake_angle, rest)]
+    said = _(
+        "No stroke: the brake is too weak to end it where it began. Commanded at {command} the crank runs on by"
+        " {angle}, against brake, load and weight together, and rests at {rest}."
+    )
+    command, at_rest = (number(angle, "deg") for angle in shown)
+    return said.format(command=command, angle=number(stroke.brake_angle, "deg"), rest=at_rest)
 
 
 def _facts(found: _Found, parts: PressParts, design: int) -> Array:

@@ -68,7 +68,7 @@ def sizing_rows(labels: Names, design: int, found: MotorSizing) -> Iterator[Answ
     if np.isfinite(declared):
         yield worded(
             _("motor is used to"),
-            _("{share}: {check}"),
+            _("{share}: {check}") + (_("; started unloaded") if found.starts_unloaded else ""),
             share=Amount(declared, "%"),
             check=found.governing(design, 0),
         )
@@ -95,17 +95,8 @@ def _smaller(found: MotorSizing, design: int, share: float) -> dict[str, Amount 
 
 def flywheel_rows(labels: Names, design: int, found: DriveFlywheel) -> Iterator[AnswerLine]:
     """Flywheel for the wanted torque or evenness, and what it does to the effective torque."""
-    without = float(found.rms_without_flywheel[design])
-    said = _("{inertia}; effective torque {rms} in place of {without}")
-    values = {
-        "inertia": Amount(float(found.needed_inertia[design]), "kg*m^2"),
-        "rms": Amount(float(found.rms_with_flywheel[design]), "N*m"),
-        "without": Amount(without, "N*m"),
-    }
-    if np.isnan(without):
-        said = _("{inertia}; effective torque {rms}; without it the motor stalls")
-        del values["without"]
-    yield worded(_("flywheel of the drive"), said, **values)
+    words, numbers = found.words_and_numbers(design)
+    yield worded(_("flywheel of the drive"), words, **numbers)
 
 
 def wanted_rows(labels: Names, design: int, found: WantedCrank) -> Iterator[AnswerLine]:

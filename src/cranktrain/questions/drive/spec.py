@@ -147,7 +147,10 @@ class StartSpec(Spec, frozen=True):
         default=None, description=N_("When the motor is switched off; then it coasts.")
     )
     motor_reversed: NonNegativeTime | None = Field(
-        default=None, description=N_("When the motor is switched to turn the other way: plugging.")
+        default=None,
+        description=N_(
+            "When the motor is switched to turn the other way: plugging; it ends run up that way unless told otherwise."
+        ),
     )
     brake_on: NonNegativeTime | None = Field(default=None, description=N_("When the brake is commanded."))
     unloaded_until: NonNegativeTime | None = Field(

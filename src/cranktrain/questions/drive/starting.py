@@ -27,8 +27,6 @@ from cranktrain.questions.drive.running.equation import (
 from cranktrain.questions.drive.running.floats import in_floats
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.reduced import (
-    DISCHARGE,
-    SUCTION,
     ReducedMachine,
     filled_at,
     in_one_row,
@@ -39,6 +37,7 @@ from cranktrain.questions.drive.running.step import N_STATE
 from cranktrain.questions.drive.spec import StartSpec
 from cranktrain.questions.drive.start_record import StartCurves, StartEvent, StartRun
 from cranktrain.questions.drive.switching import Braking, Switching, start_kernels
+from cranktrain.questions.drive.unloaded import with_open_valves
 from cranktrain.record import record
 from cranktrain.wording import number
 
@@ -61,6 +60,7 @@ EVENTS = {
 }
 NEARLY_STEADY = N_("98 % of its steady speed")
 SETTLED = N_("it has run up: two cycles more at its steady speed")
+SETTLED_BACKWARD = N_("it has run up the other way: two cycles more at its steady speed")
 LONGEST_OVER = N_("60 s are over, the most without a duration")
 OVERSPEED = N_("it turns faster than overspeed allows")
 
@@ -106,17 +106,21 @@ class StartCase:
     def is_to_settle(self) -> bool:
         """Whether it ends where it runs as it will, as nothing else is asked for."""
         spec = self.spec
-        others = (spec.duration, spec.until_speed, spec.motor_off, spec.motor_reversed, spec.brake_on)
+        others = (spec.duration, spec.until_speed, spec.motor_off, spec.brake_on)
         return bool(np.isfinite(self.steady_speed)) and all(one is None for one in others)
 
 
 class _Span(NamedTuple):
-    """Part of a run: when it begins and ends at most, the speed that ends it, and the machine in it."""
+    """Part of a run: when it begins and ends at most, the speed that ends it, and the machine in it.
+
+    `to_rest`: it ends where the crank comes to rest, to turn the other way.
+    """
 
     start: float
     end: float
     target: float
     machine: ReducedMachine
+    to_rest: bool = False
 
 
 def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
@@ -160,20 +164,28 @@ def asked_times(interval: Given | None, end: float) -> Array:
 
 def _runs(case: StartCase, samples: Array, end: float, progress: Progress | None) -> Iterator[tuple[_Span, Run]]:
     """Run span by span, each from where the last one ended, until one ends for a reason of its own."""
-    angle, speed = case.spec.angle.si + case.zero, case.spec.speed.si
-    spans = list(_spans(case))
+    angle, speed, now = case.spec.angle.si + case.zero, case.spec.speed.si, 0.0
+    spans, kernels = list(_spans(case)), start_kernels(case.motor)
+    numbers, machine = list[float](), None
     while spans:
         span = spans.pop(0)
-        span = _from_speed(case, span._replace(end=min(span.end, end)), speed)
-        train, kernels = _train(case, span, angle), start_kernels(case.motor)
+        if span.to_rest and speed <= 0:
+            continue
+        span = _from_speed(case, span._replace(start=now, end=min(span.end, end)), speed)
+        numbers = numbers if span.machine is machine else in_list(span.machine, angle)
         asked = _wanted(case, span, angle, speed, samples)
-        found = run(kernels, train, asked, is_compiled=False, progress=_from(span.start, progress))
+        found = run(
+            kernels, _train(case, span, numbers), asked, is_compiled=False, progress=_from(span.start, progress)
+        )
         yield span, found
-        ended, until = span.start + found.end_time, _followed(case, span, found, speed)
+        is_over = found.reason == endings.TIME_OUT
+        now = span.end if is_over else span.start + found.end_time
+        until = now if spans else _followed(case, span, found, speed)
         angle, speed = float(found.end[0]), float(found.end[1])
-        if ended < until and ended < end:
-            spans = [_Span(ended, until, np.inf, span.machine)]
-        elif found.reason != endings.TIME_OUT or ended >= end:
+        numbers, machine = found.machine, span.machine
+        if now < until and now < end:
+            spans = [_Span(now, until, np.inf, span.machine)]
+        elif now >= end or not (is_over or (span.to_rest and found.reason == endings.SWINGS)):
             return
 
 
@@ -196,12 +208,12 @@ def _switches(case: StartCase) -> tuple[float, float, float]:
     return off, back, brake_on + case.brake.begins
 
 
-def _train(case: StartCase, span: _Span, angle: float) -> DriveTrain:
+def _train(case: StartCase, span: _Span, machine: list[float]) -> DriveTrain:
     """Numbers of a span's kernels."""
     off, back, braked = _switches(case)
     numbers = () if case.motor is None else case.motor.row(case.design)
     return DriveTrain(
-        in_list(span.machine, angle),
+        machine,
         Switching(numbers, off, back, span.start),
         case.brake._replace(begins=braked - span.start),
         case.gearing,
@@ -223,7 +235,7 @@ def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: A
         target_speed=span.target,
         overspeed=_at(case.spec.overspeed),
         stops_at_target=bool(np.isfinite(span.target)),
-        most_reversals=_MOST_REVERSALS,
+        most_reversals=1 if span.to_rest else _MOST_REVERSALS,
         tolerance=case.spec.tolerance.si,
         is_timed=True,
     )
@@ -270,7 +282,9 @@ def _reason(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> str:
         return OVERSPEED
     if reason != endings.TIME_OUT or case.spec.duration is not None:
         return REASONS[reason]
-    return LONGEST_OVER if span.start + last.end_time >= _LONGEST else SETTLED
+    if span.start + last.end_time >= _LONGEST:
+        return LONGEST_OVER
+    return SETTLED if last.end[SPEED] >= 0 else SETTLED_BACKWARD
 
 
 def at_times(curves: StartCurves, chosen: NDArray[np.intp]) -> StartCurves:
@@ -323,33 +337,34 @@ def _events(case: StartCase, runs: list[tuple[_Span, Run]]) -> Iterator[StartEve
 
 
 def _spans(case: StartCase) -> Iterator[_Span]:
-    """Parts of a run: until a compressor is loaded; until it nearly runs as it will, and a little more; or as asked."""
+    """Parts of a run: until a compressor is loaded; until it nearly runs as it will, and a little more; or as asked.
+
+    A motor that is reversed stops the crank first, and then runs it up the other way.
+    """
     spec = case.spec
     end = _LONGEST if spec.duration is None else spec.duration.si
     asked = np.inf if spec.until_speed is None else spec.until_speed.si
     begins = 0.0 if spec.unloaded_until is None else min(spec.unloaded_until.si, end)
     if begins > 0:
-        yield _Span(0.0, begins, asked, _unloaded(case.machine))
+        yield _Span(0.0, begins, asked, with_open_valves(case.machine))
+    back = _at(spec.motor_reversed)
+    if case.is_to_settle and back < end:
+        if back > begins:
+            yield _Span(begins, back, np.inf, case.machine)
+        yield _Span(back, end, np.inf, case.machine, to_rest=True)
     yield _Span(begins, end, _NEARLY * case.steady_speed if case.is_to_settle else asked, case.machine)
 
 
 def _followed(case: StartCase, span: _Span, found: Run, speed: float) -> float:
-    """When a span is over that follows on one that began at a speed; no later than that where none does. [s]"""
+    """When a span is over that follows on the last one, which began at a speed; its own end where none does. [s]"""
     ended = span.start + found.end_time
-    if not case.is_to_settle or span.machine is not case.machine:
+    if not case.is_to_settle:
         return ended
     began_fast = np.isinf(span.target) and speed > case.steady_speed / _NEARLY
     slows_yet = began_fast and speed - found.end[1] > (1 - _NEARLY) * case.steady_speed
     if found.reason == endings.SPEED_REACHED or (found.reason == endings.TIME_OUT and slows_yet):
         return min(ended + _MORE_CYCLES * case.cycle_time, _LONGEST)
     return ended
-
-
-def _unloaded(machine: ReducedMachine) -> ReducedMachine:
-    """A compressor whose suction valves are held open."""
-    chambers = machine.chambers.copy()
-    chambers[:, DISCHARGE] = chambers[:, SUCTION]
-    return machine._replace(chambers=chambers)
 
 
 def in_list(machine: ReducedMachine, angle: float) -> list[float]:

@@ -12,7 +12,7 @@ from cranktrain.plans.together import places_called
 from cranktrain.viz.paper.page import LINE, Box, Page
 from cranktrain.viz.paper.tables import ROW, write_row
 from cranktrain.viz.plans.drive_chain import DrawnPart, bounds_of_chain, chain_drawing, draw_chain
-from cranktrain.viz.plans.drive_table import drive_rows, meanings
+from cranktrain.viz.plans.drive_table import drive_rows, meanings, with_indices
 
 _HEAD = 7.0
 """Height of the heading, with what is free below it. [mm]"""
@@ -68,9 +68,9 @@ class DriveBeside:
         places = ((box.left, "left"), (box.left + box.width, "right"))
         y = top - 4.6 - line
         for row in self.rows:
-            write_row(page, row.cells, places, y, is_bold=row.is_shaft)
+            write_row(page, row.cells_set, places, y, is_bold=row.is_shaft)
             y -= line
-        page.notes(box.left, y - 0.5, self.notes)
+        page.notes(box.left, y - 0.5, list(map(with_indices, self.notes)))
 
 
 def crank_pin(machine: Machine, mechanism: str | None) -> str | None:

@@ -1,5 +1,6 @@
 """The table of a drive: its shafts with their speeds and inertias, and below each what stands on it, by number."""
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -10,10 +11,13 @@ from cranktrain.plans.drive_scheme import MEANINGS, ChainFact, DriveElement, Dri
 from cranktrain.quantities import shown
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
+from cranktrain.viz.paper.page import mathematics
 from cranktrain.viz.plans.drive_chain import roman
 
 _LETTER = 1.56
 """Mean width of a letter of text. [mm]"""
+_INDEXED = re.compile(r"(?:^|(?<=, ))[^\W\d_]_\w+")
+"""A fact's letter with an index."""
 
 
 class DriveRow(NamedTuple):
@@ -27,6 +31,11 @@ class DriveRow(NamedTuple):
     def cells(self) -> tuple[str, str]:
         """Words and numbers."""
         return self.words, ", ".join(self.facts)
+
+    @property
+    def cells_set(self) -> tuple[str, str]:
+        """The same on paper, where letters have their indices below."""
+        return self.words, with_indices(", ".join(self.facts))
 
 
 def drive_rows(chain: Sequence[DriveShaft], shaft_letter: str, width: float) -> list[DriveRow]:
@@ -42,6 +51,11 @@ def meanings(chain: Sequence[DriveShaft], width: float) -> list[str]:
     letters = {fact.letter for shaft in chain for one in shaft.elements for fact in one.facts}
     said = [f"{letter} {_(words)}" for letter, words in MEANINGS.items() if letter in letters]
     return [", ".join(row) for row in _filled(said, 0, int(width / _LETTER))]
+
+
+def with_indices(facts: str) -> str:
+    """Set the letters of facts that have an index as mathematics."""
+    return _INDEXED.sub(lambda found: mathematics(found[0]), facts)
 
 
 def _rows(chain: Sequence[DriveShaft], letter: str) -> Iterator[DriveRow]:

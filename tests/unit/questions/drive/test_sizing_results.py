@@ -6,7 +6,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import cranktrain as ct
-from cranktrain.questions.drive.flywheel_sizing import DriveFlywheel
+from cranktrain.questions.drive.flywheel_sizing import DriveFlywheel, least_inertia
 from cranktrain.questions.drive.rows import flywheel_rows
 
 STAGE = [{"ratio": 40, "efficiency": 0.846}]
@@ -115,6 +115,8 @@ def test_flywheel_of_a_motor_that_stalls_without(wanted, closeness):
     assert np.isnan(asked.largest_motor_torque)
     (said,) = (line.words for line in flywheel_rows({}, 0, asked[DriveFlywheel]))
     assert said.endswith("without it the motor stalls")
+    assert "Flywheel of the drive: " in asked.summary()
+    assert "without it the motor stalls." in asked.summary()
 
     def largest(share):
         inertia = f"{0.01 + share * float(asked.needed_inertia)!r} kg*m^2"
@@ -122,6 +124,19 @@ def test_flywheel_of_a_motor_that_stalls_without(wanted, closeness):
 
     assert largest(1 + closeness) <= wanted
     assert not largest(1 - closeness) <= wanted
+
+
+@pytest.mark.parametrize("stalls_below", [0.0, 3.0])
+def test_least_inertia_takes_no_value_twice(stalls_below):
+    """Of an excess that falls as 1/J, to 0 at 7, infinite below some inertia."""
+    looked_at = []
+
+    def excess(inertia):
+        looked_at.append(inertia)
+        return 7.0 / inertia - 1 if inertia > stalls_below else np.inf
+
+    assert least_inertia(excess, 1.0) == pytest.approx(7.0, rel=1e-10)
+    assert len(set(looked_at)) == len(looked_at)
 
 
 @pytest.mark.parametrize(

@@ -125,7 +125,19 @@ def run_implicitly(kernels: Kernels, drive: DriveTrain, asked: Wanted, *, method
     in_order = tuple(sorted(going.events, key=lambda one: one.time))
     reason = endings.TIME_OUT if reason == GOING else reason
     table = going.table[is_there]
-    return Run(reason, time, state, asked.samples[is_there], table, in_order, residual, supplied, n_calls, method)
+    return Run(
+        reason,
+        time,
+        state,
+        asked.samples[is_there],
+        table,
+        in_order,
+        residual,
+        supplied,
+        n_calls,
+        method,
+        train.machine,
+    )
 
 
 def _set_off(going: _Going, time: float, state: Array) -> tuple[float, float, int]:

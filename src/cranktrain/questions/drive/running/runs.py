@@ -92,6 +92,8 @@ class Run:
     n_steps : int
     method : str
         Of `tsit5`, `LSODA`, `Radau`.
+    machine : Array, or list of float
+        Its numbers, with what it remembers at the end: a run may go on from there.
     """
 
     reason: int
@@ -104,6 +106,7 @@ class Run:
     supplied: float
     n_steps: int
     method: str
+    machine: Any
 
     def of_kind(self, kind: int) -> tuple[Event, ...]:
         """Events of one kind."""
@@ -218,7 +221,7 @@ def run(
             **{name: getattr(asked, name).tolist() for name in ("start", "samples", "breaks", "corners")}
         )
     reason, course = _run_through(partial(loop, train, asked), course, log, asked.limits.most_steps, progress)
-    return _result(reason, course, log, asked, drive)
+    return _result(reason, course, log, asked, drive, train.machine)
 
 
 class Log(NamedTuple):
@@ -246,7 +249,7 @@ def _run_through(loop: Any, course: Course, log: Log, most_steps: int, progress:
         return STOPPED, kept
 
 
-def _result(reason: int, course: Course, log: Log, asked: Wanted, drive: DriveTrain) -> Run:
+def _result(reason: int, course: Course, log: Log, asked: Wanted, drive: DriveTrain, machine: Any) -> Run:
     """What became of a run whose course has ended."""
     n_samples, n_marks = course.counts[SAMPLE], course.counts[MARKS]
     rows = sorted(log.marks[:n_marks].tolist(), key=_time_of)
@@ -264,6 +267,7 @@ def _result(reason: int, course: Course, log: Log, asked: Wanted, drive: DriveTr
         supplied,
         int(course.counts[STEPS]),
         "tsit5",
+        machine,
     )
 
 

@@ -4,7 +4,9 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.questions.drive.motor_limits import rated_slip
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
+from cranktrain.questions.drive.motors import WOUND_ROTOR
 from cranktrain.scales import scale_for
 from cranktrain.viz.paper.page import Box, Page
 from cranktrain.viz.paper.panels import axes_in
@@ -44,9 +46,9 @@ def draw_torque_speed(
     axes.axhline(0.0, color=MUTED, linewidth=0.6, zorder=1)
     axes.plot(turning.of(speeds), scale.of(torques), color=INK, linewidth=0.9, linestyle=(0, (6.0, 2.0)))
     axes.plot(turning.of(way[0]), scale.of(way[1]), color=COLOURS["T"], linewidth=1.7)
-    rated = motor.rating
-    if np.isfinite(rated.torque[design]):
-        point = (float(turning.of(rated.speed[design])), float(scale.of(rated.torque[design])))
+    torque = float(motor.rating.torque[design])
+    if np.isfinite(torque):
+        point = (float(turning.of(_rated_speed(motor, design))), float(scale.of(torque)))
         axes.plot(*point, "o", ms=4.0, mfc="white", mec=INK, mew=1.0, zorder=5)
     x, y = room.left, room.bottom + 4.0
     for words, line in (
@@ -56,6 +58,18 @@ def draw_torque_speed(
         page.sample(x, x + 8.0, y + 0.9, **line)
         _begin, x = page.ends(page.text(x + 9.5, y, words))
         x += 5.0
-    if np.isfinite(rated.torque[design]):
-        page.text(x, y, _("○ rated"))
+    if np.isfinite(torque):
+        page.text(x, y, _("○ rated torque, with its resistance") if _has_resistance(motor, design) else _("○ rated"))
     return room.bottom
+
+
+def _has_resistance(motor: DeclaredMotor, design: int) -> bool:
+    """Whether a resistance behind slip rings lets it slip by more than its plate says."""
+    return motor.motor is WOUND_ROTOR and bool(motor.numbers.resistance[design] != 1)
+
+
+def _rated_speed(motor: DeclaredMotor, design: int) -> float:
+    """Speed at the rated torque, on the curve that is drawn. [rad/s]"""
+    if _has_resistance(motor, design):
+        return float(motor.top_speed[design]) * (1 - rated_slip(motor, design))
+    return float(motor.rating.speed[design])

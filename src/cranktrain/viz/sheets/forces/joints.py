@@ -6,7 +6,9 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.language import _
+from cranktrain.mechanisms.dynamics import FRAME
 from cranktrain.motion import Array
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.scales import Scale, scale_for
 from cranktrain.viz.figures import figure
 from cranktrain.viz.panel import Curve, OneDesign, Panel, Role, closed
@@ -44,6 +46,11 @@ class JointForce(NamedTuple):
         return int(np.argmax(self.size))
 
 
+def mechanism_of(shown: OneDesign, piston: str | None) -> str:
+    """Mechanism whose joints are shown: that of a piston without forces of its own, or the first."""
+    return piston or shown.result.machines[shown.design].places[0].name
+
+
 def joint_forces(shown: OneDesign, mechanism: str) -> list[JointForce]:
     """Joints of a mechanism by their largest reactions, the most loaded first; those that bear nothing are left out."""
     labels = shown.result.labels.get("joint", ())
@@ -63,6 +70,27 @@ def joint_forces(shown: OneDesign, mechanism: str) -> list[JointForce]:
         else:
             found[alike] = found[alike]._replace(names=(*found[alike].names, name))
     return found
+
+
+class SharedPin(NamedTuple):
+    """A joint of more than two links: its name, the link that its pin is part of, and the others."""
+
+    joint: str
+    owner: str
+    others: tuple[str, ...]
+
+
+def pins_shared(shown: OneDesign, mechanism: str) -> Iterator[SharedPin]:
+    """Joints of a mechanism in which more than two of its links meet; a crank has its pin, and the frame its pivots."""
+    loaded = shown.result[LoadedMachine]
+    at = loaded.mechanisms.names.index(mechanism)
+    dynamics = next(batch.kind.dynamics for batch in loaded.mechanisms.batches if at in batch.index)
+    others: dict[tuple[str, str], list[str]] = {}
+    for one in dynamics.reactions:
+        others.setdefault((one.name.partition("/")[0], one.by), []).append(one.on)
+    for (joint, owner), links in others.items():
+        if len(links) > 1 and owner != FRAME and not joint.endswith(f"{owner}.pin"):
+            yield SharedPin(joint, owner, tuple(links))
 
 
 def joint_panels(shown: OneDesign, joints: Sequence[JointForce]) -> Iterator[Panel]:

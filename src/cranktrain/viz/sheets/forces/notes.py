@@ -14,9 +14,9 @@ from cranktrain.viz.figures import with_unit
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.page import mathematics
 from cranktrain.viz.sheets.forces.at_crank import crank_torques
-from cranktrain.viz.sheets.forces.joints import MOST_CURVES, JointForce
+from cranktrain.viz.sheets.forces.joints import MOST_CURVES, JointForce, SharedPin, mechanism_of, pins_shared
 from cranktrain.viz.sheets.forces.panels import formula_error, has_forces, is_off
-from cranktrain.viz.sheets.torque.panels import order_bars
+from cranktrain.viz.sheets.torque.panels import order_bars, torque_panel
 
 
 def force_notes(shown: OneDesign, piston: str | None, joints: Sequence[JointForce]) -> Iterator[str]:
@@ -32,23 +32,40 @@ def force_notes(shown: OneDesign, piston: str | None, joints: Sequence[JointForc
     if piston is not None and has_forces(result, piston):
         yield from _on_forces(shown, piston)
     if joints:
-        yield from _on_joints(shown, joints)
-    yield _("Torque: reactions of rigid links, each mechanism's thin.")
+        yield from _on_joints(shown, joints, mechanism_of(shown, piston))
+    several = any(curve.role == "each" for curve in torque_panel(shown).curves)
+    yield (
+        _("Torque: reactions of rigid links, each mechanism's thin.")
+        if several
+        else _("Torque: reactions of rigid links.")
+    )
     bars = order_bars(shown)
     if np.any(bars.is_major & (bars.amplitude > 0)):
         yield _("Filled bars: orders in which all cylinders add up.")
 
 
-def _on_joints(shown: OneDesign, joints: Sequence[JointForce]) -> Iterator[str]:
-    """Say which torque goes into the crank and which comes out of it, and which joints have no curve."""
+def _on_joints(shown: OneDesign, joints: Sequence[JointForce], mechanism: str) -> Iterator[str]:
+    """Say which torque goes into the crank, which comes out of it, whose pins are, and which joints have no curve."""
     torques = zip(crank_torques(shown), (mathematics("M_st"), "½J′ω²"), strict=True)
     said = [symbol for torque, symbol in torques if np.any(torque)]
     if said:
         yield _("{symbols}: into the crank; {torque}: out of it, with the opposite sign.").format(
             symbols=", ".join(said), torque=mathematics("T_Σ")
         )
+    yield from _on_shared_pins(list(pins_shared(shown, mechanism)))
     if len(joints) > MOST_CURVES:
         yield _("Curves are of the {n} joints that bear most.").format(n=MOST_CURVES)
+
+
+def _on_shared_pins(pins: Sequence[SharedPin]) -> Iterator[str]:
+    """Say whose a pin of several links is taken to be."""
+    if len(pins) > 1:
+        yield _("Where three links or more meet, the pin is part of the rod of the pair that makes the joint.")
+        return
+    said = _("{joint} joins {n} links: its pin is part of {owner}, and {others} hang on that.")
+    for pin in pins:
+        others = _(" and ").join(pin.others)
+        yield said.format(joint=pin.joint, n=len(pin.others) + 1, owner=pin.owner, others=others)
 
 
 def _master_of(result: Result, piston: str) -> str | None:

@@ -23,6 +23,7 @@ from cranktrain.viz.sheets.forces.joints import (
     joint_forces,
     joint_panels,
     joint_rows,
+    mechanism_of,
 )
 from cranktrain.viz.sheets.forces.notes import force_notes
 from cranktrain.viz.sheets.forces.panels import force_panels, has_forces
@@ -72,7 +73,8 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
     """
     shown = OneDesign(result, design)
     name = _piston(result, piston)
-    joints = [] if name is not None and has_forces(result, name) else _joints(shown, name)
+    has_own = name is not None and has_forces(result, name)
+    joints = [] if has_own else joint_forces(shown, mechanism_of(shown, name))
     page, box = result_page(result, design, size, _("Forces"))
     left, right = box.left + _LEFT * box.width + 12.0, box.left + box.width
     below = _draw_indicator(page, shown, name, (left, right, box.bottom + box.height))
@@ -98,11 +100,6 @@ def _piston(result: Result, wanted: str | None) -> str | None:
     if wanted is not None or "piston_force" not in result.catalogue:
         return wanted or next(iter(names), None)
     return next(name for name in names if has_forces(result, name))
-
-
-def _joints(shown: OneDesign, piston: str | None) -> list[JointForce]:
-    """Joints of the mechanism of a piston without forces of its own, or of the first."""
-    return joint_forces(shown, piston or shown.result.machines[shown.design].places[0].name)
 
 
 def _draw_joints(

@@ -1,0 +1,34 @@
+"""A machine that is not loaded yet: without its loads, a compressor's suction valves held open."""
+
+import numpy as np
+
+from cranktrain.motion import ONE, Array
+from cranktrain.questions.drive.at_angles import reduced_at
+from cranktrain.questions.drive.gear_train import torque_through
+from cranktrain.questions.drive.running.gearing import Gearing
+from cranktrain.questions.drive.running.reduced import DISCHARGE, SUCTION, ReducedMachine
+
+_N_ANGLES = 1440
+
+
+def with_open_valves(machine: ReducedMachine) -> ReducedMachine:
+    """A compressor whose suction valves are held open."""
+    chambers = np.array(machine.chambers)
+    chambers[:, DISCHARGE] = chambers[:, SUCTION]
+    return machine._replace(chambers=chambers)
+
+
+def without_loads(machine: ReducedMachine) -> ReducedMachine:
+    """A machine on which nothing acts but its weights, and the air under its pistons.
+
+    Loads and gas that comes back over the cycle leave it, and the friction in guides, which is mostly theirs.
+    """
+    return with_open_valves(machine)._replace(loads=np.asarray(machine.loads)[:0])
+
+
+def idle_torques(machine: ReducedMachine, gearing: Gearing, cycle: float) -> tuple[float, float]:
+    """Largest and mean static torque at the motor of a machine without loads: weights, and drags of stages. [N·m]"""
+    angle = np.arange(_N_ANGLES) * cycle / _N_ANGLES
+    still = reduced_at(without_loads(machine), angle).by_load(0.0 * angle)
+    torque: Array = torque_through(still, ONE, gearing)[0]
+    return float(torque.max()), float(torque.mean())
