@@ -8,6 +8,9 @@ from typing import Any, ParamSpec, TypeVar, cast
 from cranktrain.linkage.compile import teach_choices
 from cranktrain.motion import chosen
 
+_UNCOUNTED: dict[str, Any] = {"_nrt": False}
+"""Loops make no arrays: to count who holds those given would take a third of the time, and threads would wait on it."""
+
 Parameters = ParamSpec("Parameters")
 Outcome = TypeVar("Outcome")
 
@@ -40,8 +43,8 @@ def _quick(function: Any) -> Any:
     )
     # private parts are called in one place, and calls cost as many words as their arrays have
     is_part = function.__name__.startswith("_")
-    # they make no arrays: counting who holds those given would take a third of the time, and threads would wait on it
-    return numba.njit(error_model="numpy", nogil=True, fastmath={"contract"}, forceinline=is_part, _nrt=False)(copy)
+    made: Any = numba.njit(error_model="numpy", nogil=True, fastmath={"contract"}, forceinline=is_part, **_UNCOUNTED)
+    return made(copy)
 
 
 def _cells(closure: tuple[CellType, ...] | None) -> tuple[CellType, ...] | None:
