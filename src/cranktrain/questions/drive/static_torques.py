@@ -17,6 +17,7 @@ from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.gear_train import torque_through
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
+from cranktrain.questions.drive.running.reduced import ReducedMachine
 from cranktrain.questions.drive.sign_changes import sign_changes
 from cranktrain.questions.drive.steady_cycle import mesh_of
 from cranktrain.record import record
@@ -71,7 +72,7 @@ class StaticTorques(StageResult):
     )
 
 
-class _Facts(NamedTuple):
+class StaticFacts(NamedTuple):
     """Static torque of one design at every shaft: extremes, mean and root mean square, each of shape (shaft,)."""
 
     largest: Extreme
@@ -89,14 +90,16 @@ def static_torques(drive: DeclaredDrive, machines: ReducedMachines, crank_angle:
     """
     grid = np.broadcast_to(crank_angle.angle[:, 0], (len(machines.each), crank_angle.shown.size))
     torque, dividing, inertia = list[Array](), list[Array](), list[Array]()
-    facts: list[_Facts] = []
+    facts: list[StaticFacts] = []
     for design, (machine, gearing) in enumerate(zip(machines.each, drive.gearings, strict=True)):
         at = reduced_at(machine, grid[design])
         still = at.by_load(0.0 * grid[design])
         torque.append(torque_through(still, ONE, gearing))
         dividing.append(torque_through(still, ONE, _always_dividing(gearing))[0])
         inertia.append(_inertias(at.inertia, gearing))
-        facts.append(_facts(machines, design, gearing, crank_angle))
+        corners = machines.corners[min(design, len(machines.corners) - 1)]
+        zero = float(crank_angle.zero[min(design, len(crank_angle.zero) - 1), 0, 0])
+        facts.append(static_facts(machine, corners, machines.cycle, gearing, zero=zero, grid=crank_angle.shown))
     driven = np.stack(inertia)
     of_drive = np.stack([_inertias(np.zeros(1), gearing)[:, 0] for gearing in drive.gearings])
     at_motor = np.stack([own[0] for own in torque])
@@ -127,10 +130,24 @@ def _inertias(machine: Array, gearing: Gearing) -> Array:
     return at_motor * turned[:, np.newaxis] ** 2
 
 
-def _facts(machines: ReducedMachines, design: int, gearing: Gearing, crank_angle: CrankAngle) -> _Facts:
-    """Extremes between corners, and means by quadrature between them."""
-    machine = machines.each[design]
-    corners = machines.corners[min(design, len(machines.corners) - 1)]
+def static_facts(
+    machine: ReducedMachine, corners: Array, cycle: float, gearing: Gearing, *, zero: float, grid: Array
+) -> StaticFacts:
+    """Extremes between corners, and means by quadrature between them.
+
+    Parameters
+    ----------
+    machine : ReducedMachine
+    corners : Array, shape (corner,)
+        φ; NaN is none. [rad]
+    cycle : float
+        [rad]
+    gearing : Gearing
+    zero : float
+        φ from which angles of extremes are counted. [rad]
+    grid : Array, shape (n,)
+        Equal steps over the cycle, counted so, near which extremes are looked for. [rad]
+    """
 
     def torque(angle: Array) -> Array:
         still = reduced_at(machine, np.ravel(angle)).by_load(np.zeros(angle.size))
@@ -140,20 +157,19 @@ def _facts(machines: ReducedMachines, design: int, gearing: Gearing, crank_angle
         return torque(angle)[-1]
 
     # Where the torque changes its sign, losses turn round.
-    changes = sign_changes(at_crank, mesh_of(machines.cycle, corners))
-    mesh = mesh_of(machines.cycle, np.concatenate([corners, changes]))
-    zero = float(crank_angle.zero[min(design, len(crank_angle.zero) - 1), 0, 0])
-    samples = torque(crank_angle.shown + zero)
+    changes = sign_changes(at_crank, mesh_of(cycle, corners))
+    mesh = mesh_of(cycle, np.concatenate([corners, changes]))
+    samples = torque(grid + zero)
 
     def peak(sign: float) -> Extreme:
         def curves(which: NDArray[np.intp], shown: Array) -> Array:
             return sign * torque(shown + zero)[which, np.arange(len(which))]
 
-        found = largest_between(curves, crank_angle.shown, sign * samples, np.append(corners, changes) - zero)
-        return Extreme(within(found.angle, machines.cycle), sign * found.value)
+        found = largest_between(curves, grid, sign * samples, np.append(corners, changes) - zero)
+        return Extreme(within(found.angle, cycle), sign * found.value)
 
     at_nodes = torque(mesh.nodes)
-    return _Facts(peak(1.0), peak(-1.0), mesh.mean(at_nodes), np.sqrt(mesh.mean(at_nodes**2)))
+    return StaticFacts(peak(1.0), peak(-1.0), mesh.mean(at_nodes), np.sqrt(mesh.mean(at_nodes**2)))
 
 
 def _together(each: Sequence[Extreme]) -> Extreme:

@@ -2,13 +2,11 @@
 
 import numpy as np
 
-from cranktrain.motion import ONE, Array
-from cranktrain.questions.drive.at_angles import reduced_at
-from cranktrain.questions.drive.gear_train import torque_through
 from cranktrain.questions.drive.running.gearing import Gearing
 from cranktrain.questions.drive.running.reduced import DISCHARGE, SUCTION, ReducedMachine
+from cranktrain.questions.drive.static_torques import static_facts
 
-_N_ANGLES = 1440
+_N_ANGLES = 720
 
 
 def with_open_valves(machine: ReducedMachine) -> ReducedMachine:
@@ -28,7 +26,6 @@ def without_loads(machine: ReducedMachine) -> ReducedMachine:
 
 def idle_torques(machine: ReducedMachine, gearing: Gearing, cycle: float) -> tuple[float, float]:
     """Largest and mean static torque at the motor of a machine without loads: weights, and drags of stages. [N·m]"""
-    angle = np.arange(_N_ANGLES) * cycle / _N_ANGLES
-    still = reduced_at(without_loads(machine), angle).by_load(0.0 * angle)
-    torque: Array = torque_through(still, ONE, gearing)[0]
-    return float(torque.max()), float(torque.mean())
+    grid = np.arange(_N_ANGLES) * cycle / _N_ANGLES
+    found = static_facts(without_loads(machine), np.empty(0), cycle, gearing, zero=0.0, grid=grid)
+    return float(found.largest.value[0]), float(found.mean[0])

@@ -9,7 +9,7 @@ from cranktrain.linkage.compile import teach_choices
 from cranktrain.motion import chosen
 
 _UNCOUNTED: dict[str, Any] = {"_nrt": False}
-"""Loops make no arrays: to count who holds those given would take a third of the time, and threads would wait on it."""
+"""Loops make no arrays: to count who holds those given would take a third of the time."""
 
 Parameters = ParamSpec("Parameters")
 Outcome = TypeVar("Outcome")

@@ -67,9 +67,10 @@ def first_rise(value: Callable[[float, Any], float], start: float, parts: Any) -
     apart = (1.0 - start) / _N_LOOKS
     first, best, greatest = -1, -1, 0.0
     for look in range(_N_LOOKS + 1):
-        now = value(start + look * apart if look < _N_LOOKS else 1.0, parts)
+        theta = start + look * apart if look < _N_LOOKS else 1.0
+        now = value(theta, parts)
         if now >= 0 and first >= 0:
-            return start + (look - 1) * apart, start + look * apart if look < _N_LOOKS else 1.0
+            return start + (look - 1) * apart, theta
         if now < 0:
             first = look if first < 0 else first
             if best < 0 or now > greatest:
@@ -125,33 +126,32 @@ def passed_dead_position(machine: Any, numbers: Any, course: Any, width: float, 
     before, after = first_rise(output_against, start, (course, width, numbers, machine))
     if after == NOT_PASSED:
         return NOT_PASSED, NOT_PASSED
-    low, high = angle_at(course, width, before), angle_at(course, width, after)
+    low, high = state_at(course, width, before, 0), state_at(course, width, after, 0)
     dead = crossing(output_rate, low, high, 0.0, (numbers, machine, course.here[SENSE]))
     return crossing(angle_less, before, after, _PART_CLOSE, (course, width, dead)), dead
 
 
-def angle_at(course: Any, width: float, theta: float) -> float:
-    """Crank angle at a part of the step. [rad]"""
-    return course.ahead[0] if theta == 1.0 else within(course.state, course.slopes, width, theta, 0)
+def state_at(course: Any, width: float, theta: float, part: int) -> float:
+    """One component of the state at the part θ of a step; at its end as the step has it."""
+    return course.ahead[part] if theta == 1.0 else within(course.state, course.slopes, width, theta, part)
 
 
 def speed_over(theta: float, parts: Any) -> float:
     """By how much the speed at a part of a step is beyond a level. [rad/s]"""
     course, width, level, sign = parts
-    speed = course.ahead[1] if theta == 1.0 else within(course.state, course.slopes, width, theta, 1)
-    return sign * (speed - level)
+    return sign * (state_at(course, width, theta, 1) - level)
 
 
 def angle_less(theta: float, parts: Any) -> float:
     """Crank angle at a part of a step, less another. [rad]"""
     course, width, angle = parts
-    return angle_at(course, width, theta) - angle
+    return state_at(course, width, theta, 0) - angle
 
 
 def output_against(theta: float, parts: Any) -> float:
     """x′ of what is driven at a part of a step, above 0 where it is not of the sign that it had. [m/rad or 1]"""
     course, width, numbers, machine = parts
-    output = output_rate(angle_at(course, width, theta), (numbers, machine, course.here[SENSE]))
+    output = output_rate(state_at(course, width, theta, 0), (numbers, machine, course.here[SENSE]))
     return -output if course.here[OUTPUT] > 0 else output
 
 

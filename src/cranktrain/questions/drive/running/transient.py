@@ -20,10 +20,10 @@ from cranktrain.questions.drive.running.course import (
     note,
 )
 from cranktrain.questions.drive.running.crossings import (
-    angle_at,
     may_pass_dead_position,
     passed_dead_position,
     passed_level,
+    state_at,
 )
 from cranktrain.questions.drive.running.endings import (
     DEAD_POSITION,
@@ -157,7 +157,7 @@ def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, t
     if landing != AT_TIME:
         landing = AT_CORNER if abs(ahead[0] - bound) <= _AT * beside(ahead[0]) else NOWHERE
     theta, event, level = _first_event(limits, course, width)
-    if sense * (angle_at(course, width, theta) - bound) > _AT * beside(ahead[0]):
+    if sense * (state_at(course, width, theta, 0) - bound) > _AT * beside(ahead[0]):
         return try_shorter(course, width, 0.5, limits.end_time)
     if event < 0 and ahead[1] * sense < 0:  # it sets off the other way: nearer to where it stands
         reason = try_shorter(course, width, 0.25, limits.end_time)
@@ -171,8 +171,9 @@ def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, t
         kernels.settle(course.state[0], train.machine)
         return _after_event(event, limits, course, marks)
     _sample(asked.samples, course, slopes, width, table)
-    if slopes[6 * ROW + BESIDE] != 0.0:
-        here[OUTPUT] = slopes[6 * ROW + BESIDE]
+    output = slopes[6 * ROW + BESIDE]
+    if output != 0.0:
+        here[OUTPUT] = output
     _go_to_the_end(asked, course, width, landing, error)
     kernels.settle(course.state[0], train.machine)
     return GOING
