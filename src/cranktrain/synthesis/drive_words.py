@@ -91,7 +91,10 @@ def remarks(bench: Bench, chosen: Trial, sizes: Sequence[Trial]) -> Iterator[str
         yield _("It is started unloaded: against weights and drags, before loads act.")
     yield _("Values of typical motors are nobody's: a maker's replace them before a motor is bought.")
     if duty is None or duty.model_fields_set <= {"start"}:
-        yield _("Without [drive.duty] it runs on and on, and starts and voltage are not checked.")
+        yield _(
+            "[drive.duty] says nothing of time: it runs on and on; how long a start takes, and how many an hour it"
+            " makes, are not checked."
+        )
 
 
 def _of_flywheel(bench: Bench, chosen: Trial) -> Iterator[str]:
