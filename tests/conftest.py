@@ -33,7 +33,6 @@ SLOW = (
     "tests/unit/cli/test_synthesise.py::test_what_is_written_runs",
     "tests/unit/io/test_editing.py::test_edited_text_says_exactly_what_is_wanted",
     "tests/unit/io/test_editing.py::test_every_place_is_found",
-    "tests/unit/linkage/test_compiled_groups.py",
     "tests/unit/mechanisms/test_closing.py::test_articulated_rod",
     "tests/unit/mechanisms/test_equation.py::test_compiled_for_numbers",
     "tests/unit/mechanisms/test_valve_gears.py",
@@ -58,8 +57,6 @@ SLOW = (
 
 QUICK = (
     "tests/contract/test_compiled.py::test_a_kernel_is_compiled_once",
-    "tests/contract/test_compiled.py::test_crank_angles[slide.slide]",
-    "tests/contract/test_compiled.py::test_designs[slide.slide]",
     "tests/contract/test_compiled.py::test_every_kernel_has_an_example",
     "tests/contract/test_compiled.py::test_numbers[slide.slide]",
     "tests/contract/test_designs.py::test_designs_differ[slider_crank]",

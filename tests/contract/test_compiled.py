@@ -1,4 +1,4 @@
-"""Every kernel, compiled, gives what NumPy gives: for numbers, for crank angles, for designs.
+"""Every kernel, compiled for numbers, gives what NumPy gives at every crank angle, for every design.
 
 Without contraction or reordering both do the same operations, and only cos, sin and atan2 are other people's: their
 results may differ by a few units in the last place. So a compiled result is right where it is NumPy's for inputs
@@ -77,15 +77,6 @@ NO_KERNELS = {
     "walschaerts.walschaerts_size",
 }
 """What supplies kernels, or takes them: `cranktrain.linkage` names it."""
-
-ONLY_DESIGNS = {"triad.triad"} | force_kernels.EXAMPLES.keys()
-"""What takes long to compile for arrays: with designs there are crank angles too."""
-
-ONLY_NUMBERS = {name for name in force_kernels.EXAMPLES if name.split(".")[0] in force_kernels.KINDS} | {
-    "forces.triad_reactions",
-    "forces.triad_reactions_with_friction",
-}
-"""What takes up to ten seconds to compile for arrays: a transient asks for numbers, and on arrays NumPy is as good."""
 
 ANGLES = np.array([0.0, 0.3, 1.1, 2.2, 3.3, 4.7, 5.9])
 DESIGNS = 4
@@ -369,14 +360,6 @@ def assert_same(name: str, arguments: Any, allowed: list[np.ndarray]) -> list[np
     return expected
 
 
-@pytest.fixture
-def unoptimised(monkeypatch):
-    """For arrays, of whose code there is ten times as much: the operations are the same, compiling takes half."""
-    from numba.core import config
-
-    monkeypatch.setattr(config, "OPT", type(config.OPT)(0))
-
-
 def test_every_kernel_has_an_example():
     assert set(EXAMPLES) == set(KERNELS), "a kernel needs an example of its arguments in EXAMPLES, above"
 
@@ -402,18 +385,6 @@ def test_numbers(name):
     for at in np.ndindex(shape):
         arguments = rebuilt(many, map(float, picked(leaves(many), shape, at)))
         assert_same(name, arguments, picked(allowed, shape, at))
-
-
-@pytest.mark.parametrize("name", sorted(EXAMPLES.keys() - ONLY_DESIGNS))
-def test_crank_angles(name, unoptimised):
-    arguments = one_machine(name, ANGLES)
-    assert_same(name, arguments, tolerances(name, arguments))
-
-
-@pytest.mark.parametrize("name", sorted(EXAMPLES.keys() - ONLY_NUMBERS))
-def test_designs(name, unoptimised):
-    arguments = designs(name)
-    assert_same(name, arguments, tolerances(name, arguments))
 
 
 def test_designs_include_some_that_do_not_close():

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from functools import cache
 from types import FunctionType
-from typing import Any, ParamSpec, TypeVar, cast
+from typing import ParamSpec, TypeVar, cast
 
 from cranktrain.motion import chosen
 
@@ -17,14 +17,14 @@ def compiled(kernel: Callable[Parameters, Outcome]) -> Callable[Parameters, Outc
     Parameters
     ----------
     kernel : function
-        Any kernel of `linkage`, `mechanisms` or `gas`. Elementwise: compiled, it takes numbers or arrays, gives numbers
-        for numbers, and can be called from other compiled code, a loop over designs or the right-hand side of a
-        differential equation.
+        Any kernel of `linkage`, `mechanisms` or `fluids`.
 
     Returns
     -------
     function
-        With the kernel's signature. Its first call compiles; the same kernel gives the same compiled function.
+        With the kernel's signature, for numbers: on arrays the kernel itself is as fast. It can be called from other
+        compiled code, a loop over designs or the right-hand side of a differential equation. Its first call compiles;
+        the same kernel gives the same compiled function.
 
     Raises
     ------
@@ -54,21 +54,11 @@ def _compiled(kernel: FunctionType) -> object:
 
 @cache
 def teach_choices() -> None:
-    """Tell Numba what `chosen` is: between numbers a plain choice, which is a number and lets loops be vectorised.
-
-    Between arrays it is the same choice, element by element: `np.where` would take twenty times as long to compile.
-    """
-    import numba
-    from numba import types
+    """Tell Numba what `chosen` is: a plain choice, which is a number and lets loops be vectorised."""
     from numba.extending import overload
 
-    chosen_elements: Callable[..., object] = cast(Any, numba).vectorize(_chosen_number)  # its types are partly unknown
-
-    def of_arrays(condition: object, one: object, other: object) -> object:
-        return chosen_elements(condition, one, other)
-
-    def compiled_choice(*given: object) -> object:
-        return of_arrays if any(isinstance(each, types.Array) for each in given) else _chosen_number
+    def compiled_choice(*_given: object) -> object:
+        return _chosen_number
 
     overload(chosen, strict=False)(compiled_choice)
 
