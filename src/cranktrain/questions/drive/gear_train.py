@@ -61,17 +61,22 @@ def through_stages(torque: Array, inertia: Array, load: Array, gearing: Gearing)
 
     Notes
     -----
-    docs/theory/transient, eq. (26.5): of all patterns of signs the one that fits itself.
+    docs/theory/transient, eq. (26.5): of all patterns of signs the one that fits itself. Where every stage turns back
+    with a loss less than all, torque grows with the acceleration: what fits is the only one, and no other is tried.
     """
     found = np.full(load.shape, np.nan)
     outputs = np.full((len(gearing.ratio), *load.shape), np.nan)
     n_fits = np.zeros(load.shape, dtype=np.intp)
+    left, fits_alone = np.arange(load.size), bool(np.all(gearing.backward > 0))
     for signs in product((True, False), repeat=len(gearing.ratio)):
-        acceleration, passed = _of_pattern(signs, torque, inertia, load, gearing)
-        fits = np.all([(x > 0) == sign for x, sign in zip(passed, signs, strict=True)], axis=0) | (not signs)
-        found = np.where(fits, acceleration, found)
-        outputs = np.where(fits, passed, outputs)
-        n_fits += fits
+        acceleration, passed = _of_pattern(signs, torque[left], inertia[left], load[left], gearing)
+        fits = np.all((passed > 0) == np.array(signs, dtype=bool)[:, np.newaxis], axis=0)
+        here = left[fits]
+        found[here], outputs[:, here] = acceleration[fits], passed[:, fits]
+        n_fits[here] += 1
+        left = left[~fits] if fits_alone else left
+        if not left.size:
+            break
     return Passed(np.where(n_fits == 1, found, np.nan), outputs)
 
 

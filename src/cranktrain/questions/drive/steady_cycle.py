@@ -17,13 +17,16 @@ _SETTLED = 1e-11
 _NEAR = 1e-7
 """In parts of ω²: of the difference by which slopes are taken."""
 
+_GROWN = np.stack([legendre.legint(row, lbnd=-1) for row in np.eye(_N_NODES)], axis=1)
+"""Series of the integrals of Legendre's polynomials from −1 on."""
+
 
 def _rule() -> tuple[Array, Array, Array]:
     """Gauss's nodes in 0…1; integrals from 0 to each of them, and to 1, of what is known there; its Legendre series."""
     nodes = legendre.leggauss(_N_NODES)[0]
     fitted = np.asarray(np.linalg.inv(legendre.legvander(nodes, _N_NODES - 1)), dtype=np.float64)
     ends = np.append(nodes, 1.0)
-    integrals = np.stack([legendre.legval(ends, legendre.legint(row, lbnd=-1)) for row in np.eye(_N_NODES)], axis=1)
+    integrals = legendre.legvander(ends, _N_NODES) @ _GROWN
     return (nodes + 1) / 2, integrals @ fitted / 2, fitted
 
 
@@ -95,10 +98,8 @@ class SpeedOverTurn:
         piece = np.sum(along[:, np.newaxis] >= start[1:], axis=1)
         place = (along - start[piece]) / width[piece]
         slopes = self.acceleration.reshape(-1, _N_NODES)[piece]
-        integrals: list[Array] = [
-            legendre.legval(2 * place - 1, legendre.legint(row, lbnd=-1)) for row in np.eye(_N_NODES)
-        ]
-        grown = np.sum(np.stack(integrals, axis=1) * (slopes @ _FITTED.T), axis=1) / 2
+        integrals = legendre.legvander(2 * place - 1, _N_NODES) @ _GROWN
+        grown = np.sum(integrals * (slopes @ _FITTED.T), axis=1) / 2
         return np.sqrt(2 * (self.at_start[piece] + width[piece] * grown))
 
 
@@ -112,17 +113,17 @@ def mesh_of(cycle: float, corners: Array) -> CyclePieces:
 
 
 def speed_over_turn(
-    acceleration: Callable[[Array], Array], mesh: CyclePieces, first_speed: float
+    acceleration: Callable[[Array], Array], mesh: CyclePieces, first_speed: float | Array
 ) -> SpeedOverTurn | None:
-    """Find the cycle that repeats itself, near a constant speed.
+    """Find the cycle that repeats itself, near a constant speed or another cycle.
 
     Parameters
     ----------
     acceleration : callable
         Of the crank at the nodes of the mesh, by the speeds there, shape (n,). [rad/s → rad/s²]
     mesh : CyclePieces
-    first_speed : float
-        [rad/s]
+    first_speed : float, or Array of shape (n,)
+        At the nodes. [rad/s]
 
     Returns
     -------
@@ -134,7 +135,7 @@ def speed_over_turn(
     docs/theory/reduced-machine, eqs. (31.6) to (31.8): ω²/2 has the slope ε by the angle. Newton's method on Gauss's
     points of all pieces, so that a motor may be as stiff as it likes.
     """
-    half = np.full(len(mesh.start) * _N_NODES, 0.5 * first_speed**2)
+    half = np.full(len(mesh.start) * _N_NODES, 0.5 * np.square(first_speed))
     for _ in range(_MOST_STEPS):
         with np.errstate(all="ignore"):
             now = acceleration(np.sqrt(2 * half))

@@ -94,7 +94,7 @@ def settled(
             break
         mesh = mesh_of(machines.cycle, np.concatenate([corners, kinks]))
         turning = turning.at(mesh.nodes)
-        found = _cycle(turning, mesh, machines.cycle / found.period)
+        found = _cycle(turning, mesh, found.at(mesh.nodes))
     return turning, found
 
 
@@ -104,8 +104,8 @@ def _constant(mesh: CyclePieces, speed: float) -> SpeedOverTurn:
     return SpeedOverTurn(mesh, at_nodes, np.full(mesh.start.shape, 0.5 * speed * speed), 0.0 * at_nodes, 0.0)
 
 
-def _cycle(turning: DriveInTurn, mesh: CyclePieces, first: float) -> SpeedOverTurn | None:
-    """Steady cycle near a constant speed."""
+def _cycle(turning: DriveInTurn, mesh: CyclePieces, first: float | Array) -> SpeedOverTurn | None:
+    """Steady cycle near a constant speed, or speeds at the nodes."""
     return speed_over_turn(lambda speed: turning.passed(speed).acceleration, mesh, first)
 
 
