@@ -56,7 +56,7 @@ SCALES: Mapping[str, tuple[Scale, ...]] = {
     "rpm": (Scale("rpm"),),
     "Hz": (Scale("Hz", factor=1 / (2 * np.pi)),),
     "N": (Scale("kN", 1e3), Scale("N")),
-    "N*m": (Scale("kN·m", 1e4, factor=1e-3), Scale("N·m")),
+    "N*m": (Scale("kN·m", 1e4), Scale("N·m")),
     "N*m/rad": (Scale("MN·m/rad", 1e5), Scale("N·m/rad")),
     "Pa": (Scale("bar"),),
     "W": (Scale("kW", 1e2), Scale("W")),

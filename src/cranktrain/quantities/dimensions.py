@@ -119,6 +119,7 @@ class Dimension(Enum):
         "120 N·m",
         (
             _unit("N·m", "Н·м"),
+            _unit("kN·m", "кН·м", si=1000),
             _unit("kgf·m", "кгс·м", si=_GRAVITY),
             _unit("lbf·ft", "ft·lbf", "фунт-сила·фут", si=_POUND_FORCE * _FOOT),
             _unit("lbf·in", "in·lbf", "фунт-сила·дюйм", si=_POUND_FORCE * _INCH),

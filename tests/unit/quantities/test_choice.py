@@ -14,7 +14,8 @@ from cranktrain.quantities import (
     shown_by,
     units_by_dimension,
 )
-from cranktrain.scales import in_asked_unit, scale_for
+from cranktrain.quantities.dimensions import plain, spellings
+from cranktrain.scales import SCALES, in_asked_unit, scale_for
 from cranktrain.wording import number
 
 
@@ -98,6 +99,13 @@ def test_derivatives_by_the_crank_angle_are_in_the_unit_of_what_they_are_of():
         assert float(scale_for("m/rad", 1.0).of(0.0254)) == pytest.approx(1.0, rel=1e-15)
         assert [scale_for(unit, 1.0).label for unit in ("rad", "position", "deg")] == ["rad", "°", "°"]
         assert in_asked_unit("m/rad^2", np.array([0.0254])) == ("in/rad^2", pytest.approx([1.0], rel=1e-15))
+
+
+def test_what_an_answer_shows_can_be_typed():
+    """But for capacities, which no file has."""
+    known = {spelling for dimension in Dimension for spelling in spellings(dimension)}
+    shown_in = {scale.label for scales in SCALES.values() for scale in scales if scale.label}
+    assert {label for label in shown_in if plain(label) not in known} == {"m³/h"}
 
 
 @pytest.mark.parametrize("unit", ["psig", "ati", "barg"])

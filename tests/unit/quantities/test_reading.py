@@ -50,6 +50,7 @@ MULTIPLICATIVE = {
     },
     D.TORQUE: {
         Fraction(1): ("N·m", "N*m", "N.m", "N m", "Nm", "N⋅m", "Н·м", "Н*м", "Нм"),
+        Fraction(1000): ("kN·m", "kN*m", "kNm", "кН·м", "кНм"),
         Fraction("9.80665"): ("kgf·m", "kgf*m", "кгс·м", "кгс*м", "кгсм"),
         LBF * 12 * INCH: ("lbf·ft", "lbf*ft", "lbf ft", "ft·lbf", "фунт-сила·фут"),
         LBF * INCH: ("lbf·in", "in·lbf", "фунт-сила·дюйм"),
@@ -174,7 +175,7 @@ def test_horsepower_has_the_printed_value() -> None:
 
 
 SPEED = "must be a speed of rotation in rpm, rad/s, such as 1500 rpm"
-TORQUE = "must be a torque in N·m, kgf·m, lbf·ft, lbf·in, such as 120 N·m"
+TORQUE = "must be a torque in N·m, kN·m, kgf·m, lbf·ft, lbf·in, such as 120 N·m"
 RANGE = "must be within what a computer number holds, in SI units 5e-324 to 1.8e308"
 
 
@@ -225,8 +226,7 @@ RANGE = "must be within what a computer number holds, in SI units 5e-324 to 1.8e
         ),
         ("5 MM", D.LENGTH, "5 MM", A_LENGTH, 'write "5 mm"'),
         ("5 kg·cm²", D.INERTIA, "5 kg·cm²", AN_INERTIA, None),
-        ("5 kN·m", D.TORQUE, "5 kN·m", TORQUE, None),
-        ("5 кН·м", D.TORQUE, "5 кН·м", TORQUE, None),
+        ("5 dyn·cm", D.TORQUE, "5 dyn·cm", TORQUE, None),
         ("5 hPa", D.PRESSURE, "5 hPa", expected(D.PRESSURE), None),
         ("5 Mm", D.LENGTH, "5 Mm", A_LENGTH, 'write "5 mm"'),
         ("5 kgm", D.TORQUE, "5 kgm", TORQUE, 'write "5 kgf·m"'),

@@ -91,7 +91,7 @@ def transmission_rows(labels: Names, design: int, found: Transmission) -> Iterat
         "rad",
         labels["crank_rocker"],
         _("at least, {most} at most"),
-        most=Amount(float(np.nanmax(found.largest_transmission_angle[design])), "rad"),
+        most=Amount(float(np.fmax.reduce(found.largest_transmission_angle[design])), "rad"),
     )
     kinds = sorted({int(value) for value in found.grashof_class[design]} - {0})
     if kinds:

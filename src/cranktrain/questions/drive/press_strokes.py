@@ -124,6 +124,7 @@ def press_strokes(
                 _("Kinetic energy at the end of a stroke less what was given and taken, relative to that"),
                 np.array([_residual(one) for one in found]),
                 _ENERGY_LIMIT,
+                tuple(_("needs a stroke") for _one in found),
             ),
         ),
         flags=tuple(dict.fromkeys(flag for design, one in enumerate(found) for flag in _flags(one, parts, design))),
@@ -223,10 +224,10 @@ def _stop(turned: float) -> float:
 
 
 def _residual(found: _Found) -> float:
-    """Energy left over, relative to what was given."""
+    """Energy left over, relative to what was given; infinite without a stroke."""
     settled = found.settled
-    if settled is None or not settled.stroke.run.supplied:
-        return 0.0
+    if settled is None:
+        return np.inf
     return abs(settled.stroke.run.residual) / settled.stroke.run.supplied
 
 

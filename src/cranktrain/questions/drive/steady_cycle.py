@@ -157,15 +157,14 @@ def speed_over_turn(
 
 def _linear_cycle(slope: Array, rest: Array, mesh: CyclePieces) -> tuple[Array, Array, Array, float]:
     """Periodic solution of y′ = a y + b: at the nodes, where pieces begin, its slope; and its multiplier."""
-    width = mesh.width[:, np.newaxis, np.newaxis]
+    # Solved for the slopes, each row by its own size: where a is large, as behind a stiff motor, y would lose digits.
+    width = mesh.width[:, np.newaxis]
     a, b = (part.reshape(-1, _N_NODES) for part in (slope, rest))
-    system = np.eye(_N_NODES) - width * _INTEGRALS[:-1] * a[:, np.newaxis, :]
-    right = np.stack([np.ones_like(b), (width[:, 0] * (b @ _INTEGRALS[:-1].T))], axis=-1)
-    solved = np.asarray(np.linalg.solve(system, right), dtype=np.float64)
+    size = 1 / (1 + width * np.abs(a))
+    system = size[..., np.newaxis] * (np.eye(_N_NODES) - (width * a)[..., np.newaxis] * _INTEGRALS[:-1])
+    solved = np.asarray(np.linalg.solve(system, np.stack([size * a, size * b], axis=-1)), dtype=np.float64)
     of_start, of_rest = solved[..., 0], solved[..., 1]
-    weight = mesh.width[:, np.newaxis] * _INTEGRALS[-1]
-    grows = 1 + np.sum(weight * a * of_start, axis=1)
-    gains = np.sum(weight * (a * of_rest + b), axis=1)
+    grows, gains = 1 + mesh.width * (of_start @ _INTEGRALS[-1]), mesh.width * (of_rest @ _INTEGRALS[-1])
     product, total = 1.0, 0.0  # of the cycle so far
     for factor, gain in zip(grows.tolist(), gains.tolist(), strict=True):
         product, total = product * factor, total * factor + gain
@@ -173,5 +172,6 @@ def _linear_cycle(slope: Array, rest: Array, mesh: CyclePieces) -> tuple[Array, 
     for factor, gain in zip(grows[:-1].tolist(), gains[:-1].tolist(), strict=True):
         starts.append(starts[-1] * factor + gain)
     at_start = np.array(starts)
-    found = of_start * at_start[:, np.newaxis] + of_rest
-    return np.ravel(found), at_start, np.ravel(a * found + b), product
+    slopes = of_start * at_start[:, np.newaxis] + of_rest
+    found = at_start[:, np.newaxis] + width * (slopes @ _INTEGRALS[:-1].T)
+    return np.ravel(found), at_start, np.ravel(slopes), product

@@ -111,6 +111,7 @@ def steady_drive(
                 _("Work of the motor over a cycle less that of loads and losses, relative to the largest of these"),
                 np.array([one.residual for one in each]),
                 _ENERGY_LIMIT,
+                tuple(_("needs steady running") for _one in each),
             ),
         ),
         flags=(*dict.fromkeys(flag for one in each for flag in one.flags), *motor.flags, *motor.notes),
@@ -132,7 +133,7 @@ def _of_design(turning: DriveInTurn, machines: ReducedMachines, angle: Array, he
     turning, found = settled(turning, machines, held if held > 0 else None)
     if found is None:
         return _Found(
-            None, np.full((_N_CURVES, angle.size), np.nan), np.full(_N_FACTS, np.nan), 0.0, (_no_cycle(turning),)
+            None, np.full((_N_CURVES, angle.size), np.nan), np.full(_N_FACTS, np.nan), np.inf, (_no_cycle(turning),)
         )
     curves = np.stack(_curves(turning.at(angle), found.at(angle)))
     return _Found(found, curves, _facts(turning, found), _residual(turning, found), tuple(_flags(found)))
@@ -187,6 +188,8 @@ def _no_cycle(turning: DriveInTurn) -> str:
     """Say why there is no steady running."""
     if turning.is_held:
         return _("No steady running: a servo motor holds the declared speed, and [shaft.main] speed is missing.")
+    if np.any(np.isnan(turning.here.inertia)):
+        return _("No steady running: the links do not close all round.")
     if np.any(np.isnan(turning.passed(np.full(turning.here.load.shape, 1.0)).acceleration)):
         return _("No steady running: irreversible gearing jams, as no acceleration or several satisfy it.")
     return _("No steady running: the motor cannot carry the machine through the cycle.")

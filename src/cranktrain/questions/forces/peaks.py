@@ -113,7 +113,7 @@ def one_sided(peaks: Sequence[tuple[str, Peak]], labels: Sequence[str] = ("",)) 
     """
     each: dict[str, None] = {}
     for words, peak in peaks:
-        side = peak.side.reshape(len(peak.side), -1)
+        side = np.where(np.isnan(peak.angle), 0.0, peak.side).reshape(len(peak.side), -1)
         for design, place in zip(*np.nonzero(side), strict=True):
             at = number(float(peak.angle.reshape(side.shape)[design, place]), "deg")
             where = _("just after {at}") if side[design, place] > 0 else _("just before {at}")

@@ -107,7 +107,7 @@ def rocker_rows(
         yield worded(
             _("torque factor"),
             "{factor}",
-            factor=Extent(float(np.nanmin(factors[0])), float(np.nanmax(factors[1])), "m"),
+            factor=Extent(float(np.fmin.reduce(factors[0])), float(np.fmax.reduce(factors[1])), "m"),
         )
 
 

@@ -1,0 +1,62 @@
+"""What is said where no cycle repeats itself: why, and that its energy was not judged."""
+
+import numpy as np
+import pytest
+
+import cranktrain as ct
+
+ROCKER = {
+    "kind": "crank_rocker",
+    "crank_radius": "100 mm",
+    "rod_length": "360 mm",
+    "rocker_length": "280 mm",
+    "ground_length": "400 mm",
+}
+DRIVEN = {
+    "mechanism": ROCKER,
+    "shaft": {"main": {"speed": "60 rpm"}},
+    "masses": {"rocker": {"mass": "3 kg", "along": "50 mm", "inertia": "0.1 kg*m^2"}},
+    "load": {"work": {"on": "main", "torque": "40 N*m"}},
+    "drive": {"motor": {"kind": "shunt", "torque": "200 N*m", "speed": "57 rpm", "no_load_speed": "60 rpm"}},
+}
+JAMMED = {"ratio": 30, "efficiency": 0.3}
+"""As theory says: inertia 4 behind 30 with 0.3, less than 0 backward, next to no rotor: no acceleration, or two."""
+
+
+@pytest.mark.parametrize(
+    ("changes", "why"),
+    [
+        ({"mechanism.crank_radius": "330 mm"}, "the links do not close all round"),
+        ({"load.work.torque": "9 kN*m"}, "the motor cannot carry the machine through the cycle"),
+        (
+            {
+                "drive.stage": [JAMMED],
+                "drive.part.table": {"on": 1, "inertia": "4 kg*m^2"},
+                "load.work.torque": "0 N*m",
+            },
+            "irreversible gearing jams",
+        ),
+    ],
+    ids=["open", "weak", "jammed"],
+)
+def test_why_there_is_none(changes, why):
+    result = ct.run(ct.Machine(**DRIVEN).with_(changes), partial=True, quantities=None)
+    (said,) = [flag for flag in result.flags if flag.startswith("No steady running")]
+    assert why in said
+    (energy,) = [check for check in result.checks if check.name == "drive_energy"]
+    assert energy.verdict() == "needs steady running"
+    assert not energy.passed[0]
+    assert not any("–" in flag for flag in result.flags), "what is not known stands nowhere"
+    assert result.summary()
+
+
+@pytest.mark.parametrize("inertia", ["0 kg*m^2", "0.001 kg*m^2", "1 kg*m^2"])
+def test_a_stiff_motor_runs_with_next_to_no_inertia(inertia):
+    """In the dead positions there is the rotor alone, or nothing: the speed follows the load there at once.
+
+    The load is constant, so the mean torque over the angle is 40 of 200 N·m, and the mean speed 57 + 0.8 · 3 rpm.
+    """
+    result = ct.run(ct.Machine(**DRIVEN).with_({"drive.part": {"rotor": {"on": "motor", "inertia": inertia}}}))
+    (energy,) = [check for check in result.checks if check.name == "drive_energy"]
+    assert energy.verdict() == "holds"
+    assert np.mean(result.drive_speed) == pytest.approx(59.4 * np.pi / 30, rel=1e-6)
