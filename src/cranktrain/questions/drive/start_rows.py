@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.equation import ANGLE
-from cranktrain.questions.drive.running.endings import HELD, REVERSAL
+from cranktrain.questions.drive.running.endings import REVERSAL
 from cranktrain.questions.drive.start_record import StrokeRun
 from cranktrain.questions.drive.starting import EVENTS, StartRun
 from cranktrain.rows import Amount, AnswerLine, Extent, worded
@@ -93,8 +93,7 @@ def _stroke_rows(found: StrokeRun) -> Iterator[AnswerLine]:
 
 def _reversals(run: StartRun) -> int:
     """How often it turned round and went on the other way."""
-    held = {event.time for event in run.events if event.name == _(EVENTS[HELD])}
-    return sum(event.name == _(EVENTS[REVERSAL]) and event.time not in held for event in run.events)
+    return sum(event.name == _(EVENTS[REVERSAL]) for event in run.events)
 
 
 def _last(curve: Array) -> float:

@@ -208,6 +208,17 @@ def _switches(case: StartCase) -> tuple[float, float, float]:
     return off, back, brake_on + case.brake.begins
 
 
+def _breaks(case: StartCase) -> Iterator[float]:
+    """When motor or brake jump, or begin to go by another law: switches, those of the motor's starter, the brake. [s]"""
+    off, back, braked = _switches(case)
+    yield from (off, back, braked, braked + case.brake.rise_time)
+    if case.motor is None:
+        return
+    times = [float(np.ravel(at[..., case.design])[0]) for at in case.motor.motor.breaks(case.motor.numbers).times]
+    yield from (at for at in times if at < min(off, back))
+    yield from (back + at for at in times if back + at < off)
+
+
 def _train(case: StartCase, span: _Span, machine: list[float]) -> DriveTrain:
     """Numbers of a span's kernels."""
     off, back, braked = _switches(case)
@@ -229,7 +240,7 @@ def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: A
         angle=angle,
         speed=speed,
         samples=own,
-        breaks=tuple(at - span.start for at in _switches(case) if span.start < at < span.end),
+        breaks=tuple(at - span.start for at in _breaks(case) if span.start < at < span.end),
         corners=case.corners,
         period=case.cycle,
         target_speed=span.target,
@@ -325,9 +336,12 @@ def _curves(case: StartCase, time: Array, state: Array) -> StartCurves:
 
 
 def _events(case: StartCase, runs: list[tuple[_Span, Run]]) -> Iterator[StartEvent]:
-    """What happened on the way, by time."""
+    """What happened on the way, by time; a crank that stops and is held does not turn round."""
+    held = {span.start + event.time for span, found in runs for event in found.of_kind(endings.HELD)}
     for span, found in runs:
         for event in found.events:
+            if event.kind == endings.REVERSAL and span.start + event.time in held:
+                continue
             yield StartEvent(
                 _(NEARLY_STEADY if event.kind == endings.SPEED_PASSED and case.is_to_settle else EVENTS[event.kind]),
                 float(span.start + event.time),
