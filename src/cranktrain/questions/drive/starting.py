@@ -209,7 +209,7 @@ def _switches(case: StartCase) -> tuple[float, float, float]:
 
 
 def _breaks(case: StartCase) -> Iterator[float]:
-    """When motor or brake jump, or begin to go by another law: switches, those of the motor's starter, the brake. [s]"""
+    """When motor or brake jump, or have a corner: where they are switched, and the motor's own starter. [s]"""
     off, back, braked = _switches(case)
     yield from (off, back, braked, braked + case.brake.rise_time)
     if case.motor is None:

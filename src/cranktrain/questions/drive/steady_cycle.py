@@ -5,8 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import legendre
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics import largest_between
 from cranktrain.record import record
 
 _N_NODES = 12
@@ -14,6 +16,8 @@ _WIDEST = 2 * np.pi / 48
 _MOST_STEPS = 60
 _SETTLED = 1e-11
 """Of ω²: after such a step of Newton's method the next one is less than rounding."""
+_N_LOOKS = 4801
+"""Crank angles of a cycle near the largest of which its peak is looked for."""
 _NEAR = 1e-7
 """In parts of ω²: of the difference by which slopes are taken."""
 
@@ -100,6 +104,37 @@ class SpeedOverTurn:
         ]
         grown = np.sum(np.stack(integrals, axis=1) * (slopes @ _FITTED.T), axis=1) / 2
         return np.sqrt(2 * (self.at_start[piece] + width[piece] * grown))
+
+
+def largest_over_turn(found: SpeedOverTurn, curve: Callable[[Array, Array], Array]) -> float:
+    """Largest value over a cycle of what is smooth between the ends of its pieces, and may jump there.
+
+    Parameters
+    ----------
+    found : SpeedOverTurn
+    curve : callable
+        From crank angles and the speeds there, shape (n,), to values. [rad, rad/s]
+
+    Returns
+    -------
+    float
+        NaN where it stands still between two nodes.
+    """
+
+    def values(_which: NDArray[np.intp], angle: Array) -> Array:
+        flat = np.ravel(angle)
+        return curve(flat, found.at(flat)).reshape(angle.shape)
+
+    grid = np.arange(_N_LOOKS) * (np.sum(found.mesh.width) / _N_LOOKS)
+    samples = curve(grid, found.at(grid))
+    if np.any(np.isnan(samples)):
+        return np.nan
+    return float(largest_between(values, grid, samples[np.newaxis], found.mesh.start).value[0])
+
+
+def speed_range(found: SpeedOverTurn) -> float:
+    """Largest speed over a cycle less the smallest. [rad/s]"""
+    return sum(largest_over_turn(found, lambda _angle, speed, sign=sign: sign * speed) for sign in (1.0, -1.0))
 
 
 def mesh_of(cycle: float, corners: Array) -> CyclePieces:
