@@ -5,10 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import legendre
-from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.numerics import largest_between
 from cranktrain.record import record
 
 _N_NODES = 12
@@ -16,8 +14,8 @@ _WIDEST = 2 * np.pi / 48
 _MOST_STEPS = 60
 _SETTLED = 1e-11
 """Of ω²: after such a step of Newton's method the next one is less than rounding."""
-_N_LOOKS = 4801
-"""Crank angles of a cycle near the largest of which its peak is looked for."""
+_TRIED = np.linspace(1e-9, 1 - 1e-9, 129)
+"""Places in a piece at which its largest value is looked for: beside its ends, where loads jump."""
 _NEAR = 1e-7
 """In parts of ω²: of the difference by which slopes are taken."""
 
@@ -32,6 +30,12 @@ def _rule() -> tuple[Array, Array, Array]:
 
 
 _NODES, _INTEGRALS, _FITTED = _rule()
+_TO_TRIED = (
+    np.stack([legendre.legval(2 * _TRIED - 1, legendre.legint(row, lbnd=-1)) for row in np.eye(_N_NODES)], axis=1)
+    @ _FITTED
+    / 2
+)
+"""From what is known at the nodes of a piece to its integrals from there to the places tried, in parts of the piece."""
 
 
 class CyclePieces(NamedTuple):
@@ -121,15 +125,22 @@ def largest_over_turn(found: SpeedOverTurn, curve: Callable[[Array, Array], Arra
         NaN where it stands still between two nodes.
     """
 
-    def values(_which: NDArray[np.intp], angle: Array) -> Array:
-        flat = np.ravel(angle)
-        return curve(flat, found.at(flat)).reshape(angle.shape)
+    start, width = found.mesh.start[:, np.newaxis], found.mesh.width[:, np.newaxis]
+    with np.errstate(invalid="ignore"):
+        grown = width * (found.acceleration.reshape(-1, _N_NODES) @ _TO_TRIED.T)
+        speed = np.sqrt(2 * (found.at_start[:, np.newaxis] + grown))
+    values = curve(np.ravel(start + width * _TRIED), np.ravel(speed)).reshape(speed.shape)
+    return _top(values)
 
-    grid = np.arange(_N_LOOKS) * (np.sum(found.mesh.width) / _N_LOOKS)
-    samples = curve(grid, found.at(grid))
-    if np.any(np.isnan(samples)):
-        return np.nan
-    return float(largest_between(values, grid, samples[np.newaxis], found.mesh.start).value[0])
+
+def _top(values: Array) -> float:
+    """Largest value of smooth pieces, by a parabola through the largest sample and those beside it."""
+    row, place = np.unravel_index(np.argmax(values), values.shape)
+    if not 0 < place < values.shape[1] - 1:
+        return float(values[row, place])
+    before, here, behind = values[row, place - 1 : place + 2].tolist()
+    bend = before - 2 * here + behind
+    return here - (behind - before) ** 2 / (8 * bend) if bend < 0 else here
 
 
 def speed_range(found: SpeedOverTurn) -> float:
