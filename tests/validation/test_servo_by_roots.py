@@ -1,14 +1,15 @@
-"""Servo presses against roots of x(φ) = x(t), taken time by time, with torques written out; a load in inches and pounds.
+"""Servo presses against roots of x(φ) = x(t), time by time, with torques written out; in inches and pounds.
 
 Nothing of the program is in it: crank angle by SciPy's brentq, speed and acceleration by the chain rule, losses of both
 stages by the sign of what they pass on, integrals by Gauss's rule between the times at which the load has corners.
 """
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
-from scipy.optimize import brentq
+from scipy.optimize import brentq, minimize_scalar
 
 import cranktrain as ct
 
@@ -88,9 +89,15 @@ def at_motor(piece, time, between):
 def touching(law, duration, begin, end):
     """Times at which the load has corners on the way down."""
     return [
-        brentq(lambda time: wished(law, time, duration, begin, end)[0] - at, 0, duration, xtol=1e-15)
+        brentq(lambda time, at=at: wished(law, time, duration, begin, end)[0] - at, 0, duration, xtol=1e-15)
         for at in (TOUCH, PRESS)
     ]
+
+
+def peak(piece, time, of):
+    """Largest value within 3 ms of a time."""
+    found = minimize_scalar(lambda at: -of(*at_motor(piece, at, (FAR, NEAR))), bounds=(time - 3e-3, time + 3e-3))
+    return -found.fun
 
 
 def test_rocking_over_corners_of_the_load():
@@ -101,20 +108,22 @@ def test_rocking_over_corners_of_the_load():
     squares, torques, powers = 0.0, [], []
     beside = [at_motor(down, time + step, (FAR, NEAR)) for time in touching(*down) for step in (-1e-11, 1e-11)]
     for piece, ends in ((down, [0, *touching(*down), 0.5]), (up, [0, 0.3])):
-        for begin, end in zip(ends, ends[1:], strict=False):
+        for begin, end in pairwise(ends):
             parts = np.linspace(begin, end, 41)
-            for low, high in zip(parts, parts[1:], strict=False):
+            for low, high in pairwise(parts.tolist()):
                 for node, weight in zip(nodes, weights, strict=True):
                     time = (low + high) / 2 + (high - low) / 2 * node
                     torque, speed = at_motor(piece, time, (FAR, NEAR))
                     squares += torque**2 * weight * (high - low) / 2
-                    torques.append(abs(torque))
-                    powers.append(abs(torque * speed))
-    torques += [abs(torque) for torque, _ in beside]
-    powers += [abs(torque * speed) for torque, speed in beside]
+                    torques.append((abs(torque), piece, time))
+                    powers.append((abs(torque * speed), piece, time))
+    torque, power = (
+        max(peak(*max(values)[1:], of), *(of(*one) for one in beside))
+        for values, of in ((torques, lambda torque, _: abs(torque)), (powers, lambda *both: abs(math.prod(both))))
+    )
     assert found.rocking_rms_torque == pytest.approx(math.sqrt(squares / 0.8), rel=1e-7)
-    assert found.rocking_peak_torque == pytest.approx(max(torques), rel=1e-6)
-    assert found.rocking_peak_power == pytest.approx(max(powers), rel=1e-6)
+    assert found.rocking_peak_torque == pytest.approx(torque, rel=1e-6)
+    assert found.rocking_peak_power == pytest.approx(power, rel=1e-6)
 
 
 def test_the_peak_where_the_load_has_a_corner():

@@ -124,7 +124,6 @@ def largest_over_turn(found: SpeedOverTurn, curve: Callable[[Array, Array], Arra
     float
         NaN where it stands still between two nodes.
     """
-
     start, width = found.mesh.start[:, np.newaxis], found.mesh.width[:, np.newaxis]
     with np.errstate(invalid="ignore"):
         grown = width * (found.acceleration.reshape(-1, _N_NODES) @ _TO_TRIED.T)
