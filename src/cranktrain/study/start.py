@@ -65,7 +65,7 @@ class Start:
 
     def __repr__(self) -> str:
         """Show whose it is, how long it took and why it ended, in one line."""
-        return f"<Start of {short(self.machine.name)}: {self.time[-1]:.4g} s, {self.run.reason}>"
+        return f"<Start of {short(self.machine.name)}: {self.run.whole_time[-1]:.4g} s, {self.run.reason}>"
 
     @property
     def time(self) -> Array:

@@ -153,14 +153,14 @@ def _at(case: _Servo, ratio: float) -> _Behind:
     ratios = np.where(np.arange(case.gearing.ratio.size) == case.stage, ratio, case.gearing.ratio)
     gearing = case.gearing._replace(ratio=ratios)
     demand = case.demand.behind(gearing)
-    speed = float(np.max(np.abs(demand.motor_speed)))
+    speed = demand.top_speed
     return _Behind(
         ratio,
         float(overall_ratio(gearing)),
         demand.rms,
-        float(np.max(np.abs(demand.motor_torque))),
+        demand.peak_torque,
         speed,
-        float(np.max(np.abs(demand.power))),
+        demand.peak_power,
         _shares(case.motor, demand, speed),
     )
 

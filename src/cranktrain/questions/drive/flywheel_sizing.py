@@ -24,6 +24,7 @@ from cranktrain.questions.drive.running.gearing import (
 )
 from cranktrain.questions.drive.sizing.peaky_load import PeakyLoad, SlipLine, recovered_inertia
 from cranktrain.questions.drive.static_torques import StaticTorques
+from cranktrain.questions.drive.steady_cycle import speed_range
 from cranktrain.questions.drive.steady_drive import SteadyDrive
 from cranktrain.questions.drive.steady_turn import DriveInTurn, settled
 from cranktrain.record import record
@@ -31,7 +32,6 @@ from cranktrain.rows import Amount
 from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/drive"
-_N_ANGLES = 4001
 _MOST = 1e7
 """In parts of the inertia that is there: above it no flywheel is looked for."""
 _CLOSE = 1e-11
@@ -154,13 +154,12 @@ def _running(turning: DriveInTurn, machines: ReducedMachines, shaft: int, inerti
     at, found = settled(turning._replace(gearing=gearing), machines)
     if found is None:
         return _Running(np.inf, np.nan, np.inf)
-    whole = found.at(np.linspace(0, machines.cycle, _N_ANGLES))
-    peak = float(np.max(at.motor_torque(whole)))
+    peak = at.largest_torque(found)
     if np.isnan(peak):  # so near to a stall that it stands still between two points
         return _Running(np.inf, np.nan, np.inf)
     mean = machines.cycle / found.period
     rms = float(np.sqrt(found.over_time(at.motor_torque(found.speed) ** 2)))
-    return _Running(peak, rms, float(np.ptp(whole)) / mean)
+    return _Running(peak, rms, speed_range(found) / mean)
 
 
 def least_inertia(excess: Callable[[float], float], there: float) -> float:

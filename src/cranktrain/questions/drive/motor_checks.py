@@ -15,7 +15,7 @@ from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
 from cranktrain.questions.drive.running.reduced import ReducedMachine
 from cranktrain.questions.drive.sizing.starting import inertia_ratio, starts_per_hour
-from cranktrain.questions.drive.steady_cycle import SpeedOverTurn
+from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, largest_over_turn
 from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed, settled
 
 SIZING_CHECKS = (
@@ -166,18 +166,13 @@ def _cycle_shares(
     rms = float(np.sqrt(found.over_time(torque**2)))
     top = float(at.motor.top_speed[at.design]) if at.motor.motor is SERVO else np.inf
     of_speed = float(np.max(speed)) / top if np.isfinite(top) else np.nan
-    # Ends of pieces, where loads jump, are no nodes: the largest torque is taken just before and behind them.
-    fine, there = _between(turning, found)
-    most = peak_share(at.motor, at.design, limits, there, fine * overall_ratio(at.gearing))
-    return rms, float(np.max(np.abs(there))), most, of_speed
+    peak = max(turning.largest_torque(found), turning.largest_torque(found, -1.0))
 
+    def share(angle: Array, there: Array) -> Array:
+        torque_there = (turning.at(angle) if turning.is_held else turning).motor_torque(there)
+        return peak_share(at.motor, at.design, limits, torque_there, there * overall_ratio(at.gearing))
 
-def _between(turning: DriveInTurn, found: SpeedOverTurn) -> tuple[Array, Array]:
-    """Speeds of the crank over the cycle, ends of pieces among them, and the motor's torque there."""
-    start, width = found.mesh.start, found.mesh.width
-    angle = np.ravel(start[:, np.newaxis] + width[:, np.newaxis] * np.linspace(1e-9, 1 - 1e-9, 25))
-    speed = found.at(angle)
-    return speed, (turning.at(angle) if turning.is_held else turning).motor_torque(speed)
+    return rms, peak, largest_over_turn(found, share), of_speed
 
 
 def _start_share(at: MotorAtMachine, time: float, longest: float) -> float:

@@ -85,12 +85,12 @@ def motor_limits(motor: DeclaredMotor, design: int, reserve: float) -> MotorLimi
     return MotorLimits(rated, peak, start, left)
 
 
-def peak_share(motor: DeclaredMotor, design: int, limits: MotorLimits, torque: Array, speed: Array) -> float:
-    """Largest part of what it can give for a moment that torques at its speeds take, shape (n,). [N·m, rad/s]"""
+def peak_share(motor: DeclaredMotor, design: int, limits: MotorLimits, torque: Array, speed: Array) -> Array:
+    """Part of what it can give for a moment that torques at its speeds take, shape (n,). [N·m, rad/s]"""
     if motor.motor is SERVO:
         own = type(motor.numbers)(*(number[design] for number in motor.numbers))
-        return float(np.max(np.abs(torque) / servo_limit(speed, own)))
-    return float(np.max(np.abs(torque))) / (limits.reserve * limits.peak)
+        return np.abs(torque) / servo_limit(speed, own)
+    return np.abs(torque) / (limits.reserve * limits.peak)
 
 
 def line_start(motor: DeclaredMotor, design: int, limits: MotorLimits, inertia: float, load: float) -> StartTimeHeat:

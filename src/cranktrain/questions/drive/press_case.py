@@ -15,7 +15,7 @@ from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.equation import Kernels
 from cranktrain.questions.drive.running.gearing import Gearing
-from cranktrain.questions.drive.starting import in_list
+from cranktrain.questions.drive.start_curves import in_list
 from cranktrain.questions.drive.switching import Switching, start_kernels
 from cranktrain.record import record
 

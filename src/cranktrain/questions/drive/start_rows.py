@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.equation import ANGLE
-from cranktrain.questions.drive.running.endings import HELD, REVERSAL
+from cranktrain.questions.drive.running.endings import REVERSAL
 from cranktrain.questions.drive.start_record import StrokeRun
 from cranktrain.questions.drive.starting import EVENTS, StartRun
 from cranktrain.rows import Amount, AnswerLine, Extent, worded
@@ -39,12 +39,15 @@ def start_rows(run: StartRun) -> Iterator[AnswerLine]:
         _("{range}"),
         range=Extent(float(np.min(curves.motor_power)), float(np.max(curves.motor_power)), "W"),
     )
+    words = _(
+        "motor gives {motor}, loads take {load}, gearing, clutch and brake lose {lost}; {kinetic} in motion at the end"
+    )
+    if curves.kinetic_energy[0] > 0:
+        words += _(", {first} at the beginning")
     yield worded(
         _("energy"),
-        _(
-            "motor gives {motor}, loads take {load}, gearing, clutch and brake lose {lost}; "
-            "{kinetic} in motion at the end"
-        ),
+        words,
+        **({"first": Amount(float(curves.kinetic_energy[0]), "J")} if curves.kinetic_energy[0] > 0 else {}),
         motor=Amount(_last(curves.motor_work), "J"),
         load=Amount(_last(curves.load_work), "J"),
         lost=Amount(_last(curves.lost_work), "J"),
@@ -93,8 +96,7 @@ def _stroke_rows(found: StrokeRun) -> Iterator[AnswerLine]:
 
 def _reversals(run: StartRun) -> int:
     """How often it turned round and went on the other way."""
-    held = {event.time for event in run.events if event.name == _(EVENTS[HELD])}
-    return sum(event.name == _(EVENTS[REVERSAL]) and event.time not in held for event in run.events)
+    return sum(event.name == _(EVENTS[REVERSAL]) for event in run.events)
 
 
 def _last(curve: Array) -> float:
@@ -106,4 +108,6 @@ def _effective(torque: Array, time: Array) -> float:
     """Root mean square over the time; of a run that ends as it begins, its only value."""
     if time[-1] <= time[0]:
         return abs(float(torque[-1]))
-    return float(np.sqrt(np.trapezoid(torque**2, time) / (time[-1] - time[0])))
+    squares, steps = torque**2, np.diff(time)
+    bent = np.sum(steps**2 * np.diff(np.gradient(squares, time))) / 12  # what chords leave out
+    return float(np.sqrt(max(0.0, np.trapezoid(squares, time) - bent) / (time[-1] - time[0])))

@@ -2,11 +2,9 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import fields
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
@@ -15,27 +13,20 @@ from cranktrain.quantities import Given
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.running import endings
 from cranktrain.questions.drive.running.equation import (
-    ANGLE,
-    HEAT,
-    LOAD_WORK,
-    LOST_WORK,
     MOTOR_WORK,
     SPEED,
     BrakePlace,
     DriveTrain,
 )
-from cranktrain.questions.drive.running.floats import in_floats
-from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
+from cranktrain.questions.drive.running.gearing import Gearing
 from cranktrain.questions.drive.running.reduced import (
     ReducedMachine,
-    filled_at,
-    in_one_row,
-    settle,
 )
 from cranktrain.questions.drive.running.runs import REASONS, Progress, Run, Wanted, run, wanted
 from cranktrain.questions.drive.running.step import N_STATE
 from cranktrain.questions.drive.spec import StartSpec
-from cranktrain.questions.drive.start_record import StartCurves, StartEvent, StartRun
+from cranktrain.questions.drive.start_curves import at_or_never, at_times, close_times, curves_of, in_list
+from cranktrain.questions.drive.start_record import StartEvent, StartRun
 from cranktrain.questions.drive.switching import Braking, Switching, start_kernels
 from cranktrain.questions.drive.unloaded import with_open_valves
 from cranktrain.record import record
@@ -137,11 +128,12 @@ def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
     -----
     docs/theory/transient, eqs. (26.7) to (26.12). Once to find its end, and once more for the states on the way.
     """
-    first = list(_runs(case, _NO_TIMES, np.inf, progress))
+    steps = list[tuple[float, float]]()
+    first = list(_runs(case, _NO_TIMES, np.inf, progress, steps))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
     asked = asked_times(case.spec.interval, end)
-    samples = np.union1d(np.linspace(0.0, end, _N_SAMPLES), asked)
+    samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close_times(case, steps)]))
     again = list(_runs(case, samples, end if last.reason == endings.STOPPED else np.inf, None))
     return _together(case, again, last.reason, asked)
 
@@ -162,8 +154,17 @@ def asked_times(interval: Given | None, end: float) -> Array:
     return np.arange(math.floor(n), dtype=np.float64) * interval.si
 
 
-def _runs(case: StartCase, samples: Array, end: float, progress: Progress | None) -> Iterator[tuple[_Span, Run]]:
-    """Run span by span, each from where the last one ended, until one ends for a reason of its own."""
+def _runs(
+    case: StartCase,
+    samples: Array,
+    end: float,
+    progress: Progress | None,
+    steps: list[tuple[float, float]] | None = None,
+) -> Iterator[tuple[_Span, Run]]:
+    """Run span by span, each from where the last one ended, until one ends for a reason of its own.
+
+    `steps` is given times and speeds at which steps end.
+    """
     angle, speed, now = case.spec.angle.si + case.zero, case.spec.speed.si, 0.0
     spans, kernels = list(_spans(case)), start_kernels(case.motor)
     numbers, machine = list[float](), None
@@ -174,9 +175,11 @@ def _runs(case: StartCase, samples: Array, end: float, progress: Progress | None
         span = _from_speed(case, span._replace(start=now, end=min(span.end, end)), speed)
         numbers = numbers if span.machine is machine else in_list(span.machine, angle)
         asked = _wanted(case, span, angle, speed, samples)
-        found = run(
-            kernels, _train(case, span, numbers), asked, is_compiled=False, progress=_from(span.start, progress)
-        )
+        own = None if steps is None else list[tuple[float, float]]()
+        telling = _from(span.start, progress)
+        found = run(kernels, _train(case, span, numbers), asked, is_compiled=False, progress=telling, ends=own)
+        if steps is not None and own is not None:
+            steps += [(span.start + time, reached) for time, reached in own]
         yield span, found
         is_over = found.reason == endings.TIME_OUT
         now = span.end if is_over else span.start + found.end_time
@@ -204,8 +207,19 @@ def _from(start: float, progress: Progress | None) -> Progress | None:
 def _switches(case: StartCase) -> tuple[float, float, float]:
     """When the motor is switched off, when it is reversed, and when the brake's torque comes. [s]"""
     spec = case.spec
-    off, back, brake_on = (_at(time) for time in (spec.motor_off, spec.motor_reversed, spec.brake_on))
+    off, back, brake_on = (at_or_never(time) for time in (spec.motor_off, spec.motor_reversed, spec.brake_on))
     return off, back, brake_on + case.brake.begins
+
+
+def _breaks(case: StartCase) -> Iterator[float]:
+    """When motor or brake jump, or have a corner: where they are switched, and the motor's own starter. [s]"""
+    off, back, braked = _switches(case)
+    yield from (off, back, braked, braked + case.brake.rise_time)
+    if case.motor is None:
+        return
+    times = [float(np.ravel(at[..., case.design])[0]) for at in case.motor.motor.breaks(case.motor.numbers).times]
+    yield from (at for at in times if at < min(off, back))
+    yield from (back + at for at in times if back + at < off)
 
 
 def _train(case: StartCase, span: _Span, machine: list[float]) -> DriveTrain:
@@ -229,21 +243,16 @@ def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: A
         angle=angle,
         speed=speed,
         samples=own,
-        breaks=tuple(at - span.start for at in _switches(case) if span.start < at < span.end),
+        breaks=tuple(at - span.start for at in _breaks(case) if span.start < at < span.end),
         corners=case.corners,
         period=case.cycle,
         target_speed=span.target,
-        overspeed=_at(case.spec.overspeed),
+        overspeed=at_or_never(case.spec.overspeed),
         stops_at_target=bool(np.isfinite(span.target)),
         most_reversals=1 if span.to_rest else _MOST_REVERSALS,
         tolerance=case.spec.tolerance.si,
         is_timed=True,
     )
-
-
-def _at(time: Given | None) -> float:
-    """A time, or never. [s]"""
-    return np.inf if time is None else time.si
 
 
 def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int, asked: Array) -> StartRun:
@@ -259,7 +268,7 @@ def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int, asked
     span, last = runs[-1]
     time, state = np.concatenate(times), np.concatenate(states)
     wanted_too = np.flatnonzero(np.isin(time, asked))
-    whole = _curves(case, time, state)
+    whole = curves_of(case, time, state)
     return StartRun(
         reason=_(_reason(case, runs, reason)),
         time=time[wanted_too],
@@ -287,47 +296,13 @@ def _reason(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> str:
     return SETTLED if last.end[SPEED] >= 0 else SETTLED_BACKWARD
 
 
-def at_times(curves: StartCurves, chosen: NDArray[np.intp]) -> StartCurves:
-    """Curves at some of their times."""
-    return StartCurves(**{one.name: getattr(curves, one.name)[chosen] for one in fields(curves)})
-
-
-def _curves(case: StartCase, time: Array, state: Array) -> StartCurves:
-    """Speeds, torques, powers and energies at the samples."""
-    angle, speed = state[:, ANGLE], state[:, SPEED]
-    ratio = overall_ratio(case.gearing)
-    kernels = start_kernels(case.motor)
-    spec = case.spec
-    numbers = Switching(
-        () if case.motor is None else case.motor.row(case.design), _at(spec.motor_off), _at(spec.motor_reversed), 0.0
-    )
-    torque = np.array(
-        [kernels.motor(w * ratio, t, numbers) for w, t in zip(speed.tolist(), time.tolist(), strict=True)]
-    )
-    load, inertia = np.empty(time.shape), np.empty(time.shape)
-    machine = in_list(case.machine, float(angle[0]))
-    for at, (phi, omega) in enumerate(zip(angle.tolist(), speed.tolist(), strict=True)):
-        inertia[at], _, load[at], _ = kernels.machine(phi, omega, np.sign(omega), machine)
-        in_floats(settle)(phi, machine)
-    return StartCurves(
-        crank_angle_turned=angle - case.zero,
-        crank_speed=speed,
-        motor_speed=speed * ratio,
-        motor_torque=torque,
-        load_torque=load,
-        motor_power=torque * speed * ratio,
-        motor_work=state[:, MOTOR_WORK],
-        load_work=state[:, LOAD_WORK],
-        lost_work=state[:, LOST_WORK],
-        kinetic_energy=0.5 * (inertia + turning_inertia(case.gearing)) * speed**2,
-        motor_heat=state[:, HEAT],
-    )
-
-
 def _events(case: StartCase, runs: list[tuple[_Span, Run]]) -> Iterator[StartEvent]:
-    """What happened on the way, by time."""
+    """What happened on the way, by time; a crank that stops and is held does not turn round."""
+    held = {span.start + event.time for span, found in runs for event in found.of_kind(endings.HELD)}
     for span, found in runs:
         for event in found.events:
+            if event.kind == endings.REVERSAL and span.start + event.time in held:
+                continue
             yield StartEvent(
                 _(NEARLY_STEADY if event.kind == endings.SPEED_PASSED and case.is_to_settle else EVENTS[event.kind]),
                 float(span.start + event.time),
@@ -347,7 +322,7 @@ def _spans(case: StartCase) -> Iterator[_Span]:
     begins = 0.0 if spec.unloaded_until is None else min(spec.unloaded_until.si, end)
     if begins > 0:
         yield _Span(0.0, begins, asked, with_open_valves(case.machine))
-    back = _at(spec.motor_reversed)
+    back = at_or_never(spec.motor_reversed)
     if case.is_to_settle and back < end:
         if back > begins:
             yield _Span(begins, back, np.inf, case.machine)
@@ -365,10 +340,3 @@ def _followed(case: StartCase, span: _Span, found: Run, speed: float) -> float:
     if found.reason == endings.SPEED_REACHED or (found.reason == endings.TIME_OUT and slows_yet):
         return min(ended + _MORE_CYCLES * case.cycle_time, _LONGEST)
     return ended
-
-
-def in_list(machine: ReducedMachine, angle: float) -> list[float]:
-    """Numbers for a run that is not compiled, from an angle where all chambers hold gas at suction pressure."""
-    numbers = in_one_row(machine).tolist()
-    filled_at(angle, numbers)
-    return numbers

@@ -14,6 +14,8 @@ _WIDEST = 2 * np.pi / 48
 _MOST_STEPS = 60
 _SETTLED = 1e-11
 """Of ω²: after such a step of Newton's method the next one is less than rounding."""
+_TRIED = np.linspace(1e-9, 1 - 1e-9, 129)
+"""Places in a piece at which its largest value is looked for: beside its ends, where loads jump."""
 _NEAR = 1e-7
 """In parts of ω²: of the difference by which slopes are taken."""
 
@@ -31,6 +33,12 @@ def _rule() -> tuple[Array, Array, Array]:
 
 
 _NODES, _INTEGRALS, _FITTED = _rule()
+_TO_TRIED = (
+    np.stack([legendre.legval(2 * _TRIED - 1, legendre.legint(row, lbnd=-1)) for row in np.eye(_N_NODES)], axis=1)
+    @ _FITTED
+    / 2
+)
+"""From what is known at the nodes of a piece to its integrals from there to the places tried, in parts of the piece."""
 
 
 class CyclePieces(NamedTuple):
@@ -101,6 +109,43 @@ class SpeedOverTurn:
         integrals = legendre.legvander(2 * place - 1, _N_NODES) @ _GROWN
         grown = np.sum(integrals * (slopes @ _FITTED.T), axis=1) / 2
         return np.sqrt(2 * (self.at_start[piece] + width[piece] * grown))
+
+
+def largest_over_turn(found: SpeedOverTurn, curve: Callable[[Array, Array], Array]) -> float:
+    """Largest value over a cycle of what is smooth between the ends of its pieces, and may jump there.
+
+    Parameters
+    ----------
+    found : SpeedOverTurn
+    curve : callable
+        From crank angles and the speeds there, shape (n,), to values. [rad, rad/s]
+
+    Returns
+    -------
+    float
+        NaN where it stands still between two nodes.
+    """
+    start, width = found.mesh.start[:, np.newaxis], found.mesh.width[:, np.newaxis]
+    with np.errstate(invalid="ignore"):
+        grown = width * (found.acceleration.reshape(-1, _N_NODES) @ _TO_TRIED.T)
+        speed = np.sqrt(2 * (found.at_start[:, np.newaxis] + grown))
+    values = curve(np.ravel(start + width * _TRIED), np.ravel(speed)).reshape(speed.shape)
+    return _top(values)
+
+
+def _top(values: Array) -> float:
+    """Largest value of smooth pieces, by a parabola through the largest sample and those beside it."""
+    row, place = np.unravel_index(np.argmax(values), values.shape)
+    if not 0 < place < values.shape[1] - 1:
+        return float(values[row, place])
+    before, here, behind = values[row, place - 1 : place + 2].tolist()
+    bend = before - 2 * here + behind
+    return here - (behind - before) ** 2 / (8 * bend) if bend < 0 else here
+
+
+def speed_range(found: SpeedOverTurn) -> float:
+    """Largest speed over a cycle less the smallest. [rad/s]"""
+    return sum(largest_over_turn(found, lambda _angle, speed, sign=sign: sign * speed) for sign in (1.0, -1.0))
 
 
 def mesh_of(cycle: float, corners: Array) -> CyclePieces:

@@ -16,7 +16,7 @@ from cranktrain.questions.drive.gear_train import lost_torque
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import overall_ratio
-from cranktrain.questions.drive.steady_cycle import SpeedOverTurn
+from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, speed_range
 from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed, settled
 from cranktrain.record import record
 from cranktrain.wording import Names, number
@@ -153,19 +153,16 @@ def _facts(turning: DriveInTurn, found: SpeedOverTurn) -> Array:
     torque = turning.motor_torque(speed)
     driven = turning.here.by_load(speed) * speed
     power, taken = found.over_time(torque * speed * ratio), found.over_time(driven)
-    angles = np.linspace(0, np.sum(found.mesh.width), 20001)
-    whole = found.at(angles)
-    at_whole = (turning.at(angles) if turning.is_held else turning).motor_torque(whole)
     mean = ratio * np.sum(found.mesh.width) / found.period
     return np.array(
         [
             found.period,
             mean,
-            np.ptp(whole) * ratio / mean,
+            speed_range(found) * ratio / mean,
             found.over_time(torque),
             np.sqrt(found.over_time(torque**2)),
-            np.max(at_whole),
-            np.min(at_whole),
+            turning.largest_torque(found),
+            -turning.largest_torque(found, -1.0),
             power,
             taken,
             power - taken,

@@ -12,7 +12,13 @@ from cranktrain.questions.drive.motors.servo import SERVO
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.reduced import ReducedMachine
-from cranktrain.questions.drive.steady_cycle import CyclePieces, SpeedOverTurn, mesh_of, speed_over_turn
+from cranktrain.questions.drive.steady_cycle import (
+    CyclePieces,
+    SpeedOverTurn,
+    largest_over_turn,
+    mesh_of,
+    speed_over_turn,
+)
 from cranktrain.questions.evenness.speed_law import Power
 
 _MOST_MESHES = 4
@@ -46,6 +52,14 @@ class DriveInTurn(NamedTuple):
             return torque_through(self.here.taken(speed), ONE, self.gearing)[0]
         at_motor = speed * overall_ratio(self.gearing)
         return self.motor.torque(np.broadcast_to(at_motor, (self.motor.n_designs, *speed.shape)))[self.design]
+
+    def largest_torque(self, found: SpeedOverTurn, sign: float = 1.0) -> float:
+        """Largest torque of the motor over a cycle; of the other sign the smallest, by amount below 0. [N·m]"""
+
+        def torque(angle: Array, speed: Array) -> Array:
+            return sign * (self.at(angle) if self.is_held else self).motor_torque(speed)
+
+        return largest_over_turn(found, torque)
 
     def heat(self, speed: Array) -> Array:
         """Power that heats the motor, by speeds of the crank, shape (n,). [W]"""

@@ -33,8 +33,8 @@ from cranktrain.questions.drive.clutched.runs import (
 from cranktrain.questions.drive.clutched.settled import SettledStroke
 from cranktrain.questions.drive.clutched.stopping import WorstStop, worst_stop
 from cranktrain.questions.drive.press_case import PressCase
+from cranktrain.questions.drive.start_curves import at_times
 from cranktrain.questions.drive.start_record import StartCurves, StartEvent, StartRun, StrokeRun
-from cranktrain.questions.drive.starting import at_times
 
 _N_SAMPLES = 1001
 _N_STOPS, _N_ZOOMS = 24, 1

@@ -10,6 +10,7 @@ from cranktrain.questions.drive.running import endings
 from cranktrain.questions.drive.running.corners import corner_ahead, on_the_way
 from cranktrain.questions.drive.running.endings import GOING
 from cranktrain.questions.drive.running.equation import (
+    HEAT,
     DriveTrain,
     Joined,
     Kernels,
@@ -20,13 +21,14 @@ from cranktrain.questions.drive.running.equation import (
     train_of,
 )
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.rest import kind_of_rest, let_go_at, sense_of_start
+from cranktrain.questions.drive.running.rest import heated, kind_of_rest, let_go_at, sense_of_start
 from cranktrain.questions.drive.running.runs import Event, Run, Wanted, energy_account, run
 from cranktrain.questions.drive.running.step import N_STATE, ROW
 
 _STIFF = 1e-3
 """Slip time constant in parts of a turn, below which explicit steps are far shorter than the motion asks for."""
 _N_SPEEDS = 2001
+_HEAT_PANELS = 64
 _CLOSER = 1e-3
 """LSODA and Radau err by much more than their tolerance over a run."""
 
@@ -149,12 +151,13 @@ def _set_off(going: _Going, time: float, state: Array) -> tuple[float, float, in
         return sense, time, GOING
     events.append(Event(endings.HELD, time, float(state[0]), 0.0))
     until = asked.limits.end_time
-    at = let_go_at(time, until, state[0], own, train, *corners) if asked.limits.is_timed else np.inf
-    _fill(table, asked.samples, time, min(at, until), _held(state))
+    at = let_go_at(time, state[0], own, train, asked) if asked.limits.is_timed else np.inf
+    warmer = _warming(state, time, own, going)
+    _fill(table, asked.samples, time, min(at, until), warmer)
     if at == np.inf:
-        return 0.0, time, kind_of_rest(time, own, train)
+        return 0.0, time, kind_of_rest(time, own, train, until)
     events.append(Event(endings.SET_OFF, at, float(state[0]), 0.0))
-    state[5] += own.heat(0.0, time, train.motor) * (at - time)
+    state[HEAT] = warmer(np.array([at]))[HEAT, 0]
     return sense_of_start(at, state[0], own, train, *corners), at, GOING
 
 
@@ -230,9 +233,16 @@ def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array
     )  # fmt: skip
 
 
-def _held(state: Array) -> Callable[[Array], Array]:
-    """Give the same state at all times."""
-    return lambda times: np.tile(state[:, np.newaxis], times.size)
+def _warming(state: Array, time: float, own: Kernels, going: _Going) -> Callable[[Array], Array]:
+    """Give the same state at all later times, but for the heat of a motor that stands."""
+    widest = (going.asked.limits.end_time - time) / _HEAT_PANELS
+
+    def at(times: Array) -> Array:
+        found = np.tile(state[:, np.newaxis], times.size)
+        found[HEAT] += [heated(time, end, widest, own, going.train, going.asked.breaks) for end in times.tolist()]
+        return found
+
+    return at
 
 
 def _fill(table: Array, samples: Array, start: float, end: float, at: Any) -> None:

@@ -189,6 +189,7 @@ def run(
     *,
     is_compiled: bool = True,
     progress: Progress | None = None,
+    ends: list[tuple[float, float]] | None = None,
 ) -> Run:
     """Run a machine by an explicit method.
 
@@ -204,6 +205,8 @@ def run(
     progress : callable, optional
         (time, crank angle, speed) → anything, called some 30 times a second of the user's time. With it, a run that
         the user interrupts (Ctrl-C) gives what was computed so far, with the reason `STOPPED`; numbers are the same.
+    ends : list, optional
+        To which time and speed of the crank are added where steps end. [s, rad/s]
 
     Returns
     -------
@@ -220,7 +223,7 @@ def run(
         asked = asked._replace(
             **{name: getattr(asked, name).tolist() for name in ("start", "samples", "breaks", "corners")}
         )
-    reason, course = _run_through(partial(loop, train, asked), course, log, asked.limits.most_steps, progress)
+    reason, course = _run_through(partial(loop, train, asked), course, log, asked.limits.most_steps, progress, ends)
     return _result(reason, course, log, asked, drive, train.machine)
 
 
@@ -231,20 +234,32 @@ class Log(NamedTuple):
     marks: Array
 
 
-def _run_through(loop: Any, course: Course, log: Log, most_steps: int, progress: Progress | None) -> tuple[int, Course]:
+def _run_through(
+    loop: Any,
+    course: Course,
+    log: Log,
+    most_steps: int,
+    progress: Progress | None,
+    ends: list[tuple[float, float]] | None,
+) -> tuple[int, Course]:
     """Run to the end; where progress is told, so many steps at a time as take the time between two calls."""
-    if progress is None:
+    if progress is None and ends is None:
         return loop(course, *log, most_steps + 1), course
-    kept, n_steps = copied(course), _FIRST_STEPS
+    kept, n_steps, told = copied(course), _FIRST_STEPS if ends is None else 1, 0.0
     try:
         while True:
             start = perf_counter()
             reason = loop(course, *log, n_steps)
             kept = copied(course)
-            progress(float(course.here[TIME]), float(course.state[0]), float(course.state[1]))
+            if ends is not None:
+                ends.append((float(course.here[TIME]), float(course.state[1])))
+            if progress is not None and (reason != GOING or ends is None or start - told > _BETWEEN_CALLS):
+                progress(float(course.here[TIME]), float(course.state[0]), float(course.state[1]))
+                told = start
             if reason != GOING:
                 return reason, course
-            n_steps = max(1, int(n_steps * min(4.0, _BETWEEN_CALLS / max(perf_counter() - start, 1e-9))))
+            if ends is None:
+                n_steps = max(1, int(n_steps * min(4.0, _BETWEEN_CALLS / max(perf_counter() - start, 1e-9))))
     except KeyboardInterrupt:
         return STOPPED, kept
 

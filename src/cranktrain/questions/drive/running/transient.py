@@ -161,7 +161,7 @@ def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, t
         return try_shorter(course, width, 0.5, limits.end_time)
     if event < 0 and ahead[1] * sense < 0:  # it sets off the other way: nearer to where it stands
         reason = try_shorter(course, width, 0.25, limits.end_time)
-        return reason if reason == GOING else kind_of_rest(here[TIME], kernels, train)
+        return reason if reason == GOING else kind_of_rest(here[TIME], kernels, train, limits.end_time)
     integrate_along(width, course.state, slopes, ahead)
     _note_on_the_way(derive, kernels, train, limits, course, width, theta, marks)
     if event >= 0:

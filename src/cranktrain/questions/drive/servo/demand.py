@@ -1,5 +1,6 @@
 """Torque at crank and motor over the time of a wanted motion."""
 
+from collections.abc import Callable
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -16,10 +17,15 @@ from cranktrain.questions.drive.running.reduced import ReducedMachine, in_one_ro
 from cranktrain.questions.drive.sizing.servo_uses import ServoUses
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
+_TRIED = np.linspace(-1.0, 1.0, 257)
+_TO_TRIED = np.vander(_TRIED, _NODES.size) @ np.linalg.inv(np.vander(_NODES, _NODES.size))
+"""From values at a part's nodes to those at even places from its beginning to its end."""
 _N_PARTS = 24
 """Of each piece of a wanted motion, besides those between jumps of the load."""
 _SAME = 1e-12
 """Of the period: times that are nearer are one."""
+_MOST_RULES = 5
+"""Until parts end where torques change their sign: each time some hundred times as closely."""
 
 
 class ServoDemand(NamedTuple):
@@ -50,6 +56,25 @@ class ServoDemand(NamedTuple):
         """Mean over time, rests counted."""
         return float(np.sum(values * self.weight) / np.sum(self.weight))
 
+    def largest(self, values: Array) -> float:
+        """Largest value over time of what is smooth within each part of the rule, its ends among them."""
+        return float(np.max(values.reshape(-1, _NODES.size) @ _TO_TRIED.T))
+
+    @property
+    def peak_torque(self) -> float:
+        """Largest size of the motor's torque. [N·m]"""
+        return max(self.largest(self.motor_torque), self.largest(-self.motor_torque))
+
+    @property
+    def peak_power(self) -> float:
+        """Largest size of the motor's power, driving or braking. [W]"""
+        return max(self.largest(self.power), self.largest(-self.power))
+
+    @property
+    def top_speed(self) -> float:
+        """Largest size of the motor's speed. [rad/s]"""
+        return max(self.largest(self.motor_speed), self.largest(-self.motor_speed))
+
     @property
     def rms(self) -> float:
         """Root mean square of the motor's torque over time: what heats a servo's winding. [N·m]"""
@@ -66,7 +91,8 @@ class ServoDemand(NamedTuple):
 
     def uses(self, servo: Servo, continuous_torque: float) -> ServoUses:
         """Share of a servo motor's limits that is asked for: torque and power at once, torque for long [N·m]."""
-        at_once = np.max(np.abs(self.motor_torque) / servo_limit(self.motor_speed, servo))
+        share = self.motor_torque / servo_limit(self.motor_speed, servo)
+        at_once = max(self.largest(share), self.largest(-share))
         return ServoUses(np.asarray(at_once), np.asarray(self.rms / continuous_torque))
 
 
@@ -87,22 +113,29 @@ def servo_demand(made: Following, machine: ReducedMachine, gearing: Gearing, cor
     """
     angles = np.mod(corners[np.isfinite(corners)], TURN)
     at_corners = np.mod(crank_by_angle(made, angles).time, made.wanted.period)
-    time, weight = _rule(made.wanted.period, [piece.start for piece in made.wanted.pieces], at_corners)
-    crank = crank_at(made, time)
-    return _demand(crank, weight, crank_torque(crank, reduced_at(machine, crank.angle)), gearing)
+
+    def at(time: Array) -> tuple[CrankMotion, Array]:
+        crank = crank_at(made, time)
+        return crank, crank_torque(crank, reduced_at(machine, crank.angle))
+
+    ends = _ends(made.wanted.period, [piece.start for piece in made.wanted.pieces], at_corners)
+    return _over_period(at, ends, gearing, np.empty(0))
 
 
-def rocking_demand(made: Rocking, machine: ReducedMachine, gearing: Gearing) -> ServoDemand:
+def rocking_demand(made: Rocking, machine: ReducedMachine, gearing: Gearing, corners: Array) -> ServoDemand:
     """What the motor must do so that a rocking crank follows.
 
-    Loads are as on the way that it then goes: what resists does so both ways.
+    Loads are as on the way that it then goes: what resists does so both ways. Parameters as of `servo_demand`.
     """
-    time, weight = _rule(made.wanted.period, [piece.start for piece in made.wanted.pieces], np.empty(0))
-    crank = rocking_crank(made, time)
-    ways = zip(crank.angle.tolist(), crank.speed.tolist(), crank.acceleration.tolist(), strict=True)
     numbers = in_one_row(machine).tolist()
-    torque = np.array([_torque_either_way(*way, numbers) for way in ways])
-    return _demand(crank, weight, torque, gearing)
+
+    def at(time: Array) -> tuple[CrankMotion, Array]:
+        crank = rocking_crank(made, time)
+        ways = zip(crank.angle.tolist(), crank.speed.tolist(), crank.acceleration.tolist(), strict=True)
+        return crank, np.array([_torque_either_way(*way, numbers) for way in ways])
+
+    ends = _ends(made.wanted.period, [piece.start for piece in made.wanted.pieces], np.empty(0))
+    return _over_period(at, ends, gearing, corners[np.isfinite(corners)])
 
 
 def _torque_either_way(angle: float, speed: float, acceleration: float, numbers: list[float]) -> float:
@@ -111,13 +144,43 @@ def _torque_either_way(angle: float, speed: float, acceleration: float, numbers:
     return float(inertia * acceleration + 0.5 * slope * speed * speed + load)
 
 
-def _rule(period: float, starts: list[float], corners: Array) -> tuple[Array, Array]:
-    """Times and weights of Gauss's rule between the ends of pieces and the corners."""
+def _ends(period: float, starts: list[float], corners: Array) -> Array:
+    """Times at which parts of the rule begin and end. [s]"""
     fine = [corners, *(np.linspace(low, high, _N_PARTS + 1) for low, high in pairwise([*starts, period]))]
-    ends: Array = np.unique(np.concatenate(fine))
-    ends = ends[np.append(True, np.diff(ends) > _SAME * period)]
-    half = np.diff(ends)[:, np.newaxis] / 2
-    return np.ravel(ends[:-1, np.newaxis] + half * (1 + _NODES)), np.ravel(half * _WEIGHTS)
+    return np.unique(np.concatenate(fine))
+
+
+def _over_period(
+    at: Callable[[Array], tuple[CrankMotion, Array]], ends: Array, gearing: Gearing, corners: Array
+) -> ServoDemand:
+    """Torques over a period, with a rule whose parts end where loads, losses and power have corners.
+
+    `at` gives the crank's motion and its torque at times; `corners` are crank angles that the crank may pass.
+    """
+    period = float(ends[-1])
+    for _again in range(_MOST_RULES):
+        ends = ends[np.append(True, np.diff(ends) > _SAME * period)]
+        half = np.diff(ends)[:, np.newaxis] / 2
+        time = np.ravel(ends[:-1, np.newaxis] + half * (1 + _NODES))
+        crank, torque = at(time)
+        found = _demand(crank, np.ravel(half * _WEIGHTS), torque, gearing)
+        passed = torques_on_the_way(torque, crank, gearing)
+        angles = [np.sin(0.5 * (crank.angle - corner)) for corner in corners.tolist()]
+        more = _sign_changes(time, np.stack([*passed, *angles]))
+        more = more[np.min(np.abs(more[:, np.newaxis] - ends), axis=1, initial=period) > _SAME * period]
+        if more.size == 0:
+            break
+        ends = np.unique(np.concatenate([ends, more]))
+    return found
+
+
+def _sign_changes(time: Array, values: Array) -> Array:
+    """Times at which any row of values, shape (row, n), changes its sign within a part of the rule. [s]"""
+    own, times = values.reshape(len(values), -1, _NODES.size), time.reshape(-1, _NODES.size)
+    row, part, place = np.nonzero(own[..., :-1] * own[..., 1:] < 0)
+    low, high = own[row, part, place], own[row, part, place + 1]
+    begin, end = times[part, place], times[part, place + 1]
+    return begin + (end - begin) * low / (low - high)
 
 
 def _demand(crank: CrankMotion, weight: Array, torque: Array, gearing: Gearing) -> ServoDemand:
@@ -150,9 +213,16 @@ def motor_torque(torque: Array, crank: CrankMotion, gearing: Gearing) -> Array:
     -----
     docs/theory/transient, eqs. (26.1) and (26.5); docs/theory/servo, eq. (29.8).
     """
+    return torques_on_the_way(torque, crank, gearing)[-1]
+
+
+def torques_on_the_way(torque: Array, crank: CrankMotion, gearing: Gearing) -> list[Array]:
+    """At the output of every stage, the last stage first, and of the motor; see `motor_torque`. [N·m]"""
     passed, turned = torque, 1.0
+    outputs = list[Array]()
     for stage in reversed(range(len(gearing.ratio))):
         passed = passed + gearing.inertia[stage] * turned * crank.acceleration
+        outputs.append(passed)
         turned *= float(gearing.ratio[stage])
         rests = crank.speed == 0
         sense = np.where(rests, -np.sign(passed), np.sign(crank.speed))
@@ -160,4 +230,4 @@ def motor_torque(torque: Array, crank: CrankMotion, gearing: Gearing) -> Array:
         backward = np.where(rests, max(own, 0.0), own)
         at_input = input_torque(passed, sense, gearing.ratio[stage], gearing.forward[stage], backward)
         passed = at_input + gearing.drag[stage] * np.sign(crank.speed)
-    return passed + gearing.motor_inertia * turned * crank.acceleration
+    return [*outputs, passed + gearing.motor_inertia * turned * crank.acceleration]

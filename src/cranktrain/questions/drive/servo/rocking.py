@@ -101,12 +101,14 @@ def rocking_drive(rocking: RockingMotions, drive: DeclaredDrive, machines: Reduc
     docs/theory/servo, eq. (29.8).
     """
     rows = zip(rocking.each, machines.each, drive.gearings, strict=True)
-    demands = tuple(rocking_demand(made, machine, gearing) for made, machine, gearing in rows)
+    demands = tuple(
+        rocking_demand(*row, machines.corners[min(n, len(machines.corners) - 1)]) for n, row in enumerate(rows)
+    )
     return RockingDrive(
         demands,
         rocking_rms_torque=np.array([one.rms for one in demands]),
-        rocking_peak_torque=np.array([np.max(np.abs(one.motor_torque)) for one in demands]),
-        rocking_peak_power=np.array([np.max(np.abs(one.power)) for one in demands]),
+        rocking_peak_torque=np.array([one.peak_torque for one in demands]),
+        rocking_peak_power=np.array([one.peak_power for one in demands]),
     )
 
 
