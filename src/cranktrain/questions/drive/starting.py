@@ -22,10 +22,11 @@ from cranktrain.questions.drive.running.gearing import Gearing
 from cranktrain.questions.drive.running.reduced import (
     ReducedMachine,
 )
-from cranktrain.questions.drive.running.runs import REASONS, Progress, Run, Wanted, run, wanted
+from cranktrain.questions.drive.running.runs import REASONS, Progress, Run, Wanted, wanted
 from cranktrain.questions.drive.running.step import N_STATE
 from cranktrain.questions.drive.spec import StartSpec
 from cranktrain.questions.drive.start_curves import at_or_never, at_times, close_times, curves_of, in_list
+from cranktrain.questions.drive.start_method import method_of
 from cranktrain.questions.drive.start_record import StartEvent, StartRun
 from cranktrain.questions.drive.switching import Braking, Switching, start_kernels
 from cranktrain.questions.drive.unloaded import with_open_valves
@@ -166,7 +167,7 @@ def _runs(
     `steps` is given times and speeds at which steps end.
     """
     angle, speed, now = case.spec.angle.si + case.zero, case.spec.speed.si, 0.0
-    spans, kernels = list(_spans(case)), start_kernels(case.motor)
+    spans, kernels, run_by = list(_spans(case)), start_kernels(case.motor), method_of(case)
     numbers, machine = list[float](), None
     while spans:
         span = spans.pop(0)
@@ -177,7 +178,7 @@ def _runs(
         asked = _wanted(case, span, angle, speed, samples)
         own = None if steps is None else list[tuple[float, float]]()
         telling = _from(span.start, progress)
-        found = run(kernels, _train(case, span, numbers), asked, is_compiled=False, progress=telling, ends=own)
+        found = run_by(kernels, _train(case, span, numbers), asked, is_compiled=False, progress=telling, ends=own)
         if steps is not None and own is not None:
             steps += [(span.start + time, reached) for time, reached in own]
         yield span, found

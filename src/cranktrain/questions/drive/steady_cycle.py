@@ -33,11 +33,7 @@ def _rule() -> tuple[Array, Array, Array]:
 
 
 _NODES, _INTEGRALS, _FITTED = _rule()
-_TO_TRIED = (
-    np.stack([legendre.legval(2 * _TRIED - 1, legendre.legint(row, lbnd=-1)) for row in np.eye(_N_NODES)], axis=1)
-    @ _FITTED
-    / 2
-)
+_TO_TRIED = legendre.legvander(2 * _TRIED - 1, _N_NODES) @ _GROWN @ _FITTED / 2
 """From what is known at the nodes of a piece to its integrals from there to the places tried, in parts of the piece."""
 
 

@@ -17,7 +17,7 @@ from cranktrain.questions.drive.running.equation import (
     untimed,
 )
 from cranktrain.questions.drive.running.gearing import stages
-from cranktrain.questions.drive.running.implicit import is_stiff, run_implicitly, run_well, slip_time_constant
+from cranktrain.questions.drive.running.implicit import is_stiff, run_implicitly, slip_time_constant
 from cranktrain.questions.drive.running.rest import sense_of_start
 from cranktrain.questions.drive.running.runs import REASONS, run, wanted
 
@@ -157,13 +157,6 @@ def test_slip_time_constant_is_that_of_kloss():
 def test_every_reason_has_a_sentence():
     assert len(REASONS) == endings.STOPPED + 1
     assert len(set(REASONS.values())) == len(REASONS)
-
-
-def test_stiff_motors_go_by_an_implicit_method():
-    drive = DriveTrain((0.0, 0.0, 0.0), (95.0, 0.003, SYNCHRONOUS), 0.0, stages(0.002))
-    found = run_well(CAGE, drive, wanted(0.5, speed=0.999 * SYNCHRONOUS), SYNCHRONOUS)
-    assert found.method == "LSODA"
-    assert found.end[1] == pytest.approx(SYNCHRONOUS, rel=1e-6)
 
 
 def test_implicit_runs_rest_and_stop_alike():

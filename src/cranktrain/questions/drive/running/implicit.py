@@ -17,12 +17,11 @@ from cranktrain.questions.drive.running.equation import (
     TrainNumbers,
     is_open,
     joined,
-    no_memory,
     train_of,
 )
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.rest import heated, kind_of_rest, let_go_at, sense_of_start
-from cranktrain.questions.drive.running.runs import Event, Run, Wanted, energy_account, run
+from cranktrain.questions.drive.running.runs import Event, Progress, Run, Wanted, energy_account
 from cranktrain.questions.drive.running.step import N_STATE, ROW
 
 _STIFF = 1e-3
@@ -68,16 +67,6 @@ def is_stiff(time_constant: float, crank_speed: float) -> bool:
     return time_constant < _STIFF * 2 * np.pi / crank_speed
 
 
-def run_well(kernels: Kernels, drive: DriveTrain, asked: Wanted, top_speed: float) -> Run:
-    """Run by the method that suits the motor: explicit, or LSODA where it is stiff."""
-    angles = np.linspace(0.0, 2 * np.pi, 61)
-    constant = slip_time_constant(kernels, drive, top_speed, angles)
-    # an implicit method tries steps that it does not take: a machine that remembers would remember those
-    if kernels.settle is no_memory and is_stiff(constant, top_speed / overall_ratio(drive.gearing)):
-        return run_implicitly(kernels, drive, asked)
-    return run(kernels, drive, asked)
-
-
 class _Going(NamedTuple):
     """What an implicit run is made of."""
 
@@ -85,42 +74,71 @@ class _Going(NamedTuple):
     train: TrainNumbers
     asked: Wanted
     method: str
+    longest_step: float
     table: Array
     events: list[Event]
+    ends: list[tuple[float, float]]
+    is_compiled: bool
 
 
-def run_implicitly(kernels: Kernels, drive: DriveTrain, asked: Wanted, *, method: str = "LSODA") -> Run:
+def run_implicitly(
+    kernels: Kernels,
+    drive: DriveTrain,
+    asked: Wanted,
+    *,
+    method: str = "LSODA",
+    longest_step: float = np.inf,
+    is_compiled: bool = True,
+    progress: Progress | None = None,
+    ends: list[tuple[float, float]] | None = None,
+) -> Run:
     """Run as `runs.run` does, by `solve_ivp` of SciPy with LSODA or Radau; phases, events and reasons are the same.
 
-    A machine that remembers does so at the ends of phases only: `run_well` runs it by the explicit method.
+    Parameters
+    ----------
+    kernels, drive, asked, is_compiled, progress, ends
+        See `runs.run`; progress is told at the ends of phases. A machine that remembers would remember the steps that
+        are tried and not taken: it is no machine for this.
+    method : str, optional
+    longest_step : float, optional
+        Short enough that no event comes and goes within one. [s]
 
     Raises
     ------
     ImportError
         Where SciPy is not installed.
     """
-    parts, train = joined(kernels, True), train_of(drive, kernels, True)
-    going = _Going(parts, train, asked, method, np.full((len(asked.samples), N_STATE), np.nan), [])
-    state, time, n_calls, n_reversals = asked.start.copy(), 0.0, 0, 0
+    parts, train = joined(kernels, is_compiled), train_of(drive, kernels, is_compiled)
+    table = np.full((len(asked.samples), N_STATE), np.nan)
+    longest = min(longest_step, 0.02 * asked.limits.end_time)
+    going = _Going(parts, train, asked, method, longest, table, [], [] if ends is None else ends, is_compiled)
+    state, time, n_steps, n_reversals = asked.start.copy(), 0.0, 0, 0
     machine, settle = parts.kernels.machine, parts.kernels.settle
     settle(state[0], train.machine)
     sense, reason = float(np.sign(state[1])), GOING
     before = machine(state[0], state[1], sense, train.machine)[0]
-    while reason == GOING and time < asked.limits.end_time:
-        if sense == 0.0:
-            sense, time, reason = _set_off(going, time, state)
-            continue
-        state[0] = on_the_way(state[0], sense, asked.corners, asked.period)
-        reason = _trouble(going, time, state, sense)
-        if reason != GOING:
-            break
-        time, state, ending, n_more = _phase(going, time, state, sense)
-        n_calls += n_more
-        settle(state[0], train.machine)
-        if ending == endings.SWINGS:
-            state[1], sense, n_reversals = 0.0, 0.0, n_reversals + 1
-            ending = endings.SWINGS if n_reversals >= asked.limits.most_reversals else GOING
-        reason = ending
+    try:
+        while reason == GOING and time < asked.limits.end_time:
+            if progress is not None:
+                progress(time, float(state[0]), float(state[1]))
+            if sense == 0.0:
+                sense, time, reason = _set_off(going, time, state)
+                continue
+            state[0] = on_the_way(state[0], sense, asked.corners, asked.period)
+            reason = _trouble(going, time, state, sense)
+            if reason != GOING:
+                break
+            time, state, ending, n_more = _phase(going, time, state, sense)
+            n_steps += n_more
+            settle(state[0], train.machine)
+            if ending == endings.SWINGS:
+                state[1], sense, n_reversals = 0.0, 0.0, n_reversals + 1
+                ending = endings.SWINGS if n_reversals >= asked.limits.most_reversals else GOING
+            reason = ending
+    except KeyboardInterrupt:
+        if progress is None:
+            raise
+        reason = endings.STOPPED
     after = machine(state[0], state[1], sense, train.machine)[0]
     residual, supplied = energy_account(drive, (before, after), asked.start, state)
     is_there = ~np.isnan(going.table[:, 0])
@@ -136,7 +154,7 @@ def run_implicitly(kernels: Kernels, drive: DriveTrain, asked: Wanted, *, method
         in_order,
         residual,
         supplied,
-        n_calls,
+        n_steps,
         method,
         train.machine,
     )
@@ -144,7 +162,7 @@ def run_implicitly(kernels: Kernels, drive: DriveTrain, asked: Wanted, *, method
 
 def _set_off(going: _Going, time: float, state: Array) -> tuple[float, float, int]:
     """Sense in which a crank at rest sets off, when, and `GOING`; or 0 and the reason why it never does."""
-    (_, own), train, asked, _, table, events = going
+    (_, own), train, asked, table, events = going.parts, going.train, going.asked, going.table, going.events
     corners = (asked.corners, asked.period)
     sense = sense_of_start(time, state[0], own, train, *corners)
     if sense != 0.0:
@@ -171,8 +189,8 @@ def _trouble(going: _Going, time: float, state: Array, sense: float) -> int:
 
 
 def _phase(going: _Going, time: float, state: Array, sense: float) -> tuple[float, Array, int, int]:
-    """Integrate to the next break, corner or event that ends a phase: time, state, how it ended, and how many calls."""
-    _, _, asked, _, table, events = going
+    """Integrate to the next break, corner or event that ends a phase: time, state, how it ended, how many steps."""
+    asked, table, events = going.asked, going.table, going.events
     later = asked.breaks[asked.breaks > time]
     until = min(asked.limits.end_time, float(later[0]) if len(later) else np.inf)
     found = _solved(going, sense, (time, until), state)
@@ -181,6 +199,7 @@ def _phase(going: _Going, time: float, state: Array, sense: float) -> tuple[floa
         for when, y in zip(found.t_events[which], found.y_events[which], strict=True):
             events.append(Event(kind, float(when), float(y[0]), float(y[1])))
     _fill(table, asked.samples, time, found.t[-1], found.sol)
+    going.ends.extend(zip(found.t.tolist(), found.y[1].tolist(), strict=True))
     end = float(found.t[-1])
     ending = endings.TOO_MANY_STEPS
     if len(over):
@@ -191,20 +210,20 @@ def _phase(going: _Going, time: float, state: Array, sense: float) -> tuple[floa
         ending = endings.SWINGS
     elif len(corner) or end >= until:
         ending = GOING
-    return end, found.y[:, -1].copy(), ending, found.nfev
+    return end, found.y[:, -1].copy(), ending, found.t.size - 1
 
 
 def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array) -> Any:
     """What `solve_ivp` finds with the sense as it is."""
     from scipy import integrate
 
-    (derive, own), train, asked, method, _, _ = going
-    limits, slopes = asked.limits, np.empty(ROW)
+    (derive, own), train, asked, method = going[:4]
+    limits, slopes = asked.limits, np.empty(ROW) if going.is_compiled else [0.0] * ROW
     bound = corner_ahead(state[0], sense, asked.corners, asked.period)
 
     def slope(time: float, state: Array) -> Array:
-        derive(time, state[0], state[1], sense, bound, slopes, 0, train)
-        return slopes[:N_STATE].copy()
+        derive(time, float(state[0]), float(state[1]), sense, bound, slopes, 0, train)
+        return np.array(slopes[:N_STATE])
 
     def stopped(_time: float, state: Array) -> float:
         return sense * state[1]
@@ -229,7 +248,7 @@ def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array
     solve: Any = cast(Any, integrate).solve_ivp
     return solve(
         slope, span, state, method=method, rtol=max(closeness, 3e-14), atol=closeness,
-        max_step=0.02 * limits.end_time, dense_output=True, events=(stopped, passed, over, dead, corner),
+        max_step=going.longest_step, dense_output=True, events=(stopped, passed, over, dead, corner),
     )  # fmt: skip
 
 

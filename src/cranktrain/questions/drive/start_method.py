@@ -1,0 +1,64 @@
+"""How a start is run: by explicit steps, or by an implicit method where its motor is stiff."""
+
+from functools import partial
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+
+from cranktrain.questions.drive.running.equation import DriveTrain, Kernels
+from cranktrain.questions.drive.running.gearing import overall_ratio
+from cranktrain.questions.drive.running.implicit import is_stiff, run_implicitly, slip_time_constant
+from cranktrain.questions.drive.running.runs import Progress, Run, Wanted, run
+from cranktrain.questions.drive.start_curves import in_list
+from cranktrain.questions.drive.switching import Braking, Switching, start_kernels
+
+if TYPE_CHECKING:
+    from cranktrain.questions.drive.starting import StartCase
+
+_ANGLES = np.linspace(0.0, 2 * np.pi, 61)
+"""At which the least inertia is looked for."""
+_STEPS_A_TURN = 24
+_NO_BRAKE = Braking(0.0, np.inf, 0.0)
+
+
+class Runs(Protocol):
+    """Runs what is wanted of a drive that is not compiled."""
+
+    def __call__(
+        self,
+        kernels: Kernels,
+        drive: DriveTrain,
+        asked: Wanted,
+        *,
+        is_compiled: bool,
+        progress: Progress | None,
+        ends: list[tuple[float, float]] | None,
+    ) -> Run:
+        """See `runs.run`."""
+        ...
+
+
+def method_of(case: "StartCase") -> Runs:
+    """The method that suits a start.
+
+    Explicit steps where its motor is not stiff, where a chamber remembers its gas, as an implicit method tries steps
+    that it does not take, and where SciPy is not installed.
+    """
+    top = _top_speed(case)
+    if case.motor is None or len(case.machine.chambers) or not np.isfinite(top) or find_spec("scipy") is None:
+        return run
+    switching = Switching(case.motor.row(case.design), np.inf, np.inf, 0.0)
+    drive = DriveTrain(in_list(case.machine, 0.0), switching, _NO_BRAKE, case.gearing, case.place)
+    at_crank = top / overall_ratio(case.gearing)
+    if not is_stiff(slip_time_constant(start_kernels(case.motor), drive, top, _ANGLES), at_crank):
+        return run
+    return partial(run_implicitly, longest_step=2 * np.pi / at_crank / _STEPS_A_TURN)
+
+
+def _top_speed(case: "StartCase") -> float:
+    """Speed above which the motor drives no more, or thrice its rated one; infinite where it has neither. [rad/s]"""
+    if case.motor is None:
+        return np.inf
+    top, rated = (float(one[case.design]) for one in (case.motor.top_speed, case.motor.rating.speed))
+    return next((speed for speed in (top, 3 * rated) if np.isfinite(speed)), np.inf)
