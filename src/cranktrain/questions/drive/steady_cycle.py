@@ -102,7 +102,7 @@ class SpeedOverTurn:
         piece = np.sum(along[:, np.newaxis] >= start[1:], axis=1)
         place = (along - start[piece]) / width[piece]
         slopes = self.acceleration.reshape(-1, _N_NODES)[piece]
-        integrals = legendre.legvander(2 * place - 1, _N_NODES) @ _GROWN
+        integrals: Array = legendre.legvander(2 * place - 1, _N_NODES) @ _GROWN
         grown = np.sum(integrals * (slopes @ _FITTED.T), axis=1) / 2
         return np.sqrt(2 * (self.at_start[piece] + width[piece] * grown))
 
