@@ -66,9 +66,10 @@ def sizing_rows(labels: Names, design: int, found: MotorSizing) -> Iterator[Answ
     """What governs the declared motor, and the smallest typical one that passes."""
     declared, chosen, smaller = found.largest_share[design].tolist()
     if np.isfinite(declared):
+        how = _("; started unloaded") if found.starts_unloaded else ""
         yield worded(
             _("motor is used to"),
-            _("{share}: {check}") + (_("; started unloaded") if found.starts_unloaded else ""),
+            _("{share}: {check}") + (_("; clutch locked") if found.has_clutch else how),
             share=Amount(declared, "%"),
             check=found.governing(design, 0),
         )
