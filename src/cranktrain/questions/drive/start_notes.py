@@ -11,6 +11,7 @@ from cranktrain.questions.drive.clutched.declared import DeclaredBrake, Declared
 from cranktrain.questions.drive.declared import DeclaredStart
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.motor_tables.declared import LONG_SINCE
+from cranktrain.questions.drive.motor_tables.table import beyond_table
 from cranktrain.questions.drive.spec import StartSpec
 from cranktrain.questions.drive.start_record import StartRun
 
@@ -24,6 +25,7 @@ WISH_LEFT = N_("[shaft.main.motion] is not followed: the motor and the loads alo
 CLUTCH_LOCKED = N_("[drive.clutch] stays locked: only [drive.stroke] lets it slip.")
 BRAKE_OFF = N_("[drive.brake] stays off: brake_on in [drive.start] says when it comes.")
 NOT_REACHED = N_("{key} = {given} is not reached.")
+BEHIND_STARTER = N_("Its starter is left out: in strokes the motor is on the line.")
 IN_STARTER = N_("Its starter is not through yet; steady running is that of the motor behind it: see duration.")
 
 
@@ -42,7 +44,11 @@ def start_notes(parts: Mapping[type, Any], run: StartRun) -> Iterator[str]:
         yield _(NO_MOTOR)
     if WantedMotions in parts or RockingMotions in parts:
         yield _(WISH_LEFT)
+    if motor is not None:
+        yield from beyond_table(motor, 0, run.whole.motor_speed)
     if DeclaredStroke in parts:
+        if motor is not None and motor.motor.is_timed:
+            yield _(BEHIND_STARTER)
         return
     if DeclaredClutch in parts:
         yield _(CLUTCH_LOCKED)

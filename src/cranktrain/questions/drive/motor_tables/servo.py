@@ -41,7 +41,7 @@ class ServoSpec(RatedSpec, frozen=True):
             yield Problem("peak_torque", self.peak_torque.text, allowed.format(rated=rated))
         if self.is_rated and self.peak_power is not None and self.peak_power.si < float(self.rating.power):
             allowed = _("must not be below the rated power, {rated}")
-            rated = number(float(self.rating.power), "W")
+            rated = number(float(self.rating.power), "kW")
             yield Problem("peak_power", self.peak_power.text, allowed.format(rated=rated))
         if self.speed is not None and self.top_speed is not None and self.top_speed.si < self.speed.si:
             allowed = _("must not be below speed = {speed}")

@@ -14,8 +14,11 @@ from cranktrain.quantities import Dimension, Given, Quantity, Speed
 from cranktrain.questions.drive.motor_tables.declared import DeclaredMotor
 from cranktrain.questions.drive.motor_tables.spec import RatedSpec
 from cranktrain.questions.drive.motors.table import TABLE, TableMotor
+from cranktrain.wording import number
 
 Torque = Annotated[Given, Quantity(Dimension.TORQUE)]
+
+_ROUNDING = 1e-9
 
 
 class TableSpec(RatedSpec, frozen=True):
@@ -34,6 +37,17 @@ class TableSpec(RatedSpec, frozen=True):
         """Give the motor in SI."""
         curve = TableMotor(points(self.speeds), points(self.torques))
         return DeclaredMotor(TABLE, curve, self.rating, _top_speed(curve), self.rotor_inertia)
+
+
+def beyond_table(motor: DeclaredMotor, design: int, speed: Array) -> Iterator[str]:
+    """Say that a motor by a table runs at speeds beyond it; nothing of another motor. [rad/s]"""
+    if motor.motor is not TABLE:
+        return
+    ends = motor.numbers.speeds[[0, -1]]
+    least, most = np.broadcast_to(ends, (2, motor.n_designs))[:, design].tolist()
+    if np.max(speed) > most * (1 + _ROUNDING) or np.min(speed) < least - _ROUNDING * most:
+        said = _("The motor runs beyond its table, {least} to {most}: there it has the torque of the last point.")
+        yield said.format(least=number(least, "rpm"), most=number(most, "rpm"))
 
 
 def points(listed: tuple[Given, ...]) -> Array:
