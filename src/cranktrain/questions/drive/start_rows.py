@@ -21,8 +21,8 @@ def start_rows(run: StartRun) -> Iterator[AnswerLine]:
     turned = curves.crank_angle_turned
     yield worded(_("it ends after"), _("{time}: {reason}"), time=Amount(float(time[-1]), "s"), reason=run.reason)
     yield worded(
-        _("crank turned"),
-        _("{turns} turns, reversals: {n}; at the end it turns at {speed}"),
+        _("turns of the crank"),
+        _("{turns}, reversals: {n}; at the end it turns at {speed}"),
         turns=f"{float(turned[-1] - turned[0]) / (2 * np.pi):.4g}".replace("-", "−"),
         n=str(_reversals(run)),
         speed=Amount(_last(curves.crank_speed), "rpm"),
