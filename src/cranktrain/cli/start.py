@@ -43,7 +43,7 @@ def show_start(request: StartRequest) -> None:
     asked = units_asked_for(request.units)
     file = read_machine(request.file, request.settings)
     with shown_as_in(units_of(file.machine)), shown_by(asked):
-        with problems_as(file.located):
+        with problems_as(file.document.located):
             found = start(file.machine, progress=_progress())
         _end_progress()
         if request.output is not None:

@@ -19,7 +19,7 @@ from cranktrain.linkage.vectors import Vector, rotated
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import extremes
 from cranktrain.numerics.nested import by_design, mapped
-from cranktrain.quantities import Given, nearest
+from cranktrain.quantities import Dimension, Given, nearest, unit_of
 from cranktrain.record import record
 from cranktrain.wording import precise
 
@@ -287,16 +287,25 @@ def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism])
                 yield from _travel_problems(where, spec, own)
 
 
+_AROUND = 73
+"""Places around a turn at which links are asked whether they close."""
+
+
 def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iterator[Problem]:
     """Find sizes that are not for the whole travel."""
-    name, given, unit = ("travel", spec.travel, "mm") if spec.swing is None else ("swing", spec.swing, "deg")
+    name, given, dimension = (
+        ("travel", spec.travel, Dimension.LENGTH) if spec.swing is None else ("swing", spec.swing, Dimension.ANGLE)
+    )
     load = _link_load(partial(by_design, n_designs=1), "", spec, 0, place)
 
     def way(phi: Array) -> LoadWay:
         motion = place.kind.motion(phi + place.phase, place.geometry)
         return load.way(place.kind.dynamics.links(motion, place.geometry)[load.link])
 
-    turn = np.ravel(way(np.array([0.0, 2 * np.pi])).place)
+    with np.errstate(invalid="ignore"):
+        turn = np.ravel(way(np.linspace(0.0, 2 * np.pi, _AROUND)).place)
+    if not np.all(np.isfinite(turn)):
+        return  # told as links that do not close
     if not abs(turn[-1] - turn[0]) < 1.0:
         allowed = _("is for what goes to and fro, and this turns all round; list the sizes over crank_angles")
         yield Problem(f"{where}.{name}", None, allowed)
@@ -306,7 +315,9 @@ def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iter
     if given and given[0].si != 0.0:
         yield Problem(f"{where}.{name}[0]", given[0].text, _("must be 0, where the travel begins"))
     if given and given[-1].si < whole * (1 - _COVERED):
-        allowed = _("must go as far as the part goes, {whole}").format(whole=precise(whole, unit))
+        allowed = _("must go as far as the part goes, {whole}").format(
+            whole=precise(whole, unit_of(given[-1], dimension))
+        )
         yield Problem(f"{where}.{name}", given[-1].text, allowed)
 
 

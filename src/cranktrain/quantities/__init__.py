@@ -50,7 +50,7 @@ from cranktrain.quantities.fields import (
     TurnedAngle,
     Velocity,
 )
-from cranktrain.quantities.given import Given, Quantity, Status
+from cranktrain.quantities.given import Given, Quantity, Status, unit_of
 from cranktrain.quantities.reading import read
 from cranktrain.quantities.refusal import QuantityError, nearest, one_of, unknown_key, unlisted, written
 
@@ -109,6 +109,7 @@ __all__ = [
     "shown_as_in",
     "shown_by",
     "unit_names",
+    "unit_of",
     "units_asked",
     "units_by_dimension",
     "unknown_key",

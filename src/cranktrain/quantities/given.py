@@ -16,6 +16,7 @@ from cranktrain.one_line import short
 from cranktrain.quantities.conversion import shown
 from cranktrain.quantities.dimensions import Dimension, expected
 from cranktrain.quantities.examples import EXAMPLES
+from cranktrain.quantities.number import measured
 from cranktrain.quantities.pattern import pattern
 from cranktrain.quantities.reading import Reading, reading
 from cranktrain.quantities.refusal import QuantityError, unknown_key, unlisted, written
@@ -133,11 +134,17 @@ class Quantity:
     def _reading(self, data: object) -> Reading:
         """Read it; what is refused is told with the example that suits."""
         try:
-            return reading(data, self.dimension, is_direction=self.is_direction)
+            return reading(data, self.dimension, is_direction=self.is_direction, usual=self._usual_unit)
         except QuantityError as error:
             (problem,) = error.problems
             allowed = problem.allowed.replace(expected(self.dimension), self.expected)
             raise QuantityError(problem.given, allowed, problem.repair) from None
+
+    @property
+    def _usual_unit(self) -> str:
+        """Unit of the example; none without one."""
+        parts = measured(self.example or "")
+        return parts.unit if parts else ""
 
     def _limits(self) -> Iterator[tuple[float, Callable[[float, float], bool], str]]:
         """Limits that are set, what must hold between a value and each, and how to say so."""
@@ -182,6 +189,12 @@ class Quantity:
         sentence = "; ".join([self.expected, *limits])
         # not anyOf: a slip would then be one of every alternative
         return {"description": sentence, "if": {"type": "object"}, "then": table, "else": value, "examples": example}
+
+
+def unit_of(given: Given, dimension: Dimension) -> str:
+    """Unit in which a quantity was given, by its name; limits told beside it are in the same."""
+    unit = reading(given.text, dimension).unit
+    return unit.name if unit else ""
 
 
 def _table_problems(table: Mapping[str, object]) -> Iterator[Problem]:

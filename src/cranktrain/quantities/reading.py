@@ -64,17 +64,19 @@ def read(text: object, dimension: Dimension) -> float:
     return reading(text, dimension).si
 
 
-def reading(given: object, dimension: Dimension, *, is_direction: bool = False) -> Reading:
+def reading(given: object, dimension: Dimension, *, is_direction: bool = False, usual: str = "") -> Reading:
     """Read a quantity with all that is known about it; refuse as `read` does.
 
     Of a direction of 1e5 deg and more whole turns are left out while it is exact: rounding would take digits of it.
+    To a number without a unit the usual one is proposed; that of the dimension, unless given.
     """
-    text = _text(given, dimension)
+    usual = usual or dimension.units[0].name
+    text = _text(given, dimension, usual)
     try:
         parts = measured(text)
         if parts is None:
             raise _no_number(text, dimension)
-        unit = _unit(parts, text, dimension)
+        unit = _unit(parts, text, dimension, usual)
         exact = parts.number if unit is None else unit.scale * parts.number + unit.offset
         if is_direction and abs(exact) >= _MANY_TURNS:
             exact -= TURN * trunc(exact / TURN)
@@ -86,7 +88,7 @@ def reading(given: object, dimension: Dimension, *, is_direction: bool = False) 
         raise QuantityError(text, allowed) from None
 
 
-def _text(given: object, dimension: Dimension) -> str:
+def _text(given: object, dimension: Dimension, usual: str) -> str:
     """Take a text, or a bare number where no unit is needed."""
     if isinstance(given, str):
         return " ".join(given.split())
@@ -94,26 +96,26 @@ def _text(given: object, dimension: Dimension) -> str:
         raise QuantityError(written(given), expected(dimension))
     if not dimension.needs_unit:
         return str(given)
-    raise _no_unit(str(given), dimension)
+    raise _no_unit(str(given), dimension, usual)
 
 
-def _unit(parts: Measured, text: str, dimension: Dimension) -> Unit | None:
+def _unit(parts: Measured, text: str, dimension: Dimension, usual: str) -> Unit | None:
     """Find the unit in the list of the dimension."""
     if not dimension.needs_unit and not parts.unit:
         return None
     if not parts.unit:
-        raise _no_unit(text, dimension)
+        raise _no_unit(text, dimension, usual)
     known = spellings(dimension).get(plain(parts.unit))
     if known is None:
         raise _wrong_unit(parts.unit, text, dimension)
     return known[0]
 
 
-def _no_unit(text: str, dimension: Dimension) -> QuantityError:
+def _no_unit(text: str, dimension: Dimension, usual: str) -> QuantityError:
     parts = measured(text)
     if parts is None:  # a bare nan or inf
         return _no_number(text, dimension)
-    repair = _write(f"{text} {dimension.units[0].name}")
+    repair = _write(f"{text} {usual}")
     if dimension is Dimension.LENGTH and abs(parts.number) < _METRES:
         repair = _('write "{one}" or "{other}"').format(one=f"{text} m", other=f"{text} mm")
     return QuantityError(text, expected(dimension), repair)

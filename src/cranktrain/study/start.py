@@ -26,6 +26,7 @@ from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.equation import AT_MOTOR, BrakePlace
 from cranktrain.questions.drive.running.gearing import overall_ratio
 from cranktrain.questions.drive.running.runs import Progress
+from cranktrain.questions.drive.start_notes import start_notes
 from cranktrain.questions.drive.start_record import StartCurves, StartEvent, StartRun
 from cranktrain.questions.drive.start_rows import start_rows
 from cranktrain.questions.drive.starting import StartCase, asked_times, run_start
@@ -122,7 +123,9 @@ def start(machine: Machine, *, progress: Progress | None = None) -> Start:
     if DeclaredStroke in parts:
         return _stroke(machine, parts, found)
     case = start_case(parts, found)
-    return Start(machine, run_start(case, progress), case.motor, overall_ratio(case.gearing))
+    run = run_start(case, progress)
+    run = replace(run, notes=tuple(start_notes(parts, run)))
+    return Start(machine, run, case.motor, overall_ratio(case.gearing))
 
 
 def parts_and_stages(machine: Machine) -> tuple[Mapping[type, Any], Mapping[type, Any]]:
@@ -150,6 +153,7 @@ def _stroke(machine: Machine, parts: Mapping[type, Any], found: Mapping[type, An
     run = run_stroke(case, settled, None if interval is None else asked_times(interval, end))
     if not settled.is_found:
         run = replace(run, reason=strokes.flags[0])
+    run = replace(run, notes=tuple(start_notes(parts, run)))
     return Start(machine, run, parts.get(DeclaredMotor), overall_ratio(parts[DeclaredDrive].gearings[0]))
 
 

@@ -327,7 +327,7 @@ def _checked(bench: Bench, place: int, ratio: float, inertia: float) -> Trial:
     overall = ratio * asked.others
     speed = math.nan if found.cycle is None else float(np.sum(found.cycle.mesh.width)) / found.cycle.period
     slip = slip_of_size(place, asked.kept)
-    names = check_names(one.duty)
+    names = check_names(one.duty, has_clutch=bench.behind(ratio).clutch is not None)
     return Trial(place, ratio, overall, slip, inertia, tuple(found.shares.tolist()), names, speed, found)
 
 

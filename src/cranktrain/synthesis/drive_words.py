@@ -87,7 +87,11 @@ def remarks(bench: Bench, chosen: Trial, sizes: Sequence[Trial]) -> Iterator[str
     yield from _of_slip(asked, chosen)
     spec: DriveSpec | None = asked.machine.drive
     duty = None if spec is None else spec.duty
-    if duty is not None and duty.start == "unloaded":
+    if spec is not None and spec.clutch is not None:
+        yield _("It starts with its clutch let go: what turns before it, without load.")
+        if spec.stroke is not None:
+            yield _("[drive.stroke] is not counted: it runs through, stroke after stroke.")
+    elif duty is not None and duty.start == "unloaded":
         yield _("It is started unloaded: against weights and drags, before loads act.")
     yield _("Values of typical motors are nobody's: a maker's replace them before a motor is bought.")
     if duty is None or duty.model_fields_set <= {"start"}:

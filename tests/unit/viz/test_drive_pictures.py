@@ -136,3 +136,24 @@ def test_rated_point_lies_on_the_curve(resistance, speed, said):
         x, y = (float(np.ravel(values)[0]) for values in point.get_data())
         assert (x, y) == (pytest.approx(speed), pytest.approx(5500 / (1440 * RPM)))
         assert np.interp(x, *curve.get_data()) == pytest.approx(y, rel=1e-4)
+
+
+def test_numbers_of_a_start_do_not_depend_on_the_interval():
+    """Of one that rolls back, with its torque and its end between whole seconds."""
+    machine = ct.load("tilting_table").with_({"drive.motor.breakdown_torque": "30 N*m"})
+    seldom = ct.start(machine.with_({"drive.start.interval": "1 s"}))
+    often, few = texts(start_picture(ct.start(machine))), texts(start_picture(seldom))
+    numbers = few[few.index("The start") : few.index("energy left over, of what was put in")]
+    assert numbers == often[often.index("The start") : often.index("energy left over, of what was put in")]
+
+
+def test_heat_that_nothing_is_known_of_is_not_0():
+    assert "heat in the motor" not in texts(start_picture(ct.start("servo_press")))
+    assert "heat in the motor" in texts(start_picture(ct.start("tilting_table")))
+
+
+def test_a_sheet_without_a_speed_begins_with_a_capital():
+    from cranktrain.viz.paper.words import running_words
+
+    assert running_words(ct.load("servo_press")) == "Clockwise"
+    assert running_words(ct.load("shears")) == "n = 40 rpm, clockwise"

@@ -26,6 +26,8 @@ from cranktrain.synthesis.relief import Progress
 from cranktrain.textbook.errata import SYNTHESIS
 from cranktrain.wording import figure, number
 
+_ROUNDING = 1e-12
+"""Of the largest number of a column: below it is nothing but rounding."""
 _OF_MEMBER = re.compile(r"(?P<name>.+)\((?P<member>[^()]+)\)$")
 
 
@@ -150,7 +152,10 @@ def _alternatives(proposal: Proposal, width: int) -> Iterator[str | Text]:
 
 def _column(like: Number, numbers: Sequence[Number | None]) -> Column:
     """A column of one kind of number; empty where a row has none."""
-    texts = tuple("" if one is None else figure(one.value, one.unit) for one in numbers)
+    least = _ROUNDING * max((abs(one.value) for one in numbers if one is not None), default=0.0)
+    texts = tuple(
+        "" if one is None else figure(one.value if abs(one.value) > least else 0.0, one.unit) for one in numbers
+    )
     return Column(_symbol(like), _unit(like), texts)
 
 

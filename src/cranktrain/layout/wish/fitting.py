@@ -65,8 +65,10 @@ def fitted(output: Output, wanted: WantedMotion, way: WishWay) -> Following:
 
 
 def refuse_outside(output: Output, wanted: WantedMotion, way: WishWay) -> None:
-    """Refuse a motion for a rocking crank that is not within the stroke, or jumps."""
+    """Refuse a motion for a rocking crank that is not within the stroke, or jumps, or is none."""
     highest, lowest = _extremes(wanted)
+    if highest == lowest:
+        raise InputError([Problem(way.path, way.said(lowest), _("must go to and fro, and this stands all the time"))])
     inner = _NEAR * output.stroke
     found = [*_joint_problems(wanted, way)]
     if highest > output.high.position - inner or lowest < output.low.position + inner:
@@ -114,7 +116,7 @@ def _turn_problems(wanted: WantedMotion, way: WishWay) -> Iterator[Problem]:
 def _joint_problems(wanted: WantedMotion, way: WishWay) -> Iterator[Problem]:
     """Find jumps of the velocity from piece to piece."""
     pieces = wanted.pieces
-    largest = max(abs(piece.rise) / piece.span for piece in pieces if piece.law is not None)
+    largest = max((abs(piece.rise) / piece.span for piece in pieces if piece.law is not None), default=0.0)
     for before, piece in zip(pieces[-1:] + pieces[:-1], pieces, strict=True):
         jump = piece.speeds[0] - before.speeds[1]
         if abs(jump) > _SMOOTH * largest:
@@ -168,13 +170,13 @@ def _dead_problems(
     centre = output.high if is_high else output.low
     allowed = _(
         "asks for an infinite acceleration of the crank in the dead centre at {place}: there the way must begin and end"
-        " like t⁴ or slower, and this one goes like t^{order}"
+        " like t⁴ or slower, and this one goes like {way}"
     )
     repair = _('the nearest law: "{law}"').format(law=NEAREST)
     for piece, order in zip((coming, leaving), orders, strict=True):
         # A way like t² keeps the crank turning, if nothing stands before or after.
         if order < FROM_DEAD_CENTRE and (order != _SLOW or rests or orders[0] != orders[1]):
-            said = allowed.format(place=way.said(centre.position), order=order)
+            said = allowed.format(place=way.said(centre.position), way=f"t{'⁰¹²³'[order]}")
             yield Problem(way.of(piece, "law"), None, said, repair)
     if orders == (_SLOW, _SLOW) and not rests:
         speeds = [

@@ -16,6 +16,8 @@ LawName = Literal[
 ]
 _FEWEST = 4
 """Points of a table."""
+_SHORTEST = 1e-5
+"""Of the period: rounding of the times is seen in what is shorter."""
 
 
 class MotionPieceSpec(Spec, frozen=True):
@@ -93,10 +95,20 @@ class WantedMotionSpec(Spec, frozen=True):
             yield from (Problem(name, None, beside) for name in of_tables if getattr(self, name) is not None)
             if all(piece.target is None for piece in self.piece):
                 yield Problem("piece", None, _("must have pieces that go somewhere: give `to`"))
+            yield from self._duration_problems()
             if self.piece[0].target is None and self.piece[-1].target is None:
                 yield Problem("piece[0]", None, _("stands, and so does the last one: make them one"))
         elif self.times is not None:
             yield from self._list_problems(self.times)
+
+    def _duration_problems(self) -> Iterator[Problem]:
+        """Find pieces that are too short to be followed among the others."""
+        least = _SHORTEST * sum(piece.duration.si for piece in self.piece)
+        allowed = _("must be at least {least}, a part in 100000 of the period, to be followed")
+        for place, piece in enumerate(self.piece):
+            if piece.duration.si < least:
+                said = allowed.format(least=f"{least:.4g} s")
+                yield Problem(f"piece[{place}].duration", piece.duration.text, said)
 
     def _list_problems(self, times: tuple[Given, ...]) -> Iterator[Problem]:
         """Find lists of different lengths, times that do not rise, and a period that is over before them."""

@@ -30,14 +30,16 @@ SIZING_CHECKS = (
 """What a motor is checked for, in this order."""
 START = SIZING_CHECKS.index("start at the worst angle")
 _UNLOADED = N_("start, unloaded")
+_BEFORE_CLUTCH = N_("start, clutch let go")
 _SERVO_RATIO = 10.0
 _N_ANGLES = 720
 
 
-def check_names(duty: DeclaredDuty) -> tuple[str, ...]:
-    """What a motor is checked for, in the user's language; of an unloaded start no angle is the worst."""
+def check_names(duty: DeclaredDuty, *, has_clutch: bool) -> tuple[str, ...]:
+    """What a motor is checked for, in the user's language; of a start without load no angle is the worst."""
     unloaded = {START: _UNLOADED} if duty.starts_unloaded else {}
-    return tuple(_(unloaded.get(place, name)) for place, name in enumerate(SIZING_CHECKS))
+    own = {START: _BEFORE_CLUTCH} if has_clutch else unloaded
+    return tuple(_(own.get(place, name)) for place, name in enumerate(SIZING_CHECKS))
 
 
 class AskedOfMotor(NamedTuple):

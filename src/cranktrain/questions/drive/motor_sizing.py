@@ -71,6 +71,7 @@ class MotorSizing(StageResult):
     )
 
     starts_unloaded: bool = False
+    has_clutch: bool = False
 
     def answer(self, _names: Names, design: int) -> str:
         """Say which typical motor is enough, what governs it, and by how much the next smaller one misses."""
@@ -144,7 +145,7 @@ def motor_sizing(
     rows: list[tuple[CheckedMotor, ...]] = []
     rated: list[list[tuple[float, float]]] = []
     flags: list[str] = []
-    names = check_names(duty)
+    names = check_names(duty, has_clutch=clutch is not None)
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value)).tolist()
     for design, gearing in enumerate(drive.gearings):
         is_asked_torque = float(static.mean_static_torque[design, 0]) > 0
@@ -167,6 +168,7 @@ def motor_sizing(
         points[..., 1],
         *columns,
         starts_unloaded=duty.starts_unloaded,
+        has_clutch=clutch is not None,
         labels={
             "sized_motor": tuple(_(name) for name in SIZED_MOTORS),
             "sizing_check": names,
@@ -293,7 +295,7 @@ def _other_pace(gearing: Gearing, motor: DeclaredMotor | None, design: int, decl
     wanted = declared * ratio
     if motor is not None and motor.motor is not SERVO and np.isfinite(motor.top_speed[design]):
         wanted = float(motor.top_speed[design])
-    if np.isnan(wanted) or abs(typical / wanted - 1) <= _PACE:
+    if np.isnan(wanted) or abs(typical - wanted) <= _PACE * abs(wanted):
         return ""
     said = _("Typical four-pole motors turn at {typical}, the motor here at {wanted}: none is chosen for this gearing.")
     return said.format(typical=number(typical, "rpm"), wanted=number(wanted, "rpm"))

@@ -162,7 +162,7 @@ def _why_none(case: PressCase, settled: SettledStroke) -> str:
     """Why a stroke is not as it is asked for."""
     reason = settled.stroke.run.reason
     if reason == TIME_IS_OVER and math.isfinite(case.period):
-        pace = number(MINUTE / case.period, "1")
+        pace = f"{MINUTE / case.period:.6g}"
         return _("No strokes at {pace} a minute: one is not over when the next begins.").format(pace=pace)
     if reason == RESTS:
         return _overrun(case, settled)

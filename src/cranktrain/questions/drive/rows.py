@@ -52,23 +52,30 @@ def running_rows(labels: Names, design: int, found: SteadyDrive) -> Iterator[Ans
         range=Extent(float(found.smallest_motor_torque[design]), float(found.largest_motor_torque[design]), "N*m"),
         rms=Amount(float(found.rms_motor_torque[design]), "N*m"),
     )
-    power, taken = float(found.motor_power[design]), float(found.driven_power[design])
+    power, taken, lost = (float(each[design]) for each in (found.motor_power, found.driven_power, found.lost_power))
+    swung = float(found.rms_motor_torque[design] * found.mean_motor_speed[design])
     yield worded(
         _("power of the motor"),
         _("{power}; to loads {taken}, lost {lost}"),
-        power=Amount(power, "W"),
-        taken=Amount(taken if abs(taken) > _NOTHING * abs(power) else 0.0, "W"),
-        lost=Amount(float(found.lost_power[design]), "W"),
+        power=Amount(_unless_rounding(power, swung), "W"),
+        taken=Amount(_unless_rounding(taken, max(swung, abs(power))), "W"),
+        lost=Amount(_unless_rounding(lost, swung), "W"),
     )
+
+
+def _unless_rounding(power: float, swung: float) -> float:
+    """A mean power, or nothing beside what swings to and fro. [W]"""
+    return power if abs(power) > _NOTHING * swung else 0.0
 
 
 def sizing_rows(labels: Names, design: int, found: MotorSizing) -> Iterator[AnswerLine]:
     """What governs the declared motor, and the smallest typical one that passes."""
     declared, chosen, smaller = found.largest_share[design].tolist()
     if np.isfinite(declared):
+        how = _("; started unloaded") if found.starts_unloaded else ""
         yield worded(
             _("motor is used to"),
-            _("{share}: {check}") + (_("; started unloaded") if found.starts_unloaded else ""),
+            _("{share}: {check}") + (_("; clutch locked") if found.has_clutch else how),
             share=Amount(declared, "%"),
             check=found.governing(design, 0),
         )

@@ -3,12 +3,23 @@
 from collections.abc import Iterator
 from typing import Annotated, Literal, TypeAlias
 
-from pydantic import Field
+from pydantic import Field, ValidationError, ValidatorFunctionWrapHandler, WrapValidator
 
-from cranktrain.errors import Problem
+from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.quantities.refusal import written
 
-OnShaft: TypeAlias = Literal["motor"] | Annotated[int, Field(ge=1)]
+
+def _of_shaft(given: object, inner: ValidatorFunctionWrapHandler) -> object:
+    """Take what names a shaft; refuse the rest in one sentence."""
+    try:
+        return inner(given)
+    except ValidationError:
+        allowed = _('must be "motor" or the number of a stage, 1 or more')
+        raise InputError([Problem("", str(written(given)), allowed)]) from None
+
+
+OnShaft: TypeAlias = Annotated[Literal["motor"] | Annotated[int, Field(ge=1)], WrapValidator(_of_shaft)]
 """As a table writes it: "motor", or how many stages stand before the shaft."""
 
 

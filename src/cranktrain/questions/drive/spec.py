@@ -200,6 +200,10 @@ class DriveSpec(Spec, frozen=True):
         elif command is not None and self.brake is not None and self.brake.on == "clutch":
             allowed = _('is of a brake on the motor or the crank; one with on = "clutch" acts in [drive.stroke]')
             yield Problem("start.brake_on", command.text, allowed)
+        off, back = self.start.motor_off, self.start.motor_reversed
+        if off is not None and back is not None and back.si >= off.si:
+            allowed = _("must be before motor_off = {off}: a motor that is off cannot brake")
+            yield Problem("start.motor_reversed", back.text, allowed.format(off=off.text))
         if self.stroke is not None and self.motor is None:
             yield Problem("stroke", None, _("needs [drive.{key}] as well").format(key="motor"))
         if self.stroke is not None:

@@ -69,6 +69,8 @@ class StartRun:
     method : str
     stroke : StrokeRun or None
         Of a start that is a single stroke.
+    notes : tuple of str
+        What of the machine file it does not use, or does not come to: sentences.
     """
 
     reason: str
@@ -83,3 +85,4 @@ class StartRun:
     n_steps: int
     method: str
     stroke: StrokeRun | None = None
+    notes: tuple[str, ...] = ()

@@ -21,8 +21,8 @@ def start_rows(run: StartRun) -> Iterator[AnswerLine]:
     turned = curves.crank_angle_turned
     yield worded(_("it ends after"), _("{time}: {reason}"), time=Amount(float(time[-1]), "s"), reason=run.reason)
     yield worded(
-        _("crank turned"),
-        _("{turns} turns, reversals: {n}; at the end it turns at {speed}"),
+        _("turns of the crank"),
+        _("{turns}, reversals: {n}; at the end it turns at {speed}"),
         turns=f"{float(turned[-1] - turned[0]) / (2 * np.pi):.4g}".replace("-", "−"),
         n=str(_reversals(run)),
         speed=Amount(_last(curves.crank_speed), "rpm"),
@@ -57,6 +57,7 @@ def start_rows(run: StartRun) -> Iterator[AnswerLine]:
         yield from _stroke_rows(run.stroke)
     if np.any(curves.motor_heat > 0):
         yield worded(_("heat in the rotor"), "{heat}", heat=Amount(_last(curves.motor_heat), "J"))
+    yield from (worded(_("mind"), "{note}", note=note) for note in run.notes)
     yield worded(
         _("computed"),
         _("by {method} in {n} steps at {tolerance}; energy left over: {residual} of what was given"),
@@ -76,13 +77,14 @@ def _stroke_rows(found: StrokeRun) -> Iterator[AnswerLine]:
         time=Amount(stroke.slip_time, "s"),
         heat=Amount(stroke.clutch_heat, "J"),
     )
-    yield worded(
+    stopping = worded(
         _("brake"),
         _("stops in {angle}, {time}, takes {heat}"),
         angle=Amount(stroke.brake_angle, "rad"),
         time=Amount(stroke.brake_time, "s"),
         heat=Amount(stroke.brake_heat, "J"),
     )
+    yield stopping if stopping.says else worded(_("brake"), _("is not commanded"))
     if worst is not None and np.isfinite(worst.time):
         yield worded(
             _("longest stop"),

@@ -40,6 +40,8 @@ _N_SAMPLES = 1001
 _LONGEST = 60.0
 """Unless the file says how long. [s]"""
 MOST_SAMPLES = 1_000_000
+_MOST_STEPS = 60_000
+"""Some ten seconds of computing; a minute of a compressor at 1500 rpm takes 55 000."""
 _MOST_REVERSALS = 100
 """After which a crank that swings is taken not to get over."""
 
@@ -53,6 +55,7 @@ EVENTS = {
 NEARLY_STEADY = N_("98 % of its steady speed")
 SETTLED = N_("it has run up: two cycles more at its steady speed")
 SETTLED_BACKWARD = N_("it has run up the other way: two cycles more at its steady speed")
+STEPS_OVER = N_("60000 steps are over, the most of a start")
 LONGEST_OVER = N_("60 s are over, the most without a duration")
 OVERSPEED = N_("it turns faster than overspeed allows")
 
@@ -250,6 +253,7 @@ def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: A
         target_speed=span.target,
         overspeed=at_or_never(case.spec.overspeed),
         stops_at_target=bool(np.isfinite(span.target)),
+        most_steps=_MOST_STEPS,
         most_reversals=1 if span.to_rest else _MOST_REVERSALS,
         tolerance=case.spec.tolerance.si,
         is_timed=True,
@@ -278,7 +282,7 @@ def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int, asked
         whole=whole,
         events=tuple(_events(case, runs)),
         residual=sum(found.residual for _, found in runs),
-        supplied=sum(found.supplied for _, found in runs),
+        supplied=max(sum(found.supplied for _, found in runs), float(np.max(whole.kinetic_energy))),
         tolerance=case.spec.tolerance.si,
         n_steps=sum(found.n_steps for _, found in runs),
         method=last.method,
@@ -290,6 +294,8 @@ def _reason(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> str:
     span, last = runs[-1]
     if reason == endings.OVERSPEED:
         return OVERSPEED
+    if reason == endings.TOO_MANY_STEPS and last.n_steps >= _MOST_STEPS:
+        return STEPS_OVER
     if reason != endings.TIME_OUT or case.spec.duration is not None:
         return REASONS[reason]
     if span.start + last.end_time >= _LONGEST:

@@ -14,6 +14,7 @@ from cranktrain.motion import Array
 from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.gear_train import lost_torque
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
+from cranktrain.questions.drive.motor_tables.table import beyond_table
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import overall_ratio
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, speed_range
@@ -24,6 +25,8 @@ from cranktrain.wording import Names, number
 _THEORY = "docs/theory/reduced-machine"
 _CURVE = ("crank_angle",)
 _ENERGY_LIMIT = 1e-9
+_OTHER_PACE = 0.1
+"""Of the declared speed: with more, a ratio may be meant for another motor."""
 _N_CURVES, _N_FACTS = 5, 11
 
 
@@ -136,7 +139,7 @@ def _of_design(turning: DriveInTurn, machines: ReducedMachines, angle: Array, he
             None, np.full((_N_CURVES, angle.size), np.nan), np.full(_N_FACTS, np.nan), np.inf, (_no_cycle(turning),)
         )
     curves = np.stack(_curves(turning.at(angle), found.at(angle)))
-    return _Found(found, curves, _facts(turning, found), _residual(turning, found), tuple(_flags(found)))
+    return _Found(found, curves, _facts(turning, found), _residual(turning, found), tuple(_flags(turning, found, held)))
 
 
 def _curves(turning: DriveInTurn, speed: Array) -> tuple[Array, ...]:
@@ -192,7 +195,12 @@ def _no_cycle(turning: DriveInTurn) -> str:
     return _("No steady running: the motor cannot carry the machine through the cycle.")
 
 
-def _flags(found: SpeedOverTurn) -> Iterator[str]:
-    """Flag unstable running."""
+def _flags(turning: DriveInTurn, found: SpeedOverTurn, declared: float) -> Iterator[str]:
+    """Flag unstable running, another pace than the declared one, and a motor beyond its table."""
     if found.multiplier > 1:
         yield _("The running with this motor is not stable: a small departure from it grows.")
+    own = float(np.sum(found.mesh.width)) / found.period
+    if abs(own - declared) > _OTHER_PACE * declared:
+        said = _("With this motor and its ratio the crank turns at {own}, not at the declared {declared}.")
+        yield said.format(own=number(own, "rpm"), declared=number(declared, "rpm"))
+    yield from beyond_table(turning.motor, turning.design, found.speed * overall_ratio(turning.gearing))

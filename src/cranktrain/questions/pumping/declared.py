@@ -9,9 +9,13 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.load_tables import LoadSpec
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
 from cranktrain.questions.pumping.spec import PumpingSpec
 from cranktrain.record import record
+
+_ONE_RADIUS = 1e-6
+"""By how much two radii may differ that are one, in parts of it."""
 
 
 @record
@@ -99,6 +103,8 @@ def pumping_problems(design: Design) -> Iterator[Problem]:
     if not _is_rope(loads[spec.card]):
         allowed = _("must be a force on the rocker with radius and direction: a rope off its arc, sense = active")
         yield Problem("pumping.card", spec.card, allowed)
+    else:
+        yield from _radius_problems(design.places[0], spec.card, loads[spec.card])
     ropes = [
         name
         for name, load in loads.items()
@@ -110,6 +116,17 @@ def pumping_problems(design: Design) -> Iterator[Problem]:
     if spec.counterbalance and not _is_weight(loads[spec.counterbalance]):
         allowed = _("must be one constant force on the crank at along, across, with a direction, sense = active")
         yield Problem("pumping.counterbalance", spec.counterbalance, allowed)
+
+
+def _radius_problems(place: PlacedMechanism, name: str, card: LoadSpec) -> Iterator[Problem]:
+    """Find a rod that hangs off another arc than the load of the mechanism."""
+    radius = getattr(place.spec, "load_radius", None)
+    if radius is None or card.radius is None:
+        return
+    if np.any(np.abs(np.abs(card.radius.array) - radius.array) > _ONE_RADIUS * radius.array):
+        allowed = _("hangs off an arc of {own}, and load_radius = {other}: the rod has one arc, give it twice alike")
+        said = allowed.format(own=card.radius.text, other=radius.text)
+        yield Problem("pumping.card", name, said)
 
 
 def _is_rope(load: LoadSpec) -> bool:

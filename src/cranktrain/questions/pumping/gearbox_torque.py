@@ -268,6 +268,8 @@ def _flags(found: GearboxTorque, declared: DeclaredPumping) -> Iterator[str]:
         said = _("The net torque falls to {least}: the machine drives the gearbox there, and its teeth change sides.")
         yield said.format(least=number(least, "N·m"))
     up, down = found.upstroke_peak.value, found.downstroke_peak.value
+    if np.any(found.mean_gearbox_torque < -_APART * np.maximum(np.abs(up), np.abs(down))):
+        yield _("The card gives work over a turn, as if the well drove the machine: see whether its `counts` is right.")
     apart = (up - down) / np.maximum(np.abs(up), np.abs(down))
     if np.any(np.isfinite(declared.moment) & (apart > _APART)):
         yield _("The counterbalance is too light: the peak of the upstroke is the larger one.")

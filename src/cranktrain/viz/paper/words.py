@@ -19,7 +19,8 @@ def running_words(machine: Machine) -> str:
     shaft = machine.main_shaft
     given = (("n", shaft.speed, "rpm"), ("ε", shaft.acceleration, "rad/s²"))
     said = [f"{symbol} = {as_given(one, usual)}" for symbol, one, usual in given if one is not None]
-    return ", ".join([*said, senses[machine.rotation, machine.running]])
+    sense = senses[machine.rotation, machine.running]
+    return ", ".join([*said, sense if said else sense[:1].upper() + sense[1:]])
 
 
 def speed_words(curve: SpeedCurve | None, design: int = 0) -> str:

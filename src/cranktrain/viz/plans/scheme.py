@@ -162,7 +162,7 @@ def scheme_sketch(found: Scheme, scale: float, marked: str | None = None) -> Ske
     sketch.add(marks)
     sketch.add(Line(1e3 * line, "DIMENSIONS", "thin", 2) for line in found.thin)
     wishes = [*_arcs(found, sketch, scale), *_forces(found, sketch, pins, scale), *_names(found, pins)]
-    lines = [line.points for line in sketch.lines if line.habit != "hatch"]
+    lines = [line.points for line in sketch.lines]
     sketch.add(placed_labels(wishes, lines, scale, marks))
     return sketch
 

@@ -13,12 +13,14 @@ from cranktrain.questions.drive.motor_tables.cage_numbers import (
     cage_curve,
     catalogue_values,
     place_of,
+    rating_of,
     ratio_of,
 )
 from cranktrain.questions.drive.motor_tables.spec import first, missing_keys, out_of_place
 from cranktrain.questions.drive.motors.breakdown_slip import slip_from_rated
 from cranktrain.questions.drive.motors.cage import slip_of
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
+from cranktrain.wording import precise
 
 _OF_SIZE = ("power", "torque", "speed", "synchronous_speed", "frequency", "poles")
 """What a size says by itself; torques by their ratios, current and inertia may be the maker's."""
@@ -82,7 +84,9 @@ def _ratio_problems(spec: CageKeys) -> Iterator[Problem]:
     """Torques in the wrong order."""
     breakdown, start = first(breakdown_over_rated(spec)), first(ratio_of(spec, "starting_ratio"))
     if spec.breakdown_torque is not None and breakdown <= 1:
-        yield Problem("breakdown_torque", spec.breakdown_torque.text, _("must be above the rated torque"))
+        rated = precise(first(rating_of(spec).torque), "N·m")
+        allowed = _("must be above the rated torque, {rated}").format(rated=rated)
+        yield Problem("breakdown_torque", spec.breakdown_torque.text, allowed)
     if start > breakdown:
         yield Problem("starting_ratio", *_beyond(spec.starting_ratio, start, "breakdown_ratio", breakdown))
     pull_up = spec.pull_up_ratio

@@ -13,6 +13,7 @@ from cranktrain.questions.drive.motor_tables.declared import DeclaredMotor
 from cranktrain.questions.drive.motor_tables.spec import RatedSpec
 from cranktrain.questions.drive.motors import line_current
 from cranktrain.questions.drive.motors.servo import SERVO, Servo
+from cranktrain.wording import precise
 
 AnyTorque = Annotated[Given, Quantity(Dimension.TORQUE)]
 _UNLIMITED = single(float("inf"))
@@ -35,9 +36,13 @@ class ServoSpec(RatedSpec, frozen=True):
         """Find peaks below the rated point, and a speed that is above the largest."""
         yield from super()._problems()
         if self.is_rated and self.peak_torque.si < float(self.rating.torque):
-            yield Problem("peak_torque", None, _("must not be below the rated torque"))
+            allowed = _("must not be below the rated torque, {rated}")
+            rated = precise(float(self.rating.torque), "N·m")
+            yield Problem("peak_torque", self.peak_torque.text, allowed.format(rated=rated))
         if self.is_rated and self.peak_power is not None and self.peak_power.si < float(self.rating.power):
-            yield Problem("peak_power", None, _("must not be below the rated power"))
+            allowed = _("must not be below the rated power, {rated}")
+            rated = precise(float(self.rating.power), "kW")
+            yield Problem("peak_power", self.peak_power.text, allowed.format(rated=rated))
         if self.speed is not None and self.top_speed is not None and self.top_speed.si < self.speed.si:
             allowed = _("must not be below speed = {speed}")
             yield Problem("top_speed", None, allowed.format(speed=self.speed.text))

@@ -14,8 +14,11 @@ from cranktrain.quantities import Dimension, Given, Quantity, Speed
 from cranktrain.questions.drive.motor_tables.declared import DeclaredMotor
 from cranktrain.questions.drive.motor_tables.spec import RatedSpec
 from cranktrain.questions.drive.motors.table import TABLE, TableMotor
+from cranktrain.wording import number
 
 Torque = Annotated[Given, Quantity(Dimension.TORQUE)]
+
+_ROUNDING = 1e-9
 
 
 class TableSpec(RatedSpec, frozen=True):
@@ -36,16 +39,29 @@ class TableSpec(RatedSpec, frozen=True):
         return DeclaredMotor(TABLE, curve, self.rating, _top_speed(curve), self.rotor_inertia)
 
 
+def beyond_table(motor: DeclaredMotor, design: int, speed: Array) -> Iterator[str]:
+    """Say that a motor by a table runs at speeds beyond it; nothing of another motor. [rad/s]"""
+    if motor.motor is not TABLE:
+        return
+    ends = motor.numbers.speeds[[0, -1]]
+    least, most = np.broadcast_to(ends, (2, motor.n_designs))[:, design].tolist()
+    if np.max(speed) > most * (1 + _ROUNDING) or np.min(speed) < least - _ROUNDING * most:
+        said = _("The motor runs beyond its table, {least} to {most}: there it has the torque of the last point.")
+        yield said.format(least=number(least, "rpm"), most=number(most, "rpm"))
+
+
 def points(listed: tuple[Given, ...]) -> Array:
     """Numbers of a list, shape (point, design), of one design (point, 1)."""
     return np.stack(np.broadcast_arrays(*(np.atleast_1d(one.array) for one in listed)))
 
 
 def curve_problems(speeds: tuple[Given, ...], torques: tuple[Given, ...], path: str = "") -> Iterator[Problem]:
-    """Find speeds that do not rise, and torques that are not as many."""
+    """Find speeds that do not rise, torques that are not as many, and a motor that never drives."""
     if len(torques) != len(speeds):
         allowed = _("must be as many as speeds, {n}").format(n=len(speeds))
         yield Problem(f"{path}torques", None, allowed)
+    if all(torque.si <= 0 for torque in torques):
+        yield Problem(f"{path}torques", None, _("must be more than 0 at one speed or more, or it never drives"))
     for place, (one, other) in enumerate(pairwise(speeds), 1):
         if other.si <= one.si:
             allowed = _(

@@ -141,22 +141,24 @@ def _write_legend(page: Page, lines: tuple[_Line, ...], place: tuple[float, floa
 
 
 def _facts(start: Start) -> Iterator[tuple[str, str]]:
-    """Rows of the table."""
-    curves, run = start.run.curves, start.run
+    """Rows of the table, of the whole run, whatever times were asked for."""
+    curves, run = start.run.whole, start.run
+    turned = float(curves.crank_angle_turned[-1] - curves.crank_angle_turned[0])
 
     def of(words: str, value: float, unit: str) -> tuple[str, str]:
         return words, with_unit(float(value), scale_for(unit, abs(float(value))))
 
     yield _("The start"), ""
-    yield of(_("ends after"), run.time[-1], "s")
-    yield _("turns of the crank"), figure(float(np.ptp(curves.crank_angle_turned)) / (2 * np.pi))
+    yield of(_("ends after"), run.whole_time[-1], "s")
+    yield _("turns of the crank"), figure(turned / (2 * np.pi))
     yield of(_("largest torque of the motor"), np.max(curves.motor_torque), "N*m")
     yield of(_("largest power of the motor"), np.max(curves.motor_power), "W")
     yield of(_("work of the motor"), curves.motor_work[-1], "J")
     yield of(_("work that the loads took"), curves.load_work[-1], "J")
     yield of(_("lost in gearing, clutch and brake"), curves.lost_work[-1], "J")
     yield of(_("in motion at the end"), curves.kinetic_energy[-1], "J")
-    yield of(_("heat in the motor"), curves.motor_heat[-1], "J")
+    if np.any(curves.motor_heat > 0):
+        yield of(_("heat in the motor"), curves.motor_heat[-1], "J")
     left_over = float(abs(run.residual) / run.supplied) if run.supplied else 0.0
     yield _("energy left over, of what was put in"), power_of_ten(left_over)
 
