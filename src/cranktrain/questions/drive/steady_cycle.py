@@ -19,7 +19,7 @@ _TRIED = np.linspace(1e-9, 1 - 1e-9, 129)
 _NEAR = 1e-7
 """In parts of ω²: of the difference by which slopes are taken."""
 
-_GROWN = np.stack([legendre.legint(row, lbnd=-1) for row in np.eye(_N_NODES)], axis=1)
+_GROWN = np.stack([np.asarray(legendre.legint(row, lbnd=-1), dtype=np.float64) for row in np.eye(_N_NODES)], axis=1)
 """Series of the integrals of Legendre's polynomials from −1 on."""
 
 
@@ -102,8 +102,8 @@ class SpeedOverTurn:
         piece = np.sum(along[:, np.newaxis] >= start[1:], axis=1)
         place = (along - start[piece]) / width[piece]
         slopes = self.acceleration.reshape(-1, _N_NODES)[piece]
-        integrals: Array = legendre.legvander(2 * place - 1, _N_NODES) @ _GROWN
-        grown = np.sum(integrals * (slopes @ _FITTED.T), axis=1) / 2
+        series = np.asarray(legendre.legvander(2 * place - 1, _N_NODES), dtype=np.float64)
+        grown = np.sum((series @ _GROWN) * (slopes @ _FITTED.T), axis=1) / 2
         return np.sqrt(2 * (self.at_start[piece] + width[piece] * grown))
 
 
