@@ -102,7 +102,7 @@ def test_what_stops_and_is_held_does_not_turn_round():
     star = {"kind": "star_delta", "change_time": "0.6 s"}
     found = started(star, 3000.0, speed="60 rpm", motor_off="0 s")
     assert [event.name for event in found.events if event.name != "dead position"] == ["is held"]
-    assert [line.pieces["n"] for line in found.rows() if line.name == "crank turned"] == ["0"]
+    assert [line.pieces["n"] for line in found.rows() if line.name == "turns of the crank"] == ["0"]
 
 
 @pytest.mark.parametrize("duration", ["1 s", "60 s"])
