@@ -261,6 +261,8 @@ def _run_through(
             if ends is None:
                 n_steps = max(1, int(n_steps * min(4.0, _BETWEEN_CALLS / max(perf_counter() - start, 1e-9))))
     except KeyboardInterrupt:
+        if progress is None:
+            raise
         return STOPPED, kept
 
 

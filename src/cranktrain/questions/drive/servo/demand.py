@@ -157,21 +157,29 @@ def _over_period(
 
     `at` gives the crank's motion and its torque at times; `corners` are crank angles that the crank may pass.
     """
-    period = float(ends[-1])
-    for _again in range(_MOST_RULES):
-        ends = ends[np.append(True, np.diff(ends) > _SAME * period)]
-        half = np.diff(ends)[:, np.newaxis] / 2
-        time = np.ravel(ends[:-1, np.newaxis] + half * (1 + _NODES))
-        crank, torque = at(time)
-        found = _demand(crank, np.ravel(half * _WEIGHTS), torque, gearing)
-        passed = torques_on_the_way(torque, crank, gearing)
-        angles = [np.sin(0.5 * (crank.angle - corner)) for corner in corners.tolist()]
-        more = _sign_changes(time, np.stack([*passed, *angles]))
-        more = more[np.min(np.abs(more[:, np.newaxis] - ends), axis=1, initial=period) > _SAME * period]
+    found, more = _by_rule(at, ends, gearing, corners)
+    for _again in range(_MOST_RULES - 1):
         if more.size == 0:
             break
         ends = np.unique(np.concatenate([ends, more]))
+        found, more = _by_rule(at, ends, gearing, corners)
     return found
+
+
+def _by_rule(
+    at: Callable[[Array], tuple[CrankMotion, Array]], ends: Array, gearing: Gearing, corners: Array
+) -> tuple[ServoDemand, Array]:
+    """Torques at the nodes of a rule, and the times at which it must be cut too. [s]"""
+    period = float(ends[-1])
+    ends = ends[np.append(True, np.diff(ends) > _SAME * period)]
+    half = np.diff(ends)[:, np.newaxis] / 2
+    time = np.ravel(ends[:-1, np.newaxis] + half * (1 + _NODES))
+    crank, torque = at(time)
+    passed = torques_on_the_way(torque, crank, gearing)
+    angles = [np.sin(0.5 * (crank.angle - corner)) for corner in corners.tolist()]
+    more = _sign_changes(time, np.stack([*passed, *angles]))
+    is_new = np.min(np.abs(more[:, np.newaxis] - ends), axis=1, initial=period) > _SAME * period
+    return _demand(crank, np.ravel(half * _WEIGHTS), torque, gearing), more[is_new]
 
 
 def _sign_changes(time: Array, values: Array) -> Array:
