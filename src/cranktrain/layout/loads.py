@@ -302,14 +302,15 @@ def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iter
         motion = place.kind.motion(phi + place.phase, place.geometry)
         return load.way(place.kind.dynamics.links(motion, place.geometry)[load.link])
 
-    with np.errstate(invalid="ignore"):
-        turn = np.ravel(way(np.linspace(0.0, 2 * np.pi, _AROUND)).place)
-    if not np.all(np.isfinite(turn)):
-        return  # told as links that do not close
+    turn = np.ravel(way(np.array([0.0, 2 * np.pi])).place)
     if not abs(turn[-1] - turn[0]) < 1.0:
         allowed = _("is for what goes to and fro, and this turns all round; list the sizes over crank_angles")
         yield Problem(f"{where}.{name}", None, allowed)
         return
+    with np.errstate(invalid="ignore"):
+        around = way(np.linspace(0.0, 2 * np.pi, _AROUND)).place
+    if not np.all(np.isfinite(around)):
+        return  # told as links that do not close
     least, most = extremes(lambda phi: np.ravel(way(phi).place), lambda phi: np.ravel(way(phi).rate))
     whole = float(most.value[0] - least.value[0])
     if given and given[0].si != 0.0:
