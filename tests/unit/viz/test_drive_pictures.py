@@ -85,7 +85,7 @@ def test_picture_of_a_start(name):
     assert ("Speed of the crank, rpm" in words) == (name == "high_slip_press")
     assert {"ends after", "turns of the crank", "energy left over, of what was put in"} <= set(words)
     curves = drawn_curves(drawn)
-    for expected in (start.motor_speed / RPM, start.motor_torque):
+    for expected in (start.run.whole.motor_speed / RPM, start.run.whole.motor_torque):
         assert any(len(one) == len(expected) and np.allclose(one, expected, rtol=1e-12) for one in curves)
 
 

@@ -64,21 +64,22 @@ def start_picture(start: Start, *, size: str = "A4") -> Figure:
     begin = box.left + _LEFT * box.width + 8.0
     right = Box(begin, box.bottom, box.left + box.width - begin, box.height)
     below = right.bottom + right.height
-    if start.time[-1] <= start.time[0]:
+    time = start.run.whole_time
+    if time[-1] <= time[0]:
         right = right._replace(left=box.left)
     else:
         _draw_over_time(page, start, sorts, left)
         if start.motor is not None:
             room = right._replace(bottom=below - _LOOP * right.height, height=_LOOP * right.height)
-            way = (start.run.curves.motor_speed, start.run.curves.motor_torque)
+            way = (start.run.whole.motor_speed, start.run.whole.motor_torque)
             below = draw_torque_speed(page, start.motor, 0, way, room, _("this start")) - 2.0
     _write_facts(page, [*_facts(start), *event_rows(sorts)], (right.left, below, right.width))
     return page.figure
 
 
 def _panels(start: Start) -> Iterator[tuple[str, str, tuple[_Line, ...]]]:
-    """Heads, units and curves, one above the other."""
-    curves = start.run.curves
+    """Heads, units and curves, one above the other: of the whole run, whatever times were asked for."""
+    curves = start.run.whole
     yield _("Speed of the motor"), "rpm", (_Line("n", curves.motor_speed, COLOURS["v"]),)
     if start.run.stroke is not None:
         yield _("Speed of the crank"), "rpm", (_Line("n", curves.crank_speed, COLOURS["s"]),)
@@ -99,7 +100,7 @@ def _panels(start: Start) -> Iterator[tuple[str, str, tuple[_Line, ...]]]:
 
 def _draw_over_time(page: Page, start: Start, sorts: Sequence[EventSort], box: Box) -> None:
     """Stack the curves over the time, numbers of the events over the first."""
-    panels = list(_panels(start))
+    panels, time = list(_panels(start)), start.run.whole_time
     strip = STRIP if any(one.number for one in sorts) else 0.0
     each = (box.height - _FOOT - _HEAD - strip - _GAP * (len(panels) - 1)) / len(panels)
     low = box.bottom + box.height - _HEAD - strip + _GAP
@@ -111,15 +112,15 @@ def _draw_over_time(page: Page, start: Start, sorts: Sequence[EventSort], box: B
             axes.axhline(0.0, color=MUTED, linewidth=0.6, zorder=1)
         for line in lines:
             dashes = (0, line.dashes) if line.dashes else "-"
-            axes.plot(start.time, scale.of(line.values), color=line.colour, linewidth=1.4, linestyle=dashes)
+            axes.plot(time, scale.of(line.values), color=line.colour, linewidth=1.4, linestyle=dashes)
         draw_events(axes, sorts)
-        axes.set(xlim=(float(start.time[0]), float(start.time[-1])))
+        axes.set(xlim=(float(time[0]), float(time[-1])))
         axes.tick_params(labelbottom=place == len(panels))
         head = low + each + 2.2 + (strip if place == 1 else 0.0)
         page.heading(box.left, head, f"{title}, {scale.label}".removesuffix(", "))
         _write_legend(page, lines, (box.left + box.width, head))
         if place == 1:
-            write_numbers(page, sorts, (box.left, box.left + box.width, low + each + 1.2), float(start.time[-1]))
+            write_numbers(page, sorts, (box.left, box.left + box.width, low + each + 1.2), float(time[-1]))
     page.text(box.left + box.width / 2, low - _FOOT, _("Time, s"), ha="center")
 
 
