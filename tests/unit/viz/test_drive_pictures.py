@@ -7,7 +7,7 @@ from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
 import cranktrain as ct
 from cranktrain.viz import sheet_drive
 from cranktrain.viz.panel import OneDesign
-from cranktrain.viz.sheets.drive.panels import drive_panels
+from cranktrain.viz.sheets.drive.panels import drive_panels, steady_panels
 from cranktrain.viz.sheets.drive.start import start_picture
 
 DRIVEN = ("tilting_table", "jaw_crusher", "shears", "shaking_conveyor", "compressor_start", "high_slip_press")
@@ -62,7 +62,8 @@ def test_many_half_periods_do_not_overlap(n):
 
 def test_curves_are_the_results():
     result = ct.run(ct.load("jaw_crusher"))
-    static, moment, torque, speed = drive_panels(OneDesign(result, 0))
+    shown = OneDesign(result, 0)
+    static, moment, torque, speed = *drive_panels(shown), *steady_panels(shown)
     np.testing.assert_array_equal(static.values[0, :-1], result.static_motor_torque[0])
     np.testing.assert_array_equal(moment.values[0, :-1], result.driven_flywheel_moment[0])
     assert np.all(moment.values[1] == result.gear_flywheel_moment[0])
@@ -157,3 +158,28 @@ def test_a_sheet_without_a_speed_begins_with_a_capital():
 
     assert running_words(ct.load("servo_press")) == "Clockwise"
     assert running_words(ct.load("shears")) == "n = 40 rpm, clockwise"
+
+
+@pytest.mark.parametrize("name", ["servo_press", "servo_press_rocking"])
+def test_sheet_of_a_wanted_motion_has_the_way_that_its_motor_goes(name):
+    """Power is torque times speed: the largest on the way is the result's, and none of steady running stands beside."""
+    motor = {"kind": "servo", "power": "40 kW", "speed": "2000 rpm", "peak_torque": "600 N*m", "peak_power": "90 kW"}
+    result = ct.run(ct.load(name).with_({"drive.motor": motor}))
+    drawn = sheet_drive(result)
+    words = texts(drawn)
+    assert {"wanted motion", "energy taken back in a period"} <= set(words)
+    assert not any("steady running" in text for text in words)
+    loop = drawn.axes[-1]
+    limits, (way,) = loop.lines[1:3], [line for line in loop.lines if line.get_linewidth() == 1.7]
+    speed, torque = (np.asarray(part) for part in way.get_data())
+    peak = float(result.servo_peak_power if name == "servo_press" else result.rocking_peak_power)
+    assert np.max(np.abs(speed * RPM * torque)) == pytest.approx(peak, rel=5e-4)
+    for line, sign in zip(limits, (1, -1), strict=True):
+        turned, allowed = (np.asarray(part) for part in line.get_data())
+        np.testing.assert_allclose(allowed, sign * np.minimum(600, 90e3 / np.maximum(np.abs(turned) * RPM, 1e-9)))
+
+
+def test_sheet_of_a_wanted_motion_needs_no_motor():
+    words = texts(sheet_drive(ct.run("servo_press")))
+    assert "wanted motion" in words
+    assert not any(text.startswith("○") for text in words)

@@ -20,6 +20,8 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 _TRIED = np.linspace(-1.0, 1.0, 257)
 _TO_TRIED = np.vander(_TRIED, _NODES.size) @ np.linalg.inv(np.vander(_NODES, _NODES.size))
 """From values at a part's nodes to those at even places from its beginning to its end."""
+_FEWER = 32
+"""Of these places one in so many suffices for pictures; both ends are among them."""
 _N_PARTS = 24
 """Of each piece of a wanted motion, besides those between jumps of the load."""
 _SAME = 1e-12
@@ -55,6 +57,10 @@ class ServoDemand(NamedTuple):
     def mean(self, values: Array) -> float:
         """Mean over time, rests counted."""
         return float(np.sum(values * self.weight) / np.sum(self.weight))
+
+    def along(self, values: Array) -> Array:
+        """Values in the order of time, at even places of each part of the rule, its ends among them."""
+        return np.ravel(values.reshape(-1, _NODES.size) @ _TO_TRIED[::_FEWER].T)
 
     def largest(self, values: Array) -> float:
         """Largest value over time of what is smooth within each part of the rule, its ends among them."""

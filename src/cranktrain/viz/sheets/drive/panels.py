@@ -9,7 +9,7 @@ from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 
 
 def drive_panels(shown: OneDesign) -> Iterator[Panel]:
-    """Collect the curves: static torque by where losses go, flywheel moment, torque and speed of the motor."""
+    """Collect the curves: static torque by where losses go, and flywheel moment."""
     angle = shown.cycle
     right, dividing = (closed(values) for values in shown("static_motor_torque"))
     curves = [Curve(right, "whole", "T", "M_{st}")]
@@ -24,17 +24,22 @@ def drive_panels(shown: OneDesign) -> Iterator[Panel]:
         angle,
         (Curve(moment, "whole", "s", "GD^2"), Curve(own, "mean", "F", "(GD^2)_0")),
     )
-    if runs(shown):
-        torque = closed(shown("motor_torque"))
-        effective = np.full(angle.size, float(shown("rms_motor_torque")))
-        yield Panel(
-            _("Torque of the motor in steady running"),
-            "N*m",
-            angle,
-            (Curve(torque, "whole", "T", "M_m"), Curve(effective, "mean", "F", "M_{eff}")),
-        )
-        speed = Curve(closed(shown("motor_speed")), "first", "v", "n_m")
-        yield Panel(_("Speed of the motor"), "rpm", angle, (speed,), "n_m")
+
+
+def steady_panels(shown: OneDesign) -> Iterator[Panel]:
+    """Torque and speed of the motor in steady running, if there is such a motor."""
+    if not runs(shown):
+        return
+    torque = closed(shown("motor_torque"))
+    effective = np.full(torque.shape, float(shown("rms_motor_torque")))
+    yield Panel(
+        _("Torque of the motor in steady running"),
+        "N*m",
+        shown.cycle,
+        (Curve(torque, "whole", "T", "M_m"), Curve(effective, "mean", "F", "M_{eff}")),
+    )
+    speed = Curve(closed(shown("motor_speed")), "first", "v", "n_m")
+    yield Panel(_("Speed of the motor"), "rpm", shown.cycle, (speed,), "n_m")
 
 
 def runs(shown: OneDesign) -> bool:

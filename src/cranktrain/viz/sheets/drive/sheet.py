@@ -1,12 +1,13 @@
-"""The sheet of a drive: curves over the crank angle, the motor's curve with the loop of steady running, facts."""
+"""The sheet of a drive: curves over the crank angle, the motor's curve with the way through it, facts."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.questions.drive.motor_tables import DeclaredMotor, motor_of
+from cranktrain.questions.drive.servo.demand import ServoDemand
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.panel import OneDesign, closed
@@ -14,8 +15,9 @@ from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings
 from cranktrain.viz.paper.panels import FORCES, draw_panels
 from cranktrain.viz.paper.tables import write_table
+from cranktrain.viz.sheets.drive.demands import demand_facts, demand_of, demand_panels, way_of
 from cranktrain.viz.sheets.drive.half_periods import draw_half_periods
-from cranktrain.viz.sheets.drive.panels import drive_panels, runs
+from cranktrain.viz.sheets.drive.panels import drive_panels, runs, steady_panels
 from cranktrain.viz.sheets.drive.torque_speed import draw_torque_speed
 
 _LEFT = 0.55
@@ -45,20 +47,23 @@ def sheet_drive(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
     -------
     Figure
     """
-    shown = OneDesign(result, design)
+    shown, demand = OneDesign(result, design), demand_of(result, design)
     page, box = result_page(result, design, size, _("Drive"))
     left = box._replace(left=box.left + 14.0, width=_LEFT * box.width - 20.0)
-    at_motor, *_others = draw_panels(page, list(drive_panels(shown)), left, _LOOK)
+    running = steady_panels(shown) if demand is None else demand_panels(shown, demand)
+    at_motor, *_others = draw_panels(page, [*drive_panels(shown), *running], left, _LOOK)
     draw_half_periods(page, at_motor, shown)
     start = box.left + _LEFT * box.width + 8.0
     right = Box(start, box.bottom, box.left + box.width - start, box.height)
     below = right.bottom + right.height
     motor = _motor(result, design)
-    if motor is not None and runs(shown):
-        room = right._replace(bottom=below - _LOOP * right.height, height=_LOOP * right.height)
+    room = right._replace(bottom=below - _LOOP * right.height, height=_LOOP * right.height)
+    if demand is not None:
+        below = draw_torque_speed(page, motor, 0, way_of(demand), room, _("wanted motion")) - 2.0
+    elif motor is not None and runs(shown):
         way = (closed(shown("motor_speed")), closed(shown("motor_torque")))
         below = draw_torque_speed(page, motor, 0, way, room, _("steady running")) - 2.0
-    write_table(page, list(_facts(shown)), (right.left, below, right.width), (1.0,))
+    write_table(page, list(_facts(shown, demand)), (right.left, below, right.width), (1.0,))
     return page.figure
 
 
@@ -68,7 +73,7 @@ def _motor(result: Result, design: int) -> DeclaredMotor | None:
     return None if drive is None or drive.motor is None else motor_of(drive.motor)
 
 
-def _facts(shown: OneDesign) -> Iterator[tuple[str, str]]:
+def _facts(shown: OneDesign, demand: ServoDemand | None) -> Iterator[tuple[str, str]]:
     """Rows of the table."""
 
     def of(words: str, name: str, unit: str, at: int | None = None, beside: float = 0.0) -> tuple[str, str]:
@@ -81,8 +86,15 @@ def _facts(shown: OneDesign) -> Iterator[tuple[str, str]]:
     yield of(_("smallest static torque"), "smallest_static_torque", "N*m", 0, float(shown("largest_static_torque")[0]))
     yield of(_("effective static torque"), "rms_static_torque", "N*m", 0)
     yield of(_("flywheel moment of the drive alone"), "gear_flywheel_moment", "kg*m^2", 0)
-    if not runs(shown):
-        return
+    if demand is not None:
+        for words, value, unit in demand_facts(demand):
+            yield words, with_unit(value, scale_for(unit, abs(value)))
+    elif runs(shown):
+        yield from _of_steady_running(shown, of)
+
+
+def _of_steady_running(shown: OneDesign, of: Callable[[str, str, str], tuple[str, str]]) -> Iterator[tuple[str, str]]:
+    """Rows of a motor in its steady cycle."""
     yield of(_("mean speed"), "mean_motor_speed", "rpm")
     yield _("coefficient of fluctuation"), figure(float(shown("drive_fluctuation")))
     yield of(_("largest torque of the motor"), "largest_motor_torque", "N*m")
