@@ -128,7 +128,7 @@ TABLES = {
                 "until_speed": "37 rpm",
                 "overspeed": "60 rpm",
                 "motor_off": "3 s",
-                "motor_reversed": "4 s",
+                "motor_reversed": "2 s",
                 "brake_on": "4 s",
                 "interval": "0.01 s",
             },
@@ -310,8 +310,9 @@ SAYS_NOTHING = (
 
 TIED = re.compile(
     r"^shaft\.\w+\.(throws\.\d+|phase)$|^bank\.\w+\.(lead|angle\.0)$|^load\.\w+\.(travel\.0|force(_back)?\.\d+)$"
+    r"|^mechanism\.load_radius$|^load\.\w+_card\.radius$"
 )
-"""Numbers of opposed pistons that cannot change alone; where a travel begins; forces of 0 that resist."""
+"""Numbers of opposed pistons that cannot change alone; where a travel begins; forces of 0 that resist; one arc."""
 
 
 def numbers_of(value, path=()):

@@ -26,10 +26,11 @@ from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.equation import AT_MOTOR, BrakePlace
 from cranktrain.questions.drive.running.gearing import overall_ratio
 from cranktrain.questions.drive.running.runs import Progress
+from cranktrain.questions.drive.start_case import StartCase
 from cranktrain.questions.drive.start_notes import start_notes
 from cranktrain.questions.drive.start_record import StartCurves, StartEvent, StartRun
 from cranktrain.questions.drive.start_rows import start_rows
-from cranktrain.questions.drive.starting import StartCase, asked_times, run_start
+from cranktrain.questions.drive.starting import asked_times, run_start
 from cranktrain.questions.drive.steady_drive import SteadyDrive
 from cranktrain.questions.drive.stroke_starting import run_stroke
 from cranktrain.questions.drive.switching import Braking

@@ -1,7 +1,6 @@
 """Curves of a start: when they are looked at closely, and speeds, torques, powers and energies at these times."""
 
 from dataclasses import fields
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,18 +11,16 @@ from cranktrain.questions.drive.running.equation import ANGLE, HEAT, LOAD_WORK, 
 from cranktrain.questions.drive.running.floats import in_floats
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.reduced import ReducedMachine, filled_at, in_one_row, settle
+from cranktrain.questions.drive.start_case import StartCase
 from cranktrain.questions.drive.start_record import StartCurves
 from cranktrain.questions.drive.switching import Switching, start_kernels
-
-if TYPE_CHECKING:
-    from cranktrain.questions.drive.starting import StartCase
 
 _QUICKLY = 0.01
 """Of its largest torque, by which a motor's changes in a step that is looked into closely."""
 _N_CLOSE = 9
 
 
-def curves_of(case: "StartCase", time: Array, state: Array) -> StartCurves:
+def curves_of(case: StartCase, time: Array, state: Array) -> StartCurves:
     """Speeds, torques, powers and energies at the samples."""
     angle, speed = state[:, ANGLE], state[:, SPEED]
     ratio = overall_ratio(case.gearing)
@@ -49,7 +46,7 @@ def curves_of(case: "StartCase", time: Array, state: Array) -> StartCurves:
     )
 
 
-def motor_torque(case: "StartCase", time: Array, speed: Array) -> Array:
+def motor_torque(case: StartCase, time: Array, speed: Array) -> Array:
     """Of the motor at times and speeds of the crank, as it is switched. [N·m]"""
     spec, motor, ratio = case.spec, start_kernels(case.motor).motor, overall_ratio(case.gearing)
     numbers = Switching(
@@ -61,7 +58,7 @@ def motor_torque(case: "StartCase", time: Array, speed: Array) -> Array:
     return np.array([motor(w * ratio, t, numbers) for w, t in zip(speed.tolist(), time.tolist(), strict=True)])
 
 
-def close_times(case: "StartCase", steps: list[tuple[float, float]]) -> Array:
+def close_times(case: StartCase, steps: list[tuple[float, float]]) -> Array:
     """Times at which steps end, and closer ones where the motor's torque changes quickly. [s]"""
     time, speed = np.array(steps).T
     torque = motor_torque(case, time, speed)

@@ -2,7 +2,7 @@
 
 from functools import partial
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 import numpy as np
 
@@ -10,11 +10,9 @@ from cranktrain.questions.drive.running.equation import DriveTrain, Kernels
 from cranktrain.questions.drive.running.gearing import overall_ratio
 from cranktrain.questions.drive.running.implicit import is_stiff, run_implicitly, slip_time_constant
 from cranktrain.questions.drive.running.runs import Progress, Run, Wanted, run
+from cranktrain.questions.drive.start_case import StartCase
 from cranktrain.questions.drive.start_curves import in_list
 from cranktrain.questions.drive.switching import Braking, Switching, start_kernels
-
-if TYPE_CHECKING:
-    from cranktrain.questions.drive.starting import StartCase
 
 _ANGLES = np.linspace(0.0, 2 * np.pi, 61)
 """At which the least inertia is looked for."""
@@ -39,7 +37,7 @@ class Runs(Protocol):
         ...
 
 
-def method_of(case: "StartCase") -> Runs:
+def method_of(case: StartCase) -> Runs:
     """The method that suits a start.
 
     Explicit steps where its motor is not stiff, where a chamber remembers its gas, as an implicit method tries steps
@@ -56,7 +54,7 @@ def method_of(case: "StartCase") -> Runs:
     return partial(run_implicitly, longest_step=2 * np.pi / at_crank / _STEPS_A_TURN)
 
 
-def _top_speed(case: "StartCase") -> float:
+def _top_speed(case: StartCase) -> float:
     """Speed above which the motor drives no more, or thrice its rated one; infinite where it has neither. [rad/s]"""
     if case.motor is None:
         return np.inf

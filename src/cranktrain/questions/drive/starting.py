@@ -10,27 +10,23 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.quantities import Given
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.running import endings
 from cranktrain.questions.drive.running.equation import (
     MOTOR_WORK,
     SPEED,
-    BrakePlace,
     DriveTrain,
 )
-from cranktrain.questions.drive.running.gearing import Gearing
 from cranktrain.questions.drive.running.reduced import (
     ReducedMachine,
 )
 from cranktrain.questions.drive.running.runs import REASONS, Progress, Run, Wanted, wanted
 from cranktrain.questions.drive.running.step import N_STATE
-from cranktrain.questions.drive.spec import StartSpec
+from cranktrain.questions.drive.start_case import StartCase
 from cranktrain.questions.drive.start_curves import at_or_never, at_times, close_times, curves_of, in_list
 from cranktrain.questions.drive.start_method import method_of
 from cranktrain.questions.drive.start_record import StartEvent, StartRun
-from cranktrain.questions.drive.switching import Braking, Switching, start_kernels
+from cranktrain.questions.drive.switching import Switching, start_kernels
 from cranktrain.questions.drive.unloaded import with_open_valves
-from cranktrain.record import record
 from cranktrain.wording import number
 
 _NEARLY = 0.98
@@ -58,51 +54,6 @@ SETTLED_BACKWARD = N_("it has run up the other way: two cycles more at its stead
 STEPS_OVER = N_("60000 steps are over, the most of a start")
 LONGEST_OVER = N_("60 s are over, the most without a duration")
 OVERSPEED = N_("it turns faster than overspeed allows")
-
-
-@record
-class StartCase:
-    """One design, ready to start.
-
-    Attributes
-    ----------
-    machine : ReducedMachine
-    corners : Array
-        φ of its loads' corners. [rad]
-    cycle : float
-        After which these come again. [rad]
-    gearing : Gearing
-    motor : DeclaredMotor or None
-    design : int
-    spec : StartSpec
-    brake : Braking
-        From its command on: `begins` is its delay.
-    place : BrakePlace
-    zero : float
-        φ where the shown crank angle is 0. [rad]
-    steady_speed, cycle_time : float
-        Mean speed of the crank in steady running, and the time of a cycle; NaN without it. [rad/s, s]
-    """
-
-    machine: ReducedMachine
-    corners: Array
-    cycle: float
-    gearing: Gearing
-    motor: DeclaredMotor | None
-    design: int
-    spec: StartSpec
-    brake: Braking
-    place: BrakePlace
-    zero: float
-    steady_speed: float
-    cycle_time: float
-
-    @property
-    def is_to_settle(self) -> bool:
-        """Whether it ends where it runs as it will, as nothing else is asked for."""
-        spec = self.spec
-        others = (spec.duration, spec.until_speed, spec.motor_off, spec.brake_on)
-        return bool(np.isfinite(self.steady_speed)) and all(one is None for one in others)
 
 
 class _Span(NamedTuple):
