@@ -50,7 +50,7 @@ def test_sheet(results, name):
     assert_words_are_readable(drawn)
     words = [text for text, _box in words_of(drawn)]
     for one in joints:
-        assert {f"R{one.number}  {name}" for name in one.names} <= set(words)
+        assert {f"R{one.number}  {name.replace('_', ' ')}" for name in one.names} <= set(words)
 
 
 @pytest.mark.parametrize("name", ROCKERS)
@@ -195,7 +195,7 @@ def test_more_joints_than_there_is_room_for(size):
     drawn = sheet_forces(result, size=size)
     words = said_in(drawn)
     rows = [text for text, _box in words_of(drawn) if text[:1] == "R" and "/" in text and " in " not in text]
-    rows += [text for text, _box in words_of(drawn) if text.endswith("  main_bearing")]
+    rows += [text for text, _box in words_of(drawn) if text.endswith("  main bearing")]
     if size == "A4":
         assert f"and {n_joints - len(rows)} that bear less" in words
     assert "Without mass: 1.main, 1.lever0" in words

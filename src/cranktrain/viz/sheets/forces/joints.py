@@ -110,7 +110,7 @@ def joint_diagrams(shown: OneDesign, joints: Sequence[JointForce]) -> list[Polar
     angle = shown.cycle
     return [
         PolarDiagram(
-            _("R{number} in {name}").format(number=joint.number, name=joint.names[0]),
+            _("R{number} in {name}").format(number=joint.number, name=joint.names[0].replace("_", " ")),
             (PolarCurve("", joint.force),),
             joint.force[:, joint.largest_at],
             float(angle[joint.largest_at]),
@@ -132,4 +132,4 @@ def joint_rows(shown: OneDesign, joints: Sequence[JointForce]) -> Iterator[tuple
     for joint in joints:
         most, least = (figure(float(unit.of(value))) for value in (np.max(joint.size), np.min(joint.size)))
         for name in joint.names:
-            yield f"R{joint.number}  {name}", most, f"{shown.cycle[joint.largest_at]:.0f}°", least
+            yield f"R{joint.number}  {name.replace('_', ' ')}", most, f"{shown.cycle[joint.largest_at]:.0f}°", least
