@@ -24,6 +24,7 @@ from cranktrain.questions.drive.running.gearing import (
     turning_inertia,
     worm_efficiencies,
 )
+from cranktrain.questions.drive.running.law import accelerated, in_one_stage, lines_of
 
 STAGES = json.loads((GOLDEN / "drive/stages.json").read_text(encoding="utf-8"))
 POWER_SIGN = json.loads((GOLDEN / "drive/power_sign.json").read_text(encoding="utf-8"))
@@ -99,3 +100,36 @@ def test_inertia_and_ratio_of_the_train():
 
 def test_kernels_are_made_once():
     assert kernels() == kernels()
+
+
+@pytest.mark.parametrize("n", [0, 1, 2, 3])
+@pytest.mark.parametrize("is_irreversible", [False, True])
+def test_lines_of_a_gearing_say_what_the_stages_say_one_by_one(n, is_irreversible):
+    """Where none or several accelerations satisfy the law neither gives one."""
+    generator = np.random.default_rng(n)
+    n_jammed = 0
+    for _ in range(200):
+        back = generator.uniform(-0.5 if is_irreversible else 0.2, 1.0, n)
+        each = zip(
+            generator.uniform(1, 30, n),
+            generator.uniform(0.3, 1.0, n),
+            back,
+            *generator.uniform(0, 2, (2, n)),
+            strict=True,
+        )
+        gearing = stages(generator.choice([0.0, 0.05]), *each)
+        given = (
+            generator.normal(0, 50),
+            generator.choice([-1.0, 1.0]),
+            generator.uniform(0.1, 9),
+            generator.normal(0, 300),
+        )
+        found, lost, count = acceleration(*given, gearing)
+        grown, taken = accelerated(*given, in_one_stage(gearing), lines_of(gearing).tolist())
+        n_jammed += count != UNIQUE
+        if count != UNIQUE:
+            assert np.isnan([grown, taken]).all()
+            continue
+        assert grown == pytest.approx(found, rel=1e-10, abs=1e-10)
+        assert taken == pytest.approx(lost, rel=1e-10, abs=1e-9)
+    assert (n_jammed > 0) == (is_irreversible and n > 0)

@@ -6,12 +6,10 @@ from functools import cache
 from types import FunctionType
 from typing import Any, NamedTuple, TypeAlias
 
-import numpy as np
-
 from cranktrain.linkage import compiled
 from cranktrain.questions.drive.running.compiling import quick
 from cranktrain.questions.drive.running.gearing import Gearing
-from cranktrain.questions.drive.running.law import OneStage, accelerated, in_one_stage
+from cranktrain.questions.drive.running.law import OneStage, accelerated, in_one_stage, lines_of
 from cranktrain.questions.drive.running.step import BESIDE, N_STATE, Derive
 
 Machine: TypeAlias = Callable[[float, float, float, Any], tuple[float, float, float, float]]
@@ -90,7 +88,7 @@ class Kernels(NamedTuple):
 
 
 class TrainNumbers(NamedTuple):
-    """A `DriveTrain` as the loop takes it: its one stage, or none, as plain numbers; the rows of several.
+    """A `DriveTrain` as the loop takes it: its one stage, or none, as plain numbers; of several the lines of torques.
 
     Every array costs a call of the loop seven words to pass on.
     """
@@ -106,7 +104,7 @@ class TrainNumbers(NamedTuple):
 def train_of(drive: DriveTrain, kernels: Kernels, is_compiled: bool) -> TrainNumbers:
     """Prepare a drive for a run: with a memory of its own, and without Numba with lists, which are quicker there."""
     machine = drive.machine if kernels.settle is no_memory else deepcopy(drive.machine)
-    rows = np.array(drive.gearing[1:])
+    rows = lines_of(drive.gearing)
     return TrainNumbers(
         machine,
         drive.motor,
