@@ -82,6 +82,29 @@ def test_next_to_no_inertia_in_the_dead_positions(inertia):
     assert abs(found.run.residual) < 1e-6 * found.run.supplied
 
 
+def test_a_crank_that_is_held_is_a_result():
+    """5 kN·m are more than the 4 kN·m of the motor at rest; then a brake holds what had run up."""
+    pytest.importorskip("scipy")
+    held = ct.start(wheel("6e-3 kg*m^2", "5 kN*m"))
+    assert "it stands still" in held.run.reason
+    assert held.time[-1] == 0
+    stop = {"drive.brake": {"torque": "30 N*m"}, "drive.start": {"motor_off": "1 s", "brake_on": "1 s"}}
+    braked = ct.start(wheel("6e-3 kg*m^2").with_(stop))
+    assert braked.run.method == "LSODA"
+    assert "stands still" in braked.run.reason
+    assert braked.time[-1] == pytest.approx(1 + 59.4 * RPM * 6e-3 / (40 + 30), abs=1e-6)
+
+
+def test_a_crank_that_runs_away_is_a_result(monkeypatch):
+    """With the motor off a load drives it into a dead position, where it has no inertia: no step is short enough."""
+    pytest.importorskip("scipy")
+    monkeypatch.setattr("cranktrain.questions.drive.starting._MOST_STEPS", 2000)
+    driven = rocker("0 kg*m^2").with_({"load.work.sense": "active", "drive.start.motor_off": "1 s"})
+    found = ct.start(driven)
+    assert "steps" in found.run.reason
+    assert found.time[-1] < 2
+
+
 def test_what_remembers_goes_by_explicit_steps():
     machine = ct.load("compressor_start").with_({"drive.start.duration": "0.2 s"})
     assert ct.start(machine).run.method == "tsit5"
@@ -91,7 +114,7 @@ def test_an_interrupted_start_keeps_what_it_has():
     pytest.importorskip("scipy")
 
     def stop(time, _angle, _speed):
-        if time > 0:
+        if time >= 1:
             raise KeyboardInterrupt
 
     found = ct.start(wheel("6e-3 kg*m^2", duration="2 s", motor_off="1 s"), progress=stop)

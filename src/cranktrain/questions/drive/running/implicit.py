@@ -27,6 +27,8 @@ from cranktrain.questions.drive.running.step import N_STATE, ROW
 _STIFF = 1e-3
 """Slip time constant in parts of a turn, below which explicit steps are far shorter than the motion asks for."""
 _N_SPEEDS = 2001
+_AT_ONCE = 24
+"""So many of the longest steps are a phase at most: between two the user is told, and steps are counted."""
 _HEAT_PANELS = 64
 _CLOSER = 1e-3
 """LSODA and Radau err by much more than their tolerance over a run."""
@@ -67,8 +69,16 @@ def is_stiff(time_constant: float, crank_speed: float) -> bool:
     return time_constant < _STIFF * 2 * np.pi / crank_speed
 
 
+class _TooManyCallsError(Exception):
+    """Slopes were asked for so often that the method is stuck: SciPy stops for nothing else."""
+
+
+_CALLS_OF_A_STEP = 3
+"""More of them, on the mean, are steps that fail."""
+
+
 class _Going(NamedTuple):
-    """What an implicit run is made of."""
+    """What an implicit run is made of; `calls` counts the slopes that were asked for."""
 
     parts: Joined
     train: TrainNumbers
@@ -79,6 +89,7 @@ class _Going(NamedTuple):
     events: list[Event]
     ends: list[tuple[float, float]]
     is_compiled: bool
+    calls: list[int]
 
 
 def run_implicitly(
@@ -111,7 +122,7 @@ def run_implicitly(
     parts, train = joined(kernels, is_compiled), train_of(drive, kernels, is_compiled)
     table = np.full((len(asked.samples), N_STATE), np.nan)
     longest = min(longest_step, 0.02 * asked.limits.end_time)
-    going = _Going(parts, train, asked, method, longest, table, [], [] if ends is None else ends, is_compiled)
+    going = _Going(parts, train, asked, method, longest, table, [], [] if ends is None else ends, is_compiled, [0])
     state, time, n_steps, n_reversals = asked.start.copy(), 0.0, 0, 0
     machine, settle = parts.kernels.machine, parts.kernels.settle
     settle(state[0], train.machine)
@@ -130,15 +141,20 @@ def run_implicitly(
                 break
             time, state, ending, n_more = _phase(going, time, state, sense)
             n_steps += n_more
+            if n_steps > asked.limits.most_steps:
+                ending = endings.TOO_MANY_STEPS
             settle(state[0], train.machine)
             if ending == endings.SWINGS:
                 state[1], sense, n_reversals = 0.0, 0.0, n_reversals + 1
                 ending = endings.SWINGS if n_reversals >= asked.limits.most_reversals else GOING
             reason = ending
+    except _TooManyCallsError:
+        reason = endings.TOO_MANY_STEPS
     except KeyboardInterrupt:
         if progress is None:
             raise
         reason = endings.STOPPED
+    going.ends.append((time, float(state[1])))
     after = machine(state[0], state[1], sense, train.machine)[0]
     residual, supplied = energy_account(drive, (before, after), asked.start, state)
     is_there = ~np.isnan(going.table[:, 0])
@@ -192,7 +208,7 @@ def _phase(going: _Going, time: float, state: Array, sense: float) -> tuple[floa
     """Integrate to the next break, corner or event that ends a phase: time, state, how it ended, how many steps."""
     asked, table, events = going.asked, going.table, going.events
     later = asked.breaks[asked.breaks > time]
-    until = min(asked.limits.end_time, float(later[0]) if len(later) else np.inf)
+    until = min(asked.limits.end_time, float(later[0]) if len(later) else np.inf, time + _AT_ONCE * going.longest_step)
     found = _solved(going, sense, (time, until), state)
     stopped, passed, over, _, corner = found.t_events[:5]
     for kind, which in ((endings.REVERSAL, 0), (endings.SPEED_PASSED, 1), (endings.DEAD_POSITION, 3)):
@@ -221,7 +237,12 @@ def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array
     limits, slopes = asked.limits, np.empty(ROW) if going.is_compiled else [0.0] * ROW
     bound = corner_ahead(state[0], sense, asked.corners, asked.period)
 
+    most_calls = _CALLS_OF_A_STEP * limits.most_steps
+
     def slope(time: float, state: Array) -> Array:
+        going.calls[0] += 1
+        if going.calls[0] > most_calls:
+            raise _TooManyCallsError
         derive(time, float(state[0]), float(state[1]), sense, bound, slopes, 0, train)
         return np.array(slopes[:N_STATE])
 
