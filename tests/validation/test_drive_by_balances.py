@@ -219,7 +219,9 @@ def test_a_start():
         torque = motor(y[1] * RATIO) * RATIO
         return [y[1], grown, torque * y[1], lost * y[1]]
 
-    reached = lambda _time, y: y[0] - NEAR  # noqa: E731
+    def reached(_time, y):
+        return y[0] - NEAR
+
     reached.terminal, reached.direction = True, 1
     how = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-12}
     first = solve_ivp(rates, (0, 2.0), [begin, 0, 0, 0], events=reached, **how)

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 from tests.gas_engines import DUAL_CYCLE
-from tests.machines import slider, throws
+from tests.machines import ROCKER, slider, throws
 from tests.sentences import OF_INERTIA_ALONE, WITHOUT_PISTONS
 
 import cranktrain as ct
@@ -18,13 +18,6 @@ AT = throws(0, speed="1500 rpm")
 PISTON = {"piston": {"mass": "1 kg"}}
 CYLINDER = {"bore": "80 mm", "compression_ratio": 8, "cycle": "four-stroke"}
 ALONE = f"; {OF_INERTIA_ALONE}"
-ROCKER = {
-    "kind": "crank_rocker",
-    "crank_radius": "100 mm",
-    "rod_length": "360 mm",
-    "rocker_length": "280 mm",
-    "ground_length": "400 mm",
-}
 
 
 def without(table: dict[str, Any], *names: str) -> dict[str, Any]:

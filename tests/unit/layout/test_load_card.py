@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from tests.machines import ROCKER
 from tests.sentences import AS_AT_THE_START, FOUR_COLUMNS, GOES_ON, NO_FILE, NO_NUMBERS, NO_UNIT
 
 import cranktrain as ct
@@ -11,13 +12,6 @@ from cranktrain.cli import main
 from cranktrain.layout.load_card import load_card
 
 CRANK = {"kind": "slider_crank", "stroke": "80 mm", "rod_length": "140 mm"}
-ROCKER = {
-    "kind": "crank_rocker",
-    "crank_radius": "100 mm",
-    "rod_length": "360 mm",
-    "rocker_length": "280 mm",
-    "ground_length": "400 mm",
-}
 CARD = "travel [mm];force [kN]\n0;0\n60;0\n80;4\n80;0,5\n0;0,5\n0;0\n"
 """Out 0 to 60 mm free, then rising to 4 kN; back at 0.5 kN."""
 WORK = 0.5 * 0.020 * 4000 + 0.080 * 500

@@ -2,17 +2,11 @@
 
 import numpy as np
 import pytest
+from tests.machines import ROCKER
 
 import cranktrain as ct
 
 CRANK = {"kind": "slider_crank", "stroke": "80 mm", "rod_length": "140 mm"}
-ROCKER = {
-    "kind": "crank_rocker",
-    "crank_radius": "100 mm",
-    "rod_length": "360 mm",
-    "rocker_length": "280 mm",
-    "ground_length": "400 mm",
-}
 
 
 @pytest.mark.parametrize(

@@ -171,8 +171,9 @@ def _cycle_shares(
     peak = max(turning.largest_torque(found), turning.largest_torque(found, -1.0))
 
     def share(angle: Array, there: Array) -> Array:
-        torque_there = (turning.at(angle) if turning.is_held else turning).motor_torque(there)
-        return peak_share(at.motor, at.design, limits, torque_there, there * overall_ratio(at.gearing))
+        return peak_share(
+            at.motor, at.design, limits, turning.torque_at(angle, there), there * overall_ratio(at.gearing)
+        )
 
     return rms, peak, largest_over_turn(found, share), of_speed
 

@@ -43,8 +43,10 @@ def method_of(case: StartCase) -> Runs:
     Explicit steps where its motor is not stiff, where a chamber remembers its gas, as an implicit method tries steps
     that it does not take, and where SciPy is not installed.
     """
-    top = _top_speed(case)
-    if case.motor is None or len(case.machine.chambers) or not np.isfinite(top) or find_spec("scipy") is None:
+    if case.motor is None or len(case.machine.chambers) or find_spec("scipy") is None:
+        return run
+    top = case.motor.highest_speed(case.design)
+    if not np.isfinite(top):
         return run
     switching = Switching(case.motor.row(case.design), np.inf, np.inf, 0.0)
     drive = DriveTrain(in_list(case.machine, 0.0), switching, _NO_BRAKE, case.gearing, case.place)
@@ -52,11 +54,3 @@ def method_of(case: StartCase) -> Runs:
     if not is_stiff(slip_time_constant(start_kernels(case.motor), drive, top, _ANGLES), at_crank):
         return run
     return partial(run_implicitly, longest_step=2 * np.pi / at_crank / _STEPS_A_TURN)
-
-
-def _top_speed(case: StartCase) -> float:
-    """Speed above which the motor drives no more, or thrice its rated one; infinite where it has neither. [rad/s]"""
-    if case.motor is None:
-        return np.inf
-    top, rated = (float(one[case.design]) for one in (case.motor.top_speed, case.motor.rating.speed))
-    return next((speed for speed in (top, 3 * rated) if np.isfinite(speed)), np.inf)

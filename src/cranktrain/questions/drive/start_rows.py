@@ -47,7 +47,7 @@ def start_rows(run: StartRun) -> Iterator[AnswerLine]:
     yield worded(
         _("energy"),
         words,
-        **({"first": Amount(float(curves.kinetic_energy[0]), "J")} if curves.kinetic_energy[0] > 0 else {}),
+        first=Amount(float(curves.kinetic_energy[0]), "J"),
         motor=Amount(_last(curves.motor_work), "J"),
         load=Amount(_last(curves.load_work), "J"),
         lost=Amount(_last(curves.lost_work), "J"),

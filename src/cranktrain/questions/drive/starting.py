@@ -11,19 +11,13 @@ from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.quantities import Given
 from cranktrain.questions.drive.running import endings
-from cranktrain.questions.drive.running.equation import (
-    MOTOR_WORK,
-    SPEED,
-    DriveTrain,
-)
-from cranktrain.questions.drive.running.reduced import (
-    ReducedMachine,
-)
+from cranktrain.questions.drive.running.equation import MOTOR_WORK, SPEED, DriveTrain
+from cranktrain.questions.drive.running.reduced import ReducedMachine
 from cranktrain.questions.drive.running.runs import REASONS, Progress, Run, Wanted, wanted
 from cranktrain.questions.drive.running.step import N_STATE
 from cranktrain.questions.drive.start_case import StartCase
 from cranktrain.questions.drive.start_curves import at_or_never, at_times, close_times, curves_of, in_list
-from cranktrain.questions.drive.start_method import method_of
+from cranktrain.questions.drive.start_method import Runs, method_of
 from cranktrain.questions.drive.start_record import StartEvent, StartRun
 from cranktrain.questions.drive.switching import Switching, start_kernels
 from cranktrain.questions.drive.unloaded import with_open_valves
@@ -83,13 +77,13 @@ def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
     -----
     docs/theory/transient, eqs. (26.7) to (26.12). Once to find its end, and once more for the states on the way.
     """
-    steps = list[tuple[float, float]]()
-    first = list(_runs(case, _NO_TIMES, np.inf, progress, steps))
+    steps, run_by = list[tuple[float, float]](), method_of(case)
+    first = list(_runs(case, run_by, _NO_TIMES, np.inf, progress, steps))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
     asked = asked_times(case.spec.interval, end)
     samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close_times(case, steps)]))
-    again = list(_runs(case, samples, end if last.reason == endings.STOPPED else np.inf, None))
+    again = list(_runs(case, run_by, samples, end if last.reason == endings.STOPPED else np.inf, None))
     return _together(case, again, last.reason, asked)
 
 
@@ -111,6 +105,7 @@ def asked_times(interval: Given | None, end: float) -> Array:
 
 def _runs(
     case: StartCase,
+    run_by: Runs,
     samples: Array,
     end: float,
     progress: Progress | None,
@@ -121,7 +116,7 @@ def _runs(
     `steps` is given times and speeds at which steps end.
     """
     angle, speed, now = case.spec.angle.si + case.zero, case.spec.speed.si, 0.0
-    spans, kernels, run_by = list(_spans(case)), start_kernels(case.motor), method_of(case)
+    spans, kernels = list(_spans(case)), start_kernels(case.motor)
     numbers, machine = list[float](), None
     while spans:
         span = spans.pop(0)

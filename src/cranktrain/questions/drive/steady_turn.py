@@ -55,11 +55,11 @@ class DriveInTurn(NamedTuple):
 
     def largest_torque(self, found: SpeedOverTurn, sign: float = 1.0) -> float:
         """Largest torque of the motor over a cycle; of the other sign the smallest, by amount below 0. [N·m]"""
+        return largest_over_turn(found, lambda angle, speed: sign * self.torque_at(angle, speed))
 
-        def torque(angle: Array, speed: Array) -> Array:
-            return sign * (self.at(angle) if self.is_held else self).motor_torque(speed)
-
-        return largest_over_turn(found, torque)
+    def torque_at(self, angle: Array, speed: Array) -> Array:
+        """At the motor, by crank angles and speeds of the crank, shape (n,); angles count where it is held. [N·m]"""
+        return (self.at(angle) if self.is_held else self).motor_torque(speed)
 
     def heat(self, speed: Array) -> Array:
         """Power that heats the motor, by speeds of the crank, shape (n,). [W]"""
@@ -150,12 +150,9 @@ def balanced_speed(turning: DriveInTurn, cycle: float) -> float | None:
 
 def _top(turning: DriveInTurn) -> float:
     """Speed of the crank above which the motor drives no more, or not against this load. [rad/s]"""
-    ratio = overall_ratio(turning.gearing)
-    top, rated = (float(one[turning.design]) for one in (turning.motor.top_speed, turning.motor.rating.speed))
-    if np.isfinite(top):
-        return top / ratio
-    if np.isfinite(rated):
-        return 3 * rated / ratio
+    highest = turning.motor.highest_speed(turning.design)
+    if np.isfinite(highest):
+        return highest / overall_ratio(turning.gearing)
     speeds: Array = np.geomspace(1.0, _FASTEST, 18)
     drives = np.flatnonzero(_mean_work(turning, speeds) > 0)
     return float(speeds[min(drives[-1] + 1, speeds.size - 1)]) if drives.size else 1.0

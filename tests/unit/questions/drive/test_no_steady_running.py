@@ -2,16 +2,10 @@
 
 import numpy as np
 import pytest
+from tests.machines import ROCKER
 
 import cranktrain as ct
 
-ROCKER = {
-    "kind": "crank_rocker",
-    "crank_radius": "100 mm",
-    "rod_length": "360 mm",
-    "rocker_length": "280 mm",
-    "ground_length": "400 mm",
-}
 DRIVEN = {
     "mechanism": ROCKER,
     "shaft": {"main": {"speed": "60 rpm"}},

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.machines import ROCKER
 
 import cranktrain as ct
 
@@ -27,15 +28,8 @@ def wheel(inertia, load="40 N*m", **start):
 
 def rocker(inertia):
     """A rocker with mass, so that J is the wheel's alone in the dead positions."""
-    linkage = {
-        "kind": "crank_rocker",
-        "crank_radius": "100 mm",
-        "rod_length": "360 mm",
-        "rocker_length": "280 mm",
-        "ground_length": "400 mm",
-    }
     masses = {"rocker": {"mass": "3 kg", "along": "50 mm", "inertia": "0.1 kg*m^2"}}
-    return wheel(inertia).with_({"mechanism": linkage, "masses": masses})
+    return wheel(inertia).with_({"mechanism": ROCKER, "masses": masses})
 
 
 def events(found):

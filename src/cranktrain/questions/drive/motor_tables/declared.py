@@ -77,6 +77,11 @@ class DeclaredMotor:
         """How many designs it is of."""
         return self.top_speed.shape[-1]
 
+    def highest_speed(self, design: int) -> float:
+        """Top speed; thrice the rated one of a motor that always drives; infinite where neither is known. [rad/s]"""
+        top, rated = float(self.top_speed[design]), float(self.rating.speed[design])
+        return next((speed for speed in (top, 3 * rated) if np.isfinite(speed)), np.inf)
+
     def torque(self, speed: Array, time: Array | float = LONG_SINCE) -> Array:
         """Torque at its shaft.
 

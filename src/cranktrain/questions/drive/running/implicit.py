@@ -20,7 +20,7 @@ from cranktrain.questions.drive.running.equation import (
     train_of,
 )
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.rest import heated, kind_of_rest, let_go_at, sense_of_start
+from cranktrain.questions.drive.running.rest import HEAT_PANELS, heated, kind_of_rest, let_go_at, sense_of_start
 from cranktrain.questions.drive.running.runs import Event, Progress, Run, Wanted, energy_account
 from cranktrain.questions.drive.running.step import N_STATE, ROW
 
@@ -29,7 +29,6 @@ _STIFF = 1e-3
 _N_SPEEDS = 2001
 _AT_ONCE = 24
 """So many of the longest steps are a phase at most: between two the user is told, and steps are counted."""
-_HEAT_PANELS = 64
 _CLOSER = 1e-3
 """LSODA and Radau err by much more than their tolerance over a run."""
 
@@ -275,7 +274,7 @@ def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array
 
 def _warming(state: Array, time: float, own: Kernels, going: _Going) -> Callable[[Array], Array]:
     """Give the same state at all later times, but for the heat of a motor that stands."""
-    widest = (going.asked.limits.end_time - time) / _HEAT_PANELS
+    widest = (going.asked.limits.end_time - time) / HEAT_PANELS
 
     def at(times: Array) -> Array:
         found = np.tile(state[:, np.newaxis], times.size)

@@ -12,7 +12,7 @@ from cranktrain.questions.drive.running.step import N_STATE
 
 _REST_LOOKS = 400
 _MOST_HALVINGS = 60
-_HEAT_PANELS = 64
+HEAT_PANELS = 64
 _NODE = math.sqrt(0.6)
 """Of Gauss's rule with three points in −1…1."""
 
@@ -107,7 +107,7 @@ def set_off(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, tabl
 def _wait(kernels: Any, train: Any, asked: Any, course: Any, table: Any, until: float) -> None:
     """Stand still until a time: only the motor grows warmer."""
     time, state, samples = course.here[TIME], course.state, asked.samples
-    widest, row = (until - time) / _HEAT_PANELS, course.counts[SAMPLE]
+    widest, row = (until - time) / HEAT_PANELS, course.counts[SAMPLE]
     while True:
         while row < len(samples) and samples[row] <= time:
             for part in range(N_STATE):
