@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.quantities import shown
 from cranktrain.record import record
 
@@ -89,6 +90,6 @@ def flagged(limit: Limit, values: Array, named: Array | None = None) -> Iterator
     """Flag the largest of some values if it is beyond a limit, NaN never; name it, or what `named` has in its place."""
     beyond = np.where(values > limit.most, values, -np.inf)
     if np.any(values > limit.most):
-        worst = float(np.ravel(values if named is None else named)[np.argmax(beyond)])
+        worst = float(np.ravel(values if named is None else named)[first_largest(beyond)])
         written = f"{shown(worst, limit.unit):.4g} {limit.unit}" if limit.unit else f"{worst:.4g}"
         yield _(limit.sentence).format(value=written)

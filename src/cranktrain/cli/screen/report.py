@@ -15,14 +15,12 @@ from cranktrain.cli.screen.inputs import input_table, provenance
 from cranktrain.cli.screen.text import INDENT, paragraph, section, table
 from cranktrain.io.machine_file import MachineFile, inputs_of
 from cranktrain.language import _
+from cranktrain.numerics.ties import first_largest, largest_of
 from cranktrain.one_line import visible
 from cranktrain.wording import ABSENT
 
 _NAMED = 4
 """How many of the results that something would give are named."""
-
-_EQUAL = 1e-9
-"""Peaks closer than this are one: which of them rounding makes the largest says nothing."""
 
 
 def show_full(console: Console, file: MachineFile, result: Result, names: Sequence[str], *, is_all: bool) -> None:
@@ -101,7 +99,7 @@ def _in_steps(result: Result, entry: Entry) -> tuple[float, str, int]:
     """Largest size of a curve among its steps, at which and whose; NaN where it has none."""
     curves = np.reshape(getattr(result, entry.name), (-1, result.crank_angle.size))
     size = np.nan_to_num(np.abs(curves), nan=-1.0)
-    member, place = np.unravel_index(np.argmax(size >= np.max(size) * (1 - _EQUAL)), size.shape)
+    member, place = np.unravel_index(first_largest(size), size.shape)
     return float(curves[member, place]), f"{result.crank_angle[place]:g}", int(member)
 
 
@@ -115,10 +113,10 @@ def _refined(result: Result, entry: Entry) -> tuple[float, str, int] | None:
         if extreme is None or at is None or (*extreme.entry.dimensions, "crank_angle") != entry.dimensions:
             continue
         sizes = np.nan_to_num(np.abs(np.ravel(extreme.value)), nan=-1.0)
-        member = int(np.argmax(sizes >= np.max(sizes) * (1 - _EQUAL)))
+        member = first_largest(sizes)
         if sizes[member] >= 0:
             found.append((float(np.ravel(extreme.value)[member]), f"{np.ravel(at.value)[member]:.1f}", member))
-    return max(found, key=lambda one: abs(one[0]), default=None)
+    return largest_of(found, lambda one: abs(one[0])) if found else None
 
 
 def _checks(console: Console, result: Result) -> Iterator[Text]:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from cranktrain.fluids.indicator.reading import Trace
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.quantities import shown
 
 _TURN = 2 * np.pi
@@ -186,7 +187,7 @@ def _gap_flags(trace: Trace, angles: Array, lines: NDArray[np.intp], cycle: floa
     gaps = np.flatnonzero(steps > min(_DOUBTFUL_GAP * step, _WIDEST_STEP))
     if not gaps.size:
         return ()
-    widest = int(np.argmax(steps))
+    widest = first_largest(steps)
     gap = float(steps[widest])
     start, end = _degrees(angles[widest]), _degrees(angles[widest] + gap)
     if gap > _WIDEST_STEP or gap > max(_WIDEST_GAP, _DOUBTFUL_GAP * step):

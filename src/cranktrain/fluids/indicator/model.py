@@ -17,6 +17,7 @@ from cranktrain.fluids.indicator.placing import placed
 from cranktrain.fluids.indicator.unrolling import OutwardAngle, dead_centres_of, unrolled
 from cranktrain.language import _
 from cranktrain.numerics import around_zero
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.quantities import shown
 
 
@@ -49,7 +50,7 @@ def indicator_diagram(card: Card, chamber: Chamber) -> Diagram:
         _refuse_angles(card, trace.axis)
         samples = unrolled(trace, chamber, CURVES[card.interpolation], _outward(card, chamber))
     samples = samples._replace(findings=(*trace.findings, *samples.findings), flags=(*trace.flags, *samples.flags))
-    highest = int(np.argmin(np.abs(samples.pressures - np.max(trace.pressures))))
+    highest = first_smallest(np.abs(samples.pressures - np.max(trace.pressures)))
     if card.peg is not None:
         diagram = diagram_through(samples, chamber.cycle, card.interpolation)
         samples = _pegged(samples, diagram, card.peg, chamber)

@@ -35,6 +35,7 @@ from cranktrain.mechanisms.geometry import Geometry
 from cranktrain.mechanisms.kind import Kind
 from cranktrain.motion import Array
 from cranktrain.numerics import turn_grid
+from cranktrain.numerics.ties import first_smallest
 
 _Outcome = TypeVar("_Outcome")
 
@@ -154,7 +155,7 @@ def _stuck(structure: Structure, size: ChainSize) -> int:
     """The first group that cannot close somewhere over the turn; otherwise the one that closes least."""
     with np.errstate(all="ignore"):
         least = [float(np.nanmin(np.append(gap, np.inf))) for gap in chain_gaps(structure, turn_grid(), size)]
-    return next((place for place, gap in enumerate(least) if gap < 0), int(np.argmin(least)))
+    return next((place for place, gap in enumerate(least) if gap < 0), first_smallest(least))
 
 
 def _stuck_part(structure: Structure, _spec: ChainSpec, size: ChainSize) -> str:

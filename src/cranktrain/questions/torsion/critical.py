@@ -12,6 +12,7 @@ from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
 from cranktrain.layout.shafts import Shafts
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import falling
 from cranktrain.questions.cylinders.firing import Cycle, Firing
 from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.forces.carriers import Carriers
@@ -25,8 +26,6 @@ from cranktrain.wording import Names, number
 _ORDER = ("mode", "order")
 _NAMED = 3
 """How many of the largest vector sums the answer says, and of the orders that have one."""
-_DECIMALS = 9
-"""To which vector sums are alike; firing makes the same one for many orders."""
 
 
 @record
@@ -87,8 +86,7 @@ class ModeVectorSums(StageResult):
         of_mode = self.mode_vector_sum[design, 0]
         if not np.all(np.isfinite(of_mode)):
             return None
-        ranked: list[int] = np.argsort(-of_mode.round(_DECIMALS), kind="stable").tolist()
-        alike = grouped((f"{float(of_mode[place]):.3g}", names["order"][place]) for place in ranked)
+        alike = grouped((f"{float(of_mode[place]):.3g}", names["order"][place]) for place in falling(of_mode))
         said = [
             _("{sum} of order {orders}").format(
                 sum=size, orders=", ".join([*own[:_NAMED], *["…"] * (len(own) > _NAMED)])
