@@ -17,8 +17,9 @@ from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.motor_tables.table import beyond_table
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import overall_ratio
+from cranktrain.questions.drive.settling import settled
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, speed_range
-from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed, settled
+from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed
 from cranktrain.record import record
 from cranktrain.wording import Names, number
 
