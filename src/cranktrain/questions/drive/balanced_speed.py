@@ -1,5 +1,7 @@
 """The constant speed at which a motor's mean torque balances the machine's: the limit of very even running."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from cranktrain.motion import Array
@@ -11,14 +13,38 @@ from cranktrain.questions.evenness.speed_law import Power
 _N_SPEEDS = 400
 _N_ANGLES = 96
 """At which the first guess of the speed looks: the cycle itself does not hang on them."""
-_SLOWEST = 0.02
-"""Of the motor's top speed: slower it counts as stalled."""
+_SLOWEST, _BEYOND = 0.02, 1.3
+"""Of the motor's top speed: slower it counts as stalled, and beyond it a load may drive it."""
 _FASTEST = 1e5
-"""Of a motor without a top speed: no crank turns so fast. [rad/s]"""
+"""How many times as fast as it is first tried a motor without a top speed is looked at."""
 
 
-def balanced_speed(turning: DriveInTurn, cycle: float) -> float | None:
-    """Highest constant speed of the crank at which the mean acceleration falls through 0; None without one.
+class Balance(NamedTuple):
+    """What drives a crank at constant speeds, less what holds it, on the mean over the cycle.
+
+    Attributes
+    ----------
+    speeds : Array, shape (n,)
+        Rising. [rad/s]
+    excess : Array, shape (n,)
+        [N·m]
+    """
+
+    speeds: Array
+    excess: Array
+
+    @property
+    def speed(self) -> float | None:
+        """Highest speed at which the excess falls through 0; None without one. [rad/s]"""
+        falls = np.flatnonzero((self.excess[:-1] > 0) & (self.excess[1:] <= 0))
+        if falls.size == 0:
+            return None
+        (low, high), (over, under) = self.speeds[falls[-1] :][:2].tolist(), self.excess[falls[-1] :][:2].tolist()
+        return low + (high - low) * over / (over - under)
+
+
+def balance(turning: DriveInTurn, cycle: float) -> Balance:
+    """Look for the constant speed at which the motor gives on the mean what the machine takes.
 
     Parameters
     ----------
@@ -28,28 +54,29 @@ def balanced_speed(turning: DriveInTurn, cycle: float) -> float | None:
 
     Returns
     -------
-    float or None
-        [rad/s] Where the motor has neither a top speed nor a rated point, speeds are looked at upward until its torque
-        falls below the load.
+    Balance
+        Up to 1.3 times the motor's top speed; where it has none or still drives there, and neither speed is a balance,
+        as far as the torque falls below the load.
     """
     there = turning.at((np.arange(_N_ANGLES) + 0.5) * cycle / _N_ANGLES)
-    speeds = np.linspace(_SLOWEST, 1.3, _N_SPEEDS) * _top(there)
-    means = _mean_work(there, speeds)
-    falls = np.flatnonzero((means[:-1] > 0) & (means[1:] <= 0))
-    if falls.size == 0:
-        return None
-    low = falls[-1]
-    return float(speeds[low] + (speeds[low + 1] - speeds[low]) * means[low] / (means[low] - means[low + 1]))
-
-
-def _top(turning: DriveInTurn) -> float:
-    """Speed of the crank above which the motor drives no more, or not against this load. [rad/s]"""
-    highest = turning.motor.highest_speed(turning.design)
+    highest = turning.motor.highest_speed(turning.design) / overall_ratio(turning.gearing)
     if np.isfinite(highest):
-        return highest / overall_ratio(turning.gearing)
-    speeds: Array = np.geomspace(1.0, _FASTEST, 18)
+        found = _up_to(there, highest)
+        if found.speed is not None or found.excess[-1] <= 0:
+            return found
+    return _up_to(there, _end(there, highest if np.isfinite(highest) else 1.0))
+
+
+def _up_to(turning: DriveInTurn, top: float) -> Balance:
+    speeds = np.linspace(_SLOWEST, _BEYOND, _N_SPEEDS) * top
+    return Balance(speeds, _mean_work(turning, speeds))
+
+
+def _end(turning: DriveInTurn, first: float) -> float:
+    """Speed from which on a motor without a top speed does not drive against this load. [rad/s]"""
+    speeds: Array = np.geomspace(first, _FASTEST * first, 18)
     drives = np.flatnonzero(_mean_work(turning, speeds) > 0)
-    return float(speeds[min(drives[-1] + 1, speeds.size - 1)]) if drives.size else 1.0
+    return float(speeds[min(drives[-1] + 1, speeds.size - 1)]) if drives.size else first
 
 
 def _mean_work(turning: DriveInTurn, speeds: Array) -> Array:

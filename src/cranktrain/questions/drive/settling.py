@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.drive.balanced_speed import balanced_speed
+from cranktrain.questions.drive.balanced_speed import balance
 from cranktrain.questions.drive.cycle_equation import speed_over_turn
 from cranktrain.questions.drive.cycle_pieces import NODES, CyclePieces, mesh_of, to_integrals, to_places
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
@@ -64,7 +64,7 @@ def settled(
     turning = turning.at(mesh.nodes)
     if turning.is_held:
         return turning, None if held is None else _constant(mesh, held)
-    first, levels = balanced_speed(turning, machines.cycle), _levels(turning.motor, turning.design, turning)
+    first, levels = balance(turning, machines.cycle).speed, _levels(turning.motor, turning.design, turning)
     found = None if first is None else _cycle(turning, mesh, first)
     kinks, passed, cuts, n_with_kinks = np.empty(0), np.empty(0), np.empty(0), 0
     for _again in range(_MOST_MESHES):
