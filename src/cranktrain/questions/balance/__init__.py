@@ -39,7 +39,7 @@ QUESTION = Question(
         Stage(shaking.shaking_couples),
         Stage(shaking.rolling_moment),
     ),
-    dimensions=(ResultDimension("balance", N_("balance")), ResultDimension("weight", N_("weight"))),
+    dimensions=(ResultDimension("balance", N_("balance"), own=-1), ResultDimension("weight", N_("weight"))),
     headline=("shaking_force_largest", "shaking_couple_largest"),
     title=N_("Balance"),
     rows=(

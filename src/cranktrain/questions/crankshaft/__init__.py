@@ -71,7 +71,7 @@ QUESTION = Question(
         Stage(main_bearing_pressures, applies=have_bearing_widths),
     ),
     dimensions=(
-        ResultDimension("bearing_method", N_("bearing method")),
+        ResultDimension("bearing_method", N_("bearing method"), own=0),
         ResultDimension("bearing", N_("bearing")),
         ResultDimension("pin", N_("pin")),
         ResultDimension("throw_plane", N_("plane of the throw")),
