@@ -19,6 +19,7 @@ from cranktrain.numerics.ties import (
 PACKAGE = SOURCE / "cranktrain"
 RULE = PACKAGE / "numerics" / "ties.py"
 PLACES = {"argmax", "argmin", "nanargmax", "nanargmin"}
+EXTREMES = {"max", "min", "nanmax", "nanmin"}
 
 EXEMPT = {
     "cli/screen/columns_of_members.py": "the longest list of members",
@@ -42,7 +43,8 @@ def is_of_truths(node):
     """Whether places are those of truths, of which the first is meant: a comparison, or a name that says so."""
     match node:
         case ast.Compare():
-            return True
+            # What is compared with the largest is a rule of ties of one's own.
+            return not any(getattr(part, "attr", "") in EXTREMES for part in ast.walk(node))
         case ast.BinOp(left=left, op=ast.BitAnd() | ast.BitOr()):
             return is_of_truths(left)
         case ast.Call(func=ast.Attribute(attr="any" | "all")):
@@ -82,6 +84,7 @@ def test_all_go_by_the_rule():
         ("values.argmin()", 1),
         ("max(rows, key=len)", 1),
         ("np.argsort(-size)", 1),
+        ("np.argmax(values >= 0.99 * np.max(values))", 1),
         ("np.argmax(values > 0)", 0),
         ("np.argmax(is_open, axis=1)", 0),
         ("np.argsort(angle)", 0),

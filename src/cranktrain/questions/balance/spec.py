@@ -50,7 +50,7 @@ class SectorSpec(Spec, frozen=True):
     @property
     def moment(self) -> Array:
         """Mass times radius of its centroid; docs/theory/balance, below eq. (16.7). [kg·m]"""
-        # As products: NumPy raises a number and a column to a power by different routines, which differ in the last bit.
+        # As products: NumPy raises a number to a power otherwise than a column, by a last bit.
         rim, begin, opening = (part.array for part in (self.outer_radius, self.inner_radius, self.opening))
         return (
             self.density.array
