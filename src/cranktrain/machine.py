@@ -15,6 +15,7 @@ from cranktrain.faces import face
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.closing import closing_problems
+from cranktrain.layout.crank_bodies import pin_problems
 from cranktrain.layout.design import Design
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
@@ -326,6 +327,7 @@ class Machine(Spec, frozen=True):
         """What only the tables together can show to be wrong."""
         places, found = self.arranged
         return found or (
+            *pin_problems(places),
             *standing_problems(self.shafts, places, self.orientation),
             *wish_problems(self.design),
             *(problem for question in QUESTIONS for problem in question.problems(self.design)),
