@@ -17,11 +17,15 @@ from cranktrain.wording import ABSENT, decimals_for, in_print, signless
 
 _FIGURES = 4
 _MOST_DECIMALS = 8
+"""Of values that are to be told apart."""
 _ROUNDING = 1e-9
-"""Of the largest value; what is less is nothing beside it."""
+"""Of the largest value, and of a unit; what is less is nothing beside it."""
 
 _DECIMALS = {"rad": 2, "deg": 2, "position": 1, "off": 0, "number": 0}
 """Of these, whatever their size, unless another unit is chosen."""
+
+_PLACES = {"deg", "position"}
+"""Where something stands: 0 is a place among others, and nearly there is there."""
 
 _FEW_FIGURES = {"error": 2}
 """Of errors, that say how far off something is."""
@@ -39,7 +43,7 @@ class Written(NamedTuple):
 
 
 def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.0) -> Written:
-    """Write values of one quantity with four figures each, but hardly more decimals than the largest has.
+    """Write values of one quantity with four figures each; what is rounding beside the largest of them is 0.
 
     Parameters
     ----------
@@ -65,13 +69,18 @@ def _decimals_of(sized: Sequence[float], most: float, unit: str, *, apart: bool)
     """How many decimals each of some values has, the largest of which is `most`; what is rounding beside it has its."""
     figures = _FEW_FIGURES.get(unit, _FIGURES)
     fixed = None if unit == "rad" and chosen_unit("°") else _DECIMALS.get(unit)
-    usual = fixed if fixed is not None else decimals_for(most, figures)
+    usual = fixed if fixed is not None else decimals_for(most, figures) if most > _ROUNDING else 0
     differs = float(np.ptp(sized)) if apart else 0.0
-    needed = max(usual, 1 - floor(log10(differs))) if differs > 0 else usual
+    needed = min(max(usual, 1 - floor(log10(differs))), _MOST_DECIMALS) if differs > _ROUNDING else usual
+    nothing = max(1.0, most) * _ROUNDING
     if fixed is not None:
-        return [needed] * len(sized)
-    own = [decimals_for(abs(one), figures) if abs(one) > _ROUNDING * most else usual for one in sized]
-    return [min(max(needed, min(one, usual + 1)), _MOST_DECIMALS) for one in own]
+        return [_seen(abs(one), needed) if abs(one) > nothing and unit not in _PLACES else needed for one in sized]
+    return [max(needed, decimals_for(abs(one), figures)) if abs(one) > nothing else needed for one in sized]
+
+
+def _seen(size: float, decimals: int) -> int:
+    """As many decimals as are wanted, or as show the first figure of what is less."""
+    return decimals if size >= 0.5 * 10.0**-decimals else decimals_for(size, 1)
 
 
 def filled(words: str, pieces: Mapping[str, Piece]) -> str:
