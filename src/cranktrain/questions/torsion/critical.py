@@ -109,7 +109,7 @@ class CriticalSpeeds(StageResult):
         return [*below.tolist(), *np.flatnonzero(major[:above])[-1:].tolist()]
 
     def _nearer(self, design: int, places: Sequence[int]) -> list[int]:
-        """Minor orders with critical speeds between those of major ones, or next to the machine's; slower ones first."""
+        """Minor orders with critical speeds between those of major ones, or next to the machine's; slower first."""
         above = self._n_above(design) or 0
         slower = next((place for place in places if place >= above), above + 1)
         faster = next((place for place in places if place < above), above - 2)
@@ -126,7 +126,7 @@ class CriticalSpeeds(StageResult):
     def _major(self, design: int) -> NDArray[np.bool_]:
         """Which orders excite the first mode most, shape (order,)."""
         if self.sums is None or not np.all(np.isfinite(self.sums[design, 0])):
-            return np.ones(self.critical_speed.shape[-1], dtype=np.bool_)
+            return np.isfinite(self.critical_speed[design, 0])
         sums: Array = self.sums[design, 0]
         return np.greater_equal(sums, (_MAJOR - _ALIKE) * np.max(sums))
 
