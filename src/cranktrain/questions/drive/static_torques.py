@@ -49,10 +49,10 @@ class StaticTorques(StageResult):
         "J_k", "kg*m^2", _CURVE, N_("Inertia of drive and machine together, reduced to each shaft"), THEORY
     )
     driven_flywheel_moment: Array = quantity(
-        "GD²", "kg*m^2", _CURVE, N_("Flywheel moment at each shaft, four times the inertia"), THEORY
+        "GD²", "kg*m^2", _CURVE, N_("Flywheel moment GD² at each shaft, four times the inertia"), THEORY
     )
     gear_flywheel_moment: Array = quantity(
-        "(GD²)₀", "kg*m^2", _SHAFT, N_("Flywheel moment of the drive without the machine"), THEORY
+        "(GD²)₀", "kg*m^2", _SHAFT, N_("Flywheel moment GD² of the drive without the machine"), THEORY
     )
     largest_static_torque: Extreme = extreme(
         "M_st,max", "N*m", _SHAFT, N_("Largest static torque"), N_("Crank angle of the largest static torque"), THEORY
