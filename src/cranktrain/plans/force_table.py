@@ -1,12 +1,13 @@
 """Tables of a piston's forces at round crank angles: exact, by the textbook's formula, and how far this is off."""
 
+from collections.abc import Iterable, Iterator
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.analysis import Result, run
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
@@ -114,11 +115,21 @@ def force_table(machine: Machine, *, step: float = 30.0, unit: str = "N", piston
     arm = float(np.hypot(pin.x.value[0], pin.y.value[0])) * shown(1.0, torque)
     sort = _sort(machine, place)
     at_pin = _SHARES if sort == "slave" else _KNUCKLED | _AT_PIN if sort == "master" else _AT_PIN
-    curves = {symbol: _by_method(result, quantity, place.name) for symbol, quantity in (_AT_PISTON | at_pin).items()}
+    quantities = _AT_PISTON | at_pin
+    refuse(_absences(result, quantities.values()))
+    curves = {symbol: _by_method(result, quantity, place.name) for symbol, quantity in quantities.items()}
     columns = [_column(symbol, name, per_unit * curve, kept) for symbol, curve in curves.items()]
     turning = "T_i" if sort == "slave" else "T"
     columns.append(_column(turning.replace("T", "M"), torque, arm * curves[turning], kept))
     return ForceTable(place.name, result.crank_angle[kept], name, area, tuple(columns), sort)
+
+
+def _absences(result: Result, quantities: Iterable[str]) -> Iterator[Problem]:
+    """What the file would have to say for forces that are not there, once for all of them."""
+    absent = [name for name in quantities if name not in result.catalogue]
+    if absent:
+        needs = ", ".join(result.needs_of(*absent))
+        yield Problem("", None, _("nothing acts on the links yet: forces need {needs}").format(needs=needs))
 
 
 def _by_method(result: Result, quantity: str, piston: str) -> Array:
@@ -177,7 +188,8 @@ def _piston(machine: Machine, wanted: str | None) -> PlacedMechanism:
 
 def _area(machine: Machine, piston: PlacedMechanism) -> float:
     """Area of a piston, π/4 of its bore squared. [m²]"""
-    bore = cylinders_of(machine.cylinder, [piston])[0].spec.bore
+    bores = (cylinder.spec.bore for cylinder in cylinders_of(machine.cylinder, [piston]))
+    bore = next(bores, None)
     if bore is None:
         raise InputError([Problem("cylinder.bore", None, _("is missing: forces over the piston's area need it"))])
     return np.pi / 4 * bore.si**2

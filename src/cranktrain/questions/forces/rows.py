@@ -50,6 +50,9 @@ def _largest(
     if not np.any(np.isfinite(values)):
         return
     worst = int(np.argmax(values >= (1 - _ALIKE) * np.nanmax(values)))
+    if np.isnan(angles[worst]):  # of nothing, which is largest nowhere
+        yield valued(name, values[worst], "N")
+        return
     yield valued(
         name,
         values[worst],

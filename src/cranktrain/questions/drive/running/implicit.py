@@ -149,6 +149,7 @@ def run_implicitly(
             reason = ending
     except _TooManyCallsError:
         reason = endings.TOO_MANY_STEPS
+        _fill(table, asked.samples, time, time, lambda times: np.tile(state[:, np.newaxis], times.size))
     except KeyboardInterrupt:
         if progress is None:
             raise
