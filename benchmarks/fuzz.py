@@ -5,8 +5,8 @@
 
 Each file is made from its number, so that a finding comes again with `--first NUMBER --files 1`. What is no answer (a
 status other than 0 and 2, a warning of Python or NumPy, a NaN shown, a command that does not end in its time) is told
-once for each place, with the shortest file that was found to show it, which is kept. Ends with status 1 if there is any.
-With `--smallest` the files are each table alone and each example without one of its parts, and every command is typed.
+once for each place, with a file that shows it made shorter, which is kept. Ends with status 1 if there is any. With
+`--smallest` the files are each table alone and each example without one of its parts, and every command is typed.
 """
 
 import argparse
@@ -25,9 +25,10 @@ sys.path[:0] = [str(ROOT), str(ROOT / "src")]
 
 import random  # noqa: E402 - below the path
 
-from random_machines import machine, mended, toml, without  # noqa: E402 - below the path
+from random_machines import machine, mended, without  # noqa: E402 - below the path
 from tests import smallest_files as every  # noqa: E402 - below the path
 from tests.answers import answered  # noqa: E402 - below the path
+from tests.machine_text import toml  # noqa: E402 - below the path
 from tests.smallest_files import examples_taken_apart, smallest_files  # noqa: E402 - below the path
 
 from cranktrain.errors import InputError  # noqa: E402 - below the path

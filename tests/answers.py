@@ -1,4 +1,4 @@
-"""Commands typed in this process, each with a time limit; what is no answer to a user is told in one line."""
+"""Commands typed in this process, with a limit of processor time; what is no answer to a user is told in one line."""
 
 import contextlib
 import io
@@ -34,8 +34,8 @@ def answered(arguments: Sequence[str], *, longest: float = 60.0) -> Answered:
     """Type a command; a warning of Python or NumPy, a status of neither 0 nor 2, a NaN shown or a wait is a fault."""
     output, errors = io.StringIO(), io.StringIO()
     status, fault = -1, ""
-    before = signal.signal(signal.SIGALRM, _too_long)
-    signal.setitimer(signal.ITIMER_REAL, longest)
+    before = signal.signal(signal.SIGPROF, _too_long)
+    signal.setitimer(signal.ITIMER_PROF, longest)
     try:
         with (
             warnings.catch_warnings(),
@@ -46,10 +46,10 @@ def answered(arguments: Sequence[str], *, longest: float = 60.0) -> Answered:
             warnings.simplefilter("error")
             status = main(list(arguments))
     except TooLong:
-        fault = f"not done within {longest:g} s"
+        fault = f"not done within {longest:g} s of the processor"
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0.0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGPROF, before)
     said = errors.getvalue()
     return Answered(status, output.getvalue(), said, fault or _fault(arguments, status, output.getvalue(), said))
 

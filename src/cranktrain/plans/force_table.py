@@ -1,18 +1,17 @@
 """Tables of a piston's forces at round crank angles: exact, by the textbook's formula, and how far this is off."""
 
-from collections.abc import Iterable, Iterator
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.analysis import Result, run
-from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.plans.acting import refuse_idle
+from cranktrain.plans.acting import refuse_absent, refuse_idle
 from cranktrain.quantities import Dimension, shown, unlisted
 from cranktrain.quantities.dimensions import plain, spellings
 from cranktrain.questions.cylinders.declared import cylinders_of
@@ -116,20 +115,12 @@ def force_table(machine: Machine, *, step: float = 30.0, unit: str = "N", piston
     sort = _sort(machine, place)
     at_pin = _SHARES if sort == "slave" else _KNUCKLED | _AT_PIN if sort == "master" else _AT_PIN
     quantities = _AT_PISTON | at_pin
-    refuse(_absences(result, quantities.values()))
+    refuse_absent(result, quantities.values())
     curves = {symbol: _by_method(result, quantity, place.name) for symbol, quantity in quantities.items()}
     columns = [_column(symbol, name, per_unit * curve, kept) for symbol, curve in curves.items()]
     turning = "T_i" if sort == "slave" else "T"
     columns.append(_column(turning.replace("T", "M"), torque, arm * curves[turning], kept))
     return ForceTable(place.name, result.crank_angle[kept], name, area, tuple(columns), sort)
-
-
-def _absences(result: Result, quantities: Iterable[str]) -> Iterator[Problem]:
-    """What the file would have to say for forces that are not there, once for all of them."""
-    absent = [name for name in quantities if name not in result.catalogue]
-    if absent:
-        needs = ", ".join(result.needs_of(*absent))
-        yield Problem("", None, _("nothing acts on the links yet: forces need {needs}").format(needs=needs))
 
 
 def _by_method(result: Result, quantity: str, piston: str) -> Array:

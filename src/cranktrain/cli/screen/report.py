@@ -117,7 +117,9 @@ def _refined(result: Result, entry: Entry) -> tuple[float, str, int] | None:
         sizes = np.nan_to_num(np.abs(np.ravel(extreme.value)), nan=-1.0)
         member = int(np.argmax(sizes >= np.max(sizes) * (1 - _EQUAL)))
         if sizes[member] >= 0:
-            found.append((float(np.ravel(extreme.value)[member]), f"{np.ravel(at.value)[member]:.1f}", member))
+            angle = float(np.ravel(at.value)[member])
+            where = "" if np.isnan(angle) else f"{angle:.1f}"  # of what is level, nowhere
+            found.append((float(np.ravel(extreme.value)[member]), where, member))
     return max(found, key=lambda one: abs(one[0]), default=None)
 
 
