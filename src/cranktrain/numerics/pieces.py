@@ -207,7 +207,8 @@ def _sides(way: Array, ends: Array, scale: Array) -> Array:
 
 def _first_of_the_best(angle: Array, top: Array, side: Array, scale: Array, period: float) -> Peak:
     """Choose the highest of each curve's pieces, of alike ones the first in the period; shapes (curve,)."""
-    angle, top, side = (part.reshape(len(scale), -1) for part in (angle, top, side))
+    n_pieces = int(np.prod(top.shape[1:]))  # of no curves at all, too
+    angle, top, side = (part.reshape(len(scale), n_pieces) for part in (angle, top, side))
     best = np.max(top, axis=-1)
     turn = np.mod(angle + _ONE_BREAK, period)
     first = np.argmin(np.where(top >= best[:, np.newaxis] - ALIKE * scale, turn, np.inf), axis=-1)

@@ -120,7 +120,8 @@ def _refined(result: Result, entry: Entry, place: Place) -> tuple[float, str, in
         sizes = np.nan_to_num(np.abs(values), nan=-1.0)
         member = first_largest(sizes)
         if sizes[member] >= 0:
-            found.append((float(values[member]), f"{angles[member]:.1f}", member))
+            where = "" if np.isnan(angles[member]) else f"{angles[member]:.1f}"  # of what is level, nowhere
+            found.append((float(values[member]), where, member))
     return largest_of(found, lambda one: abs(one[0])) if found else None
 
 

@@ -48,6 +48,9 @@ def _largest(
     if not np.any(np.isfinite(values)):
         return
     worst = first_largest(values)
+    if np.isnan(angles[worst]):  # of nothing, which is largest nowhere
+        yield valued(name, values[worst], "N")
+        return
     yield valued(
         name,
         values[worst],

@@ -87,10 +87,11 @@ def bearing_diagrams(shown: OneDesign) -> tuple[PolarDiagram, ...]:
 
 
 def alike_pins(shown: OneDesign) -> tuple[AlikePins, ...]:
-    """Crank pins that bear a rod, apart by what they bear."""
+    """Crank pins that bear a rod and a load, apart by what they bear."""
     mean, largest = shown("mean_crankpin_load"), shown("largest_crankpin_load")
     holes, names = shown("crankpin_oil_hole"), shown.result.labels["mechanism"]
-    known = np.flatnonzero(np.isfinite(mean) & np.any(np.isfinite(shown("rod_bearing_wear")), axis=-1)).tolist()
+    is_loaded = np.isfinite(mean) & (largest > 0.0)
+    known = np.flatnonzero(is_loaded & np.any(np.isfinite(shown("rod_bearing_wear")), axis=-1)).tolist()
     keys = [tuple(f"{value[i]:.{_SHAPE}g}" for value in (mean, largest, holes)) for i in known]
     return tuple(
         AlikePins(members[0], _together(names, members)) for members in grouped(zip(keys, known, strict=True)).values()
