@@ -73,10 +73,12 @@ class _Stress(NamedTuple):
 
 
 def unlikely_crankshafts(
-    laid: LaidCrankshafts, shafts: Shafts, axial: AxialPlaces, loads: CrankPinLoads | None
+    laid: LaidCrankshafts | None, shafts: Shafts | None, axial: AxialPlaces | None, loads: CrankPinLoads | None
 ) -> UnlikelyCrankshafts:
     """Flag what is beyond the limits."""
     found: list[str] = []
+    if laid is None or shafts is None or axial is None:
+        return UnlikelyCrankshafts()
     for one in laid.each:
         own, pins = one.declared, pin_names(one, shafts)
         found += flagged(_YOUNG, own.material.young)
@@ -159,7 +161,7 @@ def _of_rod_widths(one: LaidShaft, z: Array, pins: Sequence[str]) -> Iterator[st
 
 
 def _stresses(one: LaidShaft, largest: Array) -> _Stress:
-    """Nominal bending stress by the largest load of each pin in the middle of its span, or on its overhang."""
+    """Nominal bending stress by the largest load of each pin in the middle of its span, or where it hangs over."""
     own = one.declared
     n_pins = len(own.throw)
     force = np.zeros((len(largest), n_pins))
@@ -168,9 +170,12 @@ def _stresses(one: LaidShaft, largest: Array) -> _Stress:
     away = own.bearings[:, np.newaxis] - own.centres[..., np.newaxis]
     before = np.min(np.where(away < 0, -away, np.inf), axis=-1)
     behind = np.min(np.where(away > 0, away, np.inf), axis=-1)
-    arm = np.where(np.isfinite(before + behind), (before + behind) / 4, np.minimum(before, behind))
-    moment = force * np.where(np.isfinite(arm), arm, 0.0)
+    span = before + behind
+    is_between = np.isfinite(span)
+    # A pin that hangs over is held by one web, and its journal bears it by the arm to the first bearing.
+    arms = (np.where(is_between, span / 4, over) for over in (own.pin_length / 2, np.minimum(before, behind)))
     beside = np.stack([own.journals[:-1], own.journals[1:]])
     diameters = np.stack([own.journal[:, :-1, 0], own.journal[:, 1:, 0]], axis=1)
     journal = np.min(np.where(beside, diameters, np.inf), axis=1)
-    return _Stress(*(32 * moment / (np.pi * diameter**3) for diameter in (own.pin[..., 0], journal)))
+    each = zip(arms, (own.pin[..., 0], journal), strict=True)
+    return _Stress(*(32 * force * arm / (np.pi * diameter**3) for arm, diameter in each))

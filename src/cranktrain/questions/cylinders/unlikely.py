@@ -59,7 +59,7 @@ def _ratios_of_slaves(ratio: Array, ratios: CompressionRatios, names: Sequence[s
     """Flag the slave whose ratio is farthest off its master's."""
     off = np.abs(ratio / ratio[:, ratios.master] - 1)
     if np.any(off > _OFF):
-        design, slave = np.unravel_index(first_largest(off), off.shape)
+        design, slave = divmod(first_largest(off), off.shape[1])
         master = int(ratios.master[slave])
         said = _(
             "The compression ratio of {slave} is {ratio}, that of {master}, on whose rod it hangs, {other}: are its"

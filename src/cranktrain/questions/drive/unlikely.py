@@ -24,7 +24,7 @@ from cranktrain.record import record
 from cranktrain.wording import number
 
 # Gears have 0.95 and more, belts 0.9, self-locking worms 0.3 to 0.5, screws 0.2.
-_LEAST_EFFICIENCY = Limit(
+_STAGE_EFFICIENCY = Limit(
     np.inf,
     "",
     N_("A stage with an efficiency of {value} loses nearly all; self-locking worms have 0.2 and more: is it right?"),
@@ -40,7 +40,7 @@ class UnlikelyDrive(StageResult):
 
 
 def unlikely_drive(
-    drive: DeclaredDrive,
+    drive: DeclaredDrive | None,
     motor: DeclaredMotor | None,
     work: LoadWork | None,
     gas: GasPressures | None,
@@ -51,7 +51,7 @@ def unlikely_drive(
     rocked: RockingDrive | None,
 ) -> UnlikelyDrive:
     """Flag what is unlikely, as far as it is known."""
-    found = list(flagged(_LEAST_EFFICIENCY, drive.forward))
+    found = [] if drive is None else list(flagged(_STAGE_EFFICIENCY, drive.forward))
     if motor is not None and work is not None:
         found += _driving(work, gas)
     if loaded is not None and wanted is not None and servo is not None:
