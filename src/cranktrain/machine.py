@@ -19,7 +19,7 @@ from cranktrain.layout.crank_bodies import pin_problems
 from cranktrain.layout.design import Design
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
-from cranktrain.layout.load_tables import LoadSpec, LoadTables
+from cranktrain.layout.load_tables import LoadSpec, LoadTables, in_place_of_lists
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
 from cranktrain.layout.shaft_problems import shaft_problems
@@ -200,8 +200,8 @@ class Machine(Spec, frozen=True):
         >>> longer.mechanism.rod_length.text, machine.mechanism.rod_length.text
         ('140 mm', '136 mm')
         """
-        data, _paths = with_values(self.declared, values)
-        data, found = self.files_read(data)
+        data, paths = with_values(self.declared, values)
+        data, found = self.files_read(in_place_of_lists(data, paths))
         refuse(found)
         return type(self)(**data).reading(self.files_read)
 
