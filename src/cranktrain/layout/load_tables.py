@@ -98,7 +98,8 @@ class LoadSpec(Spec, frozen=True):
         description=N_("Of a force, from the mechanism's x in the sense of rotation; of a slider's along its guide."),
     )
     along: Length | None = Field(
-        default=None, description=N_("Where a force acts: from the link's first pin toward its second.")
+        default=None,
+        description=N_("Where a force acts: from the link's first pin toward its second; a force on a link needs it."),
     )
     across: Length | None = Field(default=None, description=N_("Where a force acts: to the left of the line of pins."))
     radius: Length | None = Field(

@@ -303,18 +303,42 @@ def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism])
             at_pin = _("is for a link; without a direction a force on a slider goes through its pin")
             given = ((name, getattr(spec, name)) for name in AT_POINT)
             yield from (Problem(f"{where}.{name}", one.text, at_pin) for name, one in given if one is not None)
-    elif spec.force is not None and spec.direction is None and spec.radius is None:
-        if spec.sense == "active":
-            yield Problem(f"{where}.direction", None, _("is missing; a force on a link needs it, or a radius"))
-        if spec.travel is not None:
-            yield Problem(f"{where}.travel", None, _("needs a direction or a radius, along which it is counted"))
-            return
+    elif _is_force(spec) and spec.radius is None:
+        if spec.along is None:
+            yield _no_place(where, spec, place)
+        if spec.direction is None:
+            if spec.sense == "active":
+                yield Problem(f"{where}.direction", None, _("is missing; a force on a link needs it, or a radius"))
+            if spec.travel is not None:
+                yield Problem(f"{where}.travel", None, _("needs a direction or a radius, along which it is counted"))
+                return
     if (spec.travel or spec.swing) is not None:
         for own in places:
             if _link_of(own, spec.on) is not None:
                 yield from _travel_problems(where, spec, own)
 
 
+def _is_force(spec: LoadSpec) -> bool:
+    """Whether its sizes, or those of its file, are forces."""
+    return spec.force is not None or (spec.card is not None and spec.card.sort == "force")
+
+
+def _no_place(where: str, spec: LoadSpec, place: PlacedMechanism) -> Problem:
+    """Say how to tell where on a link a force acts: by the link's line of pins, or by a point that is followed."""
+    allowed = _(
+        'is missing: where on the {link} the force acts. Write along = "200 mm", from its first pin toward its second'
+        ' ("0 mm" is that pin), or put the force on a point: on = "{point}"'
+    )
+    own = [name for name, point in place.spec.points.items() if part_name(point.link) == spec.on]
+    repair = None
+    if not own:
+        repair = _('declare that by [mechanism.points.{point}] with link = "{link}", along = "200 mm", across = "0 mm"')
+        repair = repair.format(point=_POINT, link=spec.on)
+    return Problem(f"{where}.along", None, allowed.format(link=spec.on, point=own[0] if own else _POINT), repair)
+
+
+_POINT = "seat"
+"""Name of a point in an example of what to write."""
 _AROUND = 73
 """Places around a turn at which links are asked whether they close."""
 

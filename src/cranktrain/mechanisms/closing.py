@@ -1,6 +1,6 @@
 """Closing margin: how little one length may change before the crank cannot turn; and where links cannot close."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -188,13 +188,17 @@ class OpenRange(NamedTuple):
     short: float
 
 
-def open_ranges(kind: Kind[Motion, Geometry], geometry: Geometry) -> tuple[OpenRange, ...]:
+def open_ranges(
+    kind: Kind[Motion, Geometry], geometry: Geometry, gap: Callable[[Array], Array] | None = None
+) -> tuple[OpenRange, ...]:
     """Give the angles of the mechanism's crank over which one mechanism cannot close, with edges to rounding.
 
     Parameters
     ----------
     kind : Kind
     geometry : NamedTuple of floats
+    gap : callable, optional
+        By how much a part of it closes, by the angle; the mechanism as a whole unless given. [m]
 
     Returns
     -------
@@ -205,7 +209,7 @@ def open_ranges(kind: Kind[Motion, Geometry], geometry: Geometry) -> tuple[OpenR
     rounding = _rounding(kind, geometry)
 
     def curve(phi: Array) -> Array:
-        return kind.gap(phi, geometry) - rounding
+        return (kind.gap(phi, geometry) if gap is None else gap(phi)) - rounding
 
     with np.errstate(all="ignore"):
         deepest = smallest(curve)

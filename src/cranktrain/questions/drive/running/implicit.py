@@ -20,8 +20,15 @@ from cranktrain.questions.drive.running.equation import (
     train_of,
 )
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.rest import HEAT_PANELS, heated, kind_of_rest, let_go_at, sense_of_start
+from cranktrain.questions.drive.running.rest import (
+    HEAT_PANELS,
+    heated,
+    kind_of_rest,
+    let_go_at,
+    sense_of_start,
+)
 from cranktrain.questions.drive.running.runs import Event, Progress, Run, Wanted, energy_account
+from cranktrain.questions.drive.running.settling import may_settle, settles
 from cranktrain.questions.drive.running.step import N_STATE, ROW
 
 _STIFF = 1e-3
@@ -136,7 +143,7 @@ def run_implicitly(
     state, time, n_steps, n_reversals = asked.start.copy(), 0.0, 0, 0
     machine, settle = parts.kernels.machine, parts.kernels.settle
     settle(state[0], train.machine)
-    sense, reason = float(np.sign(state[1])), GOING
+    sense, fastest, reason = float(np.sign(state[1])), abs(float(state[1])), GOING
     before = machine(state[0], state[1], sense, train.machine)[0]
     try:
         while reason == GOING and time < asked.limits.end_time:
@@ -157,7 +164,8 @@ def run_implicitly(
             if ending == endings.SWINGS:
                 state[1], sense, n_reversals = 0.0, 0.0, n_reversals + 1
                 ending = endings.SWINGS if n_reversals >= asked.limits.most_reversals else GOING
-            reason = ending
+            fastest = max(fastest, abs(float(state[1])))
+            reason = _at_rest(going, time, state, sense, fastest) if ending == GOING else ending
     except _StuckError as stuck:
         reason = stuck.reason
         _fill(table, asked.samples, time, time, lambda times: np.tile(state[:, np.newaxis], times.size))
@@ -204,6 +212,19 @@ def _set_off(going: _Going, time: float, state: Array) -> tuple[float, float, in
     events.append(Event(endings.SET_OFF, at, float(state[0]), 0.0))
     state[HEAT] = warmer(np.array([at]))[HEAT, 0]
     return sense_of_start(at, state[0], own, train, *corners), at, GOING
+
+
+def _at_rest(going: _Going, time: float, state: Array, sense: float, fastest: float) -> int:
+    """What kind of rest a crank has settled to; `GOING` where it has not."""
+    (derive, own), train, asked = going[:3]
+    if sense == 0.0 or time >= asked.limits.end_time or not may_settle(state[1], fastest):
+        return GOING
+    if not settles(derive, time, state, sense, sense * np.inf, np.zeros(ROW), train, asked):
+        return GOING
+    state[1] = 0.0
+    going.table[asked.samples == time, 1] = 0.0
+    going.events.append(Event(endings.HELD, time, float(state[0]), 0.0))
+    return kind_of_rest(time, own, train, asked.limits.end_time)
 
 
 def _trouble(going: _Going, time: float, state: Array, sense: float) -> int:
