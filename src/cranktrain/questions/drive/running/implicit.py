@@ -86,7 +86,8 @@ class _StuckError(Exception):
 _CALLS_OF_A_STEP = 3
 """More of them, on the mean, are steps that fail."""
 
-
+_WHERE_IT_BEGINS = 1e-9
+"""So near to a run's start a dead position is where the crank stood: x′ there is rounding of either sign. [rad]"""
 _MOST_IN_VAIN, _SHORTEST = 10_000, 1e-9
 """Slopes in which a run must come on by a part of the longest step."""
 
@@ -250,7 +251,8 @@ def _phase(going: _Going, time: float, state: Array, sense: float) -> tuple[floa
     stopped, passed, over, _, corner = found.t_events[:5]
     for kind, which in ((endings.REVERSAL, 0), (endings.SPEED_PASSED, 1), (endings.DEAD_POSITION, 3)):
         for when, y in zip(found.t_events[which], found.y_events[which], strict=True):
-            events.append(Event(kind, float(when), float(y[0]), float(y[1])))
+            if kind != endings.DEAD_POSITION or time > 0 or abs(y[0] - state[0]) > _WHERE_IT_BEGINS:
+                events.append(Event(kind, float(when), float(y[0]), float(y[1])))
     _fill(table, asked.samples, time, found.t[-1], found.sol)
     going.ends.extend(zip(found.t.tolist(), found.y[1].tolist(), strict=True))
     end = float(found.t[-1])
