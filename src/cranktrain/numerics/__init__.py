@@ -12,7 +12,14 @@ from cranktrain.numerics.series import (
     turn_grid,
     unwrapped,
 )
-from cranktrain.numerics.subintervals import Subintervals, integral_motion, integral_to, points_together, subintervals
+from cranktrain.numerics.subintervals import (
+    Subintervals,
+    integral_motion,
+    integral_to,
+    points_together,
+    subintervals,
+    unresolved,
+)
 from cranktrain.numerics.tops import Extreme
 
 __all__ = [
@@ -40,5 +47,6 @@ __all__ = [
     "subintervals",
     "turn_grid",
     "turning_points",
+    "unresolved",
     "unwrapped",
 ]

@@ -13,6 +13,8 @@ _NODES = ((0.04, 3), (0.2, 5), (0.6, 8), (np.inf, 12))
 """Panels up to a part of the widest, and how many points are enough there for 13 digits."""
 _NARROWEST = 1e-13
 """Breaks that are closer are one. [rad]"""
+_RESOLVED = 1e-10
+"""Last orders of a curve in a panel that are small, in parts of the curve: its integral is then exact to rounding."""
 _ASIDE = 1e-11
 """How far beside an angle a side of it is, past what rounding leaves of a break there. [rad]"""
 
@@ -84,6 +86,16 @@ def subintervals(breaks: Array, widest: float, period: float, n_more: int = 0) -
         angle[place] = start[chosen, np.newaxis] + half * (1 + node)
         weight[place] = half * share
     return Subintervals(start, width, first, size, angle, weight)
+
+
+def unresolved(of: Subintervals, values: Array) -> Array:
+    """Middles of the panels in which the last orders of a curve, shape (..., point), are not small."""
+    coarse = np.zeros(of.width.shape, dtype=np.bool_)
+    least = _RESOLVED * np.max(np.abs(values), axis=-1, keepdims=True)
+    for chosen, place, n_nodes in _by_size(of, np.arange(of.width.size, dtype=np.intp)):
+        last = np.abs(values[..., place] @ _to_series(n_nodes)[-2:].T)
+        coarse[chosen] = np.any(last > least[..., np.newaxis], axis=(*range(last.ndim - 2), -1))
+    return (of.start + of.width / 2)[coarse]
 
 
 def points_together(breaks: Array, widest: float, period: float, n_more: int = 0) -> tuple[Array, Array]:

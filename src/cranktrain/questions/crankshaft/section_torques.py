@@ -19,7 +19,7 @@ from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.bearings_between_events import bearing_loads_of, methods_for
 from cranktrain.questions.crankshaft.loads_over_cycle import LoadsOverCycle
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, torques
+from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, torque_sizes, torques
 from cranktrain.questions.crankshaft.stages import MainBearingLoads
 from cranktrain.questions.crankshaft.torque_along import torque_along
 from cranktrain.questions.forces.events import ForceEvents
@@ -173,10 +173,12 @@ def _check(loaded: LoadedShafts, acting: Sequence[ShaftLoads], driving: Array) -
         by_forces = one.laid.turn * torques(own)[:, :n_loads]
         by_joints = np.sum(driving[:, np.unique(one.rods.number)], axis=1)
         off = np.max(np.abs(np.sum(by_forces, axis=1) + by_joints), axis=-1)
-        scale = np.max(np.sum(np.abs(by_forces), axis=1), axis=-1)
+        # Forces that stand along their cranks turn nothing, but by rounding.
+        scale = np.max(np.sum(torque_sizes(own)[:, :n_loads], axis=1), axis=-1)
         worst = np.maximum(worst, off / np.where(scale > 0, scale, 1.0))
     sentence = _(
-        "Torque of all rods and cranks about the shaft's axis, as its last journal has it, against the joints'"
+        "Torque of all rods and cranks about the shaft's axis, as its last journal has it, against the joints',"
+        " relative to forces times arms"
     )
     return Check("section_torque", sentence, worst, _LIMIT)
 

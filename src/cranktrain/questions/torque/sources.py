@@ -14,7 +14,14 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
 from cranktrain.motion import ZERO, Array, Coefficient
-from cranktrain.numerics import Subintervals, integral_motion, integral_to, spectral_derivative, subintervals
+from cranktrain.numerics import (
+    Subintervals,
+    integral_motion,
+    integral_to,
+    spectral_derivative,
+    subintervals,
+    unresolved,
+)
 from cranktrain.numerics.gathering import gathered
 from cranktrain.numerics.harmonics import TURN, ComplexArray, harmonics, phasor
 from cranktrain.numerics.periodic import fourier_integral, quintic_curve
@@ -32,6 +39,10 @@ _WIDEST = np.pi / 9
 """Of a panel, for the highest order too. [rad]"""
 _REACH = 1.3
 """How wide they may be for the distance of the volume's zeros in the complex plane, where p ~ V⁻ⁿ has its poles."""
+
+
+_HALVINGS = 16
+"""How often panels are halved at most, of a machine that nearly locks and turns sharply there."""
 
 
 class Source(NamedTuple):
@@ -255,10 +266,16 @@ def _of_chambers(
         # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
         volume, _slope, curvature = (float(part[design, gas.among_distinct[design, first], 0]) for part in events.least)
         away = float(np.sqrt(2 * volume / curvature))
-        cut = subintervals(
-            events.angle[design, first] - start, min(_WIDEST, _REACH * away) if away > 0 else _WIDEST, gas.cycle
-        )
+        widest = min(_WIDEST, _REACH * away) if away > 0 else _WIDEST
+        cut = subintervals(events.angle[design, first] - start, widest, gas.cycle)
         motion = gas.volume_of(design, first, cut.angle + start)
+        for _halving in range(_HALVINGS):
+            coarse = unresolved(cut, motion.first)
+            if not coarse.size:
+                break
+            breaks = np.concatenate([events.angle[design, first] - start, cut.start, coarse])
+            cut = subintervals(breaks, widest, gas.cycle)
+            motion = gas.volume_of(design, first, cut.angle + start)
         pressure = gas.pressure_of(design, first, cut.angle, motion)
         by_chamber = [np.flatnonzero(gas.chambers.areas[design, :, place]) for place in places.tolist()]
         if len(by_chamber[0]) == 1:
