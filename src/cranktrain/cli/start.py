@@ -1,6 +1,7 @@
 """`start`: run a machine with its motor over time, write it where asked, and show what became of it."""
 
 import sys
+import time
 from collections.abc import Iterator
 from pathlib import PurePath
 
@@ -19,7 +20,6 @@ from cranktrain.io.start_tables import SUFFIXES, start_csv, start_json
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.quantities import shown_as_in, shown_by, unlisted
-from cranktrain.questions.drive.running.runs import Progress
 from cranktrain.record import record
 from cranktrain.study.start import Start, start
 from cranktrain.wording import number
@@ -27,6 +27,11 @@ from cranktrain.wording import number
 _SHOWN_EVENTS = 12
 _PICTURES = (".png", ".svg", ".pdf")
 _DECIMALS = ("point", "comma")
+
+_PATIENCE = 1.0
+"""How long a run lasts before a terminal is told how far it is. [s]"""
+_WIDTH = 60
+"""Columns of the line that tells it."""
 
 
 @record
@@ -44,8 +49,9 @@ def show_start(request: StartRequest) -> None:
     file = read_machine(request.file, request.settings)
     with shown_as_in(units_of(file.machine)), shown_by(asked):
         with problems_as(file.document.located):
-            found = start(file.machine, progress=_progress())
-        _end_progress()
+            told = _Told(time.monotonic())
+            found = start(file.machine, progress=told if sys.stderr.isatty() else None)
+        told.clear()
         if request.output is not None:
             _write(found, file, request, suffix)
             print(_("written: {name}").format(name=one_line(request.output)))
@@ -102,20 +108,28 @@ def _event_lines(found: Start, request: StartRequest) -> Iterator[str]:
         yield _("  and {n} more: --full shows all").format(n=len(events) - len(shown))
 
 
-def _progress() -> Progress | None:
-    """Tell a terminal how far a run has come, which Ctrl-C then ends."""
-    if not sys.stderr.isatty():
-        return None
+class _Told:
+    """A terminal is told how far a run has come, which Ctrl-C then ends; of a run that is soon over, nothing.
 
-    def tell(now: float, angle: float, speed: float) -> None:
-        words = _("{time:.3f} s, {turns:.2f} turns, {speed}   (Ctrl-C ends it)")
-        line = words.format(time=now, turns=angle / (2 * np.pi), speed=number(speed, "rpm"))
-        print(f"{line:<60}", end="\r", file=sys.stderr, flush=True)
+    Parameters
+    ----------
+    begun : float
+        When the run began. [s]
+    """
 
-    return tell
+    def __init__(self, begun: float) -> None:
+        self.begun = begun
+        self.is_line_there = False
 
+    def __call__(self, now: float, angle: float, speed: float) -> None:
+        """Write where the run is over what was written before."""
+        if self.is_line_there or time.monotonic() - self.begun > _PATIENCE:
+            words = _("{time:.3f} s, {turns:.2f} turns, {speed}   (Ctrl-C ends it)")
+            line = words.format(time=now, turns=angle / (2 * np.pi), speed=number(speed, "rpm"))
+            print(f"{line:<{_WIDTH}}", end="\r", file=sys.stderr, flush=True)
+            self.is_line_there = True
 
-def _end_progress() -> None:
-    """Clear the line on which a terminal was told."""
-    if sys.stderr.isatty():
-        print(" " * 60, end="\r", file=sys.stderr, flush=True)
+    def clear(self) -> None:
+        """Take away the line."""
+        if self.is_line_there:
+            print(" " * _WIDTH, end="\r", file=sys.stderr, flush=True)
