@@ -19,7 +19,8 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.speed import Speed
 from cranktrain.numerics.periodic import cycle_grid, fourier_curve, plus
-from cranktrain.questions.drive.steady_cycle import mesh_of, speed_over_turn
+from cranktrain.questions.drive.cycle_equation import speed_over_turn
+from cranktrain.questions.drive.cycle_pieces import mesh_of
 from cranktrain.questions.evenness.applied_torque import applied_torque
 from cranktrain.questions.evenness.flywheel import FlywheelSize, flywheel_size
 from cranktrain.questions.evenness.flywheel_inertia import exact_flywheel, flywheels_by_method, textbook_inertia

@@ -10,11 +10,17 @@ from cranktrain.one_line import one_line
 
 
 def show_check(source: str) -> None:
-    """Say that nothing is wrong, what can be computed and what is missing; raise `InputError` otherwise."""
+    """Say that nothing is wrong, which numbers are unlikely, what can be computed and what is missing.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong.
+    """
     file = read_machine(source)
     result = computed(file)
     print(_("{file}: nothing wrong").format(file=one_line(file.document.name)))
-    for sentence in sentences(result.unused):
+    for sentence in (*sentences(result.unused), *result.unlikely):
         print(f"! {one_line(sentence)}")
     groups = ", ".join(
         # `DeadCentres` are dead centres.

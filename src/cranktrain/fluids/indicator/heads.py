@@ -5,6 +5,7 @@ import unicodedata
 from collections.abc import Iterator
 from typing import Literal, TypeAlias
 
+from cranktrain.language import _
 from cranktrain.quantities import Dimension, is_unit
 
 Axis: TypeAlias = Literal["angle", "displacement", "volume"]
@@ -28,6 +29,7 @@ _WORDS = {
     "displacement": r"displacement|stroke|travel|\bs\b|\b[xх]\b|hub|ход|перемещ",
     "pressure": r"press|\b[pр](?:[izцг]|cyl)?\b|druck|давлен",
 }
+_TIME = r"time|zeit|врем|^\s*t\s+(?:s|ms|sec)\b"
 _GAUGE = (
     r"gauge|\bgage\b|\brel\b|relative|избыт|изб|überdr|(?:\b|r|t)ü\b|(?:\bbar|\bpsi)\s*g\b|кгс?\s*см[2²]\s*и\b|\bати\b"
 )
@@ -36,7 +38,7 @@ _ABSOLUTE = r"\babs|абс|\bата\b|\bata\b|(?:\bbar|\bpsi)\s*a\b"
 
 def axis_of(head: str) -> Axis | None:
     """Tell what a column's head says that it is; None for pressures and what is not known."""
-    if is_pressure(head):
+    if is_pressure(head) or is_time(head):
         return None
     words = _spaced(head)
     for axis in ("angle", "volume", "displacement"):
@@ -46,6 +48,33 @@ def axis_of(head: str) -> Axis | None:
         if unit_in(head, dimension):
             return axis
     return None
+
+
+def is_time(head: str) -> bool:
+    """Whether a column's head means a time: by its word, or by a unit of time in brackets.
+
+    Examples
+    --------
+    >>> is_time("time [s]"), is_time("Zeit, ms"), is_time("CA [deg]"), is_time("s [mm]"), is_time("s")
+    (True, True, False, False, False)
+    """
+    if any(unit_in(head, dimension) for dimension in (*AXES.values(), Dimension.PRESSURE)):
+        return False  # t, ms beside travel_time_deg
+    return re.search(_TIME, _spaced(head), re.IGNORECASE) is not None or _in_units_of_time(head)
+
+
+def _in_units_of_time(head: str) -> bool:
+    """Whether brackets of a head, or what follows its comma, hold a unit of time."""
+    pieces = (*re.findall(r"[\[(]([^\])]*)[\])]", head), *re.split(r",\s*", head)[1:])
+    return any(is_unit(piece.strip(), Dimension.TIME) for piece in pieces)
+
+
+def time_advice() -> str:
+    """What to do with a file over time."""
+    return _(
+        "write crank angles instead, of an encoder; at a constant speed they are 360° × speed × time, 12° for"
+        " 1 ms at 2000 rpm"
+    )
 
 
 def is_pressure(head: str) -> bool:

@@ -240,5 +240,8 @@ def _filled(angles: Array, pressures: Array, chamber: Chamber, curve_through: Cu
 
 
 def _change(values: Array) -> Array:
-    """How much positive values change from each to the next, round the cycle."""
-    return np.abs(np.log(np.roll(values, -1) / values))
+    """How much positive values change from each to the next, round the cycle; ∞ where a raw trace has none."""
+    after = np.roll(values, -1)
+    is_positive = (values > 0) & (after > 0)
+    ratio = np.divide(after, values, where=is_positive, out=np.full_like(values, np.inf))
+    return np.abs(np.log(ratio))

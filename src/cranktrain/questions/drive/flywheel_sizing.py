@@ -22,11 +22,12 @@ from cranktrain.questions.drive.running.gearing import (
     turning_inertia,
     with_inertia,
 )
+from cranktrain.questions.drive.settling import settled
 from cranktrain.questions.drive.sizing.peaky_load import PeakyLoad, SlipLine, recovered_inertia
 from cranktrain.questions.drive.static_torques import StaticTorques
 from cranktrain.questions.drive.steady_cycle import speed_range
 from cranktrain.questions.drive.steady_drive import SteadyDrive
-from cranktrain.questions.drive.steady_turn import DriveInTurn, settled
+from cranktrain.questions.drive.steady_turn import DriveInTurn
 from cranktrain.record import record
 from cranktrain.rows import Amount
 from cranktrain.wording import Names, number

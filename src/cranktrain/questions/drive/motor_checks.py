@@ -14,9 +14,10 @@ from cranktrain.questions.drive.motors import SERVO
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
 from cranktrain.questions.drive.running.reduced import ReducedMachine
+from cranktrain.questions.drive.settling import settled
 from cranktrain.questions.drive.sizing.starting import inertia_ratio, starts_per_hour
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, largest_over_turn
-from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed, settled
+from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed
 
 SIZING_CHECKS = (
     N_("effective torque"),

@@ -119,8 +119,8 @@ def line_start(motor: DeclaredMotor, design: int, limits: MotorLimits, inertia: 
     if not starts_on_line(motor, design):
         return StartTimeHeat(np.asarray(np.nan), np.asarray(np.nan))
     end = top * (1 - _END_SLIP * rated_slip(motor, design))
-    breaks = np.array([float(np.ravel(speed[..., design])[0]) for speed in motor.motor.breaks(motor.numbers).speeds])
-    inside = breaks[np.isfinite(breaks) & (breaks > 0) & (breaks < end)]
+    corners = motor.corner_speeds(design)
+    inside = corners[(corners > 0) & (corners < end)]
     speeds = np.unique(np.concatenate([[0.0], inside, [end]]))
     return loaded_start(
         lambda speed: limits.reserve * _curve(motor, design, speed),

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
-from cranktrain.questions.drive.steady_cycle import CyclePieces
+from cranktrain.questions.drive.cycle_pieces import CyclePieces
 
 _ASIDE = 1e-9
 """Of a corner, on both its sides. [rad]"""

@@ -13,13 +13,13 @@ from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import ONE, Array
 from cranktrain.numerics import Extreme, largest_between
 from cranktrain.questions.drive.at_angles import reduced_at
+from cranktrain.questions.drive.cycle_pieces import mesh_of
 from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.gear_train import torque_through
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
 from cranktrain.questions.drive.running.reduced import ReducedMachine
 from cranktrain.questions.drive.sign_changes import sign_changes
-from cranktrain.questions.drive.steady_cycle import mesh_of
 from cranktrain.record import record
 
 THEORY = "docs/theory/reduced-machine"

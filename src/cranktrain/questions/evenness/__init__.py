@@ -44,7 +44,7 @@ QUESTION = Question(
         Stage(flywheel.flywheel_size),
         Stage(flywheel.rim_size),
     ),
-    dimensions=(ResultDimension("flywheel_method", N_("method")),),
+    dimensions=(ResultDimension("flywheel_method", N_("method"), own=0),),
     headline=("coefficient_of_fluctuation", "largest_excess_work", "wanted_flywheel_moment"),
     title=N_("Evenness"),
     rows=(

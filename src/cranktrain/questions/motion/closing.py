@@ -71,5 +71,5 @@ def closing(mechanisms: Mechanisms, crank_angle: CrankAngle) -> Closing:
         closing_margin=margins,
         closing_angle=crank_angle.counted(different.angle(angle))[..., 0],
         length_names=tuple(tuple(row) for row in different.spread(length)[..., 0]),
-        flags=tuple(flagged(_CLOSENESS, 1 / margins, margins)),
+        unlikely=tuple(flagged(_CLOSENESS, 1 / margins, margins)),
     )
