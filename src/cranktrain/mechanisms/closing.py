@@ -12,6 +12,7 @@ from cranktrain.mechanisms.kind import Kind, Motion, Openings
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, bracketed_roots, near_roots, smallest, turn_grid
 from cranktrain.numerics.nested import leaves, mapped
+from cranktrain.numerics.ties import first_largest_along
 
 _GRID, _SCAN_GRID, _COARSE_GRID = turn_grid(360), turn_grid(72), turn_grid(24)
 _CHANGES = 10.0 ** np.linspace(-7, 3, 21)
@@ -82,7 +83,7 @@ def _of_longest(kind: Kind[Motion, Geometry], geometry: Geometry, least: Extreme
     closes = least.value > _rounding(kind, geometry)
     return ClosingMargin(
         np.where(closes, least.value / np.max(lengths, axis=0), np.nan),
-        np.where(closes, np.argmax(lengths, axis=0), -1),
+        np.where(closes, first_largest_along(np.moveaxis(lengths, 0, -1)), -1),
         np.where(closes, np.mod(least.angle, 2 * np.pi), np.nan),
     )
 

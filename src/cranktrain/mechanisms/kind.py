@@ -103,6 +103,8 @@ class Kind(Generic[Motion, Geometry]):
         Finds what `closing_margin` looks for; for a kind whose gap has to be walked for.
     has_chambers : bool
         Whether its slider is a piston, which can have a cylinder, and not a valve.
+    has_own_pin : bool
+        Whether its crank is one of its own beside the throw, as an eccentric is, and not the throw itself.
     rows : tuple of callable (labels, design, …) → rows
         What its own results say in the answer; see `Question`.
     """
@@ -132,6 +134,7 @@ class Kind(Generic[Motion, Geometry]):
     least_gap: Callable[[Geometry], Extreme] | None = None
     openings: Callable[[Geometry], Openings] | None = None
     has_chambers: bool = True
+    has_own_pin: bool = False
     rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
 
     @property

@@ -75,16 +75,24 @@ def is_stiff(time_constant: float, crank_speed: float) -> bool:
     return time_constant < _STIFF * 2 * np.pi / crank_speed
 
 
-class _TooManyCallsError(Exception):
-    """Slopes were asked for so often that the method is stuck: SciPy stops for nothing else."""
+class _StuckError(Exception):
+    """No slope, or one asked for too often: SciPy stops for nothing else. The reason is that of the run's end."""
+
+    def __init__(self, reason: int) -> None:
+        super().__init__()
+        self.reason = reason
 
 
 _CALLS_OF_A_STEP = 3
 """More of them, on the mean, are steps that fail."""
 
 
+_MOST_IN_VAIN, _SHORTEST = 10_000, 1e-9
+"""Slopes in which a run must come on by a part of the longest step."""
+
+
 class _Going(NamedTuple):
-    """What an implicit run is made of; `calls` counts the slopes that were asked for."""
+    """What an implicit run is made of; `calls` counts the slopes that were asked for, `got` how far they came."""
 
     parts: Joined
     train: TrainNumbers
@@ -96,6 +104,7 @@ class _Going(NamedTuple):
     ends: list[tuple[float, float]]
     is_compiled: bool
     calls: list[int]
+    got: list[tuple[int, float]]
 
 
 def run_implicitly(
@@ -128,7 +137,9 @@ def run_implicitly(
     parts, train = joined(kernels, is_compiled), train_of(drive, kernels, is_compiled)
     table = np.full((len(asked.samples), N_STATE), np.nan)
     longest = min(longest_step, 0.02 * asked.limits.end_time)
-    going = _Going(parts, train, asked, method, longest, table, [], [] if ends is None else ends, is_compiled, [0])
+    going = _Going(
+        parts, train, asked, method, longest, table, [], [] if ends is None else ends, is_compiled, [0], [(0, 0.0)]
+    )
     state, time, n_steps, n_reversals = asked.start.copy(), 0.0, 0, 0
     machine, settle = parts.kernels.machine, parts.kernels.settle
     settle(state[0], train.machine)
@@ -155,8 +166,9 @@ def run_implicitly(
                 ending = endings.SWINGS if n_reversals >= asked.limits.most_reversals else GOING
             fastest = max(fastest, abs(float(state[1])))
             reason = _at_rest(going, time, state, sense, fastest) if ending == GOING else ending
-    except _TooManyCallsError:
-        reason = endings.TOO_MANY_STEPS
+    except _StuckError as stuck:
+        reason = stuck.reason
+        _fill(table, asked.samples, time, time, lambda times: np.tile(state[:, np.newaxis], times.size))
     except KeyboardInterrupt:
         if progress is None:
             raise
@@ -221,6 +233,11 @@ def _trouble(going: _Going, time: float, state: Array, sense: float) -> int:
     _, grown = going.parts.derive(time, state[0], state[1], sense, sense * np.inf, slopes, 0, going.train)
     if grown == grown:
         return GOING
+    return _why_not(slopes)
+
+
+def _why_not(slopes: Any) -> int:
+    """Why there is no acceleration."""
     return endings.LINKS_OPEN if is_open(slopes, 0) else endings.GEARING_JAMS
 
 
@@ -261,9 +278,11 @@ def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array
 
     def slope(time: float, state: Array) -> Array:
         going.calls[0] += 1
-        if going.calls[0] > most_calls:
-            raise _TooManyCallsError
-        derive(time, float(state[0]), float(state[1]), sense, bound, slopes, 0, train)
+        if going.calls[0] > most_calls or _treads(going, time):
+            raise _StuckError(endings.TOO_MANY_STEPS)
+        _, grown = derive(time, float(state[0]), float(state[1]), sense, bound, slopes, 0, train)
+        if grown != grown:
+            raise _StuckError(_why_not(slopes))
         return np.array(slopes[:N_STATE])
 
     def stopped(_time: float, state: Array) -> float:
@@ -291,6 +310,15 @@ def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array
         slope, span, state, method=method, rtol=max(closeness, 3e-14), atol=closeness,
         max_step=going.longest_step, dense_output=True, events=(stopped, passed, over, dead, corner),
     )  # fmt: skip
+
+
+def _treads(going: _Going, time: float) -> bool:
+    """Whether many slopes in a row brought a run no further: no step is short enough there."""
+    since, far = going.got[0]
+    if time > far + _SHORTEST * going.longest_step:
+        going.got[0] = (going.calls[0], time)
+        return False
+    return going.calls[0] - since > _MOST_IN_VAIN
 
 
 def _warming(state: Array, time: float, own: Kernels, going: _Going) -> Callable[[Array], Array]:
