@@ -106,6 +106,8 @@ def _halves(drive: DeclaredDrive, machines: ReducedMachines, crank_angle: CrankA
     shown = np.broadcast_to(crank_angle.shown, (len(halves), crank_angle.shown.size))
     found = largest_between(heights, crank_angle.shown, heights(halves, shown), all_corners - zero)
     signs = np.where(works < 0, -1.0, 1.0)
+    if np.any(np.isnan(works)):  # links that do not close all round: there is no cycle to divide
+        starts, lengths = np.full((2, len(starts)), np.nan)
     return _Halves(
         starts - zero, lengths, works * overall_ratio(gearing), within(found.angle, cycle), signs * found.value
     )

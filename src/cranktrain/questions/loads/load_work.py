@@ -156,4 +156,4 @@ def _works(on_crank: Callable[[Array], Array], events: ForceEvents, crank_angle:
     angle, weight = points_together(events.whole - crank_angle.zero[:, 0], _WIDEST, crank_angle.cycle)
     done = on_crank(angle + crank_angle.zero) * weight
     work, gross = np.sum(done, axis=-1), np.sum(np.abs(done), axis=-1)
-    return np.where(np.abs(work) > _ROUNDING * gross, work, 0.0)
+    return np.where(np.abs(work) <= _ROUNDING * gross, 0.0, work)
