@@ -10,6 +10,7 @@ from cranktrain.layout.load_laws import ByTravel
 from cranktrain.linkage.forces.load import LoadWay
 from cranktrain.motion import Array
 from cranktrain.numerics import extremes
+from cranktrain.numerics.ties import first_largest
 from cranktrain.wording import precise
 
 WIDEST = 0.02
@@ -75,7 +76,7 @@ def stretch_flags(stretches: Mapping[str, Stretch]) -> Iterator[str]:
     told: dict[str, list[str]] = {}
     for name, (card, part, unit) in stretches.items():
         off = np.nan_to_num(part / card - 1)
-        design = int(np.argmax(np.abs(off)))
+        design = first_largest(np.abs(off))
         if abs(off[design, 0]) > _TOLD:
             own, whole = (precise(float(travel[design, 0]), unit) for travel in (card, part))
             said = _("goes over {card} and the part over {whole}: it is stretched by {percent:+.2g} %")
