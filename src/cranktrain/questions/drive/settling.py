@@ -28,7 +28,7 @@ _TO_BETWEEN, _SLOPE_BETWEEN = to_integrals(_BETWEEN), to_places(_BETWEEN)
 _PARTS = 4
 """Into which a piece is cut on which too much is left over."""
 _MOST_PIECES = 600
-_HEAVIER = (30.0, 10.0, 5.0, 2.5, 1.2, 0.6, 0.3, 0.15, 0.07, 0.03, 0.01, 0.0)
+_HEAVIER = (30.0, 10.0, 4.0, 1.5, 0.6, 0.3, 0.1, 0.03, 0.0)
 """How many times its own inertia a machine has more, on the way to a cycle that is not found at once."""
 _ASIDE = 1e-9
 """In parts of a speed: how far aside a law that jumps there is asked."""
