@@ -1,6 +1,6 @@
 """Checks: identities that can fail, computed with every result; and limits beyond which numbers are flagged."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from typing import NamedTuple
 
@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.quantities import shown
 from cranktrain.record import record
 
@@ -67,28 +68,43 @@ class StageResult:
     checks : tuple of Check
     flags : tuple of str
         Sentences that warn of its numbers.
+    unlikely : tuple of str
+        Flags that ask whether a number of the file is right; `check` tells them, too.
     """
 
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]], kw_only=True)
     checks: tuple[Check, ...] = field(default=(), kw_only=True)
     flags: tuple[str, ...] = field(default=(), kw_only=True)
+    unlikely: tuple[str, ...] = field(default=(), kw_only=True)
 
 
 class Limit(NamedTuple):
     """The most that was ever built, or that digits allow, in SI; the unit of what is told; and the sentence.
 
-    What is beyond it is computed with all the same, and flagged.
+    What is beyond it is computed with all the same, and flagged. Where `least` is given, so is what is less than that.
     """
 
     most: float
     unit: str
     sentence: str
+    least: float = -np.inf
 
 
-def flagged(limit: Limit, values: Array, named: Array | None = None) -> Iterator[str]:
-    """Flag the largest of some values if it is beyond a limit, NaN never; name it, or what `named` has in its place."""
-    beyond = np.where(values > limit.most, values, -np.inf)
-    if np.any(values > limit.most):
-        worst = float(np.ravel(values if named is None else named)[np.argmax(beyond)])
-        written = f"{shown(worst, limit.unit):.4g} {limit.unit}" if limit.unit else f"{worst:.4g}"
-        yield _(limit.sentence).format(value=written)
+def flagged(limit: Limit, values: Array, named: Array | None = None, whose: Sequence[str] = ("",)) -> Iterator[str]:
+    """Flag the value that is farthest beyond a limit, NaN never, the first of those within 1e-9.
+
+    Parameters
+    ----------
+    limit : Limit
+    values : Array
+    named : Array, optional
+        Told in place of the values, of their shape.
+    whose : sequence of str
+        What the values along the last axis are of, for {whose} in the sentence.
+    """
+    beyond = np.fmax(np.fmax(values - limit.most, limit.least - values), 0.0)
+    if np.any(beyond > 0):
+        worst = first_largest(beyond)
+        told = float(np.ravel(values if named is None else named)[worst])
+        written = f"{shown(told, limit.unit):.4g} {limit.unit}" if limit.unit else f"{told:.4g}"
+        yield _(limit.sentence).format(value=written, whose=whose[worst % len(whose)])

@@ -176,8 +176,13 @@ class Result:
     @property
     def flags(self) -> tuple[str, ...]:
         """Warnings of the stages: a textbook form outside its source's range, and the like."""
-        found = (flag for outcome in self.outcomes for flag in getattr(outcome, "flags", ()))
-        return (*self.coarse, *map(in_print, found))
+        found = ((*getattr(outcome, "flags", ()), *getattr(outcome, "unlikely", ())) for outcome in self.outcomes)
+        return (*self.coarse, *(in_print(flag) for flags in found for flag in flags))
+
+    @property
+    def unlikely(self) -> tuple[str, ...]:
+        """Those of the flags that ask whether a number of the file is right."""
+        return tuple(in_print(flag) for outcome in self.outcomes for flag in getattr(outcome, "unlikely", ()))
 
     def rows(self, design: int = 0) -> Iterator[tuple[str, list[AnswerLine]]]:
         """Give the lines of the answer for one design: question by question its title and rows, if it has any.

@@ -9,7 +9,7 @@ from cranktrain.layout.masses import bodies_given
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.specs import MAIN
 from cranktrain.layout.uses import table
-from cranktrain.questions.balance import frame_forces, rows, running_frame, shaking, spec, weights
+from cranktrain.questions.balance import frame_forces, rows, running_frame, shaking, spec, unlikely, weights
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 
 
@@ -38,8 +38,9 @@ QUESTION = Question(
         Stage(shaking.shaking_forces),
         Stage(shaking.shaking_couples),
         Stage(shaking.rolling_moment),
+        Stage(unlikely.unlikely_balance),
     ),
-    dimensions=(ResultDimension("balance", N_("balance")), ResultDimension("weight", N_("weight"))),
+    dimensions=(ResultDimension("balance", N_("balance"), own=-1), ResultDimension("weight", N_("weight"))),
     headline=("shaking_force_largest", "shaking_couple_largest"),
     title=N_("Balance"),
     rows=(

@@ -32,6 +32,7 @@ from cranktrain.questions.crankshaft.shaft_places import shaft_places
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
 from cranktrain.questions.crankshaft.stages import MainBearingLoads, main_bearing_loads
 from cranktrain.questions.crankshaft.throw_bending import throw_bending
+from cranktrain.questions.crankshaft.unlikely import unlikely_crankshafts
 from cranktrain.questions.forces.crank_pins import have_crank_pins
 
 
@@ -69,9 +70,10 @@ QUESTION = Question(
         Stage(section_torques),
         Stage(crank_pin_pressures, applies=have_rod_widths),
         Stage(main_bearing_pressures, applies=have_bearing_widths),
+        Stage(unlikely_crankshafts),
     ),
     dimensions=(
-        ResultDimension("bearing_method", N_("bearing method")),
+        ResultDimension("bearing_method", N_("bearing method"), own=0),
         ResultDimension("bearing", N_("bearing")),
         ResultDimension("pin", N_("pin")),
         ResultDimension("throw_plane", N_("plane of the throw")),

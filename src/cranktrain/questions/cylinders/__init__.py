@@ -6,7 +6,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.uses import keys
-from cranktrain.questions.cylinders import firing, opposed, ports, rows, spec, travel, volumes
+from cranktrain.questions.cylinders import firing, opposed, ports, rows, spec, travel, unlikely, volumes
 from cranktrain.questions.cylinders.parts import parts, problems
 from cranktrain.questions.motion.sorts import InCylinders
 
@@ -41,6 +41,7 @@ QUESTION = Question(
         Stage(firing.firing, applies=firing.has_firing),
         Stage(opposed.combined_motion, applies=opposed.are_opposed),
         Stage(opposed.combined_speeds),
+        Stage(unlikely.unlikely_cylinders),
     ),
     dimensions=(
         ResultDimension("cylinder", N_("cylinder"), family="mechanism"),

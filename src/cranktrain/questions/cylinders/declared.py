@@ -27,6 +27,8 @@ class Cylinder:
         Where in the machine file each field that is given stands.
     is_master : bool
         Whether its pistons hang on crank pins themselves.
+    carrier : int
+        Which piston's rod carries that of its own; −1 where that hangs on a crank pin itself.
     """
 
     name: str
@@ -36,6 +38,7 @@ class Cylinder:
     spec: CylinderSpec
     paths: Mapping[str, str]
     is_master: bool
+    carrier: int
 
     @property
     def has_own_ratio(self) -> bool:
@@ -75,7 +78,14 @@ def _cylinder(common: CylindersSpec, pistons: Sequence[PlacedMechanism], index: 
         spec=CylinderSpec.model_construct(**{field: value for field, (_path, value) in given.items()}),
         paths={field: path for field, (path, _value) in given.items()},
         is_master=all(place.kind.name == "slider_crank" for place in places),
+        carrier=next((i for i, other in enumerate(pistons) if _carries(other, places[0])), -1),
     )
+
+
+def _carries(other: PlacedMechanism, slave: PlacedMechanism) -> bool:
+    """Whether a slave hangs on a mechanism's rod."""
+    is_named = other.bank == getattr(slave.spec, "master", None)
+    return is_named and (other.shaft, other.throw) == (slave.shaft, slave.throw)
 
 
 def cylinder_problems(

@@ -51,6 +51,27 @@ def likest_orders(tops: Array, cycle: float, wanted: Sequence[int]) -> list[tupl
     return sorted(orders, key=likeness)[:MOST_TOLD]
 
 
+def has_even_order(tops: Array, cycle: float, tolerance: float) -> bool:
+    """Whether some order fires evenly, with a tolerance in parts of the interval; `tops` as of `likest_orders`.
+
+    Examples
+    --------
+    >>> has_even_order(np.radians([0, 180, 180, 0]), 4 * np.pi, 0.01)
+    True
+    >>> has_even_order(np.radians([0, 90, 270, 180]), 4 * np.pi, 0.01)
+    False
+    """
+    step: float = cycle / tops.size
+
+    def places(angles: Array) -> Array:
+        within = np.mod(angles, TURN)
+        return np.sort(np.where(within > TURN - tolerance * step, within - TURN, within))
+
+    # An even order has a piston at its top at every step of the cycle, wherever in the turn that is.
+    wanted = places(np.linspace(0.0, cycle, tops.size, endpoint=False))
+    return bool(np.all(np.abs(places(tops - tops[0]) - wanted) <= tolerance * step))
+
+
 def _most_even(tops: Array, n_turns: int, first: int) -> list[tuple[int, ...]]:
     """Try every choice of turns, and keep the orders whose squared intervals add up to the least."""
     n_cylinders, cycle = tops.size, TURN * n_turns

@@ -115,6 +115,8 @@ class CompressionRatios:
 
     leader : array of int, shape (chamber,)
         The chamber whose clearance height a chamber without a ratio of its own shares; itself on the crank's side.
+    master : array of int, shape (chamber,)
+        The chamber of the piston on whose rod its own hangs; itself where that hangs on the crank.
     is_clearance : bool
         Whether the file says the first one by its clearance.
     """
@@ -123,6 +125,7 @@ class CompressionRatios:
 
     value: Array
     leader: NDArray[np.intp]
+    master: NDArray[np.intp]
     is_clearance: bool = False
 
 
@@ -222,7 +225,8 @@ def chamber_volumes(
         clearance_volume=clearance,
         compression_ratio=ratio,
         is_clearance=ratios.is_clearance,
-        flags=(*_flags(chambers, clearance), *flagged(RATIO, ratio)),
+        flags=tuple(_flags(chambers, clearance)),
+        unlikely=tuple(flagged(RATIO, ratio)),
     )
 
 

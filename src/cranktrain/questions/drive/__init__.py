@@ -25,6 +25,7 @@ from cranktrain.questions.drive.servo.stages import is_wanted, servo_drive, want
 from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.drive.static_torques import StaticTorques, static_torques
 from cranktrain.questions.drive.steady_drive import SteadyDrive, steady_drive
+from cranktrain.questions.drive.unlikely import unlikely_drive
 
 
 def _problems(design: Design) -> Iterator[Problem]:
@@ -85,10 +86,11 @@ QUESTION = Question(
         Stage(motor_sizing),
         Stage(drive_flywheel, applies=is_flywheel_wanted),
         Stage(press_strokes, applies=are_strokes_wanted),
+        Stage(unlikely_drive),
     ),
     dimensions=(
         ResultDimension("drive_shaft", N_("shaft of the drive")),
-        ResultDimension("loss_rule", N_("losses")),
+        ResultDimension("loss_rule", N_("losses"), own=0),
         ResultDimension("sized_motor", N_("motor")),
         ResultDimension("sizing_check", N_("check")),
         ResultDimension("half_period", N_("half-period"), is_number=True),

@@ -17,7 +17,7 @@ from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.gear_train import torque_through
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import overall_ratio
-from cranktrain.questions.drive.sign_changes import sign_changes
+from cranktrain.questions.drive.sign_changes import ASIDE, sign_changes
 from cranktrain.record import record
 
 _THEORY = "docs/theory/reduced-machine"
@@ -86,7 +86,7 @@ def _halves(drive: DeclaredDrive, machines: ReducedMachines, crank_angle: CrankA
 
     crossings = sign_changes(torque, mesh_of(cycle, corners))
     starts = crossings if crossings.size else np.array([zero])
-    starts = np.sort(within(starts - zero, cycle)) + zero
+    starts = np.sort(within(starts - zero, cycle, ASIDE)) + zero
     lengths = np.diff(np.append(starts, starts[0] + cycle))
     all_corners = np.concatenate([corners, crossings])
 

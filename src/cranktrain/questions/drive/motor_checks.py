@@ -161,7 +161,7 @@ def checked_motor(
     shares = (
         rms / (float(duty.factor[own]) * limits.rated),
         of_peak,
-        max(asked.worst_torque, 0.0) / (limits.reserve * limits.start),
+        _part_of(max(asked.worst_torque, 0.0), limits.reserve * limits.start),
         _start_share(at, time, longest),
         float(duty.starts_per_hour[own]) / _allowed_starts(at, asked, duty, own),
         ratio / _largest_ratio(at, float(duty.inertia_ratio[own])),
@@ -188,6 +188,11 @@ def _cycle_shares(
         )
 
     return rms, peak, largest_over_turn(found, share), of_speed
+
+
+def _part_of(asked: float, there: float) -> float:
+    """What is asked for in parts of what there is; infinite where there is nothing."""
+    return asked / there if there != 0 else np.inf if asked > 0 else 0.0
 
 
 def _start_share(at: MotorAtMachine, time: float, longest: float) -> float:

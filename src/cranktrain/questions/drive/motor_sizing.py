@@ -13,6 +13,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.drive.clutched.declared import DeclaredClutch, before_clutch
 from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.declared_duty import DeclaredDuty
@@ -91,7 +92,7 @@ class MotorSizing(StageResult):
     def governing(self, design: int, which: int) -> str:
         """Name of the check whose share is largest; nothing where none is known."""
         shares = self.sizing_share[design, which]
-        return "" if np.all(np.isnan(shares)) else self.labels["sizing_check"][int(np.nanargmax(shares))]
+        return "" if np.all(np.isnan(shares)) else self.labels["sizing_check"][first_largest(shares)]
 
 
 class SizedDesign(NamedTuple):

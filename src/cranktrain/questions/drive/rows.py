@@ -21,7 +21,7 @@ _NOTHING = 1e-9
 
 
 def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[AnswerLine]:
-    """Range of the static torque at the first shaft, and of the flywheel moment there."""
+    """Range of the static torque at the first shaft, and of the inertia and GD² there."""
     most, least = found.largest_static_torque, found.smallest_static_torque
     yield worded(
         _("static torque at {shaft}").format(shaft=labels["drive_shaft"][0]),
@@ -29,12 +29,13 @@ def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[An
         range=Extent(float(least.value[design, 0]), float(most.value[design, 0]), "N*m"),
         rms=Amount(float(found.rms_static_torque[design, 0]), "N*m"),
     )
-    moments = found.driven_flywheel_moment[design, 0]
+    least, most = (float(end(found.driven_flywheel_moment[design, 0])) for end in (np.min, np.max))
     yield worded(
-        _("GD² at {shaft}").format(shaft=labels["drive_shaft"][0]),
-        _("{range}, {own} without the machine"),
-        range=Extent(float(np.min(moments)), float(np.max(moments)), "kg*m^2"),
-        own=Amount(float(found.gear_flywheel_moment[design, 0]), "kg*m^2"),
+        _("J at {shaft}").format(shaft=labels["drive_shaft"][0]),
+        _("{range}, {own} without the machine; GD² {moment}"),
+        range=Extent(least / 4, most / 4, "kg*m^2"),
+        own=Amount(float(found.gear_flywheel_moment[design, 0]) / 4, "kg*m^2"),
+        moment=Extent(least, most, "kg*m^2"),
     )
 
 

@@ -1,4 +1,4 @@
-"""Masses and friction beyond what was ever built: computed with all the same, and flagged."""
+"""Masses, their centres and friction beyond what was ever built: computed with all the same, and flagged."""
 
 from collections.abc import Iterator
 
@@ -34,11 +34,20 @@ _INERTIA_PRESSURE = Limit(
 _FRICTION = Limit(
     0.3, "", N_("A coefficient of friction of {value} is more than lubricated guides have, 0.2: do these run dry?")
 )
+# A rod is heavier at its crank pin: 0.25 to 0.4 of its length from there, compressors' with two like ends half.
+_CENTRE = Limit(
+    0.5 * (1 + 1e-9),
+    "",
+    N_(
+        "The rod of {whose} has its centre {value} of its length from its big end, nearer the small one: are its ends"
+        " swapped?"
+    ),
+)
 
 
 @record
 class UnlikelyLoads(StageResult):
-    """Masses and coefficients of friction that hardly any machine has."""
+    """Masses, their centres and coefficients of friction that hardly any machine has."""
 
 
 def unlikely_loads(
@@ -49,9 +58,10 @@ def unlikely_loads(
     if loaded is not None:
         rubbing = [np.ravel(part) for batch in loaded.masses.batches for part in batch.friction]
         found += flagged(_FRICTION, np.concatenate([np.empty(0), *rubbing]))
+        found += flagged(_CENTRE, _centres_of_rods(loaded), whose=loaded.mechanisms.names)
         if chambers is not None and travel is not None:
             found += _of_pistons(loaded, chambers, travel.stroke, None if gas is None else gas.indicated_work > 0)
-    return UnlikelyLoads(flags=tuple(found))
+    return UnlikelyLoads(unlikely=tuple(found))
 
 
 def _of_pistons(
@@ -67,6 +77,16 @@ def _of_pistons(
         density = np.where(is_engine, mass / (area * np.sqrt(4 / np.pi * area)), 0.0)
         yield from flagged(_DENSITY, density, mass)
     yield from flagged(_INERTIA_PRESSURE, mass * stroke / 2 * loaded.speed.value[..., 0] ** 2 / area)
+
+
+def _centres_of_rods(loaded: LoadedMachine) -> Array:
+    """Where the rods of sliders have their centres, from big end to small, shape (design, mechanism); NaN of others."""
+    found = np.full((len(loaded.speed.value), len(loaded.mechanisms.names)), np.nan)
+    for batch, made in zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True):
+        if batch.kind.dynamics.joint("piston_pin") is not None:
+            rod, length = batch.kind.dynamics.by_link(made.bodies)["rod"], batch.members.geometry.rod_length
+            found[:, batch.index] = np.where(rod.mass > 0, rod.along / length, np.nan)[..., 0]
+    return found
 
 
 def _piston_masses(loaded: LoadedMachine, shape: tuple[int, ...]) -> Array:

@@ -12,7 +12,7 @@ from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.cylinders.firing import Cycle, FiringOrder
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.cylinders.volumes import Chambers, CompressionRatios
-from cranktrain.questions.gas import chambers, declared, events, flows, heat, powers, pressures, rows
+from cranktrain.questions.gas import chambers, declared, events, flows, heat, powers, pressures, rows, unlikely
 
 PRESSING = (declared.DeclaredGas, Chambers, CompressionRatios, Cycle, FiringOrder)
 """Parts that it takes for gas to press on pistons."""
@@ -56,6 +56,7 @@ QUESTION = Question(
         Stage(heat.heat_balance, applies=heat.has_heat),
         Stage(powers.indicated_powers),
         Stage(powers.brake_powers),
+        Stage(unlikely.unlikely_gas),
     ),
     headline=("brake_power", "indicated_power", "indicated_mean_pressure", "peak_pressure"),
     title=N_("Gas"),

@@ -118,7 +118,7 @@ def gas_pressures(
         peak_pressure=Extreme(shown(crest.angle), crest.value),
         peak_pressure_after=crest.angle,
         steepest_pressure_rise=Extreme(shown(rise.angle), rise.value),
-        flags=tuple(_unlikely_pressures(gas, work > 0, crest.value)),
+        unlikely=tuple(_unlikely_pressures(gas, work > 0, crest.value)),
     )
 
 

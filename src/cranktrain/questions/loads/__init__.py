@@ -10,7 +10,7 @@ from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.layout.loads import load_problems, loads_of
 from cranktrain.layout.question import ANY_NAME, Parts, Question, ResultDimension, Stage, TableFile, Use
 from cranktrain.layout.shaft_loads import shaft_load_problems, shaft_loads_of
-from cranktrain.questions.loads import load_work, rows
+from cranktrain.questions.loads import load_work, rows, unlikely
 
 
 def _problems(design: Design) -> Iterator[Problem]:
@@ -38,7 +38,7 @@ QUESTION = Question(
     tables={"load": LoadSpec},
     problems=_problems,
     parts=_parts,
-    stages=(Stage(load_work.load_work, applies=load_work.are_asked_for),),
+    stages=(Stage(load_work.load_work, applies=load_work.are_asked_for), Stage(unlikely.unlikely_strokes)),
     dimensions=(ResultDimension("load", N_("load")),),
     headline=("load_work", "largest_load_power"),
     title=N_("Loads"),

@@ -175,5 +175,5 @@ def dead_centres(
         bottom_shift=different.spread(around_zero(bottom.angle - np.pi))[..., 0],
         top_position=position,
         bottom_position=different.spread(bottom.value)[..., 0],
-        flags=tuple(flagged(_DISTANCE, np.abs(position) / stroke, stroke / np.abs(position))),
+        unlikely=tuple(flagged(_DISTANCE, np.abs(position) / stroke, stroke / np.abs(position))),
     )

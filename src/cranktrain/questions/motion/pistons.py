@@ -170,7 +170,7 @@ def piston_speeds(
         smallest_piston_velocity=slowest,
         largest_piston_acceleration=most,
         smallest_piston_acceleration=least,
-        flags=(
+        unlikely=(
             *flagged(_MEAN_SPEED, mean_speed[:, dead_centres.sort == PISTON]),
             *flagged(_SLIDER_SPEED, mean_speed[:, dead_centres.sort == SLIDER]),
         ),

@@ -131,7 +131,7 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
         time_ratio=swinging(slower / (2 * np.pi - slower)),
         largest_rocker_angle=Extreme(swinging(crank_angle.counted(most.angle)), swinging(most.value)),
         smallest_rocker_angle=Extreme(swinging(crank_angle.counted(least.angle)), swinging(least.value)),
-        flags=tuple(flagged(_SWING, 1 / swing, swing)),
+        unlikely=tuple(flagged(_SWING, 1 / swing, swing)),
     )
 
 
