@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.speed import Speed
@@ -33,7 +34,7 @@ class Nodes(NamedTuple):
 
     breaks: Array
     pieces: Pieces
-    order: Array
+    order: NDArray[np.intp]
 
     def curve(self, before: Coefficient, after: Coefficient, samples: Array, cycle: float) -> PeriodicCurve:
         """Curve by its values and derivatives on both sides of grid and breaks, shape (design, n + m)."""
