@@ -168,9 +168,13 @@ def integral_motion(of: Subintervals, values: Array, angle: Array) -> tuple[Coef
     after, before = _placed(of, angle, _ASIDE), _placed(of, angle, -_ASIDE)
     found = _beside(of, values, after)
     same = Coefficient(found.value.copy(), found.first.copy(), found.second.copy())
-    differs = np.flatnonzero(before[0] != after[0])
+    differs = np.flatnonzero(before.panel != after.panel)
     if differs.size:
-        for part, own in zip(same, _beside(of, values, _Placed(*(one[differs] for one in before))), strict=True):
+        for part, own in zip(
+            same,
+            _beside(of, values, _Placed(before.panel[differs], before.way[differs], before.turns[differs])),
+            strict=True,
+        ):
             part[..., differs] = own
     return same, found
 
