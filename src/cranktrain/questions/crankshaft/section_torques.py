@@ -13,6 +13,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics import Curve, Peak
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.bearings_between_events import bearing_loads_of, methods_for
@@ -31,8 +32,6 @@ from cranktrain.wording import Names, number
 
 _FACT = ("bearing_method", "section")
 _CURVE = (*_FACT, "crank_angle")
-_ALIKE = 9
-"""Ranges that are the same to so many decimals of the largest are one."""
 _LIMIT = 1e-11
 """Of what all do by their arms: what rounding may leave over."""
 
@@ -86,11 +85,10 @@ SECTIONS = ("journal", "pin")
 
 def widest_sections(ranges: Array, sections: Sequence[str]) -> tuple[int, int]:
     """Which journal and which pin have the widest range, of alike ones the first."""
-    largest = np.max(ranges)
 
     def widest(kind: str) -> int:
         own = [i for i, name in enumerate(sections) if kind in name]
-        return max(own, key=lambda i: round(float(ranges[i] / largest), _ALIKE) if largest > 0 else 0.0)
+        return own[first_largest(ranges[own])]
 
     return widest(SECTIONS[0]), widest(SECTIONS[1])
 

@@ -45,7 +45,7 @@ QUESTION = Question(
         Stage(flywheel.rim_size),
     ),
     dimensions=(ResultDimension("flywheel_method", N_("method"), own=0),),
-    headline=("coefficient_of_fluctuation", "largest_excess_work", "wanted_flywheel_moment"),
+    headline=("coefficient_of_fluctuation", "largest_excess_work", "flywheel_inertia"),
     title=N_("Evenness"),
     rows=(
         rows.running_rows,

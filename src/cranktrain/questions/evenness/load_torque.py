@@ -28,6 +28,8 @@ from cranktrain.wording import Names, number
 
 _NOTHING = 1e-9
 """A mean torque below this part of the peak is none."""
+_NOTEWORTHY = 0.1
+"""Of the machine's mean torque: of more that balances it and stands nowhere the answer speaks."""
 
 
 @record
@@ -81,6 +83,17 @@ class LoadTorque(StageResult):
         N_("Mean of the machine's torque that its loads leave; less than 0 where the shaft is driven besides"),
         _THEORY,
     )
+
+    def undeclared(self, design: int) -> float:
+        """Constant torque by which the machine and its loads are balanced, where it is much; below 0 it drives. [N·m]
+
+        0 where it is little beside the machine's mean torque, or a motor or a load of unknown size takes it.
+        """
+        rest = float(self.remaining_torque[design])
+        machine = float(self.mean_torque[design]) + rest
+        if self.has_motor or self.shape is not None or self.is_scaled:
+            return 0.0
+        return rest if abs(rest) > _NOTEWORTHY * abs(machine) else 0.0
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the loads' mean and peak, and their factor or what balances the rest."""

@@ -438,3 +438,13 @@ def test_gd2_in_technical_units():
     one = run(10, flywheel_moment="8 kgf·m²")
     for table in ({"flywheel": "2 kg·m²"}, {"flywheel_moment": "78.4532 N·m²"}):
         np.testing.assert_allclose(run(10, **table).crank_speed, one.crank_speed, rtol=1e-14)
+
+
+def test_headlines_and_comparisons_say_the_inertia_of_the_flywheel():
+    """In both J is first; a GD² that is asked for is called so."""
+    result = run(coefficient=0.01)
+    assert "flywheel_inertia" in result.headline
+    assert "wanted_flywheel_moment" not in result.headline
+    compared = str(ct.compare(result, run(coefficient=0.02), quantities=["wanted_flywheel_moment", "flywheel_inertia"]))
+    assert "flywheel inertia" in compared
+    assert "wanted flywheel moment GD²" in compared
