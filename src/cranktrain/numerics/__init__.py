@@ -17,8 +17,8 @@ from cranktrain.numerics.subintervals import (
     integral_motion,
     integral_to,
     points_together,
+    shows,
     subintervals,
-    unresolved,
 )
 from cranktrain.numerics.tops import Extreme
 
@@ -42,11 +42,11 @@ __all__ = [
     "largest_between",
     "near_roots",
     "points_together",
+    "shows",
     "smallest",
     "spectral_derivative",
     "subintervals",
     "turn_grid",
     "turning_points",
-    "unresolved",
     "unwrapped",
 ]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extremes, turning_points
 from cranktrain.numerics.harmonics import TURN, harmonics, phasor
-from cranktrain.numerics.piecewise import Pieces, mean_shares, piece_extremes, quintics
+from cranktrain.numerics.piecewise import PiecePlaces, mean_shares, piece_extremes, quintics
 from cranktrain.numerics.polynomials import polynomial
 
 
@@ -27,7 +27,7 @@ class PeriodicCurve(NamedTuple):
         Value and first two derivatives at angles (k,) or (..., k).
     pieces : Array, shape (power, ..., n), or None
         Of a curve of polynomials, from each sample to the next: their coefficients, by powers of the share of the step.
-    between : Pieces or None
+    between : PiecePlaces or None
         Of pieces that are not from sample to sample, shape (power, ..., design, piece), where each begins: there the
         curve may have corners.
     """
@@ -36,7 +36,7 @@ class PeriodicCurve(NamedTuple):
     samples: Array
     motion: Callable[[Array], Coefficient]
     pieces: Array | None = None
-    between: Pieces | None = None
+    between: PiecePlaces | None = None
 
     @property
     def angle(self) -> Array:
@@ -208,14 +208,14 @@ def mean_samples(*curves: PeriodicCurve) -> tuple[list[Array], Array | None]:
     return values, np.concatenate([part * width for part in weight], axis=-1)
 
 
-def piecewise_curve(coefficients: Array, between: Pieces, samples: Array, cycle: float) -> PeriodicCurve:
+def piecewise_curve(coefficients: Array, between: PiecePlaces, samples: Array, cycle: float) -> PeriodicCurve:
     """Curve of polynomials of pieces that begin anywhere.
 
     Parameters
     ----------
     coefficients : Array, shape (power, ..., design, piece)
         By powers of the share of the piece.
-    between : Pieces
+    between : PiecePlaces
     samples : Array, shape (..., design, n)
         The curve in equal steps over the cycle.
     cycle : float
@@ -228,7 +228,7 @@ def piecewise_curve(coefficients: Array, between: Pieces, samples: Array, cycle:
     starts, width = between
     n_designs, n_pieces = starts.shape
     # One search for all designs: the period of each lies behind that of the one before.
-    behind = cycle * np.arange(n_designs)[:, np.newaxis]
+    behind: Array = cycle * np.arange(n_designs, dtype=np.float64)[:, np.newaxis]
     line, start, wide = (np.ravel(part) for part in (starts + behind, starts, width))
     lead = coefficients.shape[1:-2]
     flat = coefficients.reshape(len(coefficients), -1, n_designs * n_pieces)
@@ -236,8 +236,8 @@ def piecewise_curve(coefficients: Array, between: Pieces, samples: Array, cycle:
     def motion(angle: Array) -> Coefficient:
         own = np.mod(np.broadcast_to(angle, np.broadcast_shapes(angle.shape, (*lead, n_designs, 1))), cycle)
         # Of an angle that is NaN any piece will do, as its share is NaN.
-        last = n_pieces * np.arange(1, n_designs + 1)[:, np.newaxis] - 1
-        found = np.searchsorted(line, own + behind, side="right") - 1
+        last: NDArray[np.intp] = n_pieces * np.arange(1, n_designs + 1, dtype=np.intp)[:, np.newaxis] - 1
+        found = np.asarray(np.searchsorted(line, own + behind, side="right"), dtype=np.intp) - 1
         place: NDArray[np.intp] = np.clip(found, last - (n_pieces - 1), last)
         share = (own - start[place]) / wide[place]
         rows = place.reshape(flat.shape[1], -1)

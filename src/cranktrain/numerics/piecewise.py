@@ -26,16 +26,16 @@ Each = Callable[[Array], Coefficient]
 """Value and derivatives of a curve at a share of each of its pieces, broadcastable to (..., piece)."""
 
 
-class Pieces(NamedTuple):
+class PiecePlaces(NamedTuple):
     """Where pieces of curves begin, the first at 0, and how wide they are, shape (design, piece). [rad]"""
 
     start: Array
     width: Array
 
 
-def pieces_from(starts: Array, cycle: float) -> Pieces:
-    """Pieces that begin at some angles, rising from 0, of which several may be one, up to the cycle. [rad]"""
-    return Pieces(starts, np.diff(starts, axis=-1, append=np.full((*starts.shape[:-1], 1), cycle)))
+def pieces_from(starts: Array, cycle: float) -> PiecePlaces:
+    """PiecePlaces that begin at some angles, rising from 0, of which several may be one, up to the cycle. [rad]"""
+    return PiecePlaces(starts, np.diff(starts, axis=-1, append=np.full((*starts.shape[:-1], 1), cycle)))
 
 
 def quintics(before: Coefficient, after: Coefficient, width: Array) -> Array:
@@ -76,13 +76,13 @@ def quintics(before: Coefficient, after: Coefficient, width: Array) -> Array:
     )
 
 
-def piece_extremes(each: Each, pieces: Pieces) -> Extremes:
+def piece_extremes(each: Each, pieces: PiecePlaces) -> Extremes:
     """Smallest and largest value of a continuous curve of pieces.
 
     Parameters
     ----------
     each : Each
-    pieces : Pieces
+    pieces : PiecePlaces
 
     Returns
     -------

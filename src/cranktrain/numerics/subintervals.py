@@ -88,14 +88,12 @@ def subintervals(breaks: Array, widest: float, period: float, n_more: int = 0) -
     return Subintervals(start, width, first, size, angle, weight)
 
 
-def unresolved(of: Subintervals, values: Array) -> Array:
-    """Middles of the panels in which the last orders of a curve, shape (..., point), are not small."""
-    coarse = np.zeros(of.width.shape, dtype=np.bool_)
-    least = _RESOLVED * np.max(np.abs(values), axis=-1, keepdims=True)
-    for chosen, place, n_nodes in _by_size(of, np.arange(of.width.size, dtype=np.intp)):
-        last = np.abs(values[..., place] @ _to_series(n_nodes)[-2:].T)
-        coarse[chosen] = np.any(last > least[..., np.newaxis], axis=(*range(last.ndim - 2), -1))
-    return (of.start + of.width / 2)[coarse]
+def shows(of: Subintervals, values: Array) -> bool:
+    """Whether the points of the widest panels show a curve, shape (..., point): its last orders there are small."""
+    most = int(np.max(of.size))
+    place: NDArray[np.intp] = of.first[of.size == most, np.newaxis] + np.arange(most, dtype=np.intp)
+    last = np.abs(values[..., place] @ _to_series(most)[-2:].T)
+    return not np.any(last > _RESOLVED * np.max(np.abs(values)))
 
 
 def points_together(breaks: Array, widest: float, period: float, n_more: int = 0) -> tuple[Array, Array]:
@@ -169,10 +167,14 @@ def integral_motion(of: Subintervals, values: Array, angle: Array) -> tuple[Coef
     """
     after, before = _placed(of, angle, _ASIDE), _placed(of, angle, -_ASIDE)
     found = _beside(of, values, after)
-    same = Coefficient(*(part.copy() for part in found))
-    differs = np.flatnonzero(before[0] != after[0])
+    same = Coefficient(found.value.copy(), found.first.copy(), found.second.copy())
+    differs = np.flatnonzero(before.panel != after.panel)
     if differs.size:
-        for part, own in zip(same, _beside(of, values, _Placed(*(one[differs] for one in before))), strict=True):
+        for part, own in zip(
+            same,
+            _beside(of, values, _Placed(before.panel[differs], before.way[differs], before.turns[differs])),
+            strict=True,
+        ):
             part[..., differs] = own
     return same, found
 
@@ -181,7 +183,7 @@ def _beside(of: Subintervals, values: Array, placed: _Placed) -> Coefficient:
     """Integral, curve and slope at places in panels, shape (..., k)."""
     panel, way, turns = placed
     total = _whole_panels(of, values, panel, turns)
-    first, second = np.empty((2, *total.shape))
+    first, second = (np.empty_like(total) for _derivative in range(2))
     for chosen, place, n_nodes in _by_size(of, panel):
         own, half = values[..., place], of.width[panel[chosen]] / 2
         total[..., chosen] += half * np.sum(own * partial_integrals(way[chosen], n_nodes), axis=-1)

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.speed import Speed
@@ -10,7 +11,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import spectral_derivative
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import PeriodicCurve, piecewise_curve, quintic_curve
-from cranktrain.numerics.piecewise import Pieces, pieces_from, quintics
+from cranktrain.numerics.piecewise import PiecePlaces, pieces_from, quintics
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.torque.sources import TorqueSources
 
@@ -25,15 +26,15 @@ class Nodes(NamedTuple):
     ----------
     breaks : Array, shape (design, m)
         Of events, as shown; of none it is 0. [rad]
-    pieces : Pieces, shape (design, n + m)
+    pieces : PiecePlaces, shape (design, n + m)
         From each of all to the next.
     order : array of int, shape (design, n + m)
         Which one of grid and breaks stands where.
     """
 
     breaks: Array
-    pieces: Pieces
-    order: Array
+    pieces: PiecePlaces
+    order: NDArray[np.intp]
 
     def curve(self, before: Coefficient, after: Coefficient, samples: Array, cycle: float) -> PeriodicCurve:
         """Curve by its values and derivatives on both sides of grid and breaks, shape (design, n + m)."""

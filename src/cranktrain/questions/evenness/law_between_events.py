@@ -66,8 +66,8 @@ def speed_between_events(law: TorqueLaw, work: PeriodicCurve, inertia: PeriodicC
                 break
         begins = np.where((move <= SETTLED)[..., np.newaxis], begins, np.nan)
         ends = np.roll(begins, -1, axis=-1)
-        sides = [_rest(law, *one) for one in ((work, inertia, ends, 1.0), (work, inertia, begins, 0.0))]
-        left = piecewise_curve(quintics(*sides, width), work.between, np.zeros_like(work.samples), cycle)
+        before, after = _rest(law, work, inertia, ends, 1.0), _rest(law, work, inertia, begins, 0.0)
+        left = piecewise_curve(quintics(before, after, width), work.between, np.zeros_like(work.samples), cycle)
         left = left._replace(samples=left.value(work.angle))
         found = speed_from_energy(combined(work, np.ones(1), left), inertia)
         slope = law.slope(found.speed) / (inertia.samples * found.speed)

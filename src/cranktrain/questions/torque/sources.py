@@ -18,9 +18,9 @@ from cranktrain.numerics import (
     Subintervals,
     integral_motion,
     integral_to,
+    shows,
     spectral_derivative,
     subintervals,
-    unresolved,
 )
 from cranktrain.numerics.gathering import gathered
 from cranktrain.numerics.harmonics import TURN, ComplexArray, harmonics, phasor
@@ -41,7 +41,7 @@ _REACH = 1.3
 """How wide they may be for the distance of the volume's zeros in the complex plane, where p ~ V⁻ⁿ has its poles."""
 
 
-_HALVINGS = 16
+_HALVINGS = 10
 """How often panels are halved at most, of a machine that nearly locks and turns sharply there."""
 
 
@@ -197,7 +197,7 @@ class TorqueSources:
                     for found, laid in zip(sides, grid, strict=True):
                         for part, own in zip(found, laid, strict=True):
                             part[one.design, : shown.size] += np.roll(own, steps)
-            angle = breaks[one.design] - one.starts[:, np.newaxis]
+            angle: Array = breaks[one.design] - one.starts[:, np.newaxis]
             for found, each in zip(sides, integral_motion(one.subintervals, values, np.ravel(angle)), strict=True):
                 for part, own in zip(found, each, strict=True):
                     part[one.design, shown.size :] += np.sum(own.reshape(angle.shape), axis=0)
@@ -270,11 +270,10 @@ def _of_chambers(
         cut = subintervals(events.angle[design, first] - start, widest, gas.cycle)
         motion = gas.volume_of(design, first, cut.angle + start)
         for _halving in range(_HALVINGS):
-            coarse = unresolved(cut, motion.first)
-            if not coarse.size:
+            if shows(cut, motion.first):
                 break
-            breaks = np.concatenate([events.angle[design, first] - start, cut.start, coarse])
-            cut = subintervals(breaks, widest, gas.cycle)
+            widest /= 2
+            cut = subintervals(events.angle[design, first] - start, widest, gas.cycle)
             motion = gas.volume_of(design, first, cut.angle + start)
         pressure = gas.pressure_of(design, first, cut.angle, motion)
         by_chamber = [np.flatnonzero(gas.chambers.areas[design, :, place]) for place in places.tolist()]
