@@ -16,10 +16,11 @@ from cranktrain.faces import face
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.closing import closing_problems
+from cranktrain.layout.crank_bodies import pin_problems
 from cranktrain.layout.design import Design
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
-from cranktrain.layout.load_tables import LoadSpec, LoadTables
+from cranktrain.layout.load_tables import LoadSpec, LoadTables, in_place_of_lists
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
 from cranktrain.layout.shaft_problems import shaft_problems
@@ -200,8 +201,8 @@ class Machine(Spec, frozen=True):
         >>> longer.mechanism.rod_length.text, machine.mechanism.rod_length.text
         ('140 mm', '136 mm')
         """
-        data, _paths = with_values(self.declared, values)
-        data, found = self.files_read(data)
+        data, paths = with_values(self.declared, values)
+        data, found = self.files_read(in_place_of_lists(data, paths))
         refuse(found)
         return type(self)(**data).reading(self.files_read)
 
@@ -327,6 +328,7 @@ class Machine(Spec, frozen=True):
         """What only the tables together can show to be wrong."""
         places, found = self.arranged
         return found or (
+            *pin_problems(places),
             *standing_problems(self.shafts, places, self.orientation),
             *wish_problems(self.design),
             *(problem for question in QUESTIONS for problem in question.problems(self.design)),

@@ -1,18 +1,19 @@
 """`start`: run a machine with its motor over time, write it where asked, and show what became of it."""
 
-import sys
-import time
 from collections.abc import Iterator
+from functools import partial as with_arguments
 from pathlib import PurePath
 
 import numpy as np
 from rich.text import Text
 
 from cranktrain.cli.asked import Asked, units_asked_for
+from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.text import page, show_lines
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.how_far import say_how_far
 from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import write_whole
@@ -27,11 +28,6 @@ from cranktrain.wording import number
 _SHOWN_EVENTS = 12
 _PICTURES = (".png", ".svg", ".pdf")
 _DECIMALS = ("point", "comma")
-
-_PATIENCE = 1.0
-"""How long a run lasts before a terminal is told how far it is. [s]"""
-_WIDTH = 60
-"""Columns of the line that tells it."""
 
 
 @record
@@ -48,10 +44,8 @@ def show_start(request: StartRequest) -> None:
     asked = units_asked_for(request.units)
     file = read_machine(request.file, request.settings)
     with shown_as_in(units_of(file.machine)), shown_by(asked):
-        with problems_as(file.document.located):
-            told = _Told(time.monotonic())
-            found = start(file.machine, progress=told if sys.stderr.isatty() else None)
-        told.clear()
+        with problems_as(file.document.located), says_how_far():
+            found = start(file.machine, progress=_progress)
         if request.output is not None:
             _write(found, file, request, suffix)
             print(_("written: {name}").format(name=one_line(request.output)))
@@ -108,28 +102,11 @@ def _event_lines(found: Start, request: StartRequest) -> Iterator[str]:
         yield _("  and {n} more: --full shows all").format(n=len(events) - len(shown))
 
 
-class _Told:
-    """A terminal is told how far a run has come, which Ctrl-C then ends; of a run that is soon over, nothing.
+def _progress(now: float, angle: float, speed: float) -> None:
+    """Say how far a run has come, which Ctrl-C then ends."""
+    say_how_far(with_arguments(_how_far, now, angle, speed))
 
-    Parameters
-    ----------
-    begun : float
-        When the run began. [s]
-    """
 
-    def __init__(self, begun: float) -> None:
-        self.begun = begun
-        self.is_line_there = False
-
-    def __call__(self, now: float, angle: float, speed: float) -> None:
-        """Write where the run is over what was written before."""
-        if self.is_line_there or time.monotonic() - self.begun > _PATIENCE:
-            words = _("{time:.3f} s, {turns:.2f} turns, {speed}   (Ctrl-C ends it)")
-            line = words.format(time=now, turns=angle / (2 * np.pi), speed=number(speed, "rpm"))
-            print(f"{line:<{_WIDTH}}", end="\r", file=sys.stderr, flush=True)
-            self.is_line_there = True
-
-    def clear(self) -> None:
-        """Take away the line."""
-        if self.is_line_there:
-            print(" " * _WIDTH, end="\r", file=sys.stderr, flush=True)
+def _how_far(now: float, angle: float, speed: float) -> str:
+    words = _("{time:.3f} s, {turns:.2f} turns, {speed}   (Ctrl-C ends it)")
+    return words.format(time=now, turns=angle / (2 * np.pi), speed=number(speed, "rpm"))

@@ -144,8 +144,9 @@ def _described(result: Result, entry: Entry) -> dict[str, object]:
 
 def _nested(values: Array) -> object:
     """Nested lists of floats, with None for what JSON has no number for."""
-    array = np.asarray(values, dtype=object)
-    array[~np.isfinite(values)] = None
+    numbers = np.asarray(values, dtype=np.float64)
+    array = numbers.astype(object)
+    array[~np.isfinite(numbers)] = None
     return array.tolist()
 
 

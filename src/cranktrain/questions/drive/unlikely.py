@@ -24,7 +24,7 @@ from cranktrain.record import record
 from cranktrain.wording import number
 
 # Gears have 0.95 and more, belts 0.9, self-locking worms 0.3 to 0.5, screws 0.2.
-_LEAST_EFFICIENCY = Limit(
+_STAGE_EFFICIENCY = Limit(
     np.inf,
     "",
     N_("A stage with an efficiency of {value} loses nearly all; self-locking worms have 0.2 and more: is it right?"),
@@ -40,7 +40,7 @@ class UnlikelyDrive(StageResult):
 
 
 def unlikely_drive(
-    drive: DeclaredDrive,
+    drive: DeclaredDrive | None,
     motor: DeclaredMotor | None,
     work: LoadWork | None,
     gas: GasPressures | None,
@@ -51,7 +51,7 @@ def unlikely_drive(
     rocked: RockingDrive | None,
 ) -> UnlikelyDrive:
     """Flag what is unlikely, as far as it is known."""
-    found = list(flagged(_LEAST_EFFICIENCY, drive.forward))
+    found = [] if drive is None else list(flagged(_STAGE_EFFICIENCY, drive.forward))
     if motor is not None and work is not None:
         found += _driving(work, gas)
     if loaded is not None and wanted is not None and servo is not None:
@@ -67,9 +67,9 @@ def _driving(work: LoadWork, gas: GasPressures | None) -> Iterator[str]:
     gross = np.sum(np.abs(work.load_work), axis=1)
     by_gas = 0.0 if gas is None else np.sum(gas.indicated_work, axis=1)
     # What fires drives the motor as it should.
-    drives = (own > _DRIVES * gross) & (own + by_gas > _DRIVES * gross) & (by_gas <= 0)
-    if np.any(drives):
-        design = int(np.argmax(drives))
+    is_driven = (own > _DRIVES * gross) & (own + by_gas > _DRIVES * gross) & (by_gas <= 0)
+    if np.any(is_driven):
+        design = int(np.argmax(is_driven))
         each = work.load_work[design]
         names = ", ".join(name for name, one in zip(work.labels["load"], each.tolist(), strict=True) if one > 0)
         said = _("{names} drives the machine with {work} a cycle, and its motor brakes: are its sense and side right?")

@@ -14,6 +14,7 @@ from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
 from cranktrain.layout.shafts import Shafts
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import ALIKE, falling
 from cranktrain.questions.cylinders.firing import Cycle, Firing
 from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.forces.carriers import Carriers
@@ -27,10 +28,8 @@ from cranktrain.wording import Names, number
 _ORDER = ("mode", "order")
 _NAMED = 3
 """How many of the largest vector sums the answer says, and of the orders that have one."""
-_MAJOR, _ALIKE = 0.5, 1e-9
-"""From which part of the largest vector sum of a mode on an order is a major one, and what is rounding beside that."""
-_DECIMALS = 9
-"""To which vector sums are alike; firing makes the same one for many orders."""
+_MAJOR = 0.5
+"""From which part of the largest vector sum of a mode on an order is a major one."""
 
 
 @record
@@ -50,8 +49,7 @@ class ModeVectorSums(StageResult):
         of_mode = self.mode_vector_sum[design, 0]
         if not np.all(np.isfinite(of_mode)):
             return None
-        ranked: list[int] = np.argsort(-of_mode.round(_DECIMALS), kind="stable").tolist()
-        alike = grouped((f"{float(of_mode[place]):.3g}", names["order"][place]) for place in ranked)
+        alike = grouped((f"{float(of_mode[place]):.3g}", names["order"][place]) for place in falling(of_mode))
         said = [
             _("{sum} of order {orders}").format(
                 sum=size, orders=", ".join([*own[:_NAMED], *["…"] * (len(own) > _NAMED)])
@@ -128,7 +126,7 @@ class CriticalSpeeds(StageResult):
         if self.sums is None or not np.all(np.isfinite(self.sums[design, 0])):
             return np.isfinite(self.critical_speed[design, 0])
         sums: Array = self.sums[design, 0]
-        return np.greater_equal(sums, (_MAJOR - _ALIKE) * np.max(sums))
+        return np.greater_equal(sums, (_MAJOR - ALIKE) * np.max(sums))
 
 
 def critical_speeds(
