@@ -21,7 +21,7 @@ _NOTHING = 1e-9
 
 
 def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[AnswerLine]:
-    """Range of the static torque at the first shaft, and of the inertia and GD² there."""
+    """Range of the static torque at the first shaft, of the inertia there, and what it is of the drive alone."""
     most, least = found.largest_static_torque, found.smallest_static_torque
     yield worded(
         _("static torque at {shaft}").format(shaft=labels["drive_shaft"][0]),
@@ -29,13 +29,12 @@ def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[An
         range=Extent(float(least.value[design, 0]), float(most.value[design, 0]), "N*m"),
         rms=Amount(float(found.rms_static_torque[design, 0]), "N*m"),
     )
-    least, most = (float(end(found.driven_flywheel_moment[design, 0])) for end in (np.min, np.max))
+    inertia = found.driven_inertia[design, 0]
     yield worded(
         _("J at {shaft}").format(shaft=labels["drive_shaft"][0]),
-        _("{range}, {own} without the machine; GD² {moment}"),
-        range=Extent(least / 4, most / 4, "kg*m^2"),
+        _("{range}, alone {own}; GD² = 4 J"),
+        range=Extent(float(np.min(inertia)), float(np.max(inertia)), "kg*m^2"),
         own=Amount(float(found.gear_flywheel_moment[design, 0]) / 4, "kg*m^2"),
-        moment=Extent(least, most, "kg*m^2"),
     )
 
 
