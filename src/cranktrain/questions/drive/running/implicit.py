@@ -160,7 +160,7 @@ def run_implicitly(
             reason = ending
     except _StuckError as stuck:
         reason = stuck.reason
-        _fill(table, asked.samples, time, time, lambda times: np.tile(state[:, np.newaxis], times.size))
+        table[asked.samples == time] = state
     except KeyboardInterrupt:
         if progress is None:
             raise
