@@ -169,7 +169,7 @@ def run_implicitly(
             reason = _at_rest(going, time, state, sense, fastest) if ending == GOING else ending
     except _StuckError as stuck:
         reason = stuck.reason
-        _fill(table, asked.samples, time, time, lambda times: np.tile(state[:, np.newaxis], times.size))
+        table[asked.samples == time] = state
     except KeyboardInterrupt:
         if progress is None:
             raise
