@@ -3,10 +3,8 @@
 from collections.abc import Mapping
 from typing import NamedTuple, TypeVar
 
-import numpy as np
-
 from cranktrain.motion import Array
-from cranktrain.quantities import asked_unit, chosen_unit, shown
+from cranktrain.quantities import asked_unit, chosen_unit, of_result, shown
 
 Size = TypeVar("Size", float, Array)
 
@@ -38,6 +36,12 @@ class Scale(NamedTuple):
         return 1.0 / self.of(1.0)
 
 
+def _scale(unit: str, usual: str) -> Scale:
+    """Scale of a unit of the list for what is usually shown in one; with a factor where its SI is another."""
+    plainly, angular = float(shown(1.0, unit)), float(of_result(1.0, unit, usual))
+    return Scale(unit) if plainly == angular else Scale(unit, factor=angular)
+
+
 _DEGREE = Scale("°")
 _PERCENT = Scale("%", factor=100.0)
 
@@ -54,7 +58,7 @@ SCALES: Mapping[str, tuple[Scale, ...]] = {
     "rad/s": (Scale("rad/s"),),
     "rad/s^2": (Scale("rad/s²"),),
     "rpm": (Scale("rpm"),),
-    "Hz": (Scale("Hz", factor=1 / (2 * np.pi)),),
+    "Hz": (_scale("Hz", "Hz"),),
     "N": (Scale("kN", 1e3), Scale("N")),
     "N*m": (Scale("kN·m", 1e4), Scale("N·m")),
     "N*m/rad": (Scale("MN·m/rad", 1e5), Scale("N·m/rad")),
@@ -62,6 +66,7 @@ SCALES: Mapping[str, tuple[Scale, ...]] = {
     "W": (Scale("kW", 1e2), Scale("W")),
     "J": (Scale("kJ", 1e5), Scale("J")),
     "kg": (Scale("kg"),),
+    "s": (Scale("s"),),
     "kg*m^2": (Scale("kg·m²"),),
     "K": (Scale("K"),),
     "%": (_PERCENT,),
@@ -106,7 +111,7 @@ def scale_for(unit: str, size: float) -> Scale:
     if scales is not None:
         chosen = None if unit in _FIXED else chosen_unit(scales[-1].label)
         usual = next((scale for scale in scales if size >= scale.least), scales[-1])
-        return usual if chosen is None else Scale(chosen)
+        return usual if chosen is None else _scale(chosen, scales[-1].label)
     whole = _differentiated(unit)
     if whole is not None and whole in SCALES:
         of = scale_for(whole, size)
@@ -114,7 +119,7 @@ def scale_for(unit: str, size: float) -> Scale:
     return Scale(_typeset(unit), factor=1.0)
 
 
-def in_asked_unit(unit: str, values: Array) -> tuple[str, Array]:
+def in_asked_unit(unit: str, values: Array, usual: str | None = None) -> tuple[str, Array]:
     """Give values of the catalogue as data in the unit that was asked for, with its name; else as they are, in SI.
 
     Parameters
@@ -122,6 +127,8 @@ def in_asked_unit(unit: str, values: Array) -> tuple[str, Array]:
     unit : str
         Of the catalogue.
     values : Array
+    usual : str or None
+        By what `scale_for` finds their unit for people, where that is more than the unit: a natural frequency's "Hz".
 
     Examples
     --------
@@ -132,6 +139,8 @@ def in_asked_unit(unit: str, values: Array) -> tuple[str, Array]:
     """
     if unit in _FIXED:
         return unit, values
+    if usual is not None and (asked := asked_unit(usual)) is not None:
+        return asked, of_result(values, asked, usual)
     if (asked := asked_unit(unit)) is not None:
         return asked, shown(values, asked)
     whole = _differentiated(unit)
@@ -141,9 +150,9 @@ def in_asked_unit(unit: str, values: Array) -> tuple[str, Array]:
 
 
 def _differentiated(unit: str) -> str | None:
-    """Unit of what a derivative by the crank angle is of; None for others, and for angles by angles."""
+    """Unit of what a derivative by the crank angle is of; None for others: angles by angles, a stiffness."""
     whole = next((unit.removesuffix(end) for end in _BY_ANGLE if unit.endswith(end)), None)
-    return None if whole == "rad" else whole
+    return None if whole == "rad" or unit in SCALES else whole
 
 
 def _typeset(unit: str) -> str:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cranktrain.grouping import places_of_equal
 from cranktrain.motion import Array
-from cranktrain.quantities import Given, chosen_unit, shown
+from cranktrain.quantities import Given, chosen_unit, of_result, shown
 
 Names = Mapping[str, Sequence[str]]
 """Labels of each dimension: the pistons', the chambers', …"""
@@ -35,9 +35,9 @@ _DECIMALS = {
     "Hz": 2,
     "m³/h": 2,
 }
-_SLOW_TOO = {"m/s", "m/s^2", "N*m", "N", "kN", "kW", "J", "kg*m^2", "Hz", "m³/h"}
+_SLOW_TOO = {"m/s", "m/s^2", "N*m", "N", "kN", "kW", "J", "kg*m^2", "Hz", "m³/h", "s"}
 """Units in which a slow or small machine's numbers need more decimals: three figures at least."""
-_PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0, "Hz": 1 / (2 * np.pi), "m³/h": 3600.0}
+_PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0, "m³/h": 3600.0}
 """Units that are no input's, and how many of them one in SI is."""
 
 
@@ -67,9 +67,9 @@ def figure(value: float, unit: str) -> str:
     if not np.isfinite(value):
         return ABSENT
     if (chosen := chosen_unit(unit)) is not None:
-        size = shown(value, chosen)
+        size = of_result(value, chosen, unit)
         return signless(f"{size:.{max(decimals_for(abs(size), 4), 0)}f}")
-    size = value * _PLAIN[unit] if unit in _PLAIN else shown(value, unit)
+    size = value * _PLAIN[unit] if unit in _PLAIN else of_result(value, unit, unit)
     decimals = _DECIMALS.get(unit, 3)
     if unit in _SLOW_TOO and 1e-6 < abs(size) < 100:
         decimals = max(decimals, 2 - floor(log10(abs(size))))
@@ -85,6 +85,17 @@ def decimals_for(size: float, figures: int) -> int:
     (1, 2, -2)
     """
     return figures - 1 - floor(log10(float(f"{size:.{figures - 1}e}"))) if 0 < size < np.inf else 0
+
+
+def seen(size: float, decimals: int) -> int:
+    """As many decimals as are wanted, or as show the first figure of what is less.
+
+    Examples
+    --------
+    >>> seen(0.006, 2), seen(0.0023, 2)
+    (2, 3)
+    """
+    return decimals if size >= 0.5 * 10.0**-decimals else decimals_for(size, 1)
 
 
 def in_print(sentence: str) -> str:

@@ -373,6 +373,7 @@ EXAMPLES = {
         (wrench(size), wrench(size)),
         TwoMasses(size(0.7), size(0.4)),
         drive(size),
+        gravity(size),
     ),
     "piston_formulas.two_harmonic_inertia_force": lambda angle, size, side: (
         angle,

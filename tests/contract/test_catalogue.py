@@ -309,3 +309,17 @@ def test_every_placeholder_of_a_sentence_is_filled():
 
 def test_sentences_of_the_catalogue_have_no_placeholders():
     assert [entry.name for entry in ENTRIES if placeholders(entry.sentence)] == []
+
+
+def test_flywheels_are_told_by_their_inertia_and_flywheel_moments_as_such():
+    """Both are in kg·m²: a GD² without its name is taken for an inertia, four times too large."""
+    every = [entry for stage in STAGES for entry in entries(stage.gives)]
+    moments = {entry.name: entry for entry in every if "flywheel_moment" in entry.name}
+    assert moments
+    assert not moments.keys() & {name for question in QUESTIONS for name in question.headline}
+    for entry in moments.values():
+        assert "GD²" in entry.symbol
+        assert "GD²" in entry.sentence
+        assert "GD²" in entry.words
+    others = [entry for entry in every if entry.name not in moments]
+    assert not [entry.name for entry in others if "GD²" in entry.symbol or "GD²" in entry.words]

@@ -47,7 +47,7 @@ def dataset_of(result: Result) -> "xarray.Dataset":
 
 def with_attributes(entry: Entry, values: Array) -> tuple[Array, dict[str, str]]:
     """Give values in the unit that was asked for, else in the catalogue's, and what that says of them."""
-    unit, given = in_asked_unit(entry.unit, values)
+    unit, given = in_asked_unit(entry.unit, values, entry.shown)
     return given, {"units": unit, "symbol": entry.symbol, "long_name": entry.sentence, "source": entry.source}
 
 

@@ -1,13 +1,14 @@
 """Many designs in sentences: of each fact that says most from where to where it goes, and which designs these are."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.analysis.dimensions import rivals
 from cranktrain.analysis.figures import shown_in, text_in
 from cranktrain.analysis.members import SMALLEST, side_of, whose_of
-from cranktrain.analysis.result import Result
+from cranktrain.analysis.result import Fact, Result
 from cranktrain.catalogue import Entry
 from cranktrain.language import _
 from cranktrain.motion import Array
@@ -43,16 +44,23 @@ def summary_of_designs(result: Result) -> Iterator[str]:
     )
     asked = {name: fact for name, fact in result.facts.items() if name in (result.asked or ())}
     for name, fact in (asked or result.headline).items():
-        values = np.asarray(fact.value, dtype=np.float64)
-        labels = list(result.labels_of(fact.entry).values())
-        if labels and labels[0][0] == _EXACT:
-            values, labels = values[:, 0], labels[1:]
-        members = labels[0] if len(labels) == 1 else ()
-        values = values.reshape(n_designs, -1)
+        yield from _lines(name, fact, result.labels_of(fact.entry), n_designs)
+
+
+def _lines(name: str, fact: Fact, labels: Mapping[str, Sequence[str]], n_designs: int) -> Iterator[str]:
+    """Say a fact by the method that is meant; where errors are counted from that, those of each of the others."""
+    every = np.asarray(fact.value, dtype=np.float64)
+    meant, *others = rivals(labels)
+    is_counted_from = others and not np.any(np.nan_to_num(every[(slice(None), *meant[0])]))
+    for place, method in others if is_counted_from else [meant]:
+        along = [names for names, chosen in zip(labels.values(), place, strict=True) if isinstance(chosen, slice)]
+        members = along[0] if len(along) == 1 else ()
+        values = every[(slice(None), *place)].reshape(n_designs, -1)
         if (side := side_of(name)) is not None and np.all(np.any(np.isfinite(values), axis=1)):
             values = (np.nanmin if side == SMALLEST else np.nanmax)(values, axis=1, keepdims=True)
             members = ()
-        yield f"{name.replace('_', ' ')}: {_between(values, fact.entry, members)}"
+        said = ", ".join(filter(None, (fact.entry.words, "" if method == _EXACT else method)))
+        yield f"{said}: {_between(values, fact.entry, members)}"
 
 
 def _between(values: Array, entry: Entry, members: Sequence[str]) -> str:

@@ -1,14 +1,47 @@
 """Dimensions of all results: those that questions share, and those that each brings."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
 
 from cranktrain import textbook
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.layout import parts
 from cranktrain.layout.question import ResultDimension
 
+Place = tuple[int | slice, ...]
+"""Which members along each of some dimensions: one, or all."""
+
 DIMENSIONS: Mapping[str, ResultDimension] = {
     dimension.name: dimension
     for dimensions in (parts.DIMENSIONS, *(question.dimensions for question in QUESTIONS), textbook.DIMENSIONS)
     for dimension in dimensions
 }
+
+
+def rivals(labels: Mapping[str, Sequence[str]]) -> Iterator[tuple[Place, str]]:
+    """Part values by what are rivals among their members, as methods are, the one that is meant first.
+
+    Parameters
+    ----------
+    labels : mapping of str to sequence of str
+        Names along each dimension, in their order.
+
+    Yields
+    ------
+    place : tuple of int or slice
+        One rival, with all members along the other dimensions.
+    words : str
+        Its name; empty where there are none beside it.
+    """
+    each = [_places(DIMENSIONS[dimension].own, len(names)) for dimension, names in labels.items()]
+    for place in product(*each):
+        chosen = zip(place, labels.values(), strict=True)
+        yield place, ", ".join(names[at] for at, names in chosen if not isinstance(at, slice) and len(names) > 1)
+
+
+def _places(own: int | None, n_members: int) -> Sequence[int | slice]:
+    """All members at once, or rivals one by one."""
+    if own is None or not n_members:
+        return (slice(None),)
+    first = own % n_members
+    return (first, *(i for i in range(n_members) if i != first))

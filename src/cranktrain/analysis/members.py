@@ -6,12 +6,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cranktrain.analysis.dimensions import DIMENSIONS
+from cranktrain.analysis.dimensions import DIMENSIONS, rivals
 from cranktrain.analysis.figures import ABSENT, shown_in, text_in
 from cranktrain.catalogue import Entry
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import falling
 from cranktrain.wording import ranged
 
 _MOST_GROUPS = 3
@@ -102,7 +103,15 @@ def _flat_rows(entry: Entry, found: Sequence[Labelled | None]) -> Iterator[tuple
         sides = [side for side in (SMALLEST, LARGEST) if not _is_other(entry.name, side)]
     for side in sides:
         said = "" if len(sides) == 1 else _(side)
-        yield said, tuple(_extreme(one, side) for one in found)
+        yield said, tuple(_extreme(_meant(one), side) for one in found)
+
+
+def _meant(one: Labelled | None) -> Labelled | None:
+    """Values without rivals, as methods are: of the one that is meant where none is named."""
+    if one is None:
+        return None
+    place, _words = next(rivals(one.labels))
+    return one._replace(values=one.values[place])
 
 
 def _members(one: Labelled) -> tuple[str, ...]:
@@ -141,7 +150,7 @@ def _counted(there: Sequence[Labelled]) -> Sequence[str]:
         if np.all(np.diff(sizes) >= 0.0):
             return members[:_MOST_NUMBERED]
         most = _MOST_NUMBERED if len(there) == 1 else _MOST_OF_EACH
-        largest += [members[place] for place in np.argsort(-sizes, kind="stable")[:most].tolist()]
+        largest += [members[place] for place in falling(sizes)[:most]]
     return list(dict.fromkeys(largest))
 
 

@@ -31,7 +31,7 @@ def fact_rows(result: Result, names: Collection[str]) -> Iterator[tuple[str, str
     """
     for name, entry in result.catalogue.items():
         if name in names and entry.is_fact:
-            unit, values = in_asked_unit(entry.unit, np.asarray(getattr(result, name)))
+            unit, values = in_asked_unit(entry.unit, np.asarray(getattr(result, name)), entry.shown)
             for place, of in _places(result, entry):
                 yield name, of, float(values[place]), unit, entry.sentence
 

@@ -49,7 +49,7 @@ def start_json(start: Start, machine: Mapping[str, object]) -> Iterator[str]:
     """Write a start whole: a JSON object with `machine`, why it ended, `events`, `time` and `quantities`."""
     quantities: dict[str, object] = {}
     for name, entry in start.catalogue.items():
-        unit, values = in_asked_unit(entry.unit, getattr(start, name))
+        unit, values = in_asked_unit(entry.unit, getattr(start, name), entry.shown)
         said = {"unit": unit, "symbol": entry.symbol, "sentence": entry.sentence, "source": entry.source}
         quantities[name] = {**said, "values": values.tolist()}
     whole = {
@@ -82,5 +82,5 @@ def _columns(start: Start) -> Iterator[tuple[str, Array]]:
     """Time and every curve with its head."""
     yield "time [s]", start.time
     for name, entry in start.catalogue.items():
-        unit, values = in_asked_unit(entry.unit, getattr(start, name))
+        unit, values = in_asked_unit(entry.unit, getattr(start, name), entry.shown)
         yield f"{name} [{unit}]", values

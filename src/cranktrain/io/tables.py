@@ -124,13 +124,13 @@ def _columns(result: Result, entry: Entry) -> Iterator[tuple[str, Array]]:
     labels = result.labels_of(entry).values()
     for place in itertools.product(*(range(len(names)) for names in labels)):
         index = " ".join(names[i] for names, i in zip(labels, place, strict=True))
-        unit, values = in_asked_unit(entry.unit, curves[place])
+        unit, values = in_asked_unit(entry.unit, curves[place], entry.shown)
         yield f"{entry.name}({index}) [{unit}]" if index else f"{entry.name} [{unit}]", values
 
 
 def _described(result: Result, entry: Entry) -> dict[str, object]:
     """One quantity with all that its catalogue entry says."""
-    unit, values = in_asked_unit(entry.unit, getattr(result, entry.name))
+    unit, values = in_asked_unit(entry.unit, getattr(result, entry.name), entry.shown)
     return {
         "unit": unit,
         "symbol": entry.symbol,
@@ -144,8 +144,9 @@ def _described(result: Result, entry: Entry) -> dict[str, object]:
 
 def _nested(values: Array) -> object:
     """Nested lists of floats, with None for what JSON has no number for."""
-    array = np.asarray(values, dtype=object)
-    array[~np.isfinite(values)] = None
+    numbers = np.asarray(values, dtype=np.float64)
+    array = numbers.astype(object)
+    array[~np.isfinite(numbers)] = None
     return array.tolist()
 
 

@@ -8,12 +8,13 @@ import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import InputError, Position, Problem, first_of, refuse
-from cranktrain.fluids.indicator.reading import unit_in
+from cranktrain.fluids.indicator.heads import is_time, time_advice, unit_in
 from cranktrain.fluids.indicator.table import NumberTable, held_text, read_table
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.polyline import Polyline
+from cranktrain.one_line import short
 from cranktrain.quantities import Dimension, is_unit, one_of, read, unit_names
 from cranktrain.spec import Spec
 
@@ -104,6 +105,10 @@ def given_curve(spec: CycleFileSpec) -> Polyline:
     where, level = _columns(spec, table)
     numbers = table.rows
     labels = table.labels or ("",) * numbers.shape[1]
+    if is_time(labels[where]):
+        allowed = _("has a time in column {column}, “{head}”, and {curve} is over the crank angle")
+        said = allowed.format(column=where + 1, head=short(labels[where]), curve=_(words.curve))
+        raise InputError([Problem("file", spec.file, said, time_advice())])
     angle_unit = unit_in(labels[where], Dimension.ANGLE) or "deg"
     angles, values = numbers[:, where] * read(f"1 {angle_unit}", Dimension.ANGLE), numbers[:, level]
     problems = [*_few_of(_order_problems(table, where), table.name)] or [

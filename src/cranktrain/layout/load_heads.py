@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple, TypeAlias
 
 from cranktrain.errors import InputError, Position, Problem, refuse
-from cranktrain.fluids.indicator.heads import axis_of, unit_in
+from cranktrain.fluids.indicator.heads import axis_of, is_time, time_advice, unit_in
 from cranktrain.fluids.indicator.table import NumberTable
 from cranktrain.language import _
 from cranktrain.one_line import short
@@ -52,6 +52,10 @@ def load_heads(table: NumberTable, columns: Sequence[int] | None) -> LoadHeads:
     """
     where, *levels = _columns(table, columns)
     labels = table.labels or ("",) * table.rows.shape[1]
+    if is_time(labels[where]):
+        allowed = _("has a time in column {column}, “{head}”, and a load is over crank angle, travel or swing")
+        said = allowed.format(column=where + 1, head=short(labels[where]))
+        raise InputError([Problem("file", table.name, said, time_advice())])
     over, place_unit = _axis(labels[where])
     found = [_size(labels[level]) for level in levels]
     problems = (

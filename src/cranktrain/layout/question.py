@@ -105,12 +105,19 @@ class ResultDimension(NamedTuple):
         Whether its members are numbers, by which they are asked for: `sel(order=6)`.
     family : str
         Of dimensions whose members are called alike, as a piston and its chamber: their facts share a table.
+    own : int, optional
+        Of a dimension whose members are rivals, each another answer to one question, as methods are: the place of the
+        one that is meant where none is named. No table takes anything over them all.
+    is_apart : bool
+        Whether each member is of its own size, as modes are: nothing is rounding beside what is of another.
     """
 
     name: str
     title: str
     is_number: bool = False
     family: str = ""
+    own: int | None = None
+    is_apart: bool = False
 
 
 class Use(NamedTuple):

@@ -12,7 +12,14 @@ from cranktrain.numerics.series import (
     turn_grid,
     unwrapped,
 )
-from cranktrain.numerics.subintervals import Subintervals, integral_to, points_together, subintervals
+from cranktrain.numerics.subintervals import (
+    Subintervals,
+    integral_motion,
+    integral_to,
+    points_together,
+    subintervals,
+    unresolved,
+)
 from cranktrain.numerics.tops import Extreme
 
 __all__ = [
@@ -29,6 +36,7 @@ __all__ = [
     "extremes",
     "has_ended",
     "in_slots",
+    "integral_motion",
     "integral_to",
     "largest",
     "largest_between",
@@ -39,5 +47,6 @@ __all__ = [
     "subintervals",
     "turn_grid",
     "turning_points",
+    "unresolved",
     "unwrapped",
 ]

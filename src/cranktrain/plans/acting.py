@@ -3,13 +3,13 @@
 All axes are the machine's, X right and Y up, seen from the free end.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 
 import numpy as np
 
-from cranktrain.analysis import SpeedWanted, run, speed_over_cycle
-from cranktrain.errors import Problem, refuse
+from cranktrain.analysis import Result, SpeedWanted, run, speed_over_cycle
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 from cranktrain.layout.frames import in_machine_axes
 from cranktrain.layout.places import PlacedMechanism
@@ -96,6 +96,16 @@ def made_ready(machine: Machine, speed: SpeedWanted) -> LoadedMachine:
 def refuse_idle(machine: Machine) -> None:
     """Refuse a machine on whose links nothing acts, or of which no speed is known."""
     refuse(_idle(machine))
+
+
+def refuse_absent(result: Result, quantities: Iterable[str]) -> None:
+    """Refuse a machine whose tables do not go together to the forces that are wanted, with what they need."""
+    absent = [name for name in quantities if name not in result.catalogue]
+    if absent:
+        needs = ", ".join(result.needs_of(*absent))
+        raise InputError(
+            [Problem("", None, _("nothing acts on the links yet: forces need {needs}").format(needs=needs))]
+        )
 
 
 def _idle(machine: Machine) -> Iterator[Problem]:

@@ -11,7 +11,7 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.plans.acting import refuse_idle
+from cranktrain.plans.acting import refuse_absent, refuse_idle
 from cranktrain.quantities import Dimension, shown, unlisted
 from cranktrain.quantities.dimensions import plain, spellings
 from cranktrain.questions.cylinders.declared import cylinders_of
@@ -114,7 +114,9 @@ def force_table(machine: Machine, *, step: float = 30.0, unit: str = "N", piston
     arm = float(np.hypot(pin.x.value[0], pin.y.value[0])) * shown(1.0, torque)
     sort = _sort(machine, place)
     at_pin = _SHARES if sort == "slave" else _KNUCKLED | _AT_PIN if sort == "master" else _AT_PIN
-    curves = {symbol: _by_method(result, quantity, place.name) for symbol, quantity in (_AT_PISTON | at_pin).items()}
+    quantities = _AT_PISTON | at_pin
+    refuse_absent(result, quantities.values())
+    curves = {symbol: _by_method(result, quantity, place.name) for symbol, quantity in quantities.items()}
     columns = [_column(symbol, name, per_unit * curve, kept) for symbol, curve in curves.items()]
     turning = "T_i" if sort == "slave" else "T"
     columns.append(_column(turning.replace("T", "M"), torque, arm * curves[turning], kept))
@@ -177,7 +179,8 @@ def _piston(machine: Machine, wanted: str | None) -> PlacedMechanism:
 
 def _area(machine: Machine, piston: PlacedMechanism) -> float:
     """Area of a piston, π/4 of its bore squared. [m²]"""
-    bore = cylinders_of(machine.cylinder, [piston])[0].spec.bore
+    bores = (cylinder.spec.bore for cylinder in cylinders_of(machine.cylinder, [piston]))
+    bore = next(bores, None)
     if bore is None:
         raise InputError([Problem("cylinder.bore", None, _("is missing: forces over the piston's area need it"))])
     return np.pi / 4 * bore.si**2

@@ -8,7 +8,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.dynamics import AnyDynamics
 from cranktrain.motion import Array
-from cranktrain.plans.acting import refuse_idle
+from cranktrain.plans.acting import refuse_absent, refuse_idle
 from cranktrain.plans.placement import place_called
 from cranktrain.record import record
 
@@ -94,7 +94,10 @@ def pin_loads(machine: Machine, *, mechanism: str | None = None, speed: SpeedWan
     if not _has_rod_on_pin(place.kind.dynamics):
         raise InputError([Problem("--mechanism", place.name, _("has no rod of its own on a crank pin"))])
     result = run(machine, speed=speed, quantities=_QUANTITIES)
+    refuse_absent(result, ("crankpin_load_radial", "largest_crankpin_load"))
     at = result.labels["mechanism"].index(place.name)
+    if not result.largest_crankpin_load[at] > 0:
+        raise InputError([Problem("", None, _("no load acts on the crank pin, so there is no diagram of it"))])
     radial, tangential, *without = (getattr(result, name)[at] for name in _QUANTITIES[:4])
     phi = np.deg2rad(result.crank_angle) + machine.zero + place.phase
     motion = place.kind.motion(phi, place.geometry)

@@ -245,6 +245,8 @@ def rounded_scale(least: float, steps: Sequence[float] = DRAWING_STEPS, one: flo
     >>> rounded_scale(0.0021), round(rounded_scale(0.21, one=0.3048), 4)
     (0.0025, 0.3048)
     """
+    if least == 0.0:  # of nothing, which fits at any scale
+        return one
     tens = float(np.log10(one))
     if abs(tens - round(tens)) > _ROUNDING:  # what is round in kN is round in N
         return one * rounded_scale(least / one, steps)

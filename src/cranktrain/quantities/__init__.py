@@ -14,7 +14,7 @@ from cranktrain.quantities.choice import (
     units_asked,
     units_by_dimension,
 )
-from cranktrain.quantities.conversion import shown
+from cranktrain.quantities.conversion import of_result, shown
 from cranktrain.quantities.dimensions import Dimension, expected, is_unit, unit_names
 from cranktrain.quantities.fields import (
     Angle,
@@ -102,6 +102,7 @@ __all__ = [
     "gauge_problem",
     "is_unit",
     "nearest",
+    "of_result",
     "one_of",
     "own_units",
     "read",

@@ -27,8 +27,8 @@ _OF_OTHER_SYSTEMS = frozenset(
 )
 _BY_SIZE = {Dimension.FORCE, Dimension.TORQUE, Dimension.POWER, Dimension.ENERGY, Dimension.VOLUME}
 """What is shown in N or kN, in W or kW, by its size: of a file's own units those of other systems alone count."""
-_NOT_BY_FILE = {Dimension.RATIO, Dimension.ANGLE}
-"""What no habit of a file changes: angles are in degrees, even beside throws that are given in turns."""
+_NOT_BY_FILE = {Dimension.RATIO, Dimension.ANGLE, Dimension.TIME}
+"""What no habit of a file changes: angles stay in degrees beside throws in turns, times in s beside delays in ms."""
 _USUAL = {"mm", "cm²", "rpm", "m/s", "m/s²", "rad/s²", "bar", "kg", "kg·m²", "N·m/rad", "K"}
 """Units that are shown anyhow."""
 _COUNTED_FROM = {"ati": "at", "psig": "psi", "barg": "bar"}

@@ -5,7 +5,7 @@ from functools import cache
 from typing import TYPE_CHECKING, TypeVar
 
 from cranktrain.language import _
-from cranktrain.quantities.dimensions import Dimension, Unit, plain, spellings
+from cranktrain.quantities.dimensions import TURN, Dimension, Unit, plain, spellings
 from cranktrain.quantities.refusal import QuantityError
 
 if TYPE_CHECKING:
@@ -41,6 +41,19 @@ def shown(si: Size, unit: str) -> Size:
     """
     scale, is_factor, offset = _conversion(unit)
     return (si - offset) * scale if is_factor else (si - offset) / scale
+
+
+def of_result(si: Size, unit: str, usual: str) -> Size:
+    """Express a value of a result in a unit of the list, as `shown` does, by the unit in which it is usually shown.
+
+    What is usually in Hz is the angular frequency of a vibration, in rad/s; the list's Hz are turns in a second.
+
+    Examples
+    --------
+    >>> of_result(6.283185307179586, "Hz", "Hz"), of_result(6.283185307179586, "1/h", "Hz"), of_result(0.5, "mm", "mm")
+    (1.0, 3600.0, 500.0)
+    """
+    return shown(si / float(TURN) if usual == "Hz" else si, unit)
 
 
 @cache

@@ -18,13 +18,14 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import short
+from cranktrain.questions.drive.at_angles import has_inertia
 from cranktrain.questions.drive.clutched.declared import DeclaredBrake, DeclaredStroke
 from cranktrain.questions.drive.declared import DeclaredDrive, DeclaredStart
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.press_strokes import PressStrokes
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.equation import AT_MOTOR, BrakePlace
-from cranktrain.questions.drive.running.gearing import overall_ratio
+from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
 from cranktrain.questions.drive.running.runs import Progress
 from cranktrain.questions.drive.start_case import StartCase
 from cranktrain.questions.drive.start_notes import start_notes
@@ -171,6 +172,11 @@ def start_case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCas
     """The start of the only design."""
     drive, grid = parts[DeclaredDrive], parts[CrankAngle]
     machines, steady = found[ReducedMachines], found.get(SteadyDrive)
+    if not has_inertia(machines.each[0], turning_inertia(drive.gearings[0])):
+        allowed = _(
+            "moves nothing that has inertia, and a start needs some: of the motor, [drive.part.NAME] or [masses]"
+        )
+        raise InputError([Problem("drive", None, allowed)])
     brake, place = _brake(parts.get(DeclaredBrake))
     cycle_time = np.nan if steady is None else float(steady.cycle_time[0])
     return StartCase(

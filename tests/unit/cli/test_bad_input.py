@@ -5,7 +5,7 @@ from tests.sentences import (
     AN_INERTIA,
     CANNOT_CLOSE,
     FIRST_IN_LINE,
-    GAP_IN_DIAGRAM,
+    GAP_OVER_CREST,
     IS_A_FOLDER,
     IS_IT_THE_EXAMPLE,
     NO_FILE,
@@ -230,15 +230,17 @@ def test_gas_in_a_chamber_without_room_is_refused_where_the_room_is_given(typed)
 
 def test_diagram_with_a_gap_is_refused_in_its_own_line(typed, written):
     """The problem is the diagram's, and names the table that asks for it."""
-    rows = "\n".join(f"{angle};{1 + 30 / (1 + abs(angle - 370)):.4f}" for angle in range(720) if not 99 < angle < 140)
+    rows = "\n".join(f"{angle};{1 + 30 / (1 + abs(angle - 370)):.4f}" for angle in range(720) if not 339 < angle < 380)
     written(f"angle [deg];p abs [bar]\n{rows}\n", "trace.csv")
     written(
         f"{ROD.partition('[masses')[0]}"
         '[cylinder]\nbore = "82 mm"\ncompression_ratio = 9.3\ncycle = "four-stroke"\n'
         '[gas]\nkind = "indicator"\nfile = "trace.csv"\n'
     )
-    said = f"trace.csv:101  gas: {GAP_IN_DIAGRAM}; give what is missing"
-    assert typed("run", "machine.toml").errors.startswith(said)
+    said = f"trace.csv:341  gas: {GAP_OVER_CREST}, in which the pressure may be "
+    errors = typed("run", "machine.toml").errors
+    assert errors.startswith(said)
+    assert "; give what is missing" in errors
 
 
 def test_weights_that_balance_nothing(typed, written):

@@ -1,5 +1,6 @@
 """`--units` and [units]: on the screen, and in what is written."""
 
+import csv
 import json
 import re
 
@@ -112,3 +113,35 @@ def test_shaft_speeds_are_in_rpm_in_every_table(typed):
     assert "1500" in str(compared) and "1800 rpm" in str(compared)
     assert str(ct.run("3d12").facts["peak_pressure"]).endswith("Pa>")
     assert "e+" not in repr(ct.run("deltic").facts["indicated_power"])
+
+
+SIX = 216.58355700527412
+"""Lowest natural frequency of the example inline_six. [Hz]"""
+
+
+@pytest.mark.parametrize("options", [("--units", "Hz"), ("--set", "units.frequency=Hz")])
+def test_natural_frequencies_in_hertz(options, typed, tmp_path):
+    """The usual unit, asked for by its name, changes no number: of the screen, of tables."""
+    said = [typed("run", "inline_six", *more).output for more in ((), options)]
+    rows = [next(line for line in text.splitlines() if "natural frequencies" in line) for text in said]
+    assert rows[0] == rows[1]
+    typed("run", "inline_six", *options, "--quantities", "natural_frequency", "--facts", "-o", "facts.csv")
+    row = next(csv.DictReader((tmp_path / "facts.csv").read_text(encoding="utf-8").splitlines()))
+    assert (row["unit"], float(row["value"])) == ("Hz", pytest.approx(SIX, rel=1e-9))
+
+
+def test_a_dataset_with_natural_frequencies_in_hertz():
+    """Without a wish they are as the catalogue says, in rad/s."""
+    result = ct.run("inline_six", quantities="natural_frequency")
+    for units, label, size in ((("Hz",), "Hz", 1.0), (("1/h",), "1/h", 3600.0), ((), "rad/s", 2 * np.pi)):
+        with ct.units(*units):
+            found = result.dataset["natural_frequency"]
+        assert found.attrs["units"] == label
+        assert found.values.ravel()[0] == pytest.approx(SIX * size, rel=1e-9)
+
+
+def test_times_are_in_seconds_beside_delays_in_milliseconds(typed):
+    """A clutch that engages in 30 ms makes no start last 3700 ms; asked for, it does."""
+    wanted = ("run", "high_slip_press", "--full")
+    assert {"s"} == set(re.findall(r"^  cycle_time +T +(m?s) ", typed(*wanted).output, re.MULTILINE))
+    assert {"ms"} == set(re.findall(r"^  cycle_time +T +(m?s) ", typed(*wanted, "--units", "ms").output, re.MULTILINE))

@@ -8,6 +8,7 @@ from rich.console import Console
 from rich.text import Text
 
 from cranktrain.analysis import Missing, Result, sentences
+from cranktrain.analysis.dimensions import Place, rivals
 from cranktrain.catalogue import Entry
 from cranktrain.cli.screen.facts import fact_tables
 from cranktrain.cli.screen.figures import figures
@@ -15,14 +16,12 @@ from cranktrain.cli.screen.inputs import input_table, provenance
 from cranktrain.cli.screen.text import INDENT, paragraph, section, table
 from cranktrain.io.machine_file import MachineFile, inputs_of
 from cranktrain.language import _
+from cranktrain.numerics.ties import first_largest, largest_of
 from cranktrain.one_line import visible
 from cranktrain.wording import ABSENT
 
 _NAMED = 4
 """How many of the results that something would give are named."""
-
-_EQUAL = 1e-9
-"""Peaks closer than this are one: which of them rounding makes the largest says nothing."""
 
 
 def show_full(console: Console, file: MachineFile, result: Result, names: Sequence[str], *, is_all: bool) -> None:
@@ -85,27 +84,30 @@ def show_missing(console: Console, result: Result) -> None:
 
 
 def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
-    """Give the largest size of every curve: name, symbol, value, unit, where and whose."""
+    """Give the largest size of every curve, by each method: name, symbol, value, unit, where and whose."""
     for entry in map(result.catalogue.__getitem__, names):
         if entry.is_fact:
             continue
-        value, at, member = _refined(result, entry) or _in_steps(result, entry)
-        shown = figures(np.array([value]), entry.shown)
-        members = [", ".join(labels) for labels in itertools.product(*result.labels_of(entry).values())]
-        whose = members[member] if len(members) > 1 else ""
-        words = (ABSENT, "", "", "") if np.isnan(value) else (shown.texts[0], shown.unit, at, whose)
-        yield entry.name, entry.symbol, *words
+        labels = result.labels_of(entry)
+        for place, method in rivals(labels):
+            value, at, member = _refined(result, entry, place) or _in_steps(result, entry, place)
+            shown = figures(np.array([value]), entry.shown)
+            along = [names for names, chosen in zip(labels.values(), place, strict=True) if isinstance(chosen, slice)]
+            members = [", ".join(names) for names in itertools.product(*along)]
+            whose = ", ".join(filter(None, (method, members[member] if len(members) > 1 else "")))
+            words = (ABSENT, "", "", method) if np.isnan(value) else (shown.texts[0], shown.unit, at, whose)
+            yield entry.name, entry.symbol, *words
 
 
-def _in_steps(result: Result, entry: Entry) -> tuple[float, str, int]:
+def _in_steps(result: Result, entry: Entry, place: Place) -> tuple[float, str, int]:
     """Largest size of a curve among its steps, at which and whose; NaN where it has none."""
-    curves = np.reshape(getattr(result, entry.name), (-1, result.crank_angle.size))
+    curves = np.reshape(getattr(result, entry.name)[place], (-1, result.crank_angle.size))
     size = np.nan_to_num(np.abs(curves), nan=-1.0)
-    member, place = np.unravel_index(np.argmax(size >= np.max(size) * (1 - _EQUAL)), size.shape)
-    return float(curves[member, place]), f"{result.crank_angle[place]:g}", int(member)
+    member, step = np.unravel_index(first_largest(size), size.shape)
+    return float(curves[member, step]), f"{result.crank_angle[step]:g}", int(member)
 
 
-def _refined(result: Result, entry: Entry) -> tuple[float, str, int] | None:
+def _refined(result: Result, entry: Entry, place: Place) -> tuple[float, str, int] | None:
     """Largest size of a curve, where and whose, if facts say it of the same members: no step has a part in these."""
     found: list[tuple[float, str, int]] = []
     # Facts of the machine's torque and of the gas's pressure are called shortly.
@@ -114,11 +116,13 @@ def _refined(result: Result, entry: Entry) -> tuple[float, str, int] | None:
         extreme, at = (result.facts.get(f"{side}_{stem}{ending}") for ending in ("", "_at"))
         if extreme is None or at is None or (*extreme.entry.dimensions, "crank_angle") != entry.dimensions:
             continue
-        sizes = np.nan_to_num(np.abs(np.ravel(extreme.value)), nan=-1.0)
-        member = int(np.argmax(sizes >= np.max(sizes) * (1 - _EQUAL)))
+        values, angles = (np.ravel(np.asarray(fact.value)[place]) for fact in (extreme, at))
+        sizes = np.nan_to_num(np.abs(values), nan=-1.0)
+        member = first_largest(sizes)
         if sizes[member] >= 0:
-            found.append((float(np.ravel(extreme.value)[member]), f"{np.ravel(at.value)[member]:.1f}", member))
-    return max(found, key=lambda one: abs(one[0]), default=None)
+            where = "" if np.isnan(angles[member]) else f"{angles[member]:.1f}"  # of what is level, nowhere
+            found.append((float(values[member]), where, member))
+    return largest_of(found, lambda one: abs(one[0])) if found else None
 
 
 def _checks(console: Console, result: Result) -> Iterator[Text]:

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.fluids.indicator.gaps import gap_flags
 from cranktrain.fluids.indicator.reading import Trace
 from cranktrain.language import _
 from cranktrain.motion import Array
@@ -15,13 +16,8 @@ _SAME = 1e-3
 """Angles closer than this, in steps, are one."""
 _FEWEST = 24
 """Samples of a cycle: textbooks print one each 30°."""
-_WIDEST_STEP = np.radians(31.0)
-_WIDEST_GAP = np.radians(15.0)
-"""In a trace of finer steps."""
-_RADIANS = 15.0
-"""A cycle of fewer degrees may be in radians."""
-_DOUBTFUL_GAP = 3.5
-"""Steps over which the curve is flagged."""
+_AN_END = np.radians(15.0)
+"""A recorded turn may lack so much."""
 _IN_ORDER = 0.9
 """Share of the rows that go on in one sense, turns apart, in a file whose rows are in order."""
 _CLOSED = 0.01
@@ -75,7 +71,7 @@ def one_cycle(trace: Trace, cycle: float) -> Samples:
     _refuse_few(trace, len(samples.angles), cycle)
     samples, lines = _open_ended(samples, lines, cycle, step)
     _refuse_another_cycle(trace, samples.angles, step, cycle)
-    return samples._replace(flags=(*samples.flags, *_gap_flags(trace, samples.angles, lines, cycle, step)))
+    return samples._replace(flags=(*samples.flags, *gap_flags(trace, samples.angles, samples.pressures, lines, cycle)))
 
 
 def once_or_jump(
@@ -175,34 +171,9 @@ def _refuse_another_cycle(trace: Trace, angles: Array, step: float, cycle: float
     if recorded > cycle - _SAME * step:
         allowed = _("holds {own} of crank angle, more than one cycle of {needed}; give one cycle, or the mean of many")
         raise trace.refused(allowed.format(own=own, needed=needed))
-    if cycle > 1.5 * _TURN and abs(recorded + step - _TURN) < max(1.5 * step, _WIDEST_GAP):
+    if cycle > 1.5 * _TURN and abs(recorded + step - _TURN) < max(1.5 * step, _AN_END):
         allowed = _("holds one turn, {own}, and a four-stroke's cycle has two; the turn of gas exchange is missing")
         raise trace.refused(allowed.format(own=own))
-
-
-def _gap_flags(trace: Trace, angles: Array, lines: NDArray[np.intp], cycle: float, step: float) -> tuple[str, ...]:
-    """Refuse gaps over which nothing is known, and flag smaller ones."""
-    steps = np.diff(angles, append=angles[0] + cycle)
-    gaps = np.flatnonzero(steps > min(_DOUBTFUL_GAP * step, _WIDEST_STEP))
-    if not gaps.size:
-        return ()
-    widest = int(np.argmax(steps))
-    gap = float(steps[widest])
-    start, end = _degrees(angles[widest]), _degrees(angles[widest] + gap)
-    if gap > _WIDEST_STEP or gap > max(_WIDEST_GAP, _DOUBTFUL_GAP * step):
-        allowed = _("has no samples between {start} and {end}, a gap of {gap}").format(
-            start=start, end=end, gap=_degrees(gap)
-        )
-        repair = _("give what is missing, or a whole cycle")
-        if shown(float(np.ptp(angles)), "deg") < _RADIANS:
-            repair = _('if the file\'s angles are radians, write axis_unit = "rad"')
-        raise trace.refused(allowed, int(lines[widest]), repair)
-    if gaps.size == 1:
-        return (
-            _("There are no samples between {start} and {end}: the curve bridges them.").format(start=start, end=end),
-        )
-    missing = _("Samples are missing at {n} places, most of all between {start} and {end}: the curve bridges them.")
-    return (missing.format(n=gaps.size, start=start, end=end),)
 
 
 def _degrees(angle: float) -> str:

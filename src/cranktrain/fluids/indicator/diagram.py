@@ -1,6 +1,7 @@
 """The indicator diagram: pressure over the crank angle from firing, as a periodic curve of cubics."""
 
 from collections.abc import Callable
+from math import ceil
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -109,6 +110,12 @@ def diagram_work(diagram: Diagram, volume_slope: Callable[[Array], Array]) -> fl
     return work
 
 
+def passed(order: Array, width: float) -> Array:
+    """What smoothing over a width σ [rad] leaves of waves per turn: (1 + ½k²σ²) exp(−½k²σ²), eq. (14.11)."""
+    half_square = (order * width) ** 2 / 2
+    return (1 + half_square) * np.exp(-half_square)
+
+
 def smoothed(diagram: Diagram, width: float, interpolation: Interpolation = "limited") -> Diagram:
     """Take noise out of a diagram, round the cycle.
 
@@ -123,17 +130,18 @@ def smoothed(diagram: Diagram, width: float, interpolation: Interpolation = "lim
     Returns
     -------
     Diagram
-        At as many equal steps; its mean pressure is the same. Jumps are rounded off.
+        At as many equal steps, or more where these would be wider than σ; its mean pressure is the same. Jumps are
+        rounded off.
 
     Notes
     -----
     The cycle's Fourier series times (1 + ½k²σ²) exp(−½k²σ²), a Gaussian that leaves every parabola, and so the peak, as
     it is. docs/theory/gas, eq. (14.11).
     """
-    n_points, cycle = len(diagram.curve.places), diagram.curve.period
+    cycle = diagram.curve.period
+    n_points = max(len(diagram.curve.places), ceil(cycle / width))
     angles = np.arange(n_points, dtype=np.float64) * (cycle / n_points)
-    order = np.arange(n_points // 2 + 1) * (2 * np.pi / cycle)
-    half_square = (order * width) ** 2 / 2
-    series = np.fft.rfft(pressure_at(diagram, angles)) * (1 + half_square) * np.exp(-half_square)
+    order = np.arange(n_points // 2 + 1, dtype=np.float64) * (2 * np.pi / cycle)
+    series = np.fft.rfft(pressure_at(diagram, angles)) * passed(order, width)
     pressures: Array = np.fft.irfft(series, n_points)
     return diagram_through(Samples(angles, pressures, diagram.findings, diagram.flags), cycle, interpolation)

@@ -10,6 +10,7 @@ from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.fluids.indicator.pegging import polytropic_exponent
 from cranktrain.language import _
 from cranktrain.numerics import around_zero
+from cranktrain.numerics.ties import first_largest
 from cranktrain.quantities import shown
 
 _START, _END = np.radians(-80.0), np.radians(-40.0)
@@ -19,13 +20,6 @@ _COMPRESSED = 1.5
 """Pressures that rise by less there are no compression: steam is still let out."""
 _LOWEST, _HIGHEST = 1.2, 1.45
 """Exponents of compressions, with some reserve: 1.25 to 1.4 are usual."""
-_FINE = np.radians(2.01)
-"""Up to such steps the fourth differences are noise, not the curve. [rad]"""
-_NOISY = 0.005
-"""Noise that is flagged, in parts of the peak."""
-_OF_NOISE = 0.6745 * np.sqrt(70.0)
-"""Median size of the fourth differences of white noise of standard deviation 1."""
-
 _LARGE_STEP = 0.1
 """Steps of less cannot hide a jump that is worth a word, in parts of the range."""
 _STEEP, _STEEPER = 5.0, 2.0
@@ -66,28 +60,6 @@ def compression_flags(samples: Samples, chamber: Chamber) -> Iterator[str]:
         ).format(exponent=exponent)
 
 
-def noise_flags(samples: Samples) -> Iterator[str]:
-    """Flag samples that scatter, by the median of their fourth differences, which a smooth curve hardly has.
-
-    Parameters
-    ----------
-    samples : Samples
-
-    Yields
-    ------
-    str
-    """
-    if np.median(np.diff(samples.angles)) > _FINE:
-        return
-    noise = float(np.median(np.abs(np.diff(samples.pressures, 4))) / _OF_NOISE)
-    peak = float(np.max(samples.pressures))
-    if noise > _NOISY * peak:
-        yield _(
-            "The pressures scatter by {percent:.2g} % of the peak from sample to sample: write smoothing, such as"
-            ' smoothing = "1 deg", or forces and torque will have that noise.'
-        ).format(percent=100 * noise / peak)
-
-
 def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[str]:
     """Flag steps so much steeper than those beside them that a jump may be lost in them.
 
@@ -114,7 +86,7 @@ def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[str]:
     steep = (np.abs(slopes) > _STEEP * onward) & (np.abs(slopes) > _STEEPER * np.max(np.abs(beside), axis=0))
     found = np.flatnonzero(steep & (np.abs(ends - starts) > _LARGE_STEP * np.ptp(samples.pressures)))
     if found.size:
-        largest = int(found[np.argmax(np.abs(ends - starts)[found])])
+        largest = int(found[first_largest(np.abs(ends - starts)[found])])
         sentence = _(
             "Between {start} and {end} the pressure goes from {before} to {after} bar in one step, far steeper than"
             " beside it{more}: if it jumps, give the jump as two rows of one angle (or place), before and after; else"

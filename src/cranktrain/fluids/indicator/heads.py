@@ -5,6 +5,7 @@ import unicodedata
 from collections.abc import Iterator
 from typing import Literal, TypeAlias
 
+from cranktrain.language import _
 from cranktrain.quantities import Dimension, is_unit
 
 Axis: TypeAlias = Literal["angle", "displacement", "volume"]
@@ -21,6 +22,17 @@ _ANGLE_UNITS = (
 """Degrees of crank angle as programs and people write them."""
 _PRESSURE_UNITS = {r"(?:кг|kg|kp)/(?:см|cm)2|ата|ata": "at", r"at[üu]": "ati", r"bara": "bar", r"barü": "barg"}
 """Units of pressure that only heads have, with those of the list that they mean: old books' kg/cm² is kgf/cm²."""
+_FORCE_UNITS = {r"(?:lb|lbs|pounds?)\.?": "lbf"}
+"""Units of force that only heads have: what an instrument calls pounds is pounds-force."""
+_TORQUE_UNITS = {
+    r"(?:ft|foot)[\s·*.-]?(?:lb|lbs|pounds?)|(?:lb|lbs|pounds?)[\s·*.-]?(?:ft|feet)": "lbf·ft",
+    r"(?:in|inch)[\s·*.-]?(?:lb|lbs|pounds?)|(?:lb|lbs|pounds?)[\s·*.-]?(?:in|inch)": "lbf·in",
+}
+_OF_HEADS = {
+    Dimension.PRESSURE: _PRESSURE_UNITS,
+    Dimension.FORCE: _FORCE_UNITS,
+    Dimension.TORQUE: _TORQUE_UNITS,
+}
 # Both alphabets have the letter: р is Cyrillic, p Latin; х and x likewise.
 _WORDS = {
     "angle": r"angle|\bcad?\b|crank|winkel|угол|угла|\bphi\b|φ|\bалфа\b|пкв",
@@ -28,6 +40,7 @@ _WORDS = {
     "displacement": r"displacement|stroke|travel|\bs\b|\b[xх]\b|hub|ход|перемещ",
     "pressure": r"press|\b[pр](?:[izцг]|cyl)?\b|druck|давлен",
 }
+_TIME = r"time|zeit|врем|^\s*t\s+(?:s|ms|sec)\b"
 _GAUGE = (
     r"gauge|\bgage\b|\brel\b|relative|избыт|изб|überdr|(?:\b|r|t)ü\b|(?:\bbar|\bpsi)\s*g\b|кгс?\s*см[2²]\s*и\b|\bати\b"
 )
@@ -36,7 +49,7 @@ _ABSOLUTE = r"\babs|абс|\bата\b|\bata\b|(?:\bbar|\bpsi)\s*a\b"
 
 def axis_of(head: str) -> Axis | None:
     """Tell what a column's head says that it is; None for pressures and what is not known."""
-    if is_pressure(head):
+    if is_pressure(head) or is_time(head):
         return None
     words = _spaced(head)
     for axis in ("angle", "volume", "displacement"):
@@ -46,6 +59,33 @@ def axis_of(head: str) -> Axis | None:
         if unit_in(head, dimension):
             return axis
     return None
+
+
+def is_time(head: str) -> bool:
+    """Whether a column's head means a time: by its word, or by a unit of time in brackets.
+
+    Examples
+    --------
+    >>> is_time("time [s]"), is_time("Zeit, ms"), is_time("CA [deg]"), is_time("s [mm]"), is_time("s")
+    (True, True, False, False, False)
+    """
+    if any(unit_in(head, dimension) for dimension in (*AXES.values(), Dimension.PRESSURE)):
+        return False  # t, ms beside travel_time_deg
+    return re.search(_TIME, _spaced(head), re.IGNORECASE) is not None or _in_units_of_time(head)
+
+
+def _in_units_of_time(head: str) -> bool:
+    """Whether brackets of a head, or what follows its comma, hold a unit of time."""
+    pieces = (*re.findall(r"[\[(]([^\])]*)[\])]", head), *re.split(r",\s*", head)[1:])
+    return any(is_unit(piece.strip(), Dimension.TIME) for piece in pieces)
+
+
+def time_advice() -> str:
+    """What to do with a file over time."""
+    return _(
+        "write crank angles instead, of an encoder; at a constant speed they are 360° × speed × time, 12° for"
+        " 1 ms at 2000 rpm"
+    )
 
 
 def is_pressure(head: str) -> bool:
@@ -87,10 +127,9 @@ def _unit(piece: str, dimension: Dimension) -> str | None:
         return "deg"
     if is_unit(piece, dimension):
         return piece
-    if dimension is Dimension.PRESSURE:
-        plain = unicodedata.normalize("NFKC", piece).replace("^", "")
-        return next((unit for form, unit in _PRESSURE_UNITS.items() if re.fullmatch(form, plain, re.IGNORECASE)), None)
-    return None
+    plain = unicodedata.normalize("NFKC", piece).replace("^", "")
+    others = _OF_HEADS.get(dimension, {})
+    return next((unit for form, unit in others.items() if re.fullmatch(form, plain, re.IGNORECASE)), None)
 
 
 def _spaced(head: str) -> str:

@@ -1,22 +1,25 @@
 """From a card to the diagram of one chamber: read, put in order, placed, pegged, smoothed."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.fluids.indicator.brix import brix_angle
-from cranktrain.fluids.indicator.card import Card, Peg
+from cranktrain.fluids.indicator.card import Card
 from cranktrain.fluids.indicator.chamber import Chamber, central_ratio
 from cranktrain.fluids.indicator.cycle import Samples, one_cycle
-from cranktrain.fluids.indicator.diagram import CURVES, Diagram, diagram_through, pressure_at, smoothed
+from cranktrain.fluids.indicator.diagram import CURVES, Diagram, diagram_through, smoothed
 from cranktrain.fluids.indicator.findings import curve_findings
-from cranktrain.fluids.indicator.flags import compression_flags, lost_jump_flags, noise_flags, rounded_jump_flags
-from cranktrain.fluids.indicator.pegging import polytropic_offset
+from cranktrain.fluids.indicator.flags import compression_flags, lost_jump_flags, rounded_jump_flags
+from cranktrain.fluids.indicator.level import level_flags, refuse_not_positive
+from cranktrain.fluids.indicator.noise import eaten_flags, noise_flags
+from cranktrain.fluids.indicator.pegging import pegged
 from cranktrain.fluids.indicator.placing import placed
 from cranktrain.fluids.indicator.unrolling import OutwardAngle, dead_centres_of, unrolled
 from cranktrain.language import _
-from cranktrain.numerics import around_zero
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.quantities import shown
 
 
@@ -48,21 +51,38 @@ def indicator_diagram(card: Card, chamber: Chamber) -> Diagram:
     else:
         _refuse_angles(card, trace.axis)
         samples = unrolled(trace, chamber, CURVES[card.interpolation], _outward(card, chamber))
-    samples = samples._replace(findings=(*trace.findings, *samples.findings), flags=(*trace.flags, *samples.flags))
-    highest = int(np.argmin(np.abs(samples.pressures - np.max(trace.pressures))))
+    samples = samples._replace(findings=(*trace.findings, *samples.findings))
+    highest = first_smallest(np.abs(samples.pressures - np.max(trace.pressures)))
     if card.peg is not None:
-        diagram = diagram_through(samples, chamber.cycle, card.interpolation)
-        samples = _pegged(samples, diagram, card.peg, chamber)
-    flags = (*samples.flags, *compression_flags(samples, chamber))
-    if card.smoothing is None:
-        flags = (*flags, *noise_flags(samples))
-    if card.interpolation == "spline" or card.smoothing is not None:
-        flags = (*flags, *rounded_jump_flags(samples))
-    diagram = diagram_through(samples._replace(flags=flags), chamber.cycle, card.interpolation)
-    if card.smoothing is not None:
-        diagram = smoothed(diagram, card.smoothing, card.interpolation)
+        samples = pegged(samples, _drawn(samples, chamber, card), card.peg, chamber, card.smoothing)
+    diagram = _drawn(samples, chamber, card)
+    refuse_not_positive(card, diagram.curve)
     sentences = curve_findings(diagram.curve, samples, highest, dead_centres_of(chamber.volume).top)
-    return replace(diagram, findings=(*diagram.findings, *sentences))
+    flags = _flags(samples, diagram, chamber, card)
+    return replace(diagram, findings=(*samples.findings, *sentences), flags=tuple(flags))
+
+
+def _drawn(samples: Samples, chamber: Chamber, card: Card) -> Diagram:
+    """Lay the curve through samples, smoothed if they are to be."""
+    diagram = diagram_through(samples, chamber.cycle, card.interpolation)
+    return diagram if card.smoothing is None else smoothed(diagram, card.smoothing, card.interpolation)
+
+
+def _flags(samples: Samples, diagram: Diagram, chamber: Chamber, card: Card) -> Iterator[str]:
+    """Flag what the file has and what has become of it: levels and compression as they are used."""
+    used = samples
+    if card.smoothing is not None:
+        used = samples._replace(angles=diagram.curve.places, pressures=diagram.curve.starts)
+    yield from level_flags(used.pressures)
+    yield from samples.flags
+    yield from compression_flags(used, chamber)
+    if card.smoothing is None:
+        yield from noise_flags(samples)
+    else:
+        raw = diagram_through(samples, chamber.cycle, card.interpolation)
+        yield from eaten_flags(raw, diagram, card.smoothing, card.interpolation)
+    if card.interpolation == "spline" or card.smoothing is not None:
+        yield from rounded_jump_flags(samples)
 
 
 def _refuse_angles(card: Card, axis: str) -> None:
@@ -105,23 +125,3 @@ def _outward(card: Card, chamber: Chamber) -> OutwardAngle | None:
         allowed = _("is for a central slider-crank only; its construction knows no other mechanism")
         raise InputError([Problem("unrolling", card.unrolling, allowed)])
     return lambda travelled: brix_angle(2.0 * travelled, np.array(1.0), ratio)
-
-
-def _pegged(samples: Samples, diagram: Diagram, peg: Peg, chamber: Chamber) -> Samples:
-    """Move all pressures to the level that is known."""
-    if peg.pressure is not None:
-        offset = peg.pressure - float(pressure_at(diagram, np.array(peg.angle)))
-    else:
-        assert peg.exponent is not None  # the spec asks for one of the two
-        from_firing = around_zero(samples.angles, chamber.cycle)
-        chosen = (peg.start <= from_firing) & (from_firing <= peg.end)
-        if np.count_nonzero(chosen) < 2:
-            allowed = _("must be a piece of the compression with two samples at least")
-            raise InputError([Problem("peg.start", f"{shown(peg.start, 'deg'):g} deg", allowed)])
-        volumes = chamber.volume(from_firing[chosen])
-        offset = polytropic_offset(samples.pressures[chosen], volumes, peg.exponent)
-    sentence = _("All pressures are moved by {offset} kPa, to the level that is known.")
-    return samples._replace(
-        pressures=samples.pressures + offset,
-        findings=(*samples.findings, sentence.format(offset=f"{shown(offset, 'kPa'):+.4g}")),
-    )

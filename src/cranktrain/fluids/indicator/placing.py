@@ -10,6 +10,7 @@ from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.language import _
 from cranktrain.motion import Array, single
 from cranktrain.numerics import around_zero
+from cranktrain.numerics.ties import first_largest
 from cranktrain.quantities import shown
 
 Sense: TypeAlias = Literal["forward", "backward", "found"]
@@ -68,8 +69,9 @@ def placed(samples: Samples, cycle: float, firing_angle: float | None, sense: Se
     Notes
     -----
     A fired cycle peaks *after* the dead centre and gives more in expansion than compression took: the mean of p sin φ
-    over the turn about it, in parts of the mean of p |sin φ|, is positive. Read backwards it is negative. Motored, it
-    is nearly 0 and the peak stands slightly *before* the dead centre. docs/theory/gas, eq. (14.9).
+    over the turn about it, in parts of the mean of p |sin φ|, is positive, p above its lowest. Read backwards it is
+    negative. Motored, it is nearly 0 and the peak stands slightly *before* the dead centre.
+    docs/theory/gas, eq. (14.9).
     """
     own = _found(samples, cycle, firing_angle)
     is_backward = sense == "backward" or (sense == "found" and own.asymmetry < -_MOTORED)
@@ -97,13 +99,15 @@ def _within_cycle(angles: Array, cycle: float) -> Array:
 
 def _found(samples: Samples, cycle: float, firing_angle: float | None) -> _Found:
     """Find the dead centre by the peak, unless it is given, and judge the turn about it."""
-    at = float(samples.angles[np.argmax(samples.pressures)])
+    at = float(samples.angles[first_largest(samples.pressures)])
     dead_centre = _dead_centre_by(at) if firing_angle is None else firing_angle
     peak = float(around_zero(single(at - dead_centre), cycle))
     from_it = around_zero(samples.angles - dead_centre, cycle)
     width = _widths(samples.angles, cycle)
-    about = np.where(np.abs(from_it) < np.pi, width * samples.pressures, 0.0)
-    asymmetry = np.sum(about * np.sin(from_it)) / np.sum(about * np.abs(np.sin(from_it)))
+    above = samples.pressures - np.min(samples.pressures)  # a raw trace's level says nothing
+    about = np.where(np.abs(from_it) < np.pi, width * above, 0.0)
+    given, both = np.sum(about * np.sin(from_it)), np.sum(about * np.abs(np.sin(from_it)))
+    asymmetry = given / both if both > 0 else 0.0
     is_jump = bool(np.count_nonzero(samples.angles == at) > 1)
     return _Found(dead_centre, peak, float(asymmetry), is_jump)
 

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.fluids.indicator.heads import AXES, Axis, axis_of, is_gauge, is_pressure, unit_in
+from cranktrain.fluids.indicator.heads import AXES, Axis, axis_of, is_gauge, is_pressure, is_time, time_advice, unit_in
 from cranktrain.fluids.indicator.table import NumberTable, read_table
 from cranktrain.language import _
 from cranktrain.motion import Array
@@ -22,14 +22,13 @@ _PAIR = 2
 """Columns of a diagram."""
 _DEGREES_BEYOND = 15.0
 """Angles that reach farther than two turns in radians are degrees."""
-_LOWEST_USUAL, _HIGHEST_LOWEST, _HIGHEST_USUAL, _LOWEST_PEAK = 0.3e5, 8e5, 350e5, 3e5
-"""Lowest pressure of a cycle below or above which, and peak above or below which, a unit is flagged. [Pa]"""
 
 
 class Columns(NamedTuple):
     """What a machine file says of a trace whose own header does not, or says otherwise.
 
-    Columns of axis and pressure, from 1; what the axis is; the units; whether pressures are gauge, and above what [Pa].
+    Columns of axis and pressure, from 1; what the axis is; the units; whether pressures are gauge, and above what [Pa];
+    whether they are raw, as their level is still to be found or their noise to be smoothed.
     """
 
     columns: tuple[int, int] | None = None
@@ -38,6 +37,7 @@ class Columns(NamedTuple):
     pressure_unit: str | None = None
     is_gauge: bool | None = None
     ambient: float = STANDARD_ATMOSPHERE
+    is_raw: bool = False
 
 
 @record
@@ -53,10 +53,10 @@ class Trace:
     places : Array, shape (n,)
         Crank angles [rad], volumes [m³], or displacements, of which only the ratios count.
     pressures : Array, shape (n,)
-        Absolute. [Pa]
+        Absolute, as far as the file knows their level. [Pa]
     lines : array of int, shape (n,)
-    findings, flags : tuple of str
-        What was found out, and what may be meant otherwise, as sentences.
+    findings : tuple of str
+        What was found out, as sentences.
     """
 
     name: str
@@ -65,7 +65,6 @@ class Trace:
     pressures: Array
     lines: NDArray[np.intp]
     findings: tuple[str, ...]
-    flags: tuple[str, ...]
 
     def refused(self, allowed: str, line: int | None = None, repair: str | None = None) -> InputError:
         """Give the error that says what is wrong with the file, at a line of it if it has one."""
@@ -104,6 +103,7 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
     said = Columns() if said is None else said
     table = read_table(text, name)
     axis, where, level = _columns(table, said, name)
+    _refuse_time(table, where, said)
     labels = table.labels or ("",) * table.rows.shape[1]
     place_scale, findings = _place_scale(axis, labels[where], said, table, where)
     unit = said.pressure_unit or unit_in(labels[level], Dimension.PRESSURE)
@@ -111,8 +111,9 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
         repair = _('write pressure_unit = "bar" (or {units})')
         said_of = _("the file names no unit of pressure{where}").format(where=_in_head(labels[level]))
         raise _without_unit("pressure_unit", said_of, repair, Dimension.PRESSURE)
-    pressures, sentences = _absolute(table.rows[:, level], unit, labels[level], said)
-    _refuse_negative(pressures, table, level)
+    pressures, sentences, is_gauge_known = _absolute(table.rows[:, level], unit, labels[level], said)
+    if not said.is_raw:
+        _refuse_negative(pressures, table, level, is_gauge=is_gauge_known)
     return Trace(
         name=name,
         axis=axis,
@@ -120,7 +121,6 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
         pressures=pressures,
         lines=table.lines,
         findings=(*_columns_taken(table, said, level), *findings, *sentences),
-        flags=tuple(_level_flags(pressures)),
     )
 
 
@@ -147,6 +147,17 @@ def _columns(table: NumberTable, said: Columns, name: str) -> tuple[Axis, int, i
         if found and levels:
             return axis, found[0], levels[0]
     return said.axis or "angle", 0, 1
+
+
+def _refuse_time(table: NumberTable, where: int, said: Columns) -> None:
+    """Refuse times as an axis, unless the table says that they are none."""
+    label = table.labels[where] if table.labels else ""
+    if said.axis is None and is_time(label):
+        allowed = _(
+            "has a time in column {column}, “{head}”, and an indicator diagram is over crank angle, volume or stroke"
+        )
+        said_of = allowed.format(column=where + 1, head=short(label))
+        raise InputError([Problem("file", table.name, said_of, time_advice())])
 
 
 def _columns_taken(table: NumberTable, said: Columns, level: int) -> Iterator[str]:
@@ -188,8 +199,8 @@ def _without_unit(key: str, allowed: str, repair: str, dimension: Dimension) -> 
     return InputError([Problem(key, None, allowed, repair.format(units=", ".join(unit_names(dimension))))])
 
 
-def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Array, tuple[str, ...]]:
-    """Give absolute pressures in SI, and say how they were taken."""
+def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Array, tuple[str, ...], bool]:
+    """Give absolute pressures in SI, say how they were taken, and whether they are gauge."""
     offset = read(f"0 {unit}", Dimension.PRESSURE)
     scale = read(f"1 {unit}", Dimension.PRESSURE) - offset
     if offset:  # barg, ati, psig say it themselves
@@ -198,33 +209,28 @@ def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Arr
         gauge = said.is_gauge if said.is_gauge is not None else is_gauge(label)
     if gauge:
         sentence = _("Gauge pressures: {ambient} kPa added.").format(ambient=f"{shown(said.ambient, 'kPa'):.6g}")
-        return numbers * scale + said.ambient, (sentence,)
+        return numbers * scale + said.ambient, (sentence,), True
     if gauge is None:
-        return numbers * scale, (_("The file does not say absolute or gauge; its pressures are taken as absolute."),)
-    return numbers * scale, ()
+        taken = _("The file does not say absolute or gauge; its pressures are taken as absolute.")
+        return numbers * scale, (taken,), False
+    return numbers * scale, (), False
 
 
-def _refuse_negative(pressures: Array, table: NumberTable, level: int) -> None:
+def _refuse_negative(pressures: Array, table: NumberTable, level: int, *, is_gauge: bool) -> None:
     """Refuse absolute pressures that cannot be, at the first of them."""
     wrong = np.flatnonzero(pressures <= 0)
     if wrong.size:
         first = int(wrong[0])
         allowed = _("an absolute pressure must be more than 0 ({n} values are not)").format(n=wrong.size)
-        repair = _('if these are gauge pressures, write pressure = "gauge"')
+        repair = peg_advice()
+        if not is_gauge:
+            repair += _('; if these are gauge pressures, write pressure = "gauge"')
         raise InputError([Problem("", f"{table.rows[first, level]:g}", allowed, repair, table.position(first, level))])
 
 
-def _level_flags(pressures: Array) -> Iterator[str]:
-    """Flag pressures as no engine has them: gauge for absolute, or a unit that is off by ten."""
-    lowest, highest = float(np.min(pressures)), float(np.max(pressures))
-    low, high = (f"{shown(pressure, 'bar'):.4g}" for pressure in (lowest, highest))
-    if lowest < _LOWEST_USUAL:
-        yield _(
-            "The lowest pressure is {low} bar absolute, too low for an engine: gauge pressures, or another unit?"
-        ).format(low=low)
-    if lowest > _HIGHEST_LOWEST or highest > _HIGHEST_USUAL:
-        yield _("Pressures of {low} to {high} bar are too high for an engine: is the unit right?").format(
-            low=low, high=high
-        )
-    elif highest < _LOWEST_PEAK:
-        yield _("The peak of {high} bar is too low for an engine: is the unit right?").format(high=high)
+def peg_advice() -> str:
+    """How a table says the level of pressures that a sensor does not know."""
+    return _(
+        'as a sensor does not know its level, write peg.pressure = "1 bar" with the peg.angle at which it is known, or'
+        " peg.exponent = 1.35"
+    )

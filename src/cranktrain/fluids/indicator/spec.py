@@ -146,6 +146,7 @@ def trace_of(spec: IndicatorSpec) -> Trace:
         pressure_unit=spec.pressure_unit,
         is_gauge=None if spec.pressure is None else spec.pressure == "gauge",
         ambient=spec.ambient.si,
+        is_raw=spec.peg is not None or spec.smoothing is not None,
     )
     return read_trace(held_text(spec.file, spec.text), spec.file, said)
 

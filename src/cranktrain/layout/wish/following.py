@@ -6,11 +6,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.layout.wish.stroke import DeadCentre, Output
-from cranktrain.layout.wish.turning import Root, TurnOfWish, away_at, mirrored, of_series, root_of_distance
+from cranktrain.layout.wish.turning import (
+    Root,
+    TurnOfWish,
+    away_at,
+    leading_away,
+    mirrored,
+    of_series,
+    root_of_distance,
+)
 from cranktrain.layout.wish.wanted import Piece, WantedMotion, moved
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
 from cranktrain.numerics.harmonics import TURN
+
+_BLURRED = 1e-11
+"""Of the stroke: so near a dead centre a difference of positions is mostly rounding, and a turning's series is not."""
 
 
 class CrankMotion(NamedTuple):
@@ -147,13 +158,23 @@ def _by_time(made: Following, stroke: Stroke, time: Array) -> Array:
     found = np.stack([angle, *_away(made, angle, whole.first, whole.second)])
     for end in stroke:
         away = end.side * (inner - end.time)
-        of_time = root_of_distance(end.of_time, np.clip(away, 0.0, end.of_time.reach))
+        blurred = _is_blurred(made, end, whole.value)
+        of_time = root_of_distance(end.of_time, np.clip(away, 0.0, np.where(blurred, np.inf, end.of_time.reach)))
         turned = away_at(end.of_angle, of_time.value)
-        near = (away <= end.of_time.reach) & (turned <= end.of_angle.reach)
+        near = ((away <= end.of_time.reach) | blurred) & (turned <= end.of_angle.reach)
         about = np.stack([end.angle + end.side * turned, *_about(end, of_time, turned)])
         found = np.where(near, about, found)
     found[1:, time > stroke.end.time] = 0.0
     return found
+
+
+def _is_blurred(made: Following, end: End, position: Array) -> NDArray[np.bool_]:
+    """Whether positions are those of a dead centre, but for little more than rounding.
+
+    A table may turn round so shortly before or after one of its points that the turning's own piece ends there.
+    """
+    centre = made.output.motion(np.array([end.angle])).value
+    return np.abs(position - centre) <= _BLURRED * made.output.stroke
 
 
 def _away(made: Following, angle: Array, first: Array, second: Array) -> tuple[Array, Array]:
@@ -200,7 +221,11 @@ def _by_angle(made: Following, stroke: Stroke, angle: Array) -> Array:
         root = root_of_distance(end.of_angle, np.clip(turned, 0.0, end.of_angle.reach))
         away = away_at(end.of_time, root.value)
         near = (turned <= end.of_angle.reach) & (away <= end.of_time.reach)
-        of_time = root_of_distance(end.of_time, np.minimum(away, end.of_time.reach))
+        # Beyond a short reach the leading power says it all, as near as that.
+        blurred = _is_blurred(made, end, place.value) & ~near
+        away = np.where(blurred, leading_away(end.of_time, root.value), np.minimum(away, end.of_time.reach))
+        near |= blurred
+        of_time = root_of_distance(end.of_time, away)
         about = np.stack([end.time + end.side * away, *_about(end, of_time, turned)])
         found = np.where(near, about, found)
     return found

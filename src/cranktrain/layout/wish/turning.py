@@ -69,7 +69,7 @@ def away_at(turning: TurnOfWish, root: Array) -> Array:
     """Distance u ≥ 0 at which the root is this, shape (n,) and not below 0; beyond the reach it may be anything."""
     m = turning.order
     target = root ** (2 / m)
-    away: Array = np.minimum(target / turning.series[0] ** (1 / m), turning.reach)
+    away: Array = np.minimum(leading_away(turning, root), turning.reach)
     slopes = np.asarray(powers.polyder(turning.series), dtype=np.float64)
     for _ in range(_MOST_STEPS):
         share: Array = away / turning.reach
@@ -81,6 +81,11 @@ def away_at(turning: TurnOfWish, root: Array) -> Array:
         if np.all(np.abs(step) <= 1e-16 * turning.reach):
             break
     return away
+
+
+def leading_away(turning: TurnOfWish, root: Array) -> Array:
+    """The same by the leading power alone, which holds for any reach where the distance is small."""
+    return (root**2 / turning.series[0]) ** (1 / turning.order)
 
 
 def mirrored(turning: TurnOfWish) -> TurnOfWish:

@@ -106,7 +106,8 @@ def _radius_from_stroke(spec: SliderCrankSpec) -> Array:
     stroke, offset = spec.stroke.array, spec.offset.array
     if spec.rod_length is not None:
         rod = spec.rod_length.array
-        square = stroke**2 * (4 * rod**2 - 4 * offset**2 - stroke**2) / (4 * (4 * rod**2 - stroke**2))
+        left = 4 * rod**2 - stroke**2  # 0 only of a stroke of twice the rod, where R = S/2 follows from no offset
+        square = stroke**2 * (left - 4 * offset**2) / (4 * chosen(left == 0.0, 1.0, left))
         square = chosen(stroke**2 <= 4 * rod * (rod - abs(offset)), square, np.nan)
     else:
         ratio = _rod_length(spec, single(1.0))

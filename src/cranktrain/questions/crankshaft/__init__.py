@@ -73,7 +73,7 @@ QUESTION = Question(
         Stage(unlikely_crankshafts),
     ),
     dimensions=(
-        ResultDimension("bearing_method", N_("bearing method")),
+        ResultDimension("bearing_method", N_("bearing method"), own=0),
         ResultDimension("bearing", N_("bearing")),
         ResultDimension("pin", N_("pin")),
         ResultDimension("throw_plane", N_("plane of the throw")),

@@ -55,21 +55,41 @@ def equivalent_stiffness(shaft: Crankshaft, span: int, pin: int) -> EquivalentSt
     A force across the throw turns the pin about the shaft's axis as well: its torque goes on to the last end, which
     does not twist. docs/theory/crankshaft, eqs. (24.25) to (24.28).
     """
-    place = shaft.supports.place
-    length = (place[:, span + 1] - place[:, span])[:, np.newaxis]
-    alike = Alike(np.array([], dtype=np.intp), _spans_of_webs(shaft), is_isotropic=True)
-    none = _no_loads(place.shape[0])
-    bent = bent_span(shaft, crank_line(shaft), none, polar(none.radius, none.angle), alike, span)
-    axes = _axes(shaft.pieces.angle[:, pin])
-    near, far, last = (
-        _along(values, axes) for values in (-bent.first.slope[:, 0], -bent.first.slope[:, 1], bent.last.slope[:, 1])
-    )
+    ends, length = _by_end_moments(shaft, span), _length(shaft, span)[:, np.newaxis]
+    near, far, last = (_along(values, _axes(shaft.pieces.angle[:, pin])) for values in ends)
     return EquivalentStiffness(
         length / (near + last + 2 * far),
         length / (3 * near),
         length / (6 * far),
         length**3 / (48 * pin_displacement(shaft, span, pin)),
     )
+
+
+def straight_bending(shaft: Crankshaft, span: int) -> Array:
+    """EI of the straight beam in place of a span, however many throws it has, shape (design,). [N·m²]
+
+    Parameters
+    ----------
+    shaft : Crankshaft
+        Designs whose webs lie between the same bearings.
+    span : int
+        Between which bearings: this and the next.
+
+    Returns
+    -------
+    Array, shape (design,)
+        The mean of its stiffness in both principal planes of the angle between its ends, under equal moments at both;
+        so it is the same from whatever direction the shaft's angles count, and from whichever end.
+
+    Notes
+    -----
+    docs/theory/crankshaft, eq. (24.25) in both principal planes.
+    """
+    near, far, last = _by_end_moments(shaft, span)
+    bent = near + far + np.swapaxes(far, -1, -2) + last
+    trace = bent[:, 0, 0] + bent[:, 1, 1]
+    determinant = bent[:, 0, 0] * bent[:, 1, 1] - bent[:, 0, 1] * bent[:, 1, 0]
+    return _length(shaft, span) * trace / (2 * determinant)
 
 
 def pin_displacement(shaft: Crankshaft, span: int, pin: int) -> Array:
@@ -110,6 +130,29 @@ def _of_unit_force(left: Array, right: Array, middle: Array, arm: Array) -> tupl
     torque = arm[..., 0] * both[..., 1] - arm[..., 1] * both[..., 0]
     before = Inner(left, nothing, -share * both, np.zeros_like(torque))
     return before, Inner(middle, before.moment_at(middle), (1 - share) * both, torque)
+
+
+class _EndSlopes(NamedTuple):
+    """Slope of a span's first end by a moment there and at the other end, and of its last by one there.
+
+    Matrices of the shape (design, 2, 2). [rad/(N·m)]
+    """
+
+    near: Array
+    far: Array
+    last: Array
+
+
+def _by_end_moments(shaft: Crankshaft, span: int) -> _EndSlopes:
+    alike = Alike(np.array([], dtype=np.intp), _spans_of_webs(shaft), is_isotropic=True)
+    none = _no_loads(shaft.supports.place.shape[0])
+    bent = bent_span(shaft, crank_line(shaft), none, polar(none.radius, none.angle), alike, span)
+    return _EndSlopes(-bent.first.slope[:, 0], -bent.first.slope[:, 1], bent.last.slope[:, 1])
+
+
+def _length(shaft: Crankshaft, span: int) -> Array:
+    place = shaft.supports.place
+    return place[:, span + 1] - place[:, span]
 
 
 def _spans_of_webs(shaft: Crankshaft) -> NDArray[np.intp]:

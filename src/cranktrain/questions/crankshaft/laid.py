@@ -12,7 +12,7 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray
-from cranktrain.questions.crankshaft.equivalent_stiffness import equivalent_stiffness
+from cranktrain.questions.crankshaft.equivalent_stiffness import straight_bending
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft, DeclaredCrankshafts
 from cranktrain.questions.crankshaft.sections import Material, round_section, web_section
 from cranktrain.questions.crankshaft.shaft import Crankshaft, StraightSpans, Supports
@@ -97,11 +97,11 @@ def laid_crankshafts(
     each: list[LaidShaft] = []
     for one in declared.each:
         carrying = np.flatnonzero((carriers.master < 0) & (shafts.shaft == one.shaft)).astype(np.intp)
-        of_pin = shafts.throw[carrying] == one.throw[:, np.newaxis]
-        first = carrying[np.argmax(of_pin, axis=1)]
+        is_on_pin = shafts.throw[carrying] == one.throw[:, np.newaxis]
+        first = carrying[np.argmax(is_on_pin, axis=1)]
         ahead = direction(pins, turn) - direction(pins[:, first[:1]], turn)
         throws = _throws(one, np.abs(pins)[:, first], ahead[:, first])
-        on_pin, member = np.nonzero(of_pin)
+        on_pin, member = np.nonzero(is_on_pin)
         piece = np.full(2 * len(first) + 1, -1, dtype=np.intp)
         piece[throws.pieces] = np.arange(throws.pieces.size)
         each.append(
@@ -174,14 +174,8 @@ def _crankshaft(declared: DeclaredCrankshaft, throws: ThrowGeometry) -> Cranksha
         Supports(declared.bearings, declared.compliance, declared.settlement, declared.clearance, declared.thrust),
         StraightSpans(*np.full((2, n_designs, n_spans), np.inf)),
     )
-    straight = np.stack([_straight(plain, span) for span in range(n_spans)], axis=1)
+    straight = np.stack([straight_bending(plain, span) for span in range(n_spans)], axis=1)
     return plain._replace(straight=StraightSpans(straight, plain.straight.shear))
-
-
-def _straight(shaft: Crankshaft, span: int) -> Array:
-    """EI of a straight beam in place of a span: under a constant moment, the mean of both directions. [N·m²]"""
-    begin = int(np.sum(shaft.pieces.bounds[0, 1:-1] < shaft.supports.place[0, span]))
-    return np.mean(equivalent_stiffness(shaft, span, begin).constant_moment, axis=-1)
 
 
 def pin_names(laid: LaidShaft, shafts: Shafts) -> list[str]:

@@ -10,6 +10,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.axial import AxialPlaces
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.crankshaft.laid import LaidCrankshafts, LaidShaft, pin_names
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
@@ -106,7 +107,7 @@ def _bearings(own: DeclaredCrankshaft) -> Iterator[str]:
         said = _(
             "Bearings {one} and {other} are only {apart} apart, on a journal of {diameter}: are their places right?"
         )
-        design, place = int(np.argmin(apart[:, close[0]])), close[0]
+        design, place = first_smallest(apart[:, close[0]]), close[0]
         yield said.format(
             one=own.bearing_names[place],
             other=own.bearing_names[place + 1],

@@ -90,7 +90,7 @@ QUESTION = Question(
     ),
     dimensions=(
         ResultDimension("drive_shaft", N_("shaft of the drive")),
-        ResultDimension("loss_rule", N_("losses")),
+        ResultDimension("loss_rule", N_("losses"), own=0),
         ResultDimension("sized_motor", N_("motor")),
         ResultDimension("sizing_check", N_("check")),
         ResultDimension("half_period", N_("half-period"), is_number=True),

@@ -103,6 +103,13 @@ def reduced_at(machine: ReducedMachine, angle: Array) -> ReducedAt:
     return ReducedAt(value(INERTIA), slope(INERTIA), load, tuple(powers), value(OUTPUT))
 
 
+def has_inertia(machine: ReducedMachine, turning: float) -> bool:
+    """Whether anything resists acceleration: what turns with the crank, or what the crank moves. [kg·m²]"""
+    which = int(INERTIA)
+    moved = np.asarray(machine.pieces)[:, which * (DEGREE + 1) : (which + 1) * (DEGREE + 1)]
+    return turning > 0 or bool(np.any(moved != 0))
+
+
 def _polynomial(rows: Array, which: int, x: Array, *, order: int = 0) -> Array:
     """A coefficient, or its slope, at places −1…1 within pieces."""
     own = rows[:, which * (DEGREE + 1) : (which + 1) * (DEGREE + 1)]

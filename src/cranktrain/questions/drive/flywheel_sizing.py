@@ -22,11 +22,12 @@ from cranktrain.questions.drive.running.gearing import (
     turning_inertia,
     with_inertia,
 )
+from cranktrain.questions.drive.settling import settled
 from cranktrain.questions.drive.sizing.peaky_load import PeakyLoad, SlipLine, recovered_inertia
 from cranktrain.questions.drive.static_torques import StaticTorques
 from cranktrain.questions.drive.steady_cycle import speed_range
 from cranktrain.questions.drive.steady_drive import SteadyDrive
-from cranktrain.questions.drive.steady_turn import DriveInTurn, settled
+from cranktrain.questions.drive.steady_turn import DriveInTurn
 from cranktrain.record import record
 from cranktrain.rows import Amount
 from cranktrain.wording import Names, number
@@ -79,6 +80,9 @@ class DriveFlywheel(StageResult):
         return _("Flywheel of the drive: {said}.").format(said=words.format(**said))
 
 
+_N_FACTS = 7
+
+
 class _Running(NamedTuple):
     """Largest and rms torque of the motor, and fluctuation."""
 
@@ -116,6 +120,10 @@ def drive_flywheel(
         there = _at_shaft(
             turning_inertia(gearing) + mean_inertia(machines.each[design], machines.cycle), gearing, wanted
         )
+        if there <= 0:
+            flags.append(_("No flywheel is sought: nothing of the machine or its drive has inertia yet."))
+            rows.append((np.nan,) * _N_FACTS)
+            continue
         needed = least_inertia(excess, there)
         if not np.isfinite(needed):
             flags.append(

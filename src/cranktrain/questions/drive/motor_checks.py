@@ -14,9 +14,10 @@ from cranktrain.questions.drive.motors import SERVO
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
 from cranktrain.questions.drive.running.reduced import ReducedMachine
+from cranktrain.questions.drive.settling import settled
 from cranktrain.questions.drive.sizing.starting import inertia_ratio, starts_per_hour
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, largest_over_turn
-from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed, settled
+from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed
 
 SIZING_CHECKS = (
     N_("effective torque"),
@@ -30,6 +31,7 @@ SIZING_CHECKS = (
 """What a motor is checked for, in this order."""
 START = SIZING_CHECKS.index("start at the worst angle")
 _UNLOADED = N_("start, unloaded")
+_VALVES_OPEN = N_("start, suction valves held open")
 _BEFORE_CLUTCH = N_("start, clutch let go")
 _SERVO_RATIO = 10.0
 _N_ANGLES = 720
@@ -37,9 +39,19 @@ _N_ANGLES = 720
 
 def check_names(duty: DeclaredDuty, *, has_clutch: bool) -> tuple[str, ...]:
     """What a motor is checked for, in the user's language; of a start without load no angle is the worst."""
-    unloaded = {START: _UNLOADED} if duty.starts_unloaded else {}
-    own = {START: _BEFORE_CLUTCH} if has_clutch else unloaded
-    return tuple(_(own.get(place, name)) for place, name in enumerate(SIZING_CHECKS))
+    start = SIZING_CHECKS[START]
+    if has_clutch:
+        start = _BEFORE_CLUTCH
+    elif duty.starts_unloaded:
+        start = _UNLOADED
+    elif duty.holds_valves_open:
+        start = _VALVES_OPEN
+    return tuple(_(start if place == START else name) for place, name in enumerate(SIZING_CHECKS))
+
+
+def is_with_load(name: str) -> bool:
+    """Whether a check, by its name for users, is of a start with all loads at the worst crank angle."""
+    return name == _(SIZING_CHECKS[START])
 
 
 class AskedOfMotor(NamedTuple):
@@ -149,7 +161,7 @@ def checked_motor(
     shares = (
         rms / (float(duty.factor[own]) * limits.rated),
         of_peak,
-        max(asked.worst_torque, 0.0) / (limits.reserve * limits.start),
+        _part_of(max(asked.worst_torque, 0.0), limits.reserve * limits.start),
         _start_share(at, time, longest),
         float(duty.starts_per_hour[own]) / _allowed_starts(at, asked, duty, own),
         ratio / _largest_ratio(at, float(duty.inertia_ratio[own])),
@@ -176,6 +188,11 @@ def _cycle_shares(
         )
 
     return rms, peak, largest_over_turn(found, share), of_speed
+
+
+def _part_of(asked: float, there: float) -> float:
+    """What is asked for in parts of what there is; infinite where there is nothing."""
+    return asked / there if there != 0 else np.inf if asked > 0 else 0.0
 
 
 def _start_share(at: MotorAtMachine, time: float, longest: float) -> float:

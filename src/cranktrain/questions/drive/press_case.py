@@ -8,13 +8,14 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.roots import bracketed_roots
+from cranktrain.questions.drive.at_angles import has_inertia
 from cranktrain.questions.drive.clutched.declared import DeclaredBrake, DeclaredClutch, DeclaredStroke, before_clutch
 from cranktrain.questions.drive.clutched.equation import Press, firm_acceleration, press_of
 from cranktrain.questions.drive.clutched.runs import PressPlan
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.equation import Kernels
-from cranktrain.questions.drive.running.gearing import Gearing
+from cranktrain.questions.drive.running.gearing import Gearing, turning_inertia
 from cranktrain.questions.drive.start_curves import in_list
 from cranktrain.questions.drive.switching import Switching, start_kernels
 from cranktrain.record import record
@@ -78,7 +79,18 @@ def hindrance(parts: PressParts, design: int) -> str:
     before = before_clutch(parts.gearings[design], parts.clutch, design)
     if before.motor_inertia <= 0 and not np.any(before.inertia > 0):
         return _("No strokes: nothing turns before the clutch; [drive.part.NAME] declares a flywheel.")
+    if not has_inertia(parts.machines.each[design], turning_inertia(_behind_clutch(parts, design))):
+        return _(
+            "No strokes: nothing behind the clutch has inertia; [masses], or driven_inertia of [drive.clutch],"
+            " declares some."
+        )
     return ""
+
+
+def _behind_clutch(parts: PressParts, design: int) -> Gearing:
+    """Gearing from the clutch's driven half to the crank."""
+    gearing, n_before = parts.gearings[design], parts.clutch.n_before
+    return Gearing(float(parts.clutch.driven_inertia[design]), *(part[n_before:] for part in gearing[1:]))
 
 
 def press_case(parts: PressParts, design: int) -> PressCase | None:
@@ -86,12 +98,11 @@ def press_case(parts: PressParts, design: int) -> PressCase | None:
     kernels, own = start_kernels(parts.motor), parts.stroke
     zero = float(parts.zero[min(design, len(parts.zero) - 1)])
     start_angle, command = float(own.start_angle[design]) + zero, float(own.command_angle[design]) + zero
-    gearing, n_before = parts.gearings[design], parts.clutch.n_before
     press = press_of(
         in_list(parts.machines.each[design], start_angle),
         Switching(parts.motor.row(design), math.inf, math.inf, _LONG_SINCE),
-        before_clutch(gearing, parts.clutch, design),
-        Gearing(float(parts.clutch.driven_inertia[design]), *(part[n_before:] for part in gearing[1:])),
+        before_clutch(parts.gearings[design], parts.clutch, design),
+        _behind_clutch(parts, design),
         parts.clutch.of(design),
         parts.brake.of(design),
         brake_on_crank=parts.brake.on == "crank",

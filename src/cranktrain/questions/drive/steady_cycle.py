@@ -1,60 +1,20 @@
 """The steady cycle of a machine with its motor: the speed over the crank angle with which a cycle ends as it began."""
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import legendre
 
 from cranktrain.motion import Array
+from cranktrain.numerics.roots import bracketed_roots
+from cranktrain.questions.drive.cycle_pieces import N_NODES, CyclePieces, to_integrals
 from cranktrain.record import record
 
-_N_NODES = 12
-_WIDEST = 2 * np.pi / 48
-_MOST_STEPS = 60
-_SETTLED = 1e-11
-"""Of ω²: after such a step of Newton's method the next one is less than rounding."""
 _TRIED = np.linspace(1e-9, 1 - 1e-9, 129)
 """Places in a piece at which its largest value is looked for: beside its ends, where loads jump."""
-_NEAR = 1e-7
-"""In parts of ω²: of the difference by which slopes are taken."""
-
-_GROWN = np.stack([np.asarray(legendre.legint(row, lbnd=-1), dtype=np.float64) for row in np.eye(_N_NODES)], axis=1)
-"""Series of the integrals of Legendre's polynomials from −1 on."""
-
-
-def _rule() -> tuple[Array, Array, Array]:
-    """Gauss's nodes in 0…1; integrals from 0 to each of them, and to 1, of what is known there; its Legendre series."""
-    nodes = legendre.leggauss(_N_NODES)[0]
-    fitted = np.asarray(np.linalg.inv(legendre.legvander(nodes, _N_NODES - 1)), dtype=np.float64)
-    ends = np.append(nodes, 1.0)
-    integrals = legendre.legvander(ends, _N_NODES) @ _GROWN
-    return (nodes + 1) / 2, integrals @ fitted / 2, fitted
-
-
-_NODES, _INTEGRALS, _FITTED = _rule()
-_TO_TRIED = legendre.legvander(2 * _TRIED - 1, _N_NODES) @ _GROWN @ _FITTED / 2
-"""From what is known at the nodes of a piece to its integrals from there to the places tried, in parts of the piece."""
-
-
-class CyclePieces(NamedTuple):
-    """Pieces of a cycle between its corners: their starts and widths, shape (piece,) [rad]."""
-
-    start: Array
-    width: Array
-
-    @property
-    def nodes(self) -> Array:
-        """Angles at which the equation is met, shape (piece · node,). [rad]"""
-        return np.ravel(self.start[:, np.newaxis] + self.width[:, np.newaxis] * _NODES)
-
-    def mean(self, values: Array) -> Array:
-        """Mean over the angle of values at the nodes, shape (..., piece · node) → (...)."""
-        return np.sum(self.of_each(values), axis=-1) / np.sum(self.width)
-
-    def of_each(self, values: Array) -> Array:
-        """Integral over each piece of values at the nodes, shape (..., piece · node) → (..., piece)."""
-        return values.reshape(*values.shape[:-1], len(self.start), _N_NODES) @ _INTEGRALS[-1] * self.width
+_TO_TRIED = to_integrals(_TRIED)
+_LOOKED = np.linspace(0.0, 1.0, 33)
+"""Places in a piece between which its speed may pass a level."""
+_TO_LOOKED = to_integrals(_LOOKED)
 
 
 @record
@@ -64,8 +24,11 @@ class SpeedOverTurn:
     Attributes
     ----------
     mesh : CyclePieces
-    half_square : Array, shape (piece · node,)
-        ω²/2 at the nodes. [rad²/s²]
+    base : float
+        A value of ω²/2 near which the cycle runs: beside it the departures of very even running keep their figures.
+        [rad²/s²]
+    departure : Array, shape (piece · node,)
+        ω²/2 at the nodes, less the base. [rad²/s²]
     at_start : Array, shape (piece,)
         The same where pieces begin. [rad²/s²]
     acceleration : Array, shape (piece · node,)
@@ -75,7 +38,8 @@ class SpeedOverTurn:
     """
 
     mesh: CyclePieces
-    half_square: Array
+    base: float
+    departure: Array
     at_start: Array
     acceleration: Array
     multiplier: float
@@ -83,7 +47,7 @@ class SpeedOverTurn:
     @property
     def speed(self) -> Array:
         """At the nodes, shape (piece · node,). [rad/s]"""
-        return np.sqrt(2 * self.half_square)
+        return np.sqrt(2 * (self.base + self.departure))
 
     @property
     def period(self) -> float:
@@ -95,16 +59,22 @@ class SpeedOverTurn:
         slowness = 1 / self.speed
         return self.mesh.mean(values * slowness) / self.mesh.mean(slowness)
 
+    def grown(self, integrals: Array) -> Array:
+        """ω²/2 less the base at places of every piece, by `to_integrals`, shape (piece, place). [rad²/s²]"""
+        slopes = self.acceleration.reshape(-1, N_NODES)
+        return self.at_start[:, np.newaxis] + self.mesh.width[:, np.newaxis] * (slopes @ integrals.T)
+
+    def in_piece(self, piece: Array, place: Array) -> Array:
+        """ω²/2 less the base at a place 0…1 of a piece, shapes (n,). [rad²/s²]"""
+        slopes = self.acceleration.reshape(-1, N_NODES)[piece]
+        return self.at_start[piece] + self.mesh.width[piece] * np.sum(to_integrals(place) * slopes, axis=1)
+
     def at(self, angle: Array) -> Array:
         """Speed at any crank angles of the cycle, shape (n,). [rad/s]"""
         start, width = self.mesh.start, self.mesh.width
         along = np.mod(angle - start[0], np.sum(width)) + start[0]
         piece = np.sum(along[:, np.newaxis] >= start[1:], axis=1)
-        place = (along - start[piece]) / width[piece]
-        slopes = self.acceleration.reshape(-1, _N_NODES)[piece]
-        series = np.asarray(legendre.legvander(2 * place - 1, _N_NODES), dtype=np.float64)
-        grown = np.sum((series @ _GROWN) * (slopes @ _FITTED.T), axis=1) / 2
-        return np.sqrt(2 * (self.at_start[piece] + width[piece] * grown))
+        return np.sqrt(2 * (self.base + self.in_piece(piece, (along - start[piece]) / width[piece])))
 
 
 def largest_over_turn(found: SpeedOverTurn, curve: Callable[[Array, Array], Array]) -> float:
@@ -121,12 +91,9 @@ def largest_over_turn(found: SpeedOverTurn, curve: Callable[[Array, Array], Arra
     float
         NaN where it stands still between two nodes.
     """
-    start, width = found.mesh.start[:, np.newaxis], found.mesh.width[:, np.newaxis]
     with np.errstate(invalid="ignore"):
-        grown = width * (found.acceleration.reshape(-1, _N_NODES) @ _TO_TRIED.T)
-        speed = np.sqrt(2 * (found.at_start[:, np.newaxis] + grown))
-    values = curve(np.ravel(start + width * _TRIED), np.ravel(speed)).reshape(speed.shape)
-    return _top(values)
+        speed = np.sqrt(2 * (found.base + found.grown(_TO_TRIED)))
+    return _top(curve(found.mesh.at(_TRIED), np.ravel(speed)).reshape(speed.shape))
 
 
 def _top(values: Array) -> float:
@@ -140,79 +107,56 @@ def _top(values: Array) -> float:
 
 
 def speed_range(found: SpeedOverTurn) -> float:
-    """Largest speed over a cycle less the smallest. [rad/s]"""
-    return sum(largest_over_turn(found, lambda _angle, speed, sign=sign: sign * speed) for sign in (1.0, -1.0))
+    """Largest speed over a cycle less the smallest; NaN where it stands still between two nodes. [rad/s]"""
+    departure, base = found.grown(_TO_TRIED), np.sqrt(2 * found.base)
+    with np.errstate(invalid="ignore"):
+        beyond = 2 * departure / (base + np.sqrt(2 * (found.base + departure)))
+    return _top(beyond) + _top(-beyond)
 
 
-def mesh_of(cycle: float, corners: Array) -> CyclePieces:
-    """Pieces of a cycle, none wider than a forty-eighth of a turn, that end at all corners; NaN is none. [rad]"""
-    own = np.mod(corners[np.isfinite(corners)], cycle)
-    ends = np.unique(np.concatenate([np.linspace(0.0, cycle, round(cycle / _WIDEST) + 1), own]))
-    ends = ends[np.append(True, np.diff(ends) > 1e-9)]
-    ends[-1] = cycle
-    return CyclePieces(ends[:-1], np.diff(ends))
-
-
-def speed_over_turn(
-    acceleration: Callable[[Array], Array], mesh: CyclePieces, first_speed: float | Array
-) -> SpeedOverTurn | None:
-    """Find the cycle that repeats itself, near a constant speed or another cycle.
+def passings(found: SpeedOverTurn, levels: Array) -> Array:
+    """Crank angles at which ω²/2 passes any of some levels, to rounding, in their order.
 
     Parameters
     ----------
-    acceleration : callable
-        Of the crank at the nodes of the mesh, by the speeds there, shape (n,). [rad/s → rad/s²]
-    mesh : CyclePieces
-    first_speed : float, or Array of shape (n,)
-        At the nodes. [rad/s]
+    found : SpeedOverTurn
+    levels : Array, shape (n,)
+        [rad²/s²]
 
     Returns
     -------
-    SpeedOverTurn or None
-        None where there is none: the shaft would stop within the cycle.
-
-    Notes
-    -----
-    docs/theory/reduced-machine, eqs. (31.6) to (31.8): ω²/2 has the slope ε by the angle. Newton's method on Gauss's
-    points of all pieces, so that a motor may be as stiff as it likes.
+    Array, shape (k,)
+        [rad]
     """
-    half = np.full(len(mesh.start) * _N_NODES, 0.5 * np.square(first_speed))
-    for _ in range(_MOST_STEPS):
-        with np.errstate(all="ignore"):
-            now = acceleration(np.sqrt(2 * half))
-            near = acceleration(np.sqrt(2 * half * (1 + _NEAR)))
-        slope = (near - now) / (half * _NEAR)
-        if not np.all(np.isfinite(slope)):
-            return None
-        better, at_start, _, multiplier = _linear_cycle(slope, now - slope * half, mesh)
-        if not np.all(np.isfinite(better)):
-            return None
-        # A step that would stop the shaft goes part of the way.
-        better = np.clip(better, half / 4, half * 4)
-        move = np.max(np.abs(better - half) / half)
-        half = better
-        if move < _SETTLED:
-            return SpeedOverTurn(mesh, half, at_start, acceleration(np.sqrt(2 * half)), multiplier)
-    return None
+    curve = found.base + found.grown(_TO_LOOKED)
+    own = levels[(levels > np.min(curve)) & (levels < np.max(curve))]
+    each = [_passings(found, curve - level, level) for level in own.tolist()]
+    return np.sort(np.concatenate(each)) if each else np.empty(0)
 
 
-def _linear_cycle(slope: Array, rest: Array, mesh: CyclePieces) -> tuple[Array, Array, Array, float]:
-    """Periodic solution of y′ = a y + b: at the nodes, where pieces begin, its slope; and its multiplier."""
-    # Solved for the slopes, each row by its own size: where a is large, as behind a stiff motor, y would lose digits.
-    width = mesh.width[:, np.newaxis]
-    a, b = (part.reshape(-1, _N_NODES) for part in (slope, rest))
-    size = 1 / (1 + width * np.abs(a))
-    system = size[..., np.newaxis] * (np.eye(_N_NODES) - (width * a)[..., np.newaxis] * _INTEGRALS[:-1])
-    solved = np.asarray(np.linalg.solve(system, np.stack([size * a, size * b], axis=-1)), dtype=np.float64)
-    of_start, of_rest = solved[..., 0], solved[..., 1]
-    grows, gains = 1 + mesh.width * (of_start @ _INTEGRALS[-1]), mesh.width * (of_rest @ _INTEGRALS[-1])
-    product, total = 1.0, 0.0  # of the cycle so far
-    for factor, gain in zip(grows.tolist(), gains.tolist(), strict=True):
-        product, total = product * factor, total * factor + gain
-    starts = [total / (1 - product)]
-    for factor, gain in zip(grows[:-1].tolist(), gains[:-1].tolist(), strict=True):
-        starts.append(starts[-1] * factor + gain)
-    at_start = np.array(starts)
-    slopes = of_start * at_start[:, np.newaxis] + of_rest
-    found = at_start[:, np.newaxis] + width * (slopes @ _INTEGRALS[:-1].T)
-    return np.ravel(found), at_start, np.ravel(slopes), product
+def _passings(found: SpeedOverTurn, over: Array, level: float) -> Array:
+    """Crank angles at which one level is passed: inside pieces, and between two of them."""
+    start, width = found.mesh.start, found.mesh.width
+    is_over = over > 0
+    row, place = np.nonzero(is_over[:, :-1] != is_over[:, 1:])
+    low, high = _LOOKED[place], _LOOKED[place + 1]
+    touched, left, middle, right = _touches(over)
+    row = np.concatenate([row, touched, touched])
+    low, high = np.concatenate([low, left, middle]), np.concatenate([high, middle, right])
+    at = bracketed_roots(lambda where: found.base + found.in_piece(row, where) - level, low, high)
+    between = start[is_over[:, 0] != np.roll(is_over[:, -1], 1)]
+    inside = start[row] + width[row] * at
+    return np.concatenate([inside[np.isfinite(inside)], between])
+
+
+def _touches(over: Array) -> tuple[Array, Array, Array, Array]:
+    """Pieces in which a curve comes back between two samples, and the places before, at and after its top there."""
+    before, here, after = over[:, :-2], over[:, 1:-1], over[:, 2:]
+    bend = before - 2 * here + after
+    with np.errstate(divide="ignore", invalid="ignore"):
+        aside = 0.5 * (before - after) / bend
+        top = here - (after - before) ** 2 / (8 * bend)
+    is_alike = (before > 0) == (here > 0), (after > 0) == (here > 0)
+    row, place = np.nonzero(is_alike[0] & is_alike[1] & (np.abs(aside) < 1) & ((top > 0) != (here > 0)))
+    apart = _LOOKED[1]
+    return row, _LOOKED[place], _LOOKED[place + 1] + aside[row, place] * apart, _LOOKED[place + 2]

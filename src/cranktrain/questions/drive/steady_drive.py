@@ -11,20 +11,25 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
+from cranktrain.questions.drive.balanced_speed import balance
 from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.gear_train import lost_torque
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.motor_tables.table import beyond_table
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import overall_ratio
+from cranktrain.questions.drive.settling import missed_motion, settled
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, speed_range
-from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed, settled
+from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed
 from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/reduced-machine"
 _CURVE = ("crank_angle",)
+_SLIP = 0.01
+"""What a motor gives for such a part of its speed is what its work is made of, where nothing takes any."""
 _ENERGY_LIMIT = 1e-9
+_MOTION_LIMIT = 1e-9
 _OTHER_PACE = 0.1
 """Of the declared speed: with more, a ratio may be meant for another motor."""
 _N_CURVES, _N_FACTS = 5, 11
@@ -104,6 +109,7 @@ def steady_drive(
         )
         for design, gearing in enumerate(drive.gearings)
     ]
+    needs = tuple(_("needs steady running") for _one in each)
     return SteadyDrive(
         tuple(one.cycle for one in each),
         *np.stack([one.curves for one in each], axis=1),
@@ -114,7 +120,14 @@ def steady_drive(
                 _("Work of the motor over a cycle less that of loads and losses, relative to the largest of these"),
                 np.array([one.residual for one in each]),
                 _ENERGY_LIMIT,
-                tuple(_("needs steady running") for _one in each),
+                needs,
+            ),
+            Check(
+                "drive_motion",
+                _("Torque left over in the equation of motion between Gauss's points, relative to the largest torque"),
+                np.array([one.missed for one in each]),
+                _MOTION_LIMIT,
+                needs,
             ),
         ),
         flags=(*dict.fromkeys(flag for one in each for flag in one.flags), *motor.flags, *motor.notes),
@@ -128,6 +141,7 @@ class _Found(NamedTuple):
     curves: Array
     facts: Array
     residual: float
+    missed: float
     flags: tuple[str, ...]
 
 
@@ -136,10 +150,17 @@ def _of_design(turning: DriveInTurn, machines: ReducedMachines, angle: Array, he
     turning, found = settled(turning, machines, held if held > 0 else None)
     if found is None:
         return _Found(
-            None, np.full((_N_CURVES, angle.size), np.nan), np.full(_N_FACTS, np.nan), np.inf, (_no_cycle(turning),)
+            None,
+            np.full((_N_CURVES, angle.size), np.nan),
+            np.full(_N_FACTS, np.nan),
+            np.inf,
+            np.inf,
+            (_no_cycle(turning, machines.cycle),),
         )
     curves = np.stack(_curves(turning.at(angle), found.at(angle)))
-    return _Found(found, curves, _facts(turning, found), _residual(turning, found), tuple(_flags(turning, found, held)))
+    missed = float(np.max(missed_motion(turning, found)))
+    energy, flags = _residual(turning, found), tuple(_flags(turning, found, held))
+    return _Found(found, curves, _facts(turning, found), energy, missed, flags)
 
 
 def _curves(turning: DriveInTurn, speed: Array) -> tuple[Array, ...]:
@@ -181,18 +202,35 @@ def _residual(turning: DriveInTurn, found: SpeedOverTurn) -> float:
     torque = turning.motor_torque(speed) * overall_ratio(turning.gearing)
     parts = np.stack([torque, turning.here.by_load(speed), lost_torque(turning.passed(speed).outputs, turning.gearing)])
     motor, load, lost = found.mesh.mean(parts).tolist()
-    return abs(motor - load - lost) / float(np.max(found.mesh.mean(np.abs(parts))))
+    largest = max(float(np.max(found.mesh.mean(np.abs(parts)))), turning.least_torque(speed, _SLIP))
+    return abs(motor - load - lost) / largest
 
 
-def _no_cycle(turning: DriveInTurn) -> str:
-    """Say why there is no steady running."""
+def _no_cycle(turning: DriveInTurn, cycle: float) -> str:
+    """Say why there is no steady running, or that none was found."""
     if turning.is_held:
         return _("No steady running: a servo motor holds the declared speed, and [shaft.main] speed is missing.")
     if np.any(np.isnan(turning.here.inertia)):
         return _("No steady running: the links do not close all round.")
     if np.any(np.isnan(turning.passed(np.full(turning.here.load.shape, 1.0)).acceleration)):
         return _("No steady running: irreversible gearing jams, as no acceleration or several satisfy it.")
-    return _("No steady running: the motor cannot carry the machine through the cycle.")
+    found = balance(turning, cycle)
+    if np.all(found.excess < 0):
+        return _(
+            "No steady running: the motor cannot carry the machine through the cycle; at every constant speed it gives"
+            " less than the machine takes."
+        )
+    if found.speed is not None:
+        return _(
+            "No steady running was found, though at a constant {speed} the motor gives on the mean what the machine"
+            " takes: more inertia, or a motor with more torque to spare, may carry it over the peaks."
+        ).format(speed=number(found.speed, "rpm"))
+    if found.excess[-1] > 0:
+        return _(
+            "No steady running was found: at {speed} of the crank motor and loads still drive the machine, and nothing"
+            " holds it."
+        ).format(speed=number(float(found.speeds[-1]), "rpm"))
+    return _("No steady running was found: where motor and machine balance, the running is not stable.")
 
 
 def _flags(turning: DriveInTurn, found: SpeedOverTurn, declared: float) -> Iterator[str]:

@@ -71,9 +71,9 @@ def _driving(work: LoadWork, gas: GasPressures | None) -> Iterator[str]:
     gross = np.sum(np.abs(work.load_work), axis=1)
     by_gas = 0.0 if gas is None else np.sum(gas.indicated_work, axis=1)
     # What fires drives the motor as it should.
-    drives = (own > _DRIVES * gross) & (own + by_gas > _DRIVES * gross) & (by_gas <= 0)
-    if np.any(drives):
-        design = int(np.argmax(drives))
+    is_driven = (own > _DRIVES * gross) & (own + by_gas > _DRIVES * gross) & (by_gas <= 0)
+    if np.any(is_driven):
+        design = int(np.argmax(is_driven))
         each = work.load_work[design]
         names = ", ".join(name for name, one in zip(work.labels["load"], each.tolist(), strict=True) if one > 0)
         said = _("{names} drives the machine with {work} a cycle, and its motor brakes: are its sense and side right?")

@@ -44,8 +44,8 @@ QUESTION = Question(
         Stage(flywheel.flywheel_size),
         Stage(flywheel.rim_size),
     ),
-    dimensions=(ResultDimension("flywheel_method", N_("method")),),
-    headline=("coefficient_of_fluctuation", "largest_excess_work", "wanted_flywheel_moment"),
+    dimensions=(ResultDimension("flywheel_method", N_("method"), own=0),),
+    headline=("coefficient_of_fluctuation", "largest_excess_work", "flywheel_inertia"),
     title=N_("Evenness"),
     rows=(
         rows.running_rows,

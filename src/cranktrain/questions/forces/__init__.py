@@ -72,8 +72,8 @@ QUESTION = Question(
     dimensions=(
         ResultDimension("joint", N_("joint")),
         ResultDimension("guide", N_("guide")),
-        ResultDimension("force_method", N_("method")),
-        ResultDimension("rod_method", N_("method")),
+        ResultDimension("force_method", N_("method"), own=0),
+        ResultDimension("rod_method", N_("method"), own=0),
     ),
     headline=("largest_crankpin_load", "largest_joint_force"),
     title=N_("Largest forces"),

@@ -7,10 +7,11 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.linkage import Crank, crank
-from cranktrain.linkage.forces import crank_link
-from cranktrain.motion import ONE, Array
+from cranktrain.linkage.forces import Gravity, Wrench, crank_link
+from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.gathering import put
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.forces.joint_forces import JointForces, joint_label
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.pin_load import (
@@ -27,8 +28,6 @@ from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number
 
 _CURVE = ("mechanism", "crank_angle")
-_ALIKE = 1e-9
-"""Loads that differ by less, relative, are the same; the first is named."""
 
 
 def have_crank_pins(mechanisms: Mechanisms) -> bool:
@@ -93,7 +92,7 @@ class CrankPinLoads:
         at, largest = (part[design] for part in self.largest_crankpin_load)
         if np.all(np.isnan(largest)):
             return None
-        worst = int(np.argmax(largest >= (1 - _ALIKE) * np.nanmax(largest)))
+        worst = first_largest(largest)
         return _("Largest load of a crank pin {load}, by the rod of {mechanism} at {angle}.").format(
             load=number(float(largest[worst]), "kN"),
             mechanism=names["mechanism"][worst],
@@ -121,14 +120,16 @@ def crank_pin_loads(
         if joint is None:
             continue
         radius: Array = np.hypot(one.motion.pin.x.value, one.motion.pin.y.value)[..., :1]
-        load = pin_load(one.forces.joints[joint], crank_link(one.motion.pin, Crank(radius)))
+        link = crank_link(one.motion.pin, Crank(radius))
+        load = pin_load(one.forces.joints[joint], link)
         put(whole, batch.index, load)
         reaction = batch.kind.dynamics.reactions[joint]
         if reaction.on == "rod":
             put(on_rods, batch.index, rod_bearing_load(one.forces.joints[joint], one.motion.rod))
             rod = batch.kind.dynamics.by_link(made.bodies)["rod"]
             rotating = weighed_ends(rod, batch.members.geometry.rod_length).first
-            put(without, batch.index, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
+            massless = with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi))
+            put(without, batch.index, map(np.subtract, massless, _weight(rotating, made.gravity, link)))
         names = (joint_label(loaded.mechanisms.names[i], reaction) for i in map(int, batch.index))
         rows = [joints.labels["joint"].index(name) for name in names]
         put(largest, batch.index, [part[:, rows] for part in joints.largest_joint_force[:2]])
@@ -144,6 +145,11 @@ def crank_pin_loads(
         rod_bearing_load_across=on_rods.across,
         largest_crankpin_load=largest,
     )
+
+
+def _weight(mass: Array, gravity: Gravity, crank_of: Link) -> PinLoad:
+    """Load of a crank pin by the weight of a mass on it."""
+    return pin_load(Wrench(-mass * gravity.x, -mass * gravity.y, ZERO), crank_of)
 
 
 def _shares(whole: PinLoad, loaded: LoadedMachine, solved: SolvedCycle, phi: Array) -> PinLoad:

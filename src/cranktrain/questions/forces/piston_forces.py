@@ -19,7 +19,13 @@ from cranktrain.questions.forces.piston_formulas import (
     piston_identities,
     two_harmonic_inertia_force,
 )
-from cranktrain.questions.forces.rods_in_pistons import ForcesOfRods, RodsInPistons, end_residual, rods_in_pistons
+from cranktrain.questions.forces.rods_in_pistons import (
+    ForcesOfRods,
+    RodsInPistons,
+    end_residual,
+    pin_residual,
+    rods_in_pistons,
+)
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
@@ -46,16 +52,16 @@ def direct_batches(loaded: LoadedMachine) -> Iterator[tuple[int, Batch]]:
 class PistonForceSet(StageResult):
     """P, N, S, K and T of pistons with rods, by the reactions in the joints and by the textbook's formula.
 
-    In both the rod's shares at its ends go with what is there, one with the piston and one with the crank; what the rod
-    does beyond that as a body, its slaves and friction are in the reactions alone. NaN for pistons without a rod. A
-    slave has no crank pin: its S there, K and T are NaN, and so is the formula.
+    In both the rod's shares at its ends go with what is there, inertia and weight, one with the piston and one with the
+    crank; what the rod does beyond that as a body, its slaves and friction are in the reactions alone. NaN for pistons
+    without a rod. A slave has no crank pin: its S there, K and T are NaN, and so is the formula.
     """
 
     inertia_force: Array = quantity(
         "P_j", "N", _CURVE, N_("Inertia of piston and the rod's reciprocating share, toward the shaft"), _THEORY
     )
     piston_force: Array = quantity(
-        "P", "N", _CURVE, N_("Force of gas and inertia along the cylinder, toward the shaft"), _THEORY
+        "P", "N", _CURVE, N_("Force of gas, loads, inertia and weight along the cylinder, toward the shaft"), _THEORY
     )
     side_force: Array = quantity("N", "N", _CURVE, N_("Force of the wall on the piston toward +y"), _THEORY)
     rod_force_at_piston_pin: Array = quantity(
@@ -108,7 +114,7 @@ def piston_force_set(
     return PistonForceSet(
         *curves,
         labels={"force_method": FORCE_METHODS},
-        checks=tuple(_checks(residuals, end_residual(loaded, found))),
+        checks=tuple(_checks(residuals, end_residual(loaded, found), pin_residual(loaded, found))),
     )
 
 
@@ -119,7 +125,7 @@ def _at_pin(one: RodsInPistons, forces: ForcesOfRods, crank_pins: CrankPinLoads)
     return np.where(np.isnan(radial), np.nan, forces.at_crank), radial, tangential
 
 
-def _checks(formula: Sequence[Array], rods: Array) -> Iterator[Check]:
+def _checks(formula: Sequence[Array], rods: Array, pins: Array) -> Iterator[Check]:
     """Give the identities of the formula, and those of the reactions."""
     if formula:
         yield Check(
@@ -132,6 +138,12 @@ def _checks(formula: Sequence[Array], rods: Array) -> Iterator[Check]:
         "rod_forces",
         _("Force along a rod at one pin against that at the other and what acts between, relative to its pins' loads"),
         rods,
+        _LIMIT,
+    )
+    yield Check(
+        "piston_pins",
+        _("Force in the piston pin: S² = P² + (N + Y)², of what acts on the piston alone, relative to that"),
+        pins,
         _LIMIT,
     )
 

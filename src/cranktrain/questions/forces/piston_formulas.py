@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage.forces import Drive, Wrench
+from cranktrain.linkage.forces import Drive, Gravity, Wrench
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, SliderCrankMotion
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.questions.forces.rod_masses import TwoMasses
@@ -50,7 +50,7 @@ def piston_forces(force: Array, motion: SliderCrankMotion, geometry: SliderCrank
     Parameters
     ----------
     force : Array, shape (..., n)
-        P: gas less ambient pressure, and inertia, toward the shaft. [N]
+        P: gas less ambient pressure, loads, inertia and weight, toward the shaft. [N]
     motion : SliderCrankMotion, shape (..., n)
     geometry : SliderCrank, fields broadcastable to (..., 1)
 
@@ -102,7 +102,12 @@ def piston_identities(
 
 
 def rod_forces(
-    rod: Link, slider: Coefficient, pins: tuple[Wrench, Wrench], masses: TwoMasses, drive: Drive
+    rod: Link,
+    slider: Coefficient,
+    pins: tuple[Wrench, Wrench],
+    masses: TwoMasses,
+    drive: Drive,
+    gravity: Gravity,
 ) -> tuple[Array, Array]:
     """Force along a rod by the reactions in both its pins.
 
@@ -115,19 +120,21 @@ def rod_forces(
     pins : (Wrench, Wrench), shape (..., n)
         At the first pin on the rod, at the second by the rod.
     masses : TwoMasses, broadcastable to (..., 1)
-        The rod's shares at its pins, whose inertia goes with what is there, as in `piston_forces`. [kg]
+        The rod's shares at its pins, whose inertia and weight go with what is there, as in `piston_forces`. [kg]
     drive : Drive
+    gravity : Gravity, in the mechanism's axes
 
     Returns
     -------
     at_piston, at_crank : Array, shape (..., n)
         + in compression. [N]
-        Where nothing hangs on the rod and it has no weight, both are the same. docs/theory/forces, eq. (13.50).
+        Where nothing hangs on the rod, both are the same. docs/theory/forces, eq. (13.50).
     """
     first, second = pins
     square = drive.speed * drive.speed
     origin = rod.origin
-    first_x = first.x - masses.first * (origin.x.second * square + origin.x.first * drive.acceleration)
-    first_y = first.y - masses.first * (origin.y.second * square + origin.y.first * drive.acceleration)
-    second_x = second.x + masses.second * (slider.second * square + slider.first * drive.acceleration)
-    return second_x * rod.cos + second.y * rod.sin, first_x * rod.cos + first_y * rod.sin
+    first_x = first.x - masses.first * (origin.x.second * square + origin.x.first * drive.acceleration - gravity.x)
+    first_y = first.y - masses.first * (origin.y.second * square + origin.y.first * drive.acceleration - gravity.y)
+    second_x = second.x + masses.second * (slider.second * square + slider.first * drive.acceleration - gravity.x)
+    second_y = second.y - masses.second * gravity.y
+    return second_x * rod.cos + second_y * rod.sin, first_x * rod.cos + first_y * rod.sin

@@ -33,8 +33,8 @@ class ForcesOfRods(NamedTuple):
 class RodsInPistons(NamedTuple):
     """Rods of one kind of mechanism: their batch, which pistons they drive; motion and joints; bodies and conditions.
 
-    pressed: force of gas and loads toward the shaft [N]; borne: what loads do to the rod; shares: the rod's at its
-    ends, and reciprocating that with the piston's mass [kg].
+    on_piston: gas and loads on the piston; borne: what loads do to the rod; piston_mass, and shares: the rod's at its
+    ends [kg].
     """
 
     batch: Batch
@@ -43,11 +43,21 @@ class RodsInPistons(NamedTuple):
     joints: Sequence[Wrench]
     rod: Body
     shares: TwoMasses
-    reciprocating: Array
-    pressed: Array
+    piston_mass: Array
+    on_piston: Wrench
     borne: Wrench
     drive: Drive
     gravity: Gravity
+
+    @property
+    def reciprocating(self) -> Array:
+        """Mass that goes to and fro: the piston's, and the rod's share. [kg]"""
+        return self.piston_mass + self.shares.second
+
+    @property
+    def pressed(self) -> Array:
+        """Force of gas, loads and the weight of what goes to and fro, toward the shaft. [N]"""
+        return -self.on_piston.x - self.reciprocating * self.gravity.x
 
     @property
     def pins(self) -> tuple[Wrench, Wrench]:
@@ -58,8 +68,13 @@ class RodsInPistons(NamedTuple):
     def forces(self) -> ForcesOfRods:
         """Forces by the reactions; docs/theory/forces, eqs. (13.30) and (13.50)."""
         inertia = inertia_force(self.motion.slider, self.reciprocating, self.drive)
-        along = rod_forces(self.motion.rod, self.motion.slider, self.pins, self.shares, self.drive)
-        return ForcesOfRods(inertia, self.pressed + inertia, self._joint("guide").y, *along)
+        along = rod_forces(self.motion.rod, self.motion.slider, self.pins, self.shares, self.drive, self.gravity)
+        return ForcesOfRods(inertia, self.pressed + inertia, self.guide.y, *along)
+
+    @property
+    def guide(self) -> Wrench:
+        """Of the guide on the piston: friction along it, and N."""
+        return self._joint("guide")
 
     def _joint(self, *roles: Role) -> Wrench:
         """Reaction in the mechanism's own joint with the first of some roles that any has."""
@@ -81,8 +96,8 @@ def rods_in_pistons(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Ite
                 one.forces.joints,
                 bodies["rod"],
                 shares,
-                bodies["slider"].mass + shares.second,
-                -loads["slider"].x,
+                bodies["slider"].mass,
+                loads["slider"],
                 loads["rod"],
                 one.conditions.drive,
                 made.gravity,
@@ -92,21 +107,42 @@ def rods_in_pistons(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Ite
 def end_residual(loaded: LoadedMachine, rods: Sequence[tuple[RodsInPistons, ForcesOfRods]]) -> Array:
     """Largest difference of the forces along a rod at its ends, but for what acts between, over what its pins bear.
 
-    Between act its weight, loads, what of its inertia no masses at its ends have, and its slaves: of these by their own
-    knuckle pins. Shape (design,); docs/theory/forces, eq. (13.51).
+    Between act loads, what of its inertia no masses at its ends have, and its slaves: of these by their own knuckle
+    pins. Shape (design,); docs/theory/forces, eq. (13.51).
     """
     handed = _handed_over(loaded, [one for one, _forces in rods])
     worst = [np.zeros(len(loaded.speed.value))]
     for one, forces in rods:
         link, body, index = one.motion.rod, one.rod, one.batch.index
         turning = link.angle.second * (one.drive.speed * one.drive.speed) + link.angle.first * one.drive.acceleration
-        between = (body.mass * one.gravity.x + one.borne.x + handed.x[:, index]) * link.cos
-        between = between + (body.mass * one.gravity.y + one.borne.y + handed.y[:, index]) * link.sin
+        between = (one.borne.x + handed.x[:, index]) * link.cos + (one.borne.y + handed.y[:, index]) * link.sin
         off = forces.at_crank - forces.at_piston + between + body.mass * body.across * turning
-        peak = np.max([np.max(np.hypot(pin.x, pin.y), axis=-1) for pin in one.pins], axis=0)
-        share = np.max(np.abs(off), axis=-1) / np.where(peak > 0, peak, 1.0)
-        worst.append(np.max(np.where(np.isnan(share), 0.0, share), axis=-1))
+        worst.append(_share(off, np.max([np.hypot(pin.x, pin.y) for pin in one.pins], axis=0)))
     return np.max(worst, axis=0)
+
+
+def pin_residual(loaded: LoadedMachine, rods: Sequence[tuple[RodsInPistons, ForcesOfRods]]) -> Array:
+    """Largest difference of the force in a piston pin from P and N, over what acts on the piston.
+
+    Of P what the rod's share has in it is left out, and friction is in; with N is what else acts across the cylinder.
+    Shape (design,); docs/theory/forces, eq. (13.53).
+    """
+    worst = [np.zeros(len(loaded.speed.value))]
+    for one, forces in rods:
+        share, gravity, pin = one.shares.second, one.gravity, one.pins[1]
+        along = forces.piston - inertia_force(one.motion.slider, share, one.drive) + share * gravity.x - one.guide.x
+        across = forces.side + one.on_piston.y + one.piston_mass * gravity.y
+        off = np.hypot(pin.x - along, pin.y + across)
+        acting = np.hypot(one.on_piston.x, one.on_piston.y) + np.abs(forces.inertia) + np.hypot(*one.guide[:2])
+        worst.append(_share(off, acting + one.reciprocating * np.hypot(gravity.x, gravity.y)))
+    return np.max(worst, axis=0)
+
+
+def _share(off: Array, acting: Array) -> Array:
+    """Largest difference over the largest of what acts there, of pistons of shape (design, member, n); by design."""
+    peak = np.max(acting, axis=-1)
+    share = np.max(np.abs(off), axis=-1) / np.where(peak > 0, peak, 1.0)
+    return np.max(np.where(np.isnan(share), 0.0, share), axis=-1)
 
 
 def _handed_over(loaded: LoadedMachine, rods: Sequence[RodsInPistons]) -> Wrench:

@@ -463,3 +463,31 @@ def test_worst_stop():
 
 def stroke_of_speed(speed, end_time):
     return single_stroke(KERNELS, PRESS, PLAN._replace(end_time=end_time), wheel_speed=speed, recovery_limit=0.0)
+
+
+def settled_at(period, press=PRESS, idle=IDLE):
+    return settled_stroke(KERNELS, press, PLAN, period=period, idle_speed=idle)
+
+
+@pytest.mark.parametrize("period", [600.0, 6e6, 6e10])
+def test_a_pause_is_one_step_once_the_flywheel_idles(period):
+    """As many steps as a pause of a minute, and as much work: nothing before the clutch takes any from a flywheel."""
+    short, long = settled_at(60.0), settled_at(period)
+    assert long.pace.waiting.n_steps == short.pace.waiting.n_steps < 100
+    assert long.pace.motor_power * period == pytest.approx(short.pace.motor_power * 60.0, rel=1e-9)
+    assert long.wheel_speed == pytest.approx(IDLE, rel=1e-9)
+    assert abs(long.pace.waiting.residual) < 1e-7 * long.pace.waiting.supplied
+
+
+def test_a_long_pause_takes_what_idling_takes():
+    """A seal of 2 N·m at the motor: after a million seconds the mean power is that of Kloss's torque of 2 N·m."""
+    before = stages(0.0, (3.3, 1.0, 1.0, 2.0, 24.0))
+    press = PRESS._replace(before=before, locked=PRESS.locked._replace(drag=[2.0, *PRESS.locked.drag[1:]]))
+    breakdown, slip_at, synchronous = PRESS.motor
+    slip = slip_at * (breakdown - math.sqrt(breakdown**2 - 2.0**2)) / 2.0
+    idle = synchronous * (1 - slip)
+    found = settled_at(1e6, press, idle / 3.3)
+    stroke = found.stroke.run.end.state
+    taken = (stroke[4:8].sum() - 2.0 * idle * found.stroke.run.end.time) / 1e6
+    assert found.pace.motor_power == pytest.approx(2.0 * idle + taken, rel=1e-6)
+    assert found.wheel_speed == pytest.approx(idle / 3.3, rel=1e-9)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from cranktrain.questions.drive.running import endings
+from cranktrain.questions.drive.running.corners import corner_ahead, on_the_way
 from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, no_heat, no_motor
 from cranktrain.questions.drive.running.gearing import stages
 from cranktrain.questions.drive.running.runs import run, wanted
@@ -151,3 +152,52 @@ def test_an_interrupted_run_keeps_what_it_has():
     assert 0.5 < found.end_time < 100.0
     assert found.time[-1] <= found.end_time < found.time[-1] + 0.1 + 1e-9
     assert found.end[0] == pytest.approx(10.0 * found.end_time, rel=1e-9)
+
+
+class Asked(list):
+    """Corners that count how often one is looked at."""
+
+    n_looks = 0
+
+    def __getitem__(self, at):
+        self.n_looks += 1
+        return super().__getitem__(at)
+
+
+def far_corners(corners, period, angle):
+    """All corners of the periods about an angle."""
+    turn = math.floor(angle / period)
+    return [corner + (turn + more) * period for more in (-2, -1, 0, 1, 2) for corner in corners]
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 60])
+@pytest.mark.parametrize("period", [2 * math.pi, 4 * math.pi])
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+def test_the_next_corner_is_the_nearest_of_all(n, period, sense):
+    """Anywhere, and on a corner to rounding, where the next one is meant; looked for among all of five periods."""
+    chance = np.random.default_rng(n)
+    for _ in range(50):
+        corners = np.sort(chance.uniform(0, period, n)).tolist()
+        anywhere = chance.uniform(-40, 40, 5).tolist()
+        standing = [corners[0] + 3 * period, corners[-1] - 2 * period + 1e-14]
+        for angle in anywhere + standing:
+            each = far_corners(corners, period, angle)
+            beyond = min(sense * (at - angle) for at in each if sense * (at - angle) > 1e-12)
+            assert sense * (corner_ahead(angle, sense, corners, period) - angle) == pytest.approx(beyond, abs=2e-12)
+        for angle in standing:
+            assert 0 < sense * (on_the_way(angle, sense, corners, period) - angle) < 1e-12
+        assert [on_the_way(angle, sense, corners, period) for angle in anywhere] == anywhere
+
+
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+def test_a_corner_is_found_by_halving(sense):
+    """Twice log2 of their number, and a few."""
+    corners = Asked(np.linspace(0, 2 * math.pi, 4096, endpoint=False).tolist())
+    corner_ahead(17.0, sense, corners, 2 * math.pi)
+    on_the_way(17.0, sense, corners, 2 * math.pi)
+    assert corners.n_looks <= 2 * 12 + 10
+
+
+def test_without_corners_nothing_is_ahead():
+    assert corner_ahead(1.0, -1.0, (), 2 * math.pi) == -math.inf
+    assert on_the_way(1.0, 1.0, (), 2 * math.pi) == 1.0

@@ -39,7 +39,7 @@ THREE_MOMENT = BearingMethod(
     N_("three moments"),
     three_moment,
     "docs/theory/crankshaft",
-    N_("a straight beam of one stiffness in each span, on rigid bearings"),
+    N_("a straight beam in each span, its EI the mean of both planes of the throws, on rigid bearings"),
 )
 
 FIVE_MOMENT = BearingMethod(
@@ -47,5 +47,5 @@ FIVE_MOMENT = BearingMethod(
     N_("five moments"),
     five_moment,
     "docs/theory/crankshaft",
-    N_("a straight beam of one stiffness in each span, on elastic bearings"),
+    N_("a straight beam in each span, its EI the mean of both planes of the throws, on elastic bearings"),
 )

@@ -144,11 +144,11 @@ def _slip_time(run: PressRun) -> float:
 
 
 def _pressing_drop(run: PressRun) -> float:
-    """By how much the flywheel's speed falls from the clutch's first locking to the command. [rad/s]"""
+    """By how much the flywheel's speed falls from the clutch's first locking to the command; NaN if it locks late."""
     locks, commands = run.of_kind(LOCKED), run.of_kind(COMMAND)
-    if not locks:
-        return math.nan
     until = commands[0].moment.time if commands else run.end.time
+    if not locks or locks[0].moment.time > until:
+        return math.nan
     behind = (run.times >= locks[0].moment.time) & (run.times <= until)
     speeds = run.states[behind, WHEEL]
     return float(np.max(np.maximum.accumulate(speeds) - speeds))

@@ -17,6 +17,7 @@ from cranktrain.questions.drive.clutched.equation import (
     Press,
     press_form,
 )
+from cranktrain.questions.drive.clutched.idling import idle_slopes
 from cranktrain.questions.drive.clutched.modes import static_margin
 from cranktrain.questions.drive.clutched.passings import least_within, states_within
 from cranktrain.questions.drive.clutched.phases import Ahead, ahead_of
@@ -126,6 +127,8 @@ class _Walk:
         watches = watches_of(ahead, self.now, self.plan, self.wanted, self.scale)
         width = self._first_width(ahead.until)
         while self.n_steps < self.plan.most_steps:
+            if self._waits_idling(ahead):
+                return None
             width = min(width, self._largest_width())
             is_last = self.now.time + width * (1 + 1e-9) >= ahead.until
             width = ahead.until - self.now.time if is_last else width
@@ -154,6 +157,17 @@ class _Walk:
             self.slopes[0] = list(self.slopes[6])
             width *= min(5.0, 0.9 * max(error, 1e-10) ** -0.2)
         return STEPS_EXHAUSTED
+
+    def _waits_idling(self, ahead: Ahead) -> bool:
+        """Wait in one step until the phase ends, where the flywheel idles."""
+        now, closeness = self.now, self.plan.tolerance * self.scale
+        found = idle_slopes(self.derive, ahead, now.time, now.state, closeness)
+        if found is None:
+            return False
+        self.n_steps += 1
+        state = now.state + (ahead.until - now.time) * found
+        self._move(ahead.until, state, np.tile(found, (len(self.slopes), 1)))
+        return True
 
     def _first_width(self, until: float) -> float:
         grown = max(abs(self.slopes[0][WHEEL]), abs(self.slopes[0][SPEED]) * self.press.ratio)

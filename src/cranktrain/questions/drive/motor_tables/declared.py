@@ -82,6 +82,11 @@ class DeclaredMotor:
         top, rated = float(self.top_speed[design]), float(self.rating.speed[design])
         return next((speed for speed in (top, 3 * rated) if np.isfinite(speed)), np.inf)
 
+    def corner_speeds(self, design: int) -> Array:
+        """Speeds of its shaft at which its law jumps or has a corner, long since it was switched on, rising. [rad/s]"""
+        each = [float(np.ravel(speed[..., design])[0]) for speed in self.motor.breaks(self.numbers).speeds]
+        return np.unique([speed for speed in each if np.isfinite(speed)])
+
     def torque(self, speed: Array, time: Array | float = LONG_SINCE) -> Array:
         """Torque at its shaft.
 

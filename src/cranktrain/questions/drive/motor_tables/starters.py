@@ -15,10 +15,10 @@ from cranktrain.quantities import (
     Given,
     NonNegativeTime,
     PositiveRatio,
+    PositiveSpeed,
     PositiveTime,
     PositiveTorque,
     Quantity,
-    Speed,
 )
 from cranktrain.questions.drive.motor_tables.declared import DeclaredMotor
 from cranktrain.questions.drive.motor_tables.induction import Part
@@ -121,7 +121,7 @@ class InverterSpec(StarterSpec, frozen=True):
     first_speed: NonNegativeSpeed = Field(
         default=Given(0.0, "0 rpm"), description=N_("Synchronous speed with which the ramp begins.")
     )
-    last_speed: Speed | None = Field(
+    last_speed: PositiveSpeed | None = Field(
         default=None, description=N_("Synchronous speed with which it ends; that of rated frequency unless given.")
     )
     torque_limit: PositiveTorque | None = Field(

@@ -119,9 +119,35 @@ def flux_inverter_torque(speed: Array, time: Array, geometry: FluxInverter) -> A
     return np.minimum(geometry.torque_limit, np.maximum(-geometry.torque_limit, torque))
 
 
-def ramp_breaks(geometry: Inverter | FluxInverter) -> MotorBreaks:
-    """The end of the ramp; where the limit of torque holds hangs on speed and time together."""
-    return MotorBreaks(times=(geometry.ramp.ramp_time,))
+def inverter_breaks(geometry: Inverter) -> MotorBreaks:
+    """The end of the ramp, and where the limit of torque lets go behind it; on the ramp that hangs on the time too."""
+    circuit, limit = at_frequency(geometry.circuit, geometry.ramp.last_speed, geometry.boost), geometry.torque_limit
+    reaches = 1.5 * circuit.voltage * circuit.voltage * circuit.rotor_resistance
+    leans = limit * circuit.stator_resistance * circuit.rotor_resistance * circuit.synchronous_speed
+    bends = limit * (circuit.stator_resistance * circuit.stator_resistance + circuit.reactance * circuit.reactance)
+    rest = limit * (circuit.rotor_resistance * circuit.synchronous_speed) ** 2
+    return _limit_breaks(geometry.ramp, [_limit_slips(bends, side * reaches - leans, rest) for side in (1.0, -1.0)])
+
+
+def flux_inverter_breaks(geometry: FluxInverter) -> MotorBreaks:
+    """The same without stator resistance."""
+    breakdown = geometry.breakdown_slip * geometry.base_speed
+    flux = 1 / np.maximum(1, np.abs(geometry.ramp.last_speed / geometry.base_speed))
+    reaches, limit = geometry.breakdown_torque * flux * flux * breakdown, geometry.torque_limit
+    slips = [_limit_slips(limit, side * reaches, limit * breakdown * breakdown) for side in (1.0, -1.0)]
+    return _limit_breaks(geometry.ramp, slips)
+
+
+def _limit_slips(bends: Array, half: Array, rest: Array) -> tuple[Array, Array]:
+    """Slip speeds at which a limit is reached: both roots of a σ² − 2 b σ + c, NaN where there are none. [rad/s]"""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        far = half + np.copysign(np.sqrt(half * half - bends * rest), half)
+        return np.divide(far, bends), np.divide(rest, far)
+
+
+def _limit_breaks(ramp: Ramp, slips: list[tuple[Array, Array]]) -> MotorBreaks:
+    speeds = tuple(ramp.last_speed - slip for both in slips for slip in both)
+    return MotorBreaks(speeds, (ramp.ramp_time,))
 
 
 INVERTER = Motor(
@@ -132,7 +158,7 @@ INVERTER = Motor(
     "docs/theory/drive, eq. (25.14)",
     N_("steady torque at every frequency; the limit of torque holds for a short time only, often a minute"),
     is_timed=True,
-    breaks=ramp_breaks,
+    breaks=inverter_breaks,
 )
 
 FLUX_INVERTER = Motor(
@@ -143,5 +169,5 @@ FLUX_INVERTER = Motor(
     "docs/theory/drive, eq. (25.15)",
     N_("full flux at all speeds up to the rated one, as by a good boost or field-oriented control"),
     is_timed=True,
-    breaks=ramp_breaks,
+    breaks=flux_inverter_breaks,
 )

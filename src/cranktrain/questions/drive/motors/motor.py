@@ -13,7 +13,7 @@ class MotorBreaks(NamedTuple):
     Attributes
     ----------
     speeds : tuple of Array
-        Of its shaft. [rad/s]
+        Of its shaft; of a timed one those of its law long since it was switched on. [rad/s]
     times : tuple of Array
         Since it was switched on. [s]
     """

@@ -52,7 +52,10 @@ def prime_mover_breaks(engine: PrimeMover) -> MotorBreaks:
     over = slope * (engine.no_load_speed - speeds) - torques
     crosses = over[:-1] * over[1:] < 0
     along = over[:-1] / np.where(crosses, over[:-1] - over[1:], np.nan)
-    return MotorBreaks((*speeds, engine.no_load_speed, *(speeds[:-1] + np.diff(speeds, axis=0) * along)))
+    # beyond the ends of the curve full load is that of the end
+    before, behind = (engine.no_load_speed - torques[end] / slope for end in (0, -1))
+    level = (np.where(before < speeds[0], before, np.nan), np.where(behind > speeds[-1], behind, np.nan))
+    return MotorBreaks((*speeds, engine.no_load_speed, *(speeds[:-1] + np.diff(speeds, axis=0) * along), *level))
 
 
 PRIME_MOVER = Motor(

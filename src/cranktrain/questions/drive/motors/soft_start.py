@@ -65,7 +65,8 @@ def soft_start_torque(speed: Array, time: Array, geometry: SoftStart) -> Array:
 def soft_start_breaks(geometry: SoftStart) -> MotorBreaks:
     """Those of the motor's curve, the end of the ramp, and where the limit of current lets go at rated voltage."""
     slip = limit_slip(geometry)
-    speeds = (*cage_breaks(geometry.motor).speeds, geometry.motor.synchronous_speed * (1 - slip))
+    beside = (geometry.motor.synchronous_speed * (1 - side * slip) for side in (1.0, -1.0))
+    speeds = (*cage_breaks(geometry.motor).speeds, *beside)
     return MotorBreaks(speeds, (geometry.ramp_time,))
 
 

@@ -1,4 +1,8 @@
-"""Crank angles at which a load has a corner or jumps: no step looks beyond one, in whichever sense the crank turns."""
+"""Crank angles at which a load has a corner or jumps: no step looks beyond one, in whichever sense the crank turns.
+
+Corners are those of a period in their order, each once, as `runs.wanted` lays them; they are counted on through all
+periods, so that one is found by halving.
+"""
 
 import math
 from typing import Any
@@ -16,8 +20,11 @@ def beside(angle: float) -> float:
 
 def on_the_way(angle: float, sense: float, corners: Any, period: float) -> float:
     """Crank angle of a motion that begins: at a corner, the side of it to which the crank goes. [rad]"""
-    for corner in corners:
-        at = corner + math.floor((angle - corner) / period + 0.5) * period
+    if len(corners) == 0:
+        return angle
+    count = count_before(angle, corners, period)
+    for which in range(count - 1, count + 1):
+        at = counted(which, corners, period)
         if abs(angle - at) <= _NEAR * beside(angle):
             return at + sense * beside(angle)
     return angle
@@ -25,11 +32,31 @@ def on_the_way(angle: float, sense: float, corners: Any, period: float) -> float
 
 def corner_ahead(angle: float, sense: float, corners: Any, period: float) -> float:
     """How far a crank turns until the next corner, to this side of it: an angle, infinite without corners. [rad]"""
-    nearest = math.inf
-    for corner in corners:
-        turns = math.floor(sense * (angle - corner) / period)
-        at = corner + sense * turns * period
-        while sense * (at - angle) <= _NEAR * beside(angle):
-            at += sense * period
-        nearest = min(nearest, sense * at)
-    return sense * (nearest - beside(angle))
+    if len(corners) == 0:
+        return sense * math.inf
+    count, onward = count_before(angle, corners, period), 1 if sense > 0 else -1
+    which = count - 1 if sense > 0 else count  # one back: rounding may have counted the corner at which it stands
+    at = counted(which, corners, period)
+    while sense * (at - angle) <= _NEAR * beside(angle):
+        which += onward
+        at = counted(which, corners, period)
+    return at - sense * beside(angle)
+
+
+def count_before(angle: float, corners: Any, period: float) -> int:
+    """How many corners lie before an angle, counted from 0; below 0 for an angle before that."""
+    periods = math.floor(angle / period)
+    within = angle - periods * period
+    low, high = 0, len(corners)
+    while low < high:
+        middle = (low + high) // 2
+        if corners[middle] <= within:
+            low = middle + 1
+        else:
+            high = middle
+    return periods * len(corners) + low
+
+
+def counted(which: int, corners: Any, period: float) -> float:
+    """Where a corner lies that is counted on through all periods. [rad]"""
+    return corners[which % len(corners)] + which // len(corners) * period

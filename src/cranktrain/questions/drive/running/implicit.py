@@ -20,8 +20,15 @@ from cranktrain.questions.drive.running.equation import (
     train_of,
 )
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.rest import HEAT_PANELS, heated, kind_of_rest, let_go_at, sense_of_start
+from cranktrain.questions.drive.running.rest import (
+    HEAT_PANELS,
+    heated,
+    kind_of_rest,
+    let_go_at,
+    sense_of_start,
+)
 from cranktrain.questions.drive.running.runs import Event, Progress, Run, Wanted, energy_account
+from cranktrain.questions.drive.running.settling import may_settle, settles
 from cranktrain.questions.drive.running.step import N_STATE, ROW
 
 _STIFF = 1e-3
@@ -68,16 +75,25 @@ def is_stiff(time_constant: float, crank_speed: float) -> bool:
     return time_constant < _STIFF * 2 * np.pi / crank_speed
 
 
-class _TooManyCallsError(Exception):
-    """Slopes were asked for so often that the method is stuck: SciPy stops for nothing else."""
+class _StuckError(Exception):
+    """No slope, or one asked for too often: SciPy stops for nothing else. The reason is that of the run's end."""
+
+    def __init__(self, reason: int) -> None:
+        super().__init__()
+        self.reason = reason
 
 
 _CALLS_OF_A_STEP = 3
 """More of them, on the mean, are steps that fail."""
 
+_WHERE_IT_BEGINS = 1e-9
+"""So near to a run's start a dead position is where the crank stood: x′ there is rounding of either sign. [rad]"""
+_MOST_IN_VAIN, _SHORTEST = 10_000, 1e-9
+"""Slopes in which a run must come on by a part of the longest step."""
+
 
 class _Going(NamedTuple):
-    """What an implicit run is made of; `calls` counts the slopes that were asked for."""
+    """What an implicit run is made of; `calls` counts the slopes that were asked for, `got` how far they came."""
 
     parts: Joined
     train: TrainNumbers
@@ -89,6 +105,7 @@ class _Going(NamedTuple):
     ends: list[tuple[float, float]]
     is_compiled: bool
     calls: list[int]
+    got: list[tuple[int, float]]
 
 
 def run_implicitly(
@@ -121,11 +138,13 @@ def run_implicitly(
     parts, train = joined(kernels, is_compiled), train_of(drive, kernels, is_compiled)
     table = np.full((len(asked.samples), N_STATE), np.nan)
     longest = min(longest_step, 0.02 * asked.limits.end_time)
-    going = _Going(parts, train, asked, method, longest, table, [], [] if ends is None else ends, is_compiled, [0])
+    going = _Going(
+        parts, train, asked, method, longest, table, [], [] if ends is None else ends, is_compiled, [0], [(0, 0.0)]
+    )
     state, time, n_steps, n_reversals = asked.start.copy(), 0.0, 0, 0
     machine, settle = parts.kernels.machine, parts.kernels.settle
     settle(state[0], train.machine)
-    sense, reason = float(np.sign(state[1])), GOING
+    sense, fastest, reason = float(np.sign(state[1])), abs(float(state[1])), GOING
     before = machine(state[0], state[1], sense, train.machine)[0]
     try:
         while reason == GOING and time < asked.limits.end_time:
@@ -146,9 +165,11 @@ def run_implicitly(
             if ending == endings.SWINGS:
                 state[1], sense, n_reversals = 0.0, 0.0, n_reversals + 1
                 ending = endings.SWINGS if n_reversals >= asked.limits.most_reversals else GOING
-            reason = ending
-    except _TooManyCallsError:
-        reason = endings.TOO_MANY_STEPS
+            fastest = max(fastest, abs(float(state[1])))
+            reason = _at_rest(going, time, state, sense, fastest) if ending == GOING else ending
+    except _StuckError as stuck:
+        reason = stuck.reason
+        _fill(table, asked.samples, time, time, lambda times: np.tile(state[:, np.newaxis], times.size))
     except KeyboardInterrupt:
         if progress is None:
             raise
@@ -194,12 +215,30 @@ def _set_off(going: _Going, time: float, state: Array) -> tuple[float, float, in
     return sense_of_start(at, state[0], own, train, *corners), at, GOING
 
 
+def _at_rest(going: _Going, time: float, state: Array, sense: float, fastest: float) -> int:
+    """What kind of rest a crank has settled to; `GOING` where it has not."""
+    (derive, own), train, asked = going[:3]
+    if sense == 0.0 or time >= asked.limits.end_time or not may_settle(state[1], fastest):
+        return GOING
+    if not settles(derive, time, state, sense, sense * np.inf, np.zeros(ROW), train, asked):
+        return GOING
+    state[1] = 0.0
+    going.table[asked.samples == time, 1] = 0.0
+    going.events.append(Event(endings.HELD, time, float(state[0]), 0.0))
+    return kind_of_rest(time, own, train, asked.limits.end_time)
+
+
 def _trouble(going: _Going, time: float, state: Array, sense: float) -> int:
     """Why a phase cannot begin; `GOING` where it can."""
     slopes = np.zeros(ROW)
     _, grown = going.parts.derive(time, state[0], state[1], sense, sense * np.inf, slopes, 0, going.train)
     if grown == grown:
         return GOING
+    return _why_not(slopes)
+
+
+def _why_not(slopes: Any) -> int:
+    """Why there is no acceleration."""
     return endings.LINKS_OPEN if is_open(slopes, 0) else endings.GEARING_JAMS
 
 
@@ -212,7 +251,8 @@ def _phase(going: _Going, time: float, state: Array, sense: float) -> tuple[floa
     stopped, passed, over, _, corner = found.t_events[:5]
     for kind, which in ((endings.REVERSAL, 0), (endings.SPEED_PASSED, 1), (endings.DEAD_POSITION, 3)):
         for when, y in zip(found.t_events[which], found.y_events[which], strict=True):
-            events.append(Event(kind, float(when), float(y[0]), float(y[1])))
+            if kind != endings.DEAD_POSITION or time > 0 or abs(y[0] - state[0]) > _WHERE_IT_BEGINS:
+                events.append(Event(kind, float(when), float(y[0]), float(y[1])))
     _fill(table, asked.samples, time, found.t[-1], found.sol)
     going.ends.extend(zip(found.t.tolist(), found.y[1].tolist(), strict=True))
     end = float(found.t[-1])
@@ -240,9 +280,11 @@ def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array
 
     def slope(time: float, state: Array) -> Array:
         going.calls[0] += 1
-        if going.calls[0] > most_calls:
-            raise _TooManyCallsError
-        derive(time, float(state[0]), float(state[1]), sense, bound, slopes, 0, train)
+        if going.calls[0] > most_calls or _treads(going, time):
+            raise _StuckError(endings.TOO_MANY_STEPS)
+        _, grown = derive(time, float(state[0]), float(state[1]), sense, bound, slopes, 0, train)
+        if grown != grown:
+            raise _StuckError(_why_not(slopes))
         return np.array(slopes[:N_STATE])
 
     def stopped(_time: float, state: Array) -> float:
@@ -270,6 +312,15 @@ def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array
         slope, span, state, method=method, rtol=max(closeness, 3e-14), atol=closeness,
         max_step=going.longest_step, dense_output=True, events=(stopped, passed, over, dead, corner),
     )  # fmt: skip
+
+
+def _treads(going: _Going, time: float) -> bool:
+    """Whether many slopes in a row brought a run no further: no step is short enough there."""
+    since, far = going.got[0]
+    if time > far + _SHORTEST * going.longest_step:
+        going.got[0] = (going.calls[0], time)
+        return False
+    return going.calls[0] - since > _MOST_IN_VAIN
 
 
 def _warming(state: Array, time: float, own: Kernels, going: _Going) -> Callable[[Array], Array]:

@@ -40,6 +40,7 @@ from cranktrain.questions.drive.running.endings import (
 )
 from cranktrain.questions.drive.running.equation import is_open
 from cranktrain.questions.drive.running.rest import kind_of_rest, set_off
+from cranktrain.questions.drive.running.settling import come_to_rest
 from cranktrain.questions.drive.running.step import BESIDE, N_STATE, ROW, error_of, integrate_along, take_step, within
 
 NOWHERE, AT_TIME, AT_CORNER = range(3)
@@ -176,7 +177,7 @@ def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, t
         here[OUTPUT] = output
     _go_to_the_end(asked, course, width, landing, error)
     kernels.settle(course.state[0], train.machine)
-    return GOING
+    return come_to_rest(derive, kernels, train, asked, course, table, marks)
 
 
 def _width_and_landing(asked: Any, course: Any) -> tuple[float, int]:

@@ -1,5 +1,7 @@
 """Results of a wanted motion: how the crank moves, how far a constant speed misses it, what the motor does."""
 
+import math
+
 import numpy as np
 
 from cranktrain.catalogue import quantity
@@ -81,7 +83,7 @@ def wanted_crank(wanted: WantedMotions, crank_angle: CrankAngle) -> WantedCrank:
         wanted_crank_speed=np.stack([turn.speed for turn in turns]),
         wanted_crank_acceleration=np.stack([turn.acceleration for turn in turns]),
         wanted_period=np.array([made.wanted.period for made in wanted.each]),
-        resting_time=np.array([sum(span for _at, span in made.dwells) for made in wanted.each]),
+        resting_time=np.array([math.fsum(span for _at, span in made.dwells) for made in wanted.each]),
         largest_wanted_speed=np.array([np.max(turn.speed) for turn in turns]),
         constant_speed_miss=np.array([constant_miss(made).largest for made in wanted.each]) / strokes,
         checks=(

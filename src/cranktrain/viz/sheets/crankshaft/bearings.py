@@ -15,6 +15,7 @@ from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.tables import LEAST_ROW, write_row
 from cranktrain.viz.sheets.crankshaft.panels import bearing_diagrams, of_shafts
 from cranktrain.viz.sheets.crankshaft.polar import draw_diagrams, line_of_method
+from cranktrain.wording import ABSENT
 
 _NAMES = 44.0
 """Width of the table's names. [mm]"""
@@ -47,13 +48,14 @@ def sheet_crankshaft(result: Result, *, size: str = "A4", design: int = 0) -> Fi
         If the bearings have no loads, as of a shaft that floats.
     """
     shown = OneDesign(result, design)
-    if not np.all(np.isfinite(shown("largest_bearing_load"))):
+    largest = shown("largest_bearing_load")
+    if not np.all(np.isfinite(largest)) or not np.any(largest > 0.0):
         raise InputError([Problem("crankshaft", None, _("gives no loads of bearings, so there is no sheet of them"))])
     page, box = result_page(result, design, size, _("Loads of the main bearings"))
     methods = result.labels["bearing_method"]
     height = 12.0 + LEAST_ROW * (len(methods) + 4)
     diagrams = bearing_diagrams(shown)
-    unit = scale_for("N", float(np.nanmax(shown("largest_bearing_load"))))
+    unit = scale_for("N", float(np.max(largest)))
     above = Box(box.left, box.bottom + height, box.width, box.height - height)
     words = draw_diagrams(page, diagrams, above, unit)
     _write_table(page, shown, box._replace(height=height))
@@ -85,8 +87,11 @@ def _write_table(page: Page, shown: OneDesign, room: Box) -> None:
         y -= LEAST_ROW
         page.sample(room.left, room.left + 10.0, y + 0.9, **line_of_method(method, is_first=place == 0))
         write_row(page, (title_of(method), *column(largest[place].tolist(), unit)), places, y, is_bold=place == 0)
-    spread = (np.max(largest, axis=0) - np.min(largest, axis=0)) / np.min(largest, axis=0)
-    rows = ((_("methods differ by, %"), [f"{100 * part:.0f}" for part in spread.tolist()]),)
+    least = np.min(largest, axis=0)
+    spread = (np.max(largest, axis=0) - least) / np.where(least > 0.0, least, np.nan)
+    rows = (
+        (_("methods differ by, %"), [ABSENT if np.isnan(part) else f"{100 * part:.0f}" for part in spread.tolist()]),
+    )
     means = (_("mean load by the first"), column(mean[0].tolist(), unit))
     for name, values in (*rows, means):
         y -= LEAST_ROW

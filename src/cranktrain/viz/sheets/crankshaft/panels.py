@@ -10,6 +10,7 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.section_torques import SECTIONS
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
@@ -86,10 +87,11 @@ def bearing_diagrams(shown: OneDesign) -> tuple[PolarDiagram, ...]:
 
 
 def alike_pins(shown: OneDesign) -> tuple[AlikePins, ...]:
-    """Crank pins that bear a rod, apart by what they bear."""
+    """Crank pins that bear a rod and a load, apart by what they bear."""
     mean, largest = shown("mean_crankpin_load"), shown("largest_crankpin_load")
     holes, names = shown("crankpin_oil_hole"), shown.result.labels["mechanism"]
-    known = np.flatnonzero(np.isfinite(mean) & np.any(np.isfinite(shown("rod_bearing_wear")), axis=-1)).tolist()
+    is_loaded = np.isfinite(mean) & (largest > 0.0)
+    known = np.flatnonzero(is_loaded & np.any(np.isfinite(shown("rod_bearing_wear")), axis=-1)).tolist()
     keys = [tuple(f"{value[i]:.{_SHAPE}g}" for value in (mean, largest, holes)) for i in known]
     return tuple(
         AlikePins(members[0], _together(names, members)) for members in grouped(zip(keys, known, strict=True)).values()
@@ -124,7 +126,7 @@ def _diagram(shown: OneDesign, title: str, curves: Sequence[tuple[str, Array, Ar
     # Beside a jump the curve's points are on either side of it.
     beside = np.abs(shown.cycle - at) <= shown.cycle[1] * (1 + _NEXT)
     size = np.where(beside, np.hypot(*found[0].points), -1.0)
-    return PolarDiagram(title, found, found[0].points[:, int(np.argmax(size))], at, float(shown.cycle[-1]))
+    return PolarDiagram(title, found, found[0].points[:, first_largest(size)], at, float(shown.cycle[-1]))
 
 
 def pin_wear(shown: OneDesign) -> Iterator[WearDiagram]:
@@ -170,7 +172,7 @@ def torque_panels(shown: OneDesign) -> Iterator[Panel]:
         own = np.flatnonzero(which)
         if not np.any(torque[own]):
             continue  # as in a pin that hangs over the end
-        worst = int(own[np.argmax(ranges[own])])
+        worst = int(own[first_largest(ranges[own])])
         curves = [
             Curve(closed(torque[i]), "whole" if i == worst else "each", "T", name=names[i])
             for i in sorted(own.tolist(), key=lambda i: i == worst)

@@ -58,7 +58,7 @@ def sheet_wear(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
     shown = OneDesign(result, design)
     groups = [[one for one in group if np.all(np.isfinite(one.wear))] for group in _groups(shown)]
     rows = [group[start : start + _ROW] for group in groups for start in range(0, len(group), _ROW)]
-    if not rows:
+    if not any(np.any(one.wear > 0.0) for group in groups for one in group):
         raise InputError([Problem("masses", None, _("give no loads of crank pins, so there is no sheet of wear"))])
     page, box = result_page(result, design, size, _("Wear, and places for oil holes"))
     fitting = rows[: int((box.height - _FOOT) / _LOWEST)]

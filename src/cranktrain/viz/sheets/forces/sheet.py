@@ -99,7 +99,7 @@ def _piston(result: Result, wanted: str | None) -> str | None:
         raise InputError([Problem("--mechanism", wanted, allowed)])
     if wanted is not None or "piston_force" not in result.catalogue:
         return wanted or next(iter(names), None)
-    return next(name for name in names if has_forces(result, name))
+    return next((name for name in names if has_forces(result, name)), next(iter(names), None))
 
 
 def _draw_joints(
