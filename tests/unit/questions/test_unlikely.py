@@ -3,6 +3,7 @@
 Right machines are made up by the proportions that built ones have, from models to slow marine engines.
 """
 
+import numpy as np
 import pytest
 from tests.gas_engines import DUAL_CYCLE
 from tests.similar_machines import similar
@@ -467,12 +468,24 @@ CARELESS = {
         "tool is first met at 0.7",
     ),
     "a load that drives": (DRIVES[0], {"load.belt": ACTIVE}, "belt drives the machine with "),
+    "a load beyond its engine": (
+        {**ONE, "evenness": {"flywheel": "80 kg·m²"}},
+        {"load.mill": {"on": "main", "torque": "9000 N·m"}},
+        "Loads on the shaft take 9000",
+    ),
     "a stage that loses all": (
         DRIVES[0],
         {"drive.stage.0.efficiency": "0.95 %"},
         "A stage with an efficiency of 0.0095 ",
     ),
 }
+
+
+@pytest.mark.parametrize("torque", np.geomspace(0.1, 100, 20).tolist())
+def test_loads_that_an_engine_turns_are_not_asked_about(torque):
+    """This one has a mean torque of some hundred N·m."""
+    load = {"mill": {"on": "main", "torque": f"{torque} N·m"}}
+    assert asked({**ONE, "evenness": {"flywheel": "80 kg·m²"}, "load": load}) == ()
 
 
 @pytest.mark.parametrize("size", [1, 0.1, 7.3])
