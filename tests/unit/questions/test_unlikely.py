@@ -9,6 +9,7 @@ from tests.gas_engines import DUAL_CYCLE
 from tests.similar_machines import similar
 
 import cranktrain as ct
+from cranktrain.cli.check import show_check
 from cranktrain.io.examples import example_names
 
 STEEL = 206e9
@@ -495,3 +496,13 @@ def test_careless_machines_and_those_similar_are_asked_about(name, size):
     (said,) = asked(similar(changed(table, changes), size))
     # Lengths and times are others; what is free of size is the same.
     assert said.startswith(head if size == 1 else head.partition(" ")[0])
+
+
+def test_check_tells_what_is_unlikely(tmp_path, capsys):
+    file = tmp_path / "press.toml"
+    lines = ("[mechanism]", 'kind = "slider_crank"', 'stroke = "6 mm"', 'rod_length = "30 m"')
+    file.write_text("\n".join(lines), encoding="utf-8")
+    show_check(str(file))
+    said = ct.run(ct.Machine(mechanism={"kind": "slider_crank", "stroke": "6 mm", "rod_length": "30 m"})).unlikely
+    assert len(said) == 1
+    assert f"! {said[0]}" in capsys.readouterr().out
