@@ -500,9 +500,11 @@ def test_careless_machines_and_those_similar_are_asked_about(name, size):
 
 def test_check_tells_what_is_unlikely(tmp_path, capsys):
     file = tmp_path / "press.toml"
-    lines = ("[mechanism]", 'kind = "slider_crank"', 'stroke = "6 mm"', 'rod_length = "30 m"')
+    lines = ("[mechanism]", 'kind = "slider_crank"', 'stroke = "6 mm"', 'rod_length = "3.000001 mm"')
     file.write_text("\n".join(lines), encoding="utf-8")
     show_check(str(file))
-    said = ct.run(ct.Machine(mechanism={"kind": "slider_crank", "stroke": "6 mm", "rod_length": "30 m"})).unlikely
+    said = ct.run(
+        ct.Machine(mechanism={"kind": "slider_crank", "stroke": "6 mm", "rod_length": "3.000001 mm"})
+    ).unlikely
     assert len(said) == 1
     assert f"! {said[0]}" in capsys.readouterr().out
