@@ -46,6 +46,7 @@ SLOW = (
     "tests/unit/questions/forces/test_guides.py::test_a_long_guide_is_as_one_without_length",
     "tests/unit/questions/forces/test_guides.py::test_the_shaft_gives_what_both_edges_take",
     "tests/unit/questions/test_doubts.py::test_no_example_is_doubted",
+    "tests/unit/questions/test_unlikely.py",
     "tests/unit/questions/torsion/test_modes.py",
     "tests/unit/synthesis/test_counterweights.py",
     "tests/unit/synthesis/test_knuckle.py::test_run_gives_the_requirements",

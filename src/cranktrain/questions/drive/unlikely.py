@@ -32,6 +32,10 @@ _STAGE_EFFICIENCY = Limit(
 )
 _DRIVES = 1e-6
 """Of what all loads do and take: less work than that is none."""
+_NOTHING = 1e-6
+"""Of the largest size: less is where a load has not begun."""
+_CLOSE = 1e-3
+"""Of the stroke."""
 
 
 @record
@@ -95,13 +99,18 @@ def _first_met(
 ) -> Iterator[str]:
     """Say when all loads of one part together are first met, if it is then at rest or on the way back."""
     size = sum((_size(loaded, load, design, course) for load in loads), start=np.zeros(course.time.shape))
-    begins = np.flatnonzero((size > 0) & (np.roll(size, 1) == 0))
+    acts = size > _NOTHING * np.max(size)
+    begins = np.flatnonzero(acts & ~np.roll(acts, 1))
     way = next((piece.rise for piece in made.wanted.pieces if piece.law is not None), 0.0)
     if not begins.size or way == 0:
         return
     first = int(begins[0])
-    is_at_rest = course.speed[first] == 0 or course.speed[first - 1] == 0
-    speed = made.output.motion(course.angle[first : first + 1]).first[0] * course.speed[first]
+    place = made.output.motion(course.angle)
+    earlier = (first - np.arange(size.size)) % size.size
+    # Nobody can tell a rest just before the work from one at it.
+    is_there = np.abs(place.value[earlier] - place.value[first]) <= _CLOSE * made.output.stroke
+    is_at_rest = bool(np.any((course.speed[earlier] == 0) & np.logical_and.accumulate(is_there)))
+    speed = place.first[first] * course.speed[first]
     # A table of positions may begin anywhere, and has no way out.
     is_back = made.wanted.cubics is None and speed * way < 0
     if not (is_at_rest or is_back):
