@@ -135,6 +135,8 @@ def run_implicitly(
     ImportError
         Where SciPy is not installed.
     """
+    # steps of its own, whose stages may lie far apart, see no rows: each is a corner
+    asked = asked._replace(corners=np.union1d(asked.corners, asked.rows))
     parts, train = joined(kernels, is_compiled), train_of(drive, kernels, is_compiled)
     table = np.full((len(asked.samples), N_STATE), np.nan)
     longest = min(longest_step, 0.02 * asked.limits.end_time)

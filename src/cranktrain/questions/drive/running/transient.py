@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from cranktrain.questions.drive.running.corners import beside, corner_ahead, on_the_way
+from cranktrain.questions.drive.running.corners import beside, corner_ahead, few_ahead, on_the_way
 from cranktrain.questions.drive.running.course import (
     BOUND,
     BREAK,
@@ -184,7 +184,8 @@ def _width_and_landing(asked: Any, course: Any) -> tuple[float, int]:
     """How wide a step is to be tried, and where it should end."""
     here, counts, end_time = course.here, course.counts, asked.limits.end_time
     speed, grown = abs(course.state[1]), here[SENSE] * course.slopes[1]
-    width, landing = min(here[WIDTH], time_over(_LARGEST_TURN, speed, abs(grown))), NOWHERE
+    most = min(_LARGEST_TURN, few_ahead(course.state[0], here[SENSE], asked.rows, asked.period))
+    width, landing = min(here[WIDTH], time_over(most, speed, abs(grown))), NOWHERE
     until, short = end_time, 0.0
     if counts[BREAK] < len(asked.breaks) and asked.breaks[counts[BREAK]] < end_time:
         until, short = asked.breaks[counts[BREAK]], _SHORT_OF_BREAK * end_time
