@@ -8,6 +8,7 @@ from cranktrain.language import _
 from cranktrain.layout.bodies import BodySpec
 from cranktrain.layout.part_tables import nearest_item, table_paths
 from cranktrain.layout.places import PlacedMechanism
+from cranktrain.mechanisms.kind import AnyKind
 from cranktrain.quantities import Given
 from cranktrain.wording import precise
 
@@ -72,12 +73,19 @@ def crank_problems(places: Sequence[PlacedMechanism], given: Bodies) -> Iterator
 
 
 def pin_problems(places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
-    """Find rods on one pin whose cranks have two radii; far pistons of a cylinder have pins of their own."""
+    """Find rods of pistons on one pin whose cranks have two radii; far pistons of a cylinder have their own pins.
+
+    What else a throw drives, a rocker or a yoke, may hang on a crank of its own.
+    """
     for members, _is_main in _throws(places):
         for is_far in (False, True):
-            own = [one for one in members if one.is_far == is_far and one.kind.dynamics.joint("crank_pin") is not None]
+            own = [one for one in members if one.is_far == is_far and _is_rod_of_piston(one.kind)]
             for other in own[1:]:
                 yield from _unlike_radii(own[0], other)
+
+
+def _is_rod_of_piston(kind: AnyKind) -> bool:
+    return kind.has_rod and kind.output == "slider" and kind.dynamics.joint("crank_pin") is not None
 
 
 def _unlike_radii(one: PlacedMechanism, other: PlacedMechanism) -> Iterator[Problem]:
