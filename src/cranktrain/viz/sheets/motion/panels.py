@@ -132,8 +132,10 @@ def _forms(shown: OneDesign) -> dict[str, int]:
 
 def _worst(shown: OneDesign, forms: dict[str, int]) -> str | None:
     """Find the piston with the largest error of acceleration."""
+    if not forms:
+        return None
     errors = shown("acceleration_error")
-    return largest_of(forms, lambda name: float(errors[forms[name], shown.member("piston", name)])) if forms else None
+    return largest_of(forms, lambda name: float(errors[forms[name], shown.member("piston", name)]))
 
 
 def _roles(names: Sequence[str]) -> Iterator[Role]:
