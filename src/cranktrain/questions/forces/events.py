@@ -140,7 +140,7 @@ def _loading(loaded: LoadedMachine) -> Iterator[_Signals]:
             if not isinstance(load.law, ByTravel):
                 yield _of_no_rows(own, along, 1)
                 continue
-            curve = np.minimum(np.arange(1 + load.law.places.shape[1]), 1)
+            curve = np.array([0, *[1] * load.law.places.shape[1]])
             first = ((0, 0), (1, 0))
             levels, misses = np.pad(load.law.places, first), np.pad(load.law.misses, first, constant_values=np.inf)
             yield _Signals(own, along, curve, levels, misses)
