@@ -160,7 +160,6 @@ def run_implicitly(
             reason = ending
     except _StuckError as stuck:
         reason = stuck.reason
-        table[asked.samples == time] = state
     except KeyboardInterrupt:
         if progress is None:
             raise
@@ -168,6 +167,8 @@ def run_implicitly(
     going.ends.append((time, float(state[1])))
     after = machine(state[0], state[1], sense, train.machine)[0]
     residual, supplied = energy_account(drive, (before, after), asked.start, state)
+    ended_at_once = np.isnan(table[:, 0]) & (asked.samples == time)
+    table[ended_at_once] = state
     is_there = ~np.isnan(going.table[:, 0])
     in_order = tuple(sorted(going.events, key=lambda one: one.time))
     reason = endings.TIME_OUT if reason == GOING else reason
