@@ -1,7 +1,9 @@
-"""What the terminal prints, by the command that was typed."""
+"""What the terminal prints, by the command that was typed; as a program, of the commands that come in as JSON."""
 
 import io
+import json
 import shlex
+import sys
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -70,3 +72,7 @@ def shown(command):
     with redirect_stdout(out), redirect_stderr(errors):
         status = main(shlex.split(command))
     return f"{out.getvalue()}{errors.getvalue()}status {status}\n"
+
+
+if __name__ == "__main__":
+    json.dump({command: shown(command) for command in json.load(sys.stdin)}, sys.stdout)

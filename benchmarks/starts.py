@@ -3,7 +3,8 @@
     python benchmarks/starts.py
 
 Both in processor time, in turn in one process, at the same error against a run of a thousandth of the tolerance; a
-thousand starts on two threads by the wall; and a turn at steady speed of machines from their files, one with gas.
+thousand starts on two threads by the wall; a turn at steady speed of machines from their files, one with gas; and of
+a start with a card of many rows.
 """
 
 import json
@@ -30,6 +31,7 @@ from cranktrain.questions.drive.running.reduced import (  # noqa: E402 - below t
     settle,
 )
 from cranktrain.questions.drive.running.runs import run, run_all, wanted  # noqa: E402 - below the path
+from cranktrain.questions.drive.starting import run_start  # noqa: E402 - below the path
 from cranktrain.study.start import parts_and_stages, start_case  # noqa: E402 - below the path
 
 LEAST_RATIO = 20.0
@@ -38,6 +40,8 @@ N_STARTS = 1000
 TURNS = {"compressor_start": 120e-6, "jaw_crusher": 60e-6, "tilting_table": 60e-6}
 """Machines from their files, and how long a turn is to take, with gas and without. [s]"""
 N_TURNS = 50
+ROWS, MOST_TIME_OF_ROWS, MOST_OF_FEW = (360, 3600), 0.1, 12.0
+"""Of a card on the shaft; how long a turn of a start with the longer one may take, and in parts of the shorter. [s]"""
 
 
 def by_hand(machine):
@@ -118,7 +122,9 @@ def main():
         run_all(kernels(), [(drive, asked)] * N_STARTS)
         times.append(perf_counter() - start)
     print(f"{N_STARTS} starts on two threads: {min(times):.3f} s")
-    too_long = [name for name, most in TURNS.items() if time_of_a_turn(name) > most]
+    few, many = (time_with_a_card(n) for n in ROWS)
+    too_long = ["card"] if many > MOST_TIME_OF_ROWS or many > MOST_OF_FEW * few else []
+    too_long += [name for name, most in TURNS.items() if time_of_a_turn(name) > most]
     return len(missed) + (min(times) > MOST_TIME_OF_ALL) + len(too_long)
 
 
@@ -143,6 +149,34 @@ def time_of_a_turn(name):
         times.append((process_time() - start) / turns)
     print(f"a turn of {name}: {min(times) * 1e6:.0f} µs, {done.n_steps / turns:.0f} steps")
     return min(times)
+
+
+def time_with_a_card(n):
+    """A turn of a start, in plain Python as the command runs it, whose load on the shaft has so many rows. [s]"""
+    angles = 360 * np.arange(n) / n
+    torques = 20 + 15 * np.sin(np.radians(angles)) + 6 * np.sin(np.radians(3 * angles))
+    card = {
+        "on": "main",
+        "crank_angles": [f"{at:.6g} deg" for at in angles],
+        "torque": [f"{m!r} N*m" for m in torques.tolist()],
+    }
+    machine = ct.Machine(
+        shaft={"main": {"speed": "1440 rpm"}},
+        mechanism={"kind": "slider_crank", "crank_radius": "40 mm", "rod_length": "150 mm"},
+        masses={"piston": {"mass": "1 kg"}},
+        load={"card": card},
+        drive={
+            "motor": {"kind": "cage", "size": "5.5 kW"},
+            "part": {"wheel": {"on": "motor", "inertia": "0.5 kg*m^2"}},
+        },
+    )
+    case = start_case(*parts_and_stages(machine))
+    start = process_time()
+    found = run_start(case)
+    turns = float(np.ptp(found.whole.crank_angle_turned)) / (2 * np.pi)
+    taken = (process_time() - start) / turns
+    print(f"a turn of a start with a card of {n} rows: {taken * 1e3:.1f} ms, {found.n_steps / turns:.0f} steps")
+    return taken
 
 
 if __name__ == "__main__":

@@ -10,9 +10,9 @@ SLOW = (
     "tests/contract/test_code.py::test_tool_finds_nothing",
     "tests/contract/test_compiled.py",
     "tests/contract/test_designs.py",
-    "tests/contract/test_docs.py::test_blocks_that",
     "tests/contract/test_docs.py::test_all_public_names_stand_in_the_reference",
     "tests/contract/test_docs.py::test_all_results_stand_in_the_table",
+    "tests/contract/test_docs.py::test_blocks_that",
     "tests/contract/test_docs.py::test_equations_are_numbered_as_labelled",
     "tests/contract/test_docs.py::test_formulas_are_for_browsers",
     "tests/contract/test_docs.py::test_pictures_are_there",
@@ -46,12 +46,16 @@ SLOW = (
     "tests/unit/questions/forces/test_guides.py::test_a_long_guide_is_as_one_without_length",
     "tests/unit/questions/forces/test_guides.py::test_the_shaft_gives_what_both_edges_take",
     "tests/unit/questions/test_doubts.py::test_no_example_is_doubted",
+    "tests/unit/questions/test_unlikely.py",
     "tests/unit/questions/torsion/test_modes.py",
     "tests/unit/synthesis/test_counterweights.py",
     "tests/unit/synthesis/test_knuckle.py::test_run_gives_the_requirements",
     "tests/unit/synthesis/test_radial.py::test_reference_case",
     "tests/unit/viz/",
     "tests/validation/",
+    "tests/validation/test_heavy_flywheels.py",
+    "tests/validation/test_motor_corners.py",
+    "tests/validation/test_starts_and_sizing.py",
 )
 """What takes more than a second or two, by the beginning of its name."""
 

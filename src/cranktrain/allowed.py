@@ -1,6 +1,11 @@
-"""What is allowed where pydantic refuses a value, by the type of its error."""
+"""What is allowed where pydantic refuses a value, by the type of its error; and which names a file may give."""
 
-from cranktrain.language import N_
+from typing import Annotated, TypeAlias
+
+from pydantic import AfterValidator
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import N_, _
 
 _TABLE, _LIST = N_("must be a table"), N_("must be a list in [ ]")
 _WHOLE, _NUMBER, _TRUTH = N_("must be a whole number"), N_("must be a number"), N_("must be true or false")
@@ -31,3 +36,18 @@ ALLOWED = {
     "none_required": N_("must be left out"),
     "frozen_instance": N_("must not be changed; make a new one"),
 }
+
+_OF_FORMULAS = ("=", "+", "-", "@", "\t", "\r")
+"""What a spreadsheet takes a cell of a CSV for a formula by, where it is the first character."""
+
+
+def _no_formula(name: str) -> str:
+    """Refuse a name that a spreadsheet would compute."""
+    if name.startswith(_OF_FORMULAS):
+        allowed = _("must not begin with =, +, - or @, which a spreadsheet takes for a formula")
+        raise InputError([Problem("", name, allowed, _("begin with a letter"))])
+    return name
+
+
+Name: TypeAlias = Annotated[str, AfterValidator(_no_formula)]
+"""Key of a table whose keys are names that a file gives, or takes up: they stand in CSV."""

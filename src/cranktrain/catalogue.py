@@ -53,6 +53,12 @@ class Entry:
         return "Hz" if self.name.endswith("frequency") else self.unit
 
     @property
+    def words(self) -> str:
+        """Its name in words; a flywheel moment is called GD², as an inertia has kg·m², too."""
+        words = self.name.replace("_", " ")
+        return words.replace("flywheel moment", "flywheel moment GD²")
+
+    @property
     def is_fact(self) -> bool:
         """Whether it stands for the whole cycle, not for each crank angle."""
         return "crank_angle" not in self.dimensions

@@ -9,11 +9,9 @@ from numpy.typing import NDArray
 
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.quantities import shown
 from cranktrain.record import record
-
-_ALIKE = 1e-9
-"""Values that differ by less, relative, are the same; the first is told."""
 
 
 @record
@@ -106,7 +104,7 @@ def flagged(limit: Limit, values: Array, named: Array | None = None, whose: Sequ
     """
     beyond = np.fmax(np.fmax(values - limit.most, limit.least - values), 0.0)
     if np.any(beyond > 0):
-        worst = int(np.argmax(beyond >= (1 - _ALIKE) * np.max(beyond)))
+        worst = first_largest(beyond)
         told = float(np.ravel(values if named is None else named)[worst])
         written = f"{shown(told, limit.unit):.4g} {limit.unit}" if limit.unit else f"{told:.4g}"
         yield _(limit.sentence).format(value=written, whose=whose[worst % len(whose)])

@@ -10,15 +10,17 @@ import numpy as np
 from pydantic import Field, ValidationError
 
 from cranktrain.all_questions import QUESTIONS
+from cranktrain.allowed import Name
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.faces import face
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.closing import closing_problems
+from cranktrain.layout.crank_bodies import pin_problems
 from cranktrain.layout.design import Design
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
-from cranktrain.layout.load_tables import LoadSpec, LoadTables
+from cranktrain.layout.load_tables import LoadSpec, LoadTables, in_place_of_lists
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
 from cranktrain.layout.shaft_problems import shaft_problems
@@ -89,38 +91,38 @@ class Machine(Spec, frozen=True):
         default=Given(0.0, "0 deg"),
         description=N_("Direction of the mechanism's x axis, from straight up; for a machine with one [mechanism]."),
     )
-    shaft: Mapping[str, ShaftSpec] = Field(
+    shaft: Mapping[Name, ShaftSpec] = Field(
         default={}, description=N_("Shafts by name; the angle of `main` is the crank angle.")
     )
     mechanism: AnyMechanism | None = Field(
         default=None, description=N_("The mechanism of a machine that has only one; otherwise each bank has its own.")
     )
-    bank: Mapping[str, BankSpec] = Field(
+    bank: Mapping[Name, BankSpec] = Field(
         default={}, description=N_("Banks by name; the first one in the file is the first bank.")
     )
     cylinder: CylindersSpec = Field(
         default=CylindersSpec(),
         description=N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),
     )
-    masses: Mapping[str, BodySpec] = Field(
+    masses: Mapping[Name, BodySpec] = Field(
         default={},
         description=N_(
             "Bodies by the part that they are: piston, rod, crank, a chain's own names; a bank may have its own."
         ),
     )
-    friction: Mapping[str, Friction] = Field(
+    friction: Mapping[Name, Friction] = Field(
         default={},
         description=N_(
             'Coefficients of friction by what slides: piston, block, or a chain\'s slider S and its slot, "S.slot".'
         ),
     )
-    guide: Mapping[str, GuideSpec] = Field(
+    guide: Mapping[Name, GuideSpec] = Field(
         default={},
         description=N_(
             "Guides of what slides, by the names of [friction]: how long they are; a bank may have its own."
         ),
     )
-    load: Mapping[str, LoadSpec] = Field(
+    load: Mapping[Name, LoadSpec] = Field(
         default={},
         description=N_("What the machine works against besides gas and weight, by name; a bank may have its own."),
     )
@@ -141,7 +143,7 @@ class Machine(Spec, frozen=True):
         default=None, description=N_("What balances the machine, its flywheel, and how evenly it is to run.")
     )
     crankshaft: CrankshaftSpec | None = Field(default=None, description=N_("The crankshaft's sections and bearings."))
-    gear: Mapping[str, GearSpec] = Field(default={}, description=N_("Gears between shafts, by name, and their teeth."))
+    gear: Mapping[Name, GearSpec] = Field(default={}, description=N_("Gears between shafts, by name, and their teeth."))
     torsion: TorsionSpec | None = Field(
         default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
     )
@@ -199,8 +201,8 @@ class Machine(Spec, frozen=True):
         >>> longer.mechanism.rod_length.text, machine.mechanism.rod_length.text
         ('140 mm', '136 mm')
         """
-        data, _paths = with_values(self.declared, values)
-        data, found = self.files_read(data)
+        data, paths = with_values(self.declared, values)
+        data, found = self.files_read(in_place_of_lists(data, paths))
         refuse(found)
         return type(self)(**data).reading(self.files_read)
 
@@ -329,6 +331,7 @@ class Machine(Spec, frozen=True):
             return found
         with np.errstate(all="ignore"):  # links that cannot close have no motion, which is said beside
             return (
+                *pin_problems(places),
                 *standing_problems(self.shafts, places, self.orientation),
                 *wish_problems(self.design),
                 *(problem for question in QUESTIONS for problem in question.problems(self.design)),

@@ -87,6 +87,17 @@ def decimals_for(size: float, figures: int) -> int:
     return figures - 1 - floor(log10(float(f"{size:.{figures - 1}e}"))) if 0 < size < np.inf else 0
 
 
+def seen(size: float, decimals: int) -> int:
+    """As many decimals as are wanted, or as show the first figure of what is less.
+
+    Examples
+    --------
+    >>> seen(0.006, 2), seen(0.0023, 2)
+    (2, 3)
+    """
+    return decimals if size >= 0.5 * 10.0**-decimals else decimals_for(size, 1)
+
+
 def in_print(sentence: str) -> str:
     """Write the signs and units of a sentence as they are printed: a true minus, dots and powers.
 

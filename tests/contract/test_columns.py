@@ -311,8 +311,10 @@ SAYS_NOTHING = (
 TIED = re.compile(
     r"^shaft\.\w+\.(throws\.\d+|phase)$|^bank\.\w+\.(lead|angle\.0)$|^load\.\w+\.(travel\.0|force(_back)?\.\d+)$"
     r"|^mechanism\.load_radius$|^load\.\w+_card\.radius$"
+    r"|^bank\.\w+\.((exhaust|scavenge)\.)?mechanism\.(0\.)?(crank_radius|stroke|offset)$"
 )
-"""Numbers of opposed pistons that cannot change alone; where a travel begins; forces of 0 that resist; one arc."""
+"""Numbers of opposed pistons that cannot change alone; where a travel begins; forces of 0 that resist; one arc; one
+pin."""
 
 
 def numbers_of(value, path=()):

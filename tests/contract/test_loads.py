@@ -17,7 +17,7 @@ from cranktrain.mechanisms import KINDS
 SORTS = {
     "a force against the motion": {"force": "900 N", "along": "30 mm", "across": "-12 mm"},
     "a weight": {"force": "700 N", "sense": "active", "direction": "200 deg", "along": "25 mm"},
-    "a force along a line": {"force": "800 N", "direction": "35 deg"},
+    "a force along a line": {"force": "800 N", "direction": "35 deg", "along": "0 mm"},
     "a damped point": {"force": "300 N", "at_speed": "1 m/s", "along": "20 mm"},
     "a brake": {"torque": "40 N*m"},
     "a torque": {"torque": "-55 N*m", "sense": "active"},

@@ -20,9 +20,10 @@ OTHER_LIBRARY = 8 * np.finfo(float).eps
 every_motor = pytest.mark.parametrize("motor", MOTORS, ids=lambda motor: motor.name)
 
 
-def without_limit(name, geometry):
-    """An inverter whose torque has no limit: where that begins to hold moves with time."""
-    return geometry._replace(torque_limit=np.inf) if "inverter" in name else geometry
+def in_time(geometry, time):
+    """An inverter on its ramp without its limit of torque: where that begins to hold moves with time."""
+    ramp = getattr(geometry, "ramp", None)
+    return geometry if ramp is None or time > ramp.ramp_time else geometry._replace(torque_limit=np.inf)
 
 
 def test_every_motor_has_an_example_and_a_name_of_its_own():
@@ -70,7 +71,7 @@ def test_designs(motor):
 @pytest.mark.parametrize("time", TIMES)
 def test_between_breaks_it_is_smooth(motor, time):
     """Slopes from both sides agree everywhere else, and there are no jumps."""
-    geometry = without_limit(motor.name, EXAMPLES[motor.name])
+    geometry = in_time(EXAMPLES[motor.name], time)
     # A series motor is its own generator below −R/c.
     speeds = np.linspace(-15.0 if motor.name == "series" else -80.0, 240.0, 2001)
     step = 1e-4
@@ -79,6 +80,20 @@ def test_between_breaks_it_is_smooth(motor, time):
     before, here, after = (motor.torque(speeds + shift, time, geometry) for shift in (-step, 0.0, step))
     bend = np.abs(after - 2 * here + before)[far]
     assert np.max(bend) <= 1e-6 * np.max(np.abs(here))
+
+
+@every_motor
+def test_long_since_it_was_switched_on_breaks_are_all_corners(motor):
+    """A corner or jump between two speeds, wherever it is, makes the torque another one than slopes at both make it."""
+    geometry, step = EXAMPLES[motor.name], 1e-4
+    speeds = np.linspace(-15.0 if motor.name == "series" else -80.0, 240.0, 4001)
+    apart = speeds[1] - speeds[0]
+    before, here, after = (motor.torque(speeds + shift, np.inf, geometry) for shift in (-step, 0.0, step))
+    slopes = (after - before) / (2 * step)
+    bends = np.abs(np.diff(here) / apart - (slopes[1:] + slopes[:-1]) / 2)
+    breaks = [float(speed) for speed in motor.breaks(geometry).speeds if np.isfinite(speed)]
+    beside = [any(low - 2 * step <= at <= low + apart + 2 * step for at in breaks) for low in speeds[:-1].tolist()]
+    assert np.max(bends[~np.array(beside)]) <= 1e-3 * np.max(np.abs(slopes[1:-1]))
 
 
 @every_motor

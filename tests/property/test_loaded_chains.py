@@ -103,7 +103,8 @@ def load_on(random, part):
         {"force": force, **radius, **direction, **sense},
         {"torque": ["1 N*m", "80 N*m", "30 N*m"], "crank_angles": ["10 deg", "130 deg", "300 deg"], **sense},
     ]
-    kinds = on_any + (on_slider if part in SLIDERS else on_link)
+    on_link = [{**one, "along": "0 mm"} for one in on_any] + on_link
+    kinds = on_any + on_slider if part in SLIDERS else on_link
     return {"on": part, **kinds[random.integers(len(kinds))]}
 
 

@@ -30,6 +30,7 @@ from cranktrain.questions.evenness.shaft_work import shaft_work
 from cranktrain.questions.evenness.spec import Balancing, GivenFlywheel, WantedCoefficient
 from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, speed_under_law
 from cranktrain.questions.evenness.speed_over_cycle import steady_speed
+from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.torque.sources import TorqueSources
@@ -138,7 +139,7 @@ def whole_machine(torque, speed, load: dict[str, Any] | None = None, **evenness:
     given = None
     if LoadsOnShafts in known:
         given = load_torque(known[LoadsOnShafts], None, applied, sources, torques, known[Speed], angle)
-    work = shaft_work(applied, sources, given, torques, angle)
+    work = shaft_work(applied, sources, given, known[ForceEvents], torques, known[Speed], angle)
     if WantedCoefficient in known:
         known[FlywheelSize] = flywheel_size(balancing, known[WantedCoefficient], None, None, work, known[Speed])
     if GivenFlywheel in known:

@@ -59,7 +59,7 @@ def _lines(name: str, fact: Fact, labels: Mapping[str, Sequence[str]], n_designs
         if (side := side_of(name)) is not None and np.all(np.any(np.isfinite(values), axis=1)):
             values = (np.nanmin if side == SMALLEST else np.nanmax)(values, axis=1, keepdims=True)
             members = ()
-        said = ", ".join(filter(None, (name.replace("_", " "), "" if method == _EXACT else method)))
+        said = ", ".join(filter(None, (fact.entry.words, "" if method == _EXACT else method)))
         yield f"{said}: {_between(values, fact.entry, members)}"
 
 

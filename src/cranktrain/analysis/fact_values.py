@@ -37,8 +37,7 @@ class FactValues:
     @property
     def name(self) -> str:
         """The fact in words, with whose it is."""
-        words = f"{self.entry.name}, {self.of}" if self.of else self.entry.name
-        return words.replace("_", " ")
+        return f"{self.entry.words}, {self.of.replace('_', ' ')}" if self.of else self.entry.words
 
     @property
     def texts(self) -> tuple[tuple[str, ...], str]:

@@ -12,6 +12,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts
 from cranktrain.motion import Array
 from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.ties import largest_first
 
 FACTS_STEP = np.pi / 180
 """Of the grid from which facts are found. [rad]"""
@@ -75,7 +76,7 @@ def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], s
         for entry in entries(kind)
         if not entry.is_fact
     }
-    worst = sorted((name for name in missed if missed[name] > _COARSE), key=lambda name: -missed[name])
+    worst = largest_first([name for name in missed if missed[name] > _COARSE], missed.__getitem__)
     if not worst:
         return ()
     named = ", ".join(f"{name} ({100 * missed[name]:.0f} %)" for name in worst[:_NAMED])

@@ -12,6 +12,7 @@ from cranktrain.catalogue import Entry
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import falling
 from cranktrain.wording import ranged
 
 _MOST_GROUPS = 3
@@ -149,7 +150,7 @@ def _counted(there: Sequence[Labelled]) -> Sequence[str]:
         if np.all(np.diff(sizes) >= 0.0):
             return members[:_MOST_NUMBERED]
         most = _MOST_NUMBERED if len(there) == 1 else _MOST_OF_EACH
-        largest += [members[place] for place in np.argsort(-sizes, kind="stable")[:most].tolist()]
+        largest += [members[place] for place in falling(sizes)[:most]]
     return list(dict.fromkeys(largest))
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial as with_arguments
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from cranktrain.analysis.stages import STAGES, lacking, leading_to, missing_resu
 from cranktrain.analysis.unused import unused
 from cranktrain.catalogue import entries
 from cranktrain.errors import InputError, Problem
+from cranktrain.how_far import within
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts, Stage
@@ -87,7 +89,8 @@ def run(
     each: list[Result] = []
     for start, end in zip([0, *ends], ends, strict=False):
         of_block = own[start:end] if own.ndim == _BY_DESIGN else speed
-        block = _run(machines[start:end], of_block, step, stages, chosen, has_designs=True)
+        with within(with_arguments(_designs, start + 1, end, len(machines))):
+            block = _run(machines[start:end], of_block, step, stages, chosen, has_designs=True)
         kept = tuple(outcome for outcome in block.outcomes if is_kept(outcome, names))
         each.append(replace(block, outcomes=kept))
     first = each[0]
@@ -98,6 +101,11 @@ def run(
         outcomes=tuple(joined(parts, sizes) for parts in zip(*(block.outcomes for block in each), strict=True)),
         coarse=tuple(dict.fromkeys(said for block in each for said in block.coarse)),
     )
+
+
+def _designs(first: int, last: int, n_designs: int) -> str:
+    """Which of many designs are worked on."""
+    return _("designs {first} to {last} of {n}").format(first=first, last=last, n=n_designs)
 
 
 def _run(

@@ -1,8 +1,9 @@
 """Stages in the order in which they can run: all that a machine allows, and in words what it lacks for the others."""
 
+import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, is_dataclass
-from functools import cache
+from functools import cache, partial
 from graphlib import TopologicalSorter
 from typing import cast
 
@@ -13,6 +14,7 @@ from cranktrain.all_questions import QUESTIONS
 from cranktrain.brief import brief_fields
 from cranktrain.catalogue import entries
 from cranktrain.grouping import grouped
+from cranktrain.how_far import say_how_far
 from cranktrain.language import _
 from cranktrain.layout.question import Stage
 from cranktrain.mechanisms import KINDS
@@ -114,14 +116,25 @@ def run_stages(stages: Sequence[Stage], parts: Mapping[type, object], absent: Co
     seen: set[int] = set()
     for part in parts.values():
         _freeze(part, seen)
-    for one in ordered(tuple(stages)):
-        if one.gives not in absent:
-            # NaN stands for links that cannot close, and is no news.
-            with np.errstate(all="ignore"):
-                outcome = one.function(**{name: known.get(need) for name, need in one.needs.items()})
-            _freeze(outcome, seen)
-            known[one.gives] = outcome
+    in_order = [one for one in ordered(tuple(stages)) if one.gives not in absent]
+    for place, one in enumerate(in_order, start=1):
+        say_how_far(partial(_how_far, place, len(in_order), one.gives))
+        # NaN stands for links that cannot close, and is no news.
+        with np.errstate(all="ignore"):
+            outcome = one.function(**{name: known.get(need) for name, need in one.needs.items()})
+        _freeze(outcome, seen)
+        known[one.gives] = outcome
     return {one.gives: known[one.gives] for one in stages if one.gives in known}
+
+
+def spoken(outcome: type) -> str:
+    """Name of a result in words: `DeadCentres` are dead centres."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", outcome.__name__).lower()
+
+
+def _how_far(place: int, n_stages: int, outcome: type) -> str:
+    """Which result is worked on."""
+    return _("{place} of {n}, {name}").format(place=place, n=n_stages, name=spoken(outcome))
 
 
 def missing_results(stages: Sequence[Stage], absent: Mapping[type, tuple[str, ...]]) -> tuple[Missing, ...]:

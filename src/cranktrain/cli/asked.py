@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from cranktrain.cli.how_far import says_how_far
 from cranktrain.errors import Position, Problem, problems_as
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.record import record
@@ -52,7 +53,8 @@ class AskedAtSpeed(Asked):
 
     def result(self, file: MachineFile, **options: Any) -> "Result":
         """Compute; `options` as `run` of the analysis takes them."""
-        return computed(file, speed=self.speed, partial=self.is_partial, **options)
+        with says_how_far():
+            return computed(file, speed=self.speed, partial=self.is_partial, **options)
 
     def _at_curve(self, problem: Problem) -> Problem:
         """Put what is wrong with the name of a speed curve to its option; what stands in a file stays there."""

@@ -8,6 +8,7 @@ from rich.text import Text
 from cranktrain.analysis import Result, sentences
 from cranktrain.analysis.comparison import Comparison, compared
 from cranktrain.cli.asked import Asked, units_asked_for
+from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.screen.text import page
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
@@ -128,7 +129,8 @@ def _read(request: CompareRequest) -> tuple[MachineFile, MachineFile]:
 
 def _computed(files: tuple[MachineFile, MachineFile], request: CompareRequest) -> tuple[Result, Result]:
     """Compute both."""
-    one, other = (computed(file, partial=request.is_partial, quantities=request.quantities) for file in files)
+    with says_how_far():
+        one, other = (computed(file, partial=request.is_partial, quantities=request.quantities) for file in files)
     return one, other
 
 

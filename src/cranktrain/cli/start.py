@@ -1,17 +1,19 @@
 """`start`: run a machine with its motor over time, write it where asked, and show what became of it."""
 
-import sys
 from collections.abc import Iterator
+from functools import partial as with_arguments
 from pathlib import PurePath
 
 import numpy as np
 from rich.text import Text
 
 from cranktrain.cli.asked import Asked, units_asked_for
+from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.text import page, show_lines
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.how_far import say_how_far
 from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import write_whole
@@ -19,7 +21,6 @@ from cranktrain.io.start_tables import SUFFIXES, start_csv, start_json
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.quantities import shown_as_in, shown_by, unlisted
-from cranktrain.questions.drive.running.runs import Progress
 from cranktrain.record import record
 from cranktrain.study.start import Start, start
 from cranktrain.wording import number
@@ -43,9 +44,8 @@ def show_start(request: StartRequest) -> None:
     asked = units_asked_for(request.units)
     file = read_machine(request.file, request.settings)
     with shown_as_in(units_of(file.machine)), shown_by(asked):
-        with problems_as(file.document.located):
-            found = start(file.machine, progress=_progress())
-        _end_progress()
+        with problems_as(file.document.located), says_how_far():
+            found = start(file.machine, progress=_progress)
         if request.output is not None:
             _write(found, file, request, suffix)
             print(_("written: {name}").format(name=one_line(request.output)))
@@ -102,20 +102,11 @@ def _event_lines(found: Start, request: StartRequest) -> Iterator[str]:
         yield _("  and {n} more: --full shows all").format(n=len(events) - len(shown))
 
 
-def _progress() -> Progress | None:
-    """Tell a terminal how far a run has come, which Ctrl-C then ends."""
-    if not sys.stderr.isatty():
-        return None
-
-    def tell(now: float, angle: float, speed: float) -> None:
-        words = _("{time:.3f} s, {turns:.2f} turns, {speed}   (Ctrl-C ends it)")
-        line = words.format(time=now, turns=angle / (2 * np.pi), speed=number(speed, "rpm"))
-        print(f"{line:<60}", end="\r", file=sys.stderr, flush=True)
-
-    return tell
+def _progress(now: float, angle: float, speed: float) -> None:
+    """Say how far a run has come, which Ctrl-C then ends."""
+    say_how_far(with_arguments(_how_far, now, angle, speed))
 
 
-def _end_progress() -> None:
-    """Clear the line on which a terminal was told."""
-    if sys.stderr.isatty():
-        print(" " * 60, end="\r", file=sys.stderr, flush=True)
+def _how_far(now: float, angle: float, speed: float) -> str:
+    words = _("{time:.3f} s, {turns:.2f} turns, {speed}   (Ctrl-C ends it)")
+    return words.format(time=now, turns=angle / (2 * np.pi), speed=number(speed, "rpm"))

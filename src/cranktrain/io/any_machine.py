@@ -10,6 +10,7 @@ from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.io.curve_files import with_curves
 from cranktrain.io.machine_file import SET, load_with
 from cranktrain.language import _
+from cranktrain.layout.load_tables import in_place_of_lists
 from cranktrain.machine import Machine
 from cranktrain.paths import parts_of, with_values
 from cranktrain.record import record
@@ -143,8 +144,8 @@ def _of_tables(tables: Mapping[str, object], values: Mapping[str, object]) -> Ma
     if wrong:
         raise InputError([Problem("machine", str(wrong[0]), _("is no name of a table"))])
     with problems_as(_of_set(values)):
-        data, _paths = with_values(dict(tables), values)
-        filled, found = _here(data)
+        data, paths = with_values(dict(tables), values)
+        filled, found = _here(in_place_of_lists(data, paths))
         refuse(found)
         return Machine(**filled).reading(_here)
 

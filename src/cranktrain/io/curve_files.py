@@ -8,6 +8,7 @@ from typing import cast
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.io.examples import EXAMPLES_FOLDER
 from cranktrain.io.files import content_of, refusal
 from cranktrain.language import _
 from cranktrain.layout.parts import FILES
@@ -55,6 +56,7 @@ def curve_text(path: Path, name: str, noun: str) -> str:
             limit=LARGEST_FILE // 2**20, noun=_(noun)
         ),
         folder=_("is a folder, not {noun}").format(noun=_(noun)),
+        says_where=True,
     )
     encoding = _WIDE.get(content[:2])
     if encoding is None and b"\0" in content:
@@ -75,7 +77,8 @@ def with_curves(data: Mapping[str, object], folder: Path) -> tuple[dict[str, obj
     data : mapping
         The tables of a machine file.
     folder : Path
-        Where the machine file is: the paths of the others are relative to it.
+        Where the machine file is: the paths of the others are relative to it. Beside an example are its own files
+        alone; others are relative to the working folder.
 
     Returns
     -------
@@ -126,5 +129,19 @@ def _filled(data: dict[str, object], parts: tuple[str, ...], curve: TableFile, f
     if not isinstance(file, str) or table.get("kind") != curve.kind or table.get("text") is not None:
         return data
     with problems_as(lambda problem: replace(problem, path=f"{path}.file", given=file, position=None)):
-        text = curve_text(folder / file, file, curve.noun)
+        text = curve_text(_place_of(file, folder), file, curve.noun)
     return cast("dict[str, object]", replaced(data, (*parts, "text"), text))
+
+
+def _place_of(file: str, folder: Path) -> Path:
+    """Where a file is that a table names."""
+    beside = folder / file
+    return Path(file) if folder == EXAMPLES_FOLDER and not _is_there(beside) else beside
+
+
+def _is_there(path: Path) -> bool:
+    """Whether there is a file; of a name that no file can have none."""
+    try:
+        return path.exists()
+    except ValueError:
+        return False

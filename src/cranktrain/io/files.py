@@ -10,7 +10,9 @@ from cranktrain.errors import InputError, Position, Problem
 from cranktrain.language import _
 
 
-def content_of(path: Path, name: str, largest: int, *, suffix: str, too_large: str, folder: str) -> bytes:
+def content_of(
+    path: Path, name: str, largest: int, *, suffix: str, too_large: str, folder: str, says_where: bool = False
+) -> bytes:
     """Read the bytes of a file that is not too large.
 
     Parameters
@@ -24,6 +26,8 @@ def content_of(path: Path, name: str, largest: int, *, suffix: str, too_large: s
         Of the files that may have been meant, where a folder is named.
     too_large, folder : str
         What is said of a larger file, and of a folder.
+    says_where : bool
+        Whether to say in which folder it is not, where `name` is relative to another folder than the user's.
 
     Returns
     -------
@@ -46,7 +50,7 @@ def content_of(path: Path, name: str, largest: int, *, suffix: str, too_large: s
             with path.open("rb") as file:
                 content = file.read(largest + 1)  # a device does not tell its size
     except OSError as error:
-        raise _unreadable(path, name, error) from None
+        raise _unreadable(path, name, error, says_where=says_where) from None
     except InputError:
         raise
     except ValueError:  # a NUL or half a character in the name
@@ -88,13 +92,14 @@ def refusal(name: str, allowed: str, repair: str | None = None, position: Positi
     return InputError([Problem("", None, allowed, repair, position or Position(name))])
 
 
-def _unreadable(path: Path, name: str, error: OSError) -> InputError:
+def _unreadable(path: Path, name: str, error: OSError, *, says_where: bool) -> InputError:
     """Say why a file could not be read."""
     if error.errno == errno.ENOENT:
         if not path.parent.is_dir():
             return refusal(name, _("there is no folder {folder}").format(folder=path.parent))
         near = difflib.get_close_matches(path.name, _files(path.parent), n=1)
-        return refusal(name, _("there is no such file"), _("is it {name}?").format(name=near[0]) if near else None)
+        looked = _("it was looked for in {folder}").format(folder=path.parent.resolve()) if says_where else None
+        return refusal(name, _("there is no such file"), _("is it {name}?").format(name=near[0]) if near else looked)
     if error.errno in (errno.EACCES, errno.EPERM):
         return refusal(name, _("may not be read"), _("change its permissions (or its folder's), or copy it"))
     return refusal(name, _("cannot be read: {reason}").format(reason=error.strerror))

@@ -12,6 +12,7 @@ from cranktrain.io.curve_files import with_curves
 from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near
 from cranktrain.language import _
+from cranktrain.layout.load_tables import in_place_of_lists
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.spec import LISTS
@@ -137,7 +138,7 @@ def _checked(data: Mapping[str, object], folder: Path, origin: Origin, *, partia
     """Make a machine of its tables, with all that is wrong at its place."""
     # A curve that cannot be read is one problem among the others.
     read = with_arguments(with_curves, folder=folder)
-    filled, found = read(data)
+    filled, found = read(in_place_of_lists(data, origin.paths))
     try:
         machine = Machine(**cast("dict[str, Any]", filled)).reading(read)
         found = (*found, *machine_problems(machine, partial=partial))

@@ -1,6 +1,6 @@
 """Over which crank angles the links of a machine cannot close, by how much, and what would help."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -29,18 +29,36 @@ def closing_problems(places: Sequence[PlacedMechanism], zero: Array) -> tuple[Pr
     """
     alike = grouped(((place.path, place.geometry), place) for place in places)
     with np.errstate(all="ignore"):
-        ranges = [(place, open_ranges(place.kind, place.geometry)) for place, *_like in alike.values()]
-        stuck = {place.geometry for place, found in ranges if found}
+        open_places = [place for place, *_like in alike.values() if open_ranges(place.kind, place.geometry)]
+        stuck = {place.geometry for place in open_places}
         return tuple(
-            _closing_problem(place, found, zero)
-            for place, found in ranges
+            problem
+            for place in open_places
             # A slave on a master that cannot close says nothing of its own.
-            if found and getattr(place.geometry, "master", None) not in stuck
+            if getattr(place.geometry, "master", None) not in stuck
+            for problem in _closing_problems(place, zero)
         )
 
 
-def _closing_problem(place: PlacedMechanism, ranges: Sequence[OpenRange], zero: Array) -> Problem:
-    """Say where one mechanism cannot close, by how much, and what would help."""
+def _closing_problems(place: PlacedMechanism, zero: Array) -> Iterator[Problem]:
+    """Say of each part of a mechanism where it cannot close, or of the whole where it has none."""
+    kind, geometry = place.kind, place.geometry
+    said = kind.closing_advice(geometry)
+    if isinstance(said, str):
+        find = kind.closing_field
+        field = find if isinstance(find, str) else find(place.spec, geometry)
+        yield _closing_problem(place, field, said, open_ranges(kind, geometry), zero)
+        return
+    for part in said:
+        ranges = open_ranges(kind, geometry, part.gap)
+        if ranges:
+            yield _closing_problem(place, part.field, part.advice, ranges, zero)
+
+
+def _closing_problem(
+    place: PlacedMechanism, field: str, advice: str, ranges: Sequence[OpenRange], zero: Array
+) -> Problem:
+    """Say where a mechanism or a part of it cannot close, by how much, and what would help."""
     short = number(max(one.short for one in ranges), "mm")
     if ranges[0].end - ranges[0].start >= 2 * np.pi:
         allowed = _("the links can close at no crank angle (short by {short}); {advice}")
@@ -48,8 +66,6 @@ def _closing_problem(place: PlacedMechanism, ranges: Sequence[OpenRange], zero: 
         allowed = _("the links lie in one line at crank angle {angles}, and the crank cannot pass; {advice}")
     else:
         allowed = _("the links cannot close at crank angles {angles} (short by {short}); {advice}")
-    find = place.kind.closing_field
-    field = find if isinstance(find, str) else find(place.spec, place.geometry)
     given: Given | None = getattr(place.spec, field, None)
     return Problem(
         place.path_of(field),
@@ -59,7 +75,7 @@ def _closing_problem(place: PlacedMechanism, ranges: Sequence[OpenRange], zero: 
                 _span(one.start - place.phase - zero, one.end - place.phase - zero) for one in ranges
             ),
             short=short,
-            advice=place.kind.closing_advice(place.geometry),
+            advice=advice,
         ),
     )
 

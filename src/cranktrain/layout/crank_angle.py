@@ -50,10 +50,10 @@ class CrankAngle:
         return within(angle - self.zero, period)
 
 
-def within(angle: Array, period: float) -> Array:
+def within(angle: Array, period: float, rounding: float = _ROUNDING) -> Array:
     """Bring angles into [0, period); what rounding put just before the period's end stands at its start. [rad]"""
     counted = np.mod(angle, period)
-    return np.where(period - counted < _ROUNDING, 0.0, counted)
+    return np.where(period - counted < rounding, 0.0, counted)
 
 
 def orders(cycle: float) -> Array:

@@ -12,6 +12,7 @@ from cranktrain.layout.cycle_table import CycleFileSpec, Words, given_curve
 from cranktrain.layout.load_heads import SORTS, LoadHeads, Over, Sort, load_heads
 from cranktrain.layout.load_ways import round_trip, side_by_side
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.quantities import Dimension, Given, read
 
 
@@ -113,8 +114,8 @@ def load_card(file: str, text: str | None, columns: tuple[int, ...] | None) -> L
         places=_given(places, heads.place_unit, dimension),
         out=_given(out, heads.units[0], SORTS[heads.sort]),
         back=_given(back, heads.units[-1], SORTS[heads.sort]),
-        first=table.position(int(np.argmin(travel)), heads.where),
-        last=table.position(int(np.argmax(travel)), heads.where),
+        first=table.position(first_smallest(travel), heads.where),
+        last=table.position(first_largest(travel), heads.where),
         negative=_negative(table, heads),
     )
 

@@ -1,6 +1,6 @@
 """Loads: what a machine works against, or what drives it besides the gas; their tables of the machine file."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import Annotated, ClassVar, Literal, TypeAlias, cast
@@ -12,6 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.listed import OneOrMany
 from cranktrain.layout.load_card import LoadCard, load_card
 from cranktrain.layout.load_heads import Sort
+from cranktrain.paths import PathParts, path_text, replaced, value_at
 from cranktrain.quantities import (
     Angle,
     Dimension,
@@ -97,7 +98,8 @@ class LoadSpec(Spec, frozen=True):
         description=N_("Of a force, from the mechanism's x in the sense of rotation; of a slider's along its guide."),
     )
     along: Length | None = Field(
-        default=None, description=N_("Where a force acts: from the link's first pin toward its second.")
+        default=None,
+        description=N_("Where a force acts: from the link's first pin toward its second; a force on a link needs it."),
     )
     across: Length | None = Field(default=None, description=N_("Where a force acts: to the left of the line of pins."))
     radius: Length | None = Field(
@@ -289,6 +291,30 @@ class LoadSpec(Spec, frozen=True):
 def with_lists(spec: LoadSpec, lists: Mapping[str, object]) -> LoadSpec:
     """Give a load whose file holds some lists these as its own, unchecked: the file was."""
     return cast("LoadSpec", BaseModel.model_copy(spec, update=lists))
+
+
+def in_place_of_lists(data: Mapping[str, object], paths: Sequence[PathParts]) -> dict[str, object]:
+    """Take the lists out of tables of loads whose file was set: it stands in their place.
+
+    Parameters
+    ----------
+    data : mapping
+        The tables of a machine, with what was set.
+    paths : sequence of tuple of str and int
+        What was set; lists among it stay.
+
+    Returns
+    -------
+    dict
+    """
+    found: object = data
+    for path in paths:
+        above, table = path[:-1], value_at(data, path_text(path[:-1]))
+        if path[-1:] == ("file",) and path[-3:-2] == ("load",) and isinstance(table, Mapping):
+            own = cast("Mapping[str, object]", table)
+            kept = {key: value for key, value in own.items() if key not in OF_LISTS or (*above, key) in paths}
+            found = replaced(found, above, kept)
+    return dict(cast("Mapping[str, object]", found))
 
 
 LoadTables: TypeAlias = Mapping[str, Mapping[str, LoadSpec]]

@@ -36,7 +36,7 @@ def round_trip(table: NumberTable, heads: LoadHeads) -> BothWays:
     leaves = (travel[:n_rows] == least) & (np.roll(travel[:n_rows], -1) != least)
     rows = np.roll(np.arange(n_rows), -int(np.flatnonzero(leaves)[0]))
     turned = travel[rows]
-    top = int(np.argmax(turned))
+    top = int(np.argmax(turned == most))
     leaves_top = top + int(np.argmax(turned[top:] != most)) - 1 if turned[-1] != most else n_rows - 1
     ends = [k for k in range(leaves_top + 1, n_rows) if turned[k] == least]
     out, back = rows[: top + 1], np.append(rows[leaves_top : ends[0] if ends else n_rows], rows[ends[0] if ends else 0])

@@ -11,13 +11,14 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadState
+from cranktrain.layout.load_stretch import WIDEST, Stretch, stretched, travel_of
 from cranktrain.layout.load_tables import AT_POINT, LoadSpec, LoadTables, with_lists
 from cranktrain.layout.part_tables import SLIDER, part_name, table_paths
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off_arc, pushing, turning, with_motion
 from cranktrain.linkage.vectors import Vector, rotated
+from cranktrain.mechanisms.kind import AnyGeometry
 from cranktrain.motion import ONE, ZERO, Array, Link
-from cranktrain.numerics import extremes
 from cranktrain.numerics.nested import by_design, mapped
 from cranktrain.quantities import Dimension, Given, nearest, unit_of
 from cranktrain.record import record
@@ -44,6 +45,8 @@ class LinkLoad(NamedTuple):
     is_slider, is_torque, resists : bool
     law : Law
         Of its size. [N or N·m]
+    stretch : Stretch or None
+        Of a card over a travel, which the law has on already.
     counts : float
         −1 where its travel counts against its way.
     arm : Vector of arrays of shape (design, 1, 1)
@@ -59,6 +62,7 @@ class LinkLoad(NamedTuple):
     is_torque: bool
     resists: bool
     law: Law
+    stretch: Stretch | None
     counts: float
     arm: Vector
     radius: Array | None
@@ -122,12 +126,35 @@ def loads_of(designs: Designs, together: LoadTables) -> Loads | None:
         for path, named in together.items()
     }
     found = [
-        _link_load(designs.by_design, name if len(designs.places) == 1 else f"{place.name}.{name}", spec, i, place)
+        _stretched(
+            _link_load(designs.by_design, name if len(designs.places) == 1 else f"{place.name}.{name}", spec, i, place),
+            spec,
+            place,
+        )
         for i, place in enumerate(designs.places)
         for name, spec in _named_loads(place, tables).items()
         if _link_of(place, spec.on) is not None
     ]
     return Loads(tuple(found), designs.crank_angle.zero) if found else None
+
+
+def _stretched(load: LinkLoad, spec: LoadSpec, place: PlacedMechanism) -> LinkLoad:
+    """A load whose card, if it has one over a travel, is stretched over that of its part."""
+    if spec.file is None or spec.over is None or not isinstance(load.law, ByTravel):
+        return load
+    over, places = spec.over
+    geometry = mapped(lambda _name, part: np.reshape(part, (-1, 1, 1)), place.geometry)
+    phase = np.reshape(place.phase, (-1, 1, 1))
+    whole = travel_of(lambda phi: _way(load, place, phi + phase, geometry))[:, 0]
+    unit = unit_of(places[-1], Dimension.LENGTH if over == "travel" else Dimension.ANGLE)
+    stretch = Stretch(load.law.places[:, -1:], whole, unit)
+    return load._replace(law=stretched(load.law, stretch), stretch=stretch)
+
+
+def _way(load: LinkLoad, place: PlacedMechanism, angle: Array, geometry: AnyGeometry) -> LoadWay:
+    """Along what a load goes, at angles of its mechanism's crank."""
+    motion = place.kind.motion(angle, geometry)
+    return load.way(place.kind.dynamics.links(motion, geometry)[load.link])
 
 
 def is_on_shaft(path: str, spec: LoadSpec, shafts: Container[str]) -> bool:
@@ -179,6 +206,7 @@ def _link_load(laid: Laid, name: str, spec: LoadSpec, mechanism: int, place: Pla
         is_torque=spec.torque is not None,
         resists=spec.sense == "resisting",
         law=law_of(laid, spec, 1.0 if spec.sense == "resisting" else turned),
+        stretch=None,
         arm=Vector(each(ZERO) if along is None else along, each(ZERO) if across is None else across),
         counts=1.0 if spec.counts == "with" else -1.0,
         radius=given(spec.radius, place.sense),
@@ -275,18 +303,42 @@ def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism])
             at_pin = _("is for a link; without a direction a force on a slider goes through its pin")
             given = ((name, getattr(spec, name)) for name in AT_POINT)
             yield from (Problem(f"{where}.{name}", one.text, at_pin) for name, one in given if one is not None)
-    elif spec.force is not None and spec.direction is None and spec.radius is None:
-        if spec.sense == "active":
-            yield Problem(f"{where}.direction", None, _("is missing; a force on a link needs it, or a radius"))
-        if spec.travel is not None:
-            yield Problem(f"{where}.travel", None, _("needs a direction or a radius, along which it is counted"))
-            return
+    elif _is_force(spec) and spec.radius is None:
+        if spec.along is None:
+            yield _no_place(where, spec, place)
+        if spec.direction is None:
+            if spec.sense == "active":
+                yield Problem(f"{where}.direction", None, _("is missing; a force on a link needs it, or a radius"))
+            if spec.travel is not None:
+                yield Problem(f"{where}.travel", None, _("needs a direction or a radius, along which it is counted"))
+                return
     if (spec.travel or spec.swing) is not None:
         for own in places:
             if _link_of(own, spec.on) is not None:
                 yield from _travel_problems(where, spec, own)
 
 
+def _is_force(spec: LoadSpec) -> bool:
+    """Whether its sizes, or those of its file, are forces."""
+    return spec.force is not None or (spec.card is not None and spec.card.sort == "force")
+
+
+def _no_place(where: str, spec: LoadSpec, place: PlacedMechanism) -> Problem:
+    """Say how to tell where on a link a force acts: by the link's line of pins, or by a point that is followed."""
+    allowed = _(
+        'is missing: where on the {link} the force acts. Write along = "200 mm", from its first pin toward its second'
+        ' ("0 mm" is that pin), or put the force on a point: on = "{point}"'
+    )
+    own = [name for name, point in place.spec.points.items() if part_name(point.link) == spec.on]
+    repair = None
+    if not own:
+        repair = _('declare that by [mechanism.points.{point}] with link = "{link}", along = "200 mm", across = "0 mm"')
+        repair = repair.format(point=_POINT, link=spec.on)
+    return Problem(f"{where}.along", None, allowed.format(link=spec.on, point=own[0] if own else _POINT), repair)
+
+
+_POINT = "seat"
+"""Name of a point in an example of what to write."""
 _AROUND = 73
 """Places around a turn at which links are asked whether they close."""
 
@@ -299,8 +351,7 @@ def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iter
     load = _link_load(partial(by_design, n_designs=1), "", spec, 0, place)
 
     def way(phi: Array) -> LoadWay:
-        motion = place.kind.motion(phi + place.phase, place.geometry)
-        return load.way(place.kind.dynamics.links(motion, place.geometry)[load.link])
+        return _way(load, place, phi + place.phase, place.geometry)
 
     turn = np.ravel(way(np.array([0.0, 2 * np.pi])).place)
     if not abs(turn[-1] - turn[0]) < 1.0:
@@ -311,14 +362,17 @@ def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iter
         around = way(np.linspace(0.0, 2 * np.pi, _AROUND)).place
     if not np.all(np.isfinite(around)):
         return  # told as links that do not close
-    least, most = extremes(lambda phi: np.ravel(way(phi).place), lambda phi: np.ravel(way(phi).rate))
-    whole = float(most.value[0] - least.value[0])
-    if given and given[0].si != 0.0:
+    if not given:
+        return
+    whole = float(np.ravel(travel_of(way))[0])
+    if given[0].si != 0.0:
         yield Problem(f"{where}.{name}[0]", given[0].text, _("must be 0, where the travel begins"))
-    if given and given[-1].si < whole * (1 - _COVERED):
-        allowed = _("must go as far as the part goes, {whole}").format(
-            whole=precise(whole, unit_of(given[-1], dimension))
-        )
+    is_card, off = spec.file is not None, given[-1].si / whole - 1
+    if abs(off) > WIDEST if is_card else off < -_COVERED:
+        allowed = _("must go as far as the part goes, {whole}")
+        if is_card:
+            allowed = _("must go as far as the part goes, {whole}, or within 2 % of that, to be stretched")
+        allowed = allowed.format(whole=precise(whole, unit_of(given[-1], dimension)))
         yield Problem(f"{where}.{name}", given[-1].text, allowed)
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
+from cranktrain.layout.crank_bodies import CRANK, crank_bodies, crank_problems
 from cranktrain.layout.frames import Orientation, frame_of
 from cranktrain.layout.guide_tables import Edges, bearing_moments, edges_of
 from cranktrain.layout.part_tables import PISTON, SLIDER, nearest_item, part_name, table_paths, unknown_parts
@@ -19,7 +20,6 @@ from cranktrain.quantities import Given
 from cranktrain.record import record
 from cranktrain.wording import precise
 
-_CRANK = "crank"
 _TABLE = "masses"
 _LEAST_GYRATION, _MOST_GYRATION = 0.1, 1.0
 """Radius of gyration, in lengths of the link, beyond which its inertia is flagged: a bar has 0.29, two masses 0.5."""
@@ -54,6 +54,8 @@ class Masses:
         Rods whose inertia is that of two masses at their ends, as none is given.
     doubtful : tuple of str
         Links whose inertia hardly any body of their mass and length has.
+    unused : tuple of str
+        Paths of bodies that no part has, as others stand in their place.
     """
 
     needs: ClassVar[str] = N_("[masses]")
@@ -63,6 +65,7 @@ class Masses:
     weightless: tuple[str, ...]
     assumed: tuple[str, ...]
     doubtful: tuple[str, ...]
+    unused: tuple[str, ...]
 
     @property
     def has_friction(self) -> bool:
@@ -116,6 +119,7 @@ def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> Iterator
             ]
             if own:
                 yield from _body_problems(f"{path}.{name}", name, body, own)
+    yield from crank_problems(places, given.bodies)
     slides = _("must be what slides in a guide or a slot: {parts}")
     yield from unknown_parts(
         places, "friction", {"friction": given.friction}, lambda dynamics: dynamics.sliding, slides
@@ -154,14 +158,10 @@ def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[Place
 
 def masses_of(places: Sequence[PlacedMechanism], given: Weighed, n_designs: int) -> Masses:
     """Stack the bodies of designs of one machine by kind, as `mechanisms_of` does."""
+    cranks = crank_bodies(places, given.bodies)
     batches = [
         stacked(
-            [
-                _place_masses(place, given, has_crank=_carries_crank(places, i))
-                for i, place in enumerate(places)
-                if place.kind == kind
-            ],
-            n_designs,
+            [_place_masses(place, given, cranks.get(place.name)) for place in places if place.kind == kind], n_designs
         )
         for kind in dict.fromkeys(place.kind for place in places)
     ]
@@ -169,8 +169,11 @@ def masses_of(places: Sequence[PlacedMechanism], given: Weighed, n_designs: int)
         (place, part, nearest_item(place, part, _TABLE, given.bodies))
         for place in places
         for part in place.kind.dynamics.moving
-        if part != _CRANK
+        if part != CRANK
     ]
+    used = [spec for _place, _part, spec in moving] + [*cranks.values()]
+    # Of banks that say the same of a throw they share each is right.
+    used += [bodies[CRANK] for path, bodies in given.bodies.items() if path != _TABLE and CRANK in bodies]
     return Masses(
         tuple(batches),
         are_given=bool(given.bodies),
@@ -184,6 +187,12 @@ def masses_of(places: Sequence[PlacedMechanism], given: Weighed, n_designs: int)
             f"{place.name}.{part}"
             for place, part, spec in moving
             if spec is not None and not _has_likely_inertia(place, part, spec)
+        ),
+        unused=tuple(
+            f"{path}.{name}"
+            for path, bodies in given.bodies.items()
+            for name, body in bodies.items()
+            if all(body is not one for one in used)
         ),
     )
 
@@ -199,26 +208,13 @@ def _has_likely_inertia(place: PlacedMechanism, part: str, spec: BodySpec) -> bo
     return bool(np.all((body.inertia == 0) | is_likely))
 
 
-def _carries_crank(places: Sequence[PlacedMechanism], index: int) -> bool:
-    """Whether the throw's own body counts with this mechanism: the first on it that has a crank."""
-    place = places[index]
-    on_throw = [
-        i
-        for i, other in enumerate(places)
-        if (other.shaft, other.throw) == (place.shaft, place.throw) and _CRANK in other.kind.dynamics.moving
-    ]
-    return on_throw[:1] == [index]
-
-
-def _place_masses(place: PlacedMechanism, given: Weighed, *, has_crank: bool) -> MechanismMasses:
-    """Bodies, gravity, friction and guides of one mechanism."""
+def _place_masses(place: PlacedMechanism, given: Weighed, crank: BodySpec | None) -> MechanismMasses:
+    """Bodies, gravity, friction and guides of one mechanism, with the body of its throw if that counts with it."""
     dynamics = place.kind.dynamics
     nothing = Body(ZERO, ZERO, ZERO, ZERO)
+    specs = [crank if part == CRANK else nearest_item(place, part, _TABLE, given.bodies) for part in dynamics.moving]
     bodies = tuple(
-        nothing
-        if (part == _CRANK and not has_crank) or (spec := nearest_item(place, part, _TABLE, given.bodies)) is None
-        else _body(place, part, spec)
-        for part in dynamics.moving
+        nothing if spec is None else _body(place, part, spec) for part, spec in zip(dynamics.moving, specs, strict=True)
     )
     return MechanismMasses(
         bodies,

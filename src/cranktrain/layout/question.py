@@ -108,6 +108,8 @@ class ResultDimension(NamedTuple):
     own : int, optional
         Of a dimension whose members are rivals, each another answer to one question, as methods are: the place of the
         one that is meant where none is named. No table takes anything over them all.
+    is_apart : bool
+        Whether each member is of its own size, as modes are: nothing is rounding beside what is of another.
     """
 
     name: str
@@ -115,6 +117,7 @@ class ResultDimension(NamedTuple):
     is_number: bool = False
     family: str = ""
     own: int | None = None
+    is_apart: bool = False
 
 
 class Use(NamedTuple):

@@ -5,6 +5,7 @@ from typing import Any, Literal, cast
 
 from pydantic import Field, model_validator
 
+from cranktrain.allowed import Name
 from cranktrain.errors import Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, GuideSpec
@@ -133,13 +134,13 @@ class OpposedPistonSpec(Spec, frozen=True):
         default=False,
         description=N_("On a shaft that both pistons share: whether this one is the far one, driven by side rods."),
     )
-    masses: Mapping[str, BodySpec] = Field(
+    masses: Mapping[Name, BodySpec] = Field(
         default={}, description=N_("Bodies of this piston's mechanism, where they are not those of all.")
     )
-    guide: Mapping[str, GuideSpec] = Field(
+    guide: Mapping[Name, GuideSpec] = Field(
         default={}, description=N_("Guides of this piston's mechanism, where they are not those of all.")
     )
-    load: Mapping[str, LoadSpec] = Field(default={}, description=N_("Loads on this piston's mechanism alone."))
+    load: Mapping[Name, LoadSpec] = Field(default={}, description=N_("Loads on this piston's mechanism alone."))
 
 
 class BankSpec(Spec, frozen=True):
@@ -180,13 +181,13 @@ class BankSpec(Spec, frozen=True):
         default=None,
         description=N_("By how much the exhaust crank is ahead of the scavenge crank; it phases their shafts."),
     )
-    masses: Mapping[str, BodySpec] = Field(
+    masses: Mapping[Name, BodySpec] = Field(
         default={}, description=N_("Bodies of this bank's mechanisms, where they are not those of all.")
     )
-    guide: Mapping[str, GuideSpec] = Field(
+    guide: Mapping[Name, GuideSpec] = Field(
         default={}, description=N_("Guides of this bank's mechanisms, where they are not those of all.")
     )
-    load: Mapping[str, LoadSpec] = Field(default={}, description=N_("Loads on this bank's mechanisms alone."))
+    load: Mapping[Name, LoadSpec] = Field(default={}, description=N_("Loads on this bank's mechanisms alone."))
 
     @property
     def opposed(self) -> "Mapping[str, OpposedPistonSpec]":

@@ -1,6 +1,6 @@
 """Closing margin: how little one length may change before the crank cannot turn; and where links cannot close."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -12,6 +12,7 @@ from cranktrain.mechanisms.kind import Kind, Motion, Openings
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, bracketed_roots, near_roots, smallest, turn_grid
 from cranktrain.numerics.nested import leaves, mapped
+from cranktrain.numerics.ties import first_largest_along
 
 _GRID, _SCAN_GRID, _COARSE_GRID = turn_grid(360), turn_grid(72), turn_grid(24)
 _CHANGES = 10.0 ** np.linspace(-7, 3, 21)
@@ -82,7 +83,7 @@ def _of_longest(kind: Kind[Motion, Geometry], geometry: Geometry, least: Extreme
     closes = least.value > _rounding(kind, geometry)
     return ClosingMargin(
         np.where(closes, least.value / np.max(lengths, axis=0), np.nan),
-        np.where(closes, np.argmax(lengths, axis=0), -1),
+        np.where(closes, first_largest_along(np.moveaxis(lengths, 0, -1)), -1),
         np.where(closes, np.mod(least.angle, 2 * np.pi), np.nan),
     )
 
@@ -187,13 +188,17 @@ class OpenRange(NamedTuple):
     short: float
 
 
-def open_ranges(kind: Kind[Motion, Geometry], geometry: Geometry) -> tuple[OpenRange, ...]:
+def open_ranges(
+    kind: Kind[Motion, Geometry], geometry: Geometry, gap: Callable[[Array], Array] | None = None
+) -> tuple[OpenRange, ...]:
     """Give the angles of the mechanism's crank over which one mechanism cannot close, with edges to rounding.
 
     Parameters
     ----------
     kind : Kind
     geometry : NamedTuple of floats
+    gap : callable, optional
+        By how much a part of it closes, by the angle; the mechanism as a whole unless given. [m]
 
     Returns
     -------
@@ -204,7 +209,7 @@ def open_ranges(kind: Kind[Motion, Geometry], geometry: Geometry) -> tuple[OpenR
     rounding = _rounding(kind, geometry)
 
     def curve(phi: Array) -> Array:
-        return kind.gap(phi, geometry) - rounding
+        return (kind.gap(phi, geometry) if gap is None else gap(phi)) - rounding
 
     with np.errstate(all="ignore"):
         deepest = smallest(curve)

@@ -1,6 +1,6 @@
 """What every kind of mechanism gives: its spec, geometry, kernel, drawing, and the lengths that let it close."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Generic, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
@@ -74,8 +74,9 @@ class Kind(Generic[Motion, Geometry]):
     links : tuple of str
         Links that can carry points. Those that are neither output nor rod are followed as results by their names.
     drawing : callable (angle, geometry) → Drawing
-    closing_advice : callable (geometry) → str
-        What would let links close that cannot, as a clause: "rod_length must be more than 100 mm".
+    closing_advice : callable (geometry) → str, or sequence of ClosingPart
+        What would let links close that cannot, as a clause: "rod_length must be more than 100 mm"; or for a mechanism
+        of several parts, each of which may not close at angles of its own, what is to be said of each.
     members : type of Members
         What the kind's own stages ask for.
     stages : tuple of stages
@@ -102,6 +103,8 @@ class Kind(Generic[Motion, Geometry]):
         Finds what `closing_margin` looks for; for a kind whose gap has to be walked for.
     has_chambers : bool
         Whether its slider is a piston, which can have a cylinder, and not a valve.
+    has_own_pin : bool
+        Whether its crank is one of its own beside the throw, as an eccentric is, and not the throw itself.
     rows : tuple of callable (labels, design, …) → rows
         What its own results say in the answer; see `Question`.
     """
@@ -117,7 +120,7 @@ class Kind(Generic[Motion, Geometry]):
     has_rod: bool
     links: tuple[str, ...]
     drawing: Callable[[Array, Geometry], Drawing]
-    closing_advice: Callable[[Geometry], str]
+    closing_advice: "Callable[[Geometry], str | Sequence[ClosingPart]]"
     members: type[Members[Geometry]]
     stages: tuple[Callable[..., object], ...]
     dynamics: Dynamics[Motion, Geometry]
@@ -131,6 +134,7 @@ class Kind(Generic[Motion, Geometry]):
     least_gap: Callable[[Geometry], Extreme] | None = None
     openings: Callable[[Geometry], Openings] | None = None
     has_chambers: bool = True
+    has_own_pin: bool = False
     rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
 
     @property
@@ -142,6 +146,14 @@ class Kind(Generic[Motion, Geometry]):
     def length_names(self) -> tuple[str, ...]:
         """What `lengths` are called."""
         return self.length_paths or self.lengths
+
+
+class ClosingPart(NamedTuple):
+    """A part that may not close: its path in the mechanism's table, what is said of it, its gap by the angle. [m]"""
+
+    field: str
+    advice: str
+    gap: Callable[[Array], Array]
 
 
 AnyKind: TypeAlias = Kind[Any, Any]

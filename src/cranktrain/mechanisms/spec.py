@@ -5,6 +5,7 @@ from typing import Any, ClassVar, NamedTuple
 
 from pydantic import Field
 
+from cranktrain.allowed import Name
 from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.quantities import Length
@@ -28,7 +29,7 @@ class MechanismSpec(Spec, frozen=True):
     """What every mechanism of a machine file may declare."""
 
     kind: str = Field(description=N_("Kind of mechanism."))
-    points: Mapping[str, LinkPointSpec] = Field(default={}, description=N_("Points on links to follow, by name."))
+    points: Mapping[Name, LinkPointSpec] = Field(default={}, description=N_("Points on links to follow, by name."))
 
     master_field: ClassVar[str | None] = None
     """Field that names the bank whose slider-crank, on the same throw, this mechanism hangs on."""

@@ -12,7 +12,14 @@ from cranktrain.numerics.series import (
     turn_grid,
     unwrapped,
 )
-from cranktrain.numerics.subintervals import Subintervals, integral_to, points_together, subintervals
+from cranktrain.numerics.subintervals import (
+    Subintervals,
+    integral_motion,
+    integral_to,
+    points_together,
+    shows,
+    subintervals,
+)
 from cranktrain.numerics.tops import Extreme
 
 __all__ = [
@@ -29,11 +36,13 @@ __all__ = [
     "extremes",
     "has_ended",
     "in_slots",
+    "integral_motion",
     "integral_to",
     "largest",
     "largest_between",
     "near_roots",
     "points_together",
+    "shows",
     "smallest",
     "spectral_derivative",
     "subintervals",

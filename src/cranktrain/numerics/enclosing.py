@@ -9,6 +9,7 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.numerics import largest, turn_grid
 from cranktrain.numerics.harmonics import ComplexArray
+from cranktrain.numerics.ties import falling
 
 _ENOUGH = 1e-9
 """By how much of the radius the curve may lie outside in the end."""
@@ -69,7 +70,7 @@ def _outside(curve: Callable[[Array], ComplexArray], samples: ComplexArray, circ
     before, after = np.roll(far, 1), np.roll(far, -1)
     peaks = np.flatnonzero((far >= before) & (far > after) & (far > circle.radius * (1 - _HIDDEN)))
     points: list[complex] = []
-    for peak in peaks[np.argsort(-far[peaks])][:_MOST_PEAKS]:
+    for peak in peaks[falling(far[peaks])][:_MOST_PEAKS]:
         # Three points of the grid are enough for one peak: among all of them `largest` would look at the two highest.
         window = grid[peak] + grid[1] * np.array([-1.0, 0.0, 1.0])
         top = largest(distance, grid=window, samples=np.array([before[peak], far[peak], after[peak]]))

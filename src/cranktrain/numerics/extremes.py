@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics.roots import Curve, bracketed_roots
 from cranktrain.numerics.series import turn_grid
+from cranktrain.numerics.ties import ALIKE
 from cranktrain.numerics.tops import (
     CANDIDATES,
     TINY,
@@ -22,8 +23,6 @@ from cranktrain.numerics.tops import (
 
 _BOTH = (-1.0, 1.0)
 """Signs of the smallest and of the largest value."""
-_ALIKE = 1e-9
-"""Peaks that differ by less, in parts of the curve's, are one height: rounding must not choose between their angles."""
 _MOST_NEWTON_STEPS = 10
 
 
@@ -151,7 +150,7 @@ def _best(angle: Array, value: Array, scale: Array, signs: Sequence[float]) -> l
     """
     angles, values = (part.reshape(*part.shape[:-1], len(signs), CANDIDATES) for part in (angle, value))
     gain = np.asarray(signs) * (values[..., 1] - values[..., 0])
-    is_alike = np.abs(gain) <= _ALIKE * scale
+    is_alike = np.abs(gain) <= ALIKE * scale
     is_second = np.where(is_alike, angles[..., 1] < angles[..., 0], gain > 0)
     best_angle = np.where(is_second, angles[..., 1], angles[..., 0])
     best_value = np.where(gain > 0, values[..., 1], values[..., 0])

@@ -1,14 +1,16 @@
-"""Periodic curves between the points of their grid, by Fourier series or periodic spline, with slope and integral."""
+"""Periodic curves between the points of their grid, by series, spline or pieces, with slope and integral."""
 
 from collections.abc import Callable, Sequence
 from itertools import zip_longest
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extremes, turning_points
 from cranktrain.numerics.harmonics import TURN, harmonics, phasor
+from cranktrain.numerics.piecewise import PiecePlaces, mean_shares, piece_extremes, quintics
 from cranktrain.numerics.polynomials import polynomial
 
 
@@ -25,12 +27,16 @@ class PeriodicCurve(NamedTuple):
         Value and first two derivatives at angles (k,) or (..., k).
     pieces : Array, shape (power, ..., n), or None
         Of a curve of polynomials, from each sample to the next: their coefficients, by powers of the share of the step.
+    between : PiecePlaces or None
+        Of pieces that are not from sample to sample, shape (power, ..., design, piece), where each begins: there the
+        curve may have corners.
     """
 
     cycle: float
     samples: Array
     motion: Callable[[Array], Coefficient]
     pieces: Array | None = None
+    between: PiecePlaces | None = None
 
     @property
     def angle(self) -> Array:
@@ -44,6 +50,14 @@ class PeriodicCurve(NamedTuple):
     def slope(self, angle: Array) -> Array:
         """Derivative at angles (k,) or (..., k)."""
         return self.motion(angle).first
+
+    def each(self, share: Array) -> Coefficient:
+        """Value and derivatives at a share of each of the pieces between nodes, shape (..., design, piece)."""
+        assert self.pieces is not None
+        assert self.between is not None
+        safe = np.where(self.between.width > 0, self.between.width, 1.0)
+        found = polynomial(self.pieces, share)
+        return Coefficient(found.value, found.first / safe, found.second / safe**2)
 
 
 Interpolation = Callable[[Array, float], PeriodicCurve]
@@ -100,6 +114,12 @@ def hermite_curve(samples: Array, slopes: Array, cycle: float = TURN) -> Periodi
     return _by_pieces(_between(samples, slopes * (cycle / samples.shape[-1])), cycle)
 
 
+def quintic_curve(known: Coefficient, cycle: float) -> PeriodicCurve:
+    """Quintics through values and two derivatives at equal steps, shape (..., n)."""
+    after = Coefficient(*(np.roll(part, -1, axis=-1) for part in known))
+    return _by_pieces(quintics(after, known, np.asarray(cycle / known.value.shape[-1])), cycle)
+
+
 def spline_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
     """Integral of samples (..., n) less their mean, from φ = 0, exact for their periodic cubic spline."""
     step = cycle / samples.shape[-1]
@@ -113,6 +133,10 @@ def spline_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
 def plus(one: PeriodicCurve, constant: Array) -> PeriodicCurve:
     """The curve raised by a constant of shape (...)."""
     raised = np.asarray(constant)[..., np.newaxis]
+    if one.pieces is not None and one.between is not None:
+        first, *others = one.pieces
+        powers = np.stack(np.broadcast_arrays(first + raised, *others))
+        return piecewise_curve(powers, one.between, one.samples + raised, one.cycle)
 
     def motion(angle: Array) -> Coefficient:
         value, first, second = one.motion(angle)
@@ -124,9 +148,12 @@ def plus(one: PeriodicCurve, constant: Array) -> PeriodicCurve:
 def combined(one: PeriodicCurve, factor: Array, other: PeriodicCurve) -> PeriodicCurve:
     """The first curve plus a factor, shape (...), times the second; both on one grid."""
     times = np.asarray(factor)[..., np.newaxis]
-    if one.pieces is not None and other.pieces is not None:
+    if one.pieces is not None and other.pieces is not None and one.between is other.between:
         powers = zip_longest(one.pieces, other.pieces, fillvalue=np.zeros(()))
-        return _by_pieces(np.stack(np.broadcast_arrays(*(part + times * added for part, added in powers))), one.cycle)
+        whole = np.stack(np.broadcast_arrays(*(part + times * added for part, added in powers)))
+        if one.between is None:
+            return _by_pieces(whole, one.cycle)
+        return piecewise_curve(whole, one.between, one.samples + times * other.samples, one.cycle)
 
     def motion(angle: Array) -> Coefficient:
         parts = zip(one.motion(angle), other.motion(angle), strict=True)
@@ -138,7 +165,7 @@ def combined(one: PeriodicCurve, factor: Array, other: PeriodicCurve) -> Periodi
 def times(one: PeriodicCurve, factor: Array) -> PeriodicCurve:
     """A factor, shape (...), times the curve."""
     by = np.asarray(factor)[..., np.newaxis]
-    if one.pieces is not None:
+    if one.pieces is not None and one.between is None:
         return _by_pieces(by * one.pieces, one.cycle)
 
     def motion(angle: Array) -> Coefficient:
@@ -161,8 +188,64 @@ def side_by_side(curves: Sequence[PeriodicCurve]) -> PeriodicCurve:
 
 
 def curve_extremes(one: PeriodicCurve) -> Extremes:
-    """Smallest and largest value over the cycle, refined between the samples; shapes (..., 1)."""
+    """Smallest and largest value over the cycle, refined between the samples, and at corners; shapes (..., 1)."""
+    if one.between is not None:
+        return piece_extremes(one.each, one.between)
     return turning_points(one.motion, one.samples, one.angle)
+
+
+def mean_samples(*curves: PeriodicCurve) -> tuple[list[Array], Array | None]:
+    """Values of curves whose means are theirs, and the weights, of sum 1; None where all weigh the same.
+
+    Equal steps for what is smooth or a spline; Gauss's points in every piece for curves of pieces that begin alike.
+    """
+    between = curves[0].between
+    if between is None or any(one.between is not between for one in curves):
+        return [one.samples for one in curves], None
+    shares, weight = mean_shares()
+    values = [np.concatenate([one.each(share).value for share in shares], axis=-1) for one in curves]
+    width = between.width / curves[0].cycle
+    return values, np.concatenate([part * width for part in weight], axis=-1)
+
+
+def piecewise_curve(coefficients: Array, between: PiecePlaces, samples: Array, cycle: float) -> PeriodicCurve:
+    """Curve of polynomials of pieces that begin anywhere.
+
+    Parameters
+    ----------
+    coefficients : Array, shape (power, ..., design, piece)
+        By powers of the share of the piece.
+    between : PiecePlaces
+    samples : Array, shape (..., design, n)
+        The curve in equal steps over the cycle.
+    cycle : float
+        [rad]
+
+    Returns
+    -------
+    PeriodicCurve
+    """
+    starts, width = between
+    n_designs, n_pieces = starts.shape
+    # One search for all designs: the period of each lies behind that of the one before.
+    behind: Array = cycle * np.arange(n_designs, dtype=np.float64)[:, np.newaxis]
+    line, start, wide = (np.ravel(part) for part in (starts + behind, starts, width))
+    lead = coefficients.shape[1:-2]
+    flat = coefficients.reshape(len(coefficients), -1, n_designs * n_pieces)
+
+    def motion(angle: Array) -> Coefficient:
+        own = np.mod(np.broadcast_to(angle, np.broadcast_shapes(angle.shape, (*lead, n_designs, 1))), cycle)
+        # Of an angle that is NaN any piece will do, as its share is NaN.
+        last: NDArray[np.intp] = n_pieces * np.arange(1, n_designs + 1, dtype=np.intp)[:, np.newaxis] - 1
+        found = np.asarray(np.searchsorted(line, own + behind, side="right"), dtype=np.intp) - 1
+        place: NDArray[np.intp] = np.clip(found, last - (n_pieces - 1), last)
+        share = (own - start[place]) / wide[place]
+        rows = place.reshape(flat.shape[1], -1)
+        powers = np.stack([np.take_along_axis(part, rows, axis=-1).reshape(place.shape) for part in flat])
+        value, first, second = polynomial(powers, share)
+        return Coefficient(value, first / wide[place], second / wide[place] ** 2)
+
+    return PeriodicCurve(cycle, samples, motion, coefficients, between)
 
 
 def _cubics(samples: Array) -> Array:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array
 from cranktrain.numerics.polynomials import polynomial
 from cranktrain.numerics.series import around_zero
+from cranktrain.numerics.ties import ALIKE
 
 _ABOUT = 1.2
 """How far from a grid point that is a peak the curve's own may be, in steps: a break on the next point lies within."""
@@ -25,8 +26,6 @@ _TRIED_POWERS: Array = np.vander(_TRIED, _N_NODES, increasing=True)
 _FROM_ENDS = np.array([(-1.0) ** np.arange(_N_NODES), np.ones(_N_NODES)])
 """From coefficients to a polynomial's values at both ends."""
 _NEWTON_STEPS = 4
-_ALIKE = 1e-9
-"""Values that differ by less, in parts of the curve's largest, are one: rounding must not choose between them."""
 _LEVEL = 1e-12
 """The same along one piece, whose values are exact to rounding."""
 _ONE_BREAK = 1e-9
@@ -143,7 +142,7 @@ def _near_breaks(breaks: Array, grid: Array, n_points: int) -> NDArray[np.bool_]
 
 def _places(known: Array, scale: Array, has_break: NDArray[np.bool_]) -> NDArray[np.intp]:
     """Places of those peaks of the grid about which the largest value may stand, shape (curve, peak): −1 for none."""
-    same = np.where(scale > 0, _ALIKE * scale, 1.0)
+    same = np.where(scale > 0, ALIKE * scale, 1.0)
     ring = np.concatenate([known[:, -1:], known, known[:, :1]], axis=-1)
     is_top = (known >= ring[:, :-2] - same) & (known >= ring[:, 2:] - same) & (known > -np.inf)
     row, place = np.nonzero(is_top)
@@ -200,7 +199,7 @@ def _top(powers: Array, scale: Array, level: Array) -> Array:
 
 def _sides(way: Array, ends: Array, scale: Array) -> Array:
     """On which side of a jump a piece's top stands: 0 where its neighbour goes on from the same value."""
-    jump = np.abs(ends[0, ..., 1:] - ends[1, ..., :-1]) > _ALIKE * scale
+    jump = np.abs(ends[0, ..., 1:] - ends[1, ..., :-1]) > ALIKE * scale
     none = np.zeros((*jump.shape[:-1], 1), dtype=np.bool_)
     after, before = np.concatenate([none, jump], axis=-1), np.concatenate([jump, none], axis=-1)
     return np.where((way <= -_AT_END) & after, 1.0, np.where((way >= _AT_END) & before, -1.0, 0.0))
@@ -212,6 +211,6 @@ def _first_of_the_best(angle: Array, top: Array, side: Array, scale: Array, peri
     angle, top, side = (part.reshape(len(scale), n_pieces) for part in (angle, top, side))
     best = np.max(top, axis=-1)
     turn = np.mod(angle + _ONE_BREAK, period)
-    first = np.argmin(np.where(top >= best[:, np.newaxis] - _ALIKE * scale, turn, np.inf), axis=-1)
+    first = np.argmin(np.where(top >= best[:, np.newaxis] - ALIKE * scale, turn, np.inf), axis=-1)
     row, is_known = np.arange(len(scale)), best > -np.inf
     return Peak(*(np.where(is_known, part, np.nan) for part in (angle[row, first], best, side[row, first])))

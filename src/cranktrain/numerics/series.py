@@ -53,6 +53,10 @@ DERIVATIVES_LIMIT = 1e-8
 """What rounding leaves of `derivatives_residual` for a machine within a millionth of locking; 1e-12 for most others."""
 
 
+_FEW_DIGITS = 1e-6
+"""What rounding may leave of a motion that is sharper than a turn's 720 points show."""
+
+
 def derivatives_residual(motion: Callable[[Array], Coefficient], samples: Coefficient | None = None) -> Array:
     """Compare both derivatives of a periodic motion with those of the Fourier series of its value and its first one.
 
@@ -75,6 +79,7 @@ def derivatives_residual(motion: Callable[[Array], Coefficient], samples: Coeffi
     if it can be.
     """
     residual = second = np.array(np.nan)
+    is_sharp = None
     with np.errstate(all="ignore"):
         for n_points in _SERIES_LENGTHS:
             if samples is not None and n_points == samples.value.shape[-1]:
@@ -89,7 +94,10 @@ def derivatives_residual(motion: Callable[[Array], Coefficient], samples: Coeffi
             residual = np.where(np.isnan(found), np.nan, np.fmin(residual, found))
             if not np.any(residual > DERIVATIVES_LIMIT):
                 return residual
-        return np.where((residual > DERIVATIVES_LIMIT) & ~has_ended(second, DERIVATIVES_LIMIT), np.inf, residual)
+            is_sharp = ~has_ended(second, DERIVATIVES_LIMIT) if is_sharp is None else is_sharp
+        # What only a longer series shows has fewer digits itself, the nearer to locking the fewer.
+        is_beyond = ~has_ended(second, DERIVATIVES_LIMIT) | (is_sharp & (residual < _FEW_DIGITS))
+        return np.where((residual > DERIVATIVES_LIMIT) & is_beyond, np.inf, residual)
 
 
 def has_ended(samples: Array | NDArray[np.complex128], least: float) -> NDArray[np.bool_]:

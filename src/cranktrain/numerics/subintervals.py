@@ -1,17 +1,22 @@
 """Integrals of curves that are smooth between known breaks: Gauss's points panel by panel, so that few are exact."""
 
+from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Coefficient
 
 _NODES = ((0.04, 3), (0.2, 5), (0.6, 8), (np.inf, 12))
 """Panels up to a part of the widest, and how many points are enough there for 13 digits."""
 _NARROWEST = 1e-13
 """Breaks that are closer are one. [rad]"""
+_RESOLVED = 1e-10
+"""Last orders of a curve in a panel that are small, in parts of the curve: its integral is then exact to rounding."""
+_ASIDE = 1e-11
+"""How far beside an angle a side of it is, past what rounding leaves of a break there. [rad]"""
 
 
 class Subintervals(NamedTuple):
@@ -33,6 +38,14 @@ class Subintervals(NamedTuple):
     size: NDArray[np.intp]
     angle: Array
     weight: Array
+
+
+class _Placed(NamedTuple):
+    """In which panel angles lie, at which way in [−1, 1] there, and after how many whole periods, shape (k,)."""
+
+    panel: NDArray[np.intp]
+    way: Array
+    turns: Array
 
 
 def subintervals(breaks: Array, widest: float, period: float, n_more: int = 0) -> Subintervals:
@@ -73,6 +86,14 @@ def subintervals(breaks: Array, widest: float, period: float, n_more: int = 0) -
         angle[place] = start[chosen, np.newaxis] + half * (1 + node)
         weight[place] = half * share
     return Subintervals(start, width, first, size, angle, weight)
+
+
+def shows(of: Subintervals, values: Array) -> bool:
+    """Whether the points of the widest panels show a curve, shape (..., point): its last orders there are small."""
+    most = int(np.max(of.size))
+    place: NDArray[np.intp] = of.first[of.size == most, np.newaxis] + np.arange(most, dtype=np.intp)
+    last = np.abs(values[..., place] @ _to_series(most)[-2:].T)
+    return not np.any(last > _RESOLVED * np.max(np.abs(values)))
 
 
 def points_together(breaks: Array, widest: float, period: float, n_more: int = 0) -> tuple[Array, Array]:
@@ -121,21 +142,79 @@ def integral_to(of: Subintervals, values: Array, angle: Array) -> Array:
     Array, shape (..., k)
         Of the polynomial through the points of each panel.
     """
-    period = float(np.sum(of.width))
-    turns = np.floor((angle - of.start[0]) / period)
-    inside = angle - turns * period
-    # The first panel begins where the period does.
-    panel = np.asarray(np.searchsorted(of.start[1:], inside, side="right"), dtype=np.intp)
-    whole = np.add.reduceat(values * of.weight, of.first, axis=-1)
-    before = np.cumsum(whole, axis=-1) - whole
-    total = before[..., panel] + turns * np.sum(whole, axis=-1, keepdims=True)
-    way = np.clip(2 * (inside - of.start[panel]) / of.width[panel] - 1, -1.0, 1.0)
-    for n_nodes in np.unique(of.size[panel]).tolist():
-        chosen = np.flatnonzero(of.size[panel] == n_nodes)
-        place: NDArray[np.intp] = of.first[panel[chosen], np.newaxis] + np.arange(n_nodes, dtype=np.intp)
+    panel, way, turns = _placed(of, angle, 0.0)
+    total = _whole_panels(of, values, panel, turns)
+    for chosen, place, n_nodes in _by_size(of, panel):
         part = np.sum(values[..., place] * partial_integrals(way[chosen], n_nodes), axis=-1)
         total[..., chosen] += of.width[panel[chosen]] / 2 * part
     return total
+
+
+def integral_motion(of: Subintervals, values: Array, angle: Array) -> tuple[Coefficient, Coefficient]:
+    """Integral of a periodic curve as `integral_to` has it, with the curve and its slope on both sides of the angles.
+
+    Parameters
+    ----------
+    of : Subintervals
+    values : Array, shape (..., point)
+    angle : Array, shape (k,)
+        [rad]
+
+    Returns
+    -------
+    before, after : Coefficient, shape (..., k)
+        The integral, the curve, its slope: just before and just after the angles, which at a break differ.
+    """
+    after, before = _placed(of, angle, _ASIDE), _placed(of, angle, -_ASIDE)
+    found = _beside(of, values, after)
+    same = Coefficient(found.value.copy(), found.first.copy(), found.second.copy())
+    differs = np.flatnonzero(before.panel != after.panel)
+    if differs.size:
+        for part, own in zip(
+            same,
+            _beside(of, values, _Placed(before.panel[differs], before.way[differs], before.turns[differs])),
+            strict=True,
+        ):
+            part[..., differs] = own
+    return same, found
+
+
+def _beside(of: Subintervals, values: Array, placed: _Placed) -> Coefficient:
+    """Integral, curve and slope at places in panels, shape (..., k)."""
+    panel, way, turns = placed
+    total = _whole_panels(of, values, panel, turns)
+    first, second = (np.empty_like(total) for _derivative in range(2))
+    for chosen, place, n_nodes in _by_size(of, panel):
+        own, half = values[..., place], of.width[panel[chosen]] / 2
+        total[..., chosen] += half * np.sum(own * partial_integrals(way[chosen], n_nodes), axis=-1)
+        first[..., chosen] = np.sum(own * interpolation(way[chosen], n_nodes), axis=-1)
+        second[..., chosen] = np.sum(own * _slopes(way[chosen], n_nodes), axis=-1) / half
+    return Coefficient(total, first, second)
+
+
+def _placed(of: Subintervals, angle: Array, aside: float) -> _Placed:
+    """Place of each angle in the panels, or of what is aside of it."""
+    period = float(np.sum(of.width))
+    turns = np.floor((angle + aside - of.start[0]) / period)
+    inside = angle - turns * period
+    # The first panel begins where the period does.
+    panel = np.asarray(np.searchsorted(of.start[1:], inside + aside, side="right"), dtype=np.intp)
+    return _Placed(panel, np.clip(2 * (inside - of.start[panel]) / of.width[panel] - 1, -1.0, 1.0), turns)
+
+
+def _whole_panels(of: Subintervals, values: Array, panel: NDArray[np.intp], turns: Array) -> Array:
+    """Integral from the first edge to the start of each panel that is asked for, shape (..., k)."""
+    whole = np.add.reduceat(values * of.weight, of.first, axis=-1)
+    before = np.cumsum(whole, axis=-1) - whole
+    return before[..., panel] + turns * np.sum(whole, axis=-1, keepdims=True)
+
+
+def _by_size(of: Subintervals, panel: NDArray[np.intp]) -> Iterator[tuple[NDArray[np.intp], NDArray[np.intp], int]]:
+    """Which of the panels that are asked for have so many points, where these are, and how many."""
+    for n_nodes in np.unique(of.size[panel]).tolist():
+        chosen = np.flatnonzero(of.size[panel] == n_nodes)
+        place: NDArray[np.intp] = of.first[panel[chosen], np.newaxis] + np.arange(n_nodes, dtype=np.intp)
+        yield chosen, place, n_nodes
 
 
 @cache
@@ -152,6 +231,12 @@ def interpolation(way: Array, n_nodes: int) -> Array:
 def partial_integrals(way: Array, n_nodes: int) -> Array:
     """Weights of values at Gauss's points for the integral from −1 to some ways, shape (k, n)."""
     return _legendre_integrals(way, n_nodes) @ _to_series(n_nodes)
+
+
+def _slopes(way: Array, n_nodes: int) -> Array:
+    """Weights of values at Gauss's points for the slope by the way at some ways, shape (k, n)."""
+    derived = np.polynomial.legendre.legder(_to_series(n_nodes))
+    return np.polynomial.legendre.legvander(way, n_nodes - 2) @ derived
 
 
 @cache

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.numerics.roots import Curve
+from cranktrain.numerics.ties import first_largest_along
 
 CANDIDATES = 2
 """How many of the grid's peaks are refined: of two that are nearly alike the grid may show the wrong one higher."""
@@ -43,9 +44,9 @@ def highest_peaks(samples: Array, signs: Sequence[float]) -> NDArray[np.intp]:
     is_peak = (known > ring[..., :-2]) & (known >= ring[..., 2:])
     heights = np.where(is_peak, known, -np.inf).reshape(-1, known.shape[-1])
     row = np.arange(len(heights))
-    first: NDArray[np.intp] = np.argmax(heights, axis=-1)
+    first = first_largest_along(heights)
     heights[row, first] = -np.inf
-    lower: NDArray[np.intp] = np.argmax(heights, axis=-1)
+    lower = first_largest_along(heights)
     second: NDArray[np.intp] = np.where(heights[row, lower] > -np.inf, lower, first)
     return np.stack([first, second], axis=-1).reshape(*samples.shape[:-1], len(signs) * CANDIDATES)
 

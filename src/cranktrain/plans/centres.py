@@ -9,6 +9,7 @@ import numpy as np
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Block, Drawing
 from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics.ties import largest_of
 from cranktrain.plans.lettering import lettered
 from cranktrain.plans.placement import place_called, placed
 from cranktrain.plans.positions import closed_angles
@@ -139,7 +140,7 @@ _Pins = Mapping[str, Coefficient]
 def _turning(pins: _Pins, link: Sequence[str]) -> float:
     """Turn of a link for each radian of the crank, anticlockwise, by its first pin and the one farthest from it."""
     first = pins[link[0]]
-    last = max((pins[name] for name in link[1:]), key=lambda pin: float(np.hypot(*(pin.value - first.value))))
+    last = largest_of((pins[name] for name in link[1:]), lambda pin: float(np.hypot(*(pin.value - first.value))))
     arm = last.value - first.value
     return cross(arm, last.first - first.first) / float(np.dot(arm, arm))
 

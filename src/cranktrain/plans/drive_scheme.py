@@ -163,10 +163,10 @@ def _of_motor(motor: AnyMotor) -> Iterator[ChainFact]:
 
 
 def _of_rotor(inertia: Array, *, is_moment: bool) -> Iterator[ChainFact]:
-    """Inertia of what turns, beside its flywheel moment if that is how it is given."""
+    """Inertia of what turns, and its flywheel moment if that is how it is given."""
+    yield ChainFact("J", _first(inertia), "kg*m^2")
     if is_moment:
         yield ChainFact("GD²", 4 * _first(inertia), "kg*m^2")
-    yield ChainFact("J", _first(inertia), "kg*m^2")
 
 
 def _of_grip(grip: ClutchSpec | BrakeSpec) -> Iterator[ChainFact]:

@@ -178,10 +178,12 @@ def start_case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCas
         )
         raise InputError([Problem("drive", None, allowed)])
     brake, place = _brake(parts.get(DeclaredBrake))
+    corners, is_gentle = machines.corners[0], machines.is_gentle[0]
     cycle_time = np.nan if steady is None else float(steady.cycle_time[0])
     return StartCase(
         machine=machines.each[0],
-        corners=machines.corners[0][np.isfinite(machines.corners[0])],
+        corners=corners[np.isfinite(corners) & ~is_gentle],
+        rows=corners[is_gentle],
         cycle=machines.cycle,
         gearing=drive.gearings[0],
         motor=parts.get(DeclaredMotor),

@@ -2,10 +2,9 @@
 
 from collections.abc import Iterator
 
-import numpy as np
-
 from cranktrain.errors import Problem
 from cranktrain.language import _
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.drive.spec import DriveSpec
 
 
@@ -18,4 +17,4 @@ def without_stage(spec: DriveSpec | None) -> Iterator[Problem]:
 
 def largest_stage(spec: DriveSpec) -> int:
     """Place of the stage with the largest ratio, the first of equal ones; there is one."""
-    return int(np.argmax([stage.ratio.si for stage in spec.stage]))
+    return first_largest([stage.ratio.si for stage in spec.stage])

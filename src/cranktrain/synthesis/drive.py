@@ -9,6 +9,7 @@ from cranktrain.analysis.parts import refuse_wrong
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.machine import Machine
+from cranktrain.numerics.ties import smallest_of
 from cranktrain.quantities import Dimension, Quantity, unlisted
 from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.spec import DriveSpec
@@ -195,7 +196,7 @@ def _sizes(bench: Bench) -> tuple[list[Trial], Trial]:
 
 def _none_is_enough(sizes: list[Trial]) -> str:
     """Say which motor comes nearest."""
-    best = min(sizes, key=lambda one: one.largest, default=None)
+    best = smallest_of(sizes, lambda one: one.largest) if sizes else None
     if best is None or not np.isfinite(best.largest):
         return _("no typical motor carries the machine through its cycle")
     said = _("no typical motor is enough: {power}, which comes nearest, is used to {share}: {check}")

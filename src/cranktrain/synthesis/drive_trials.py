@@ -13,6 +13,7 @@ from cranktrain.analysis.run import run
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.numerics.ties import first_largest, first_smallest, largest_first
 from cranktrain.questions.drive.choosing_ratio import nearest_ratio, preferred_ratios
 from cranktrain.questions.drive.clutched.declared import DeclaredClutch
 from cranktrain.questions.drive.declared import DeclaredDrive
@@ -122,7 +123,7 @@ class Trial:
     @property
     def governing(self) -> str:
         """Name of the check that governs."""
-        return self.checks[int(np.nanargmax(self.shares))]
+        return self.checks[first_largest(self.shares)]
 
     @property
     def power(self) -> float:
@@ -233,13 +234,13 @@ def ratios_for(asked: AskedDrive, exact: float) -> tuple[float, ...]:
     near = preferred_ratios(exact / reach, exact * reach)
     nearest = float(nearest_ratio(np.asarray(exact), near).ratio)
     within = [one for one in near.tolist() if abs(exact / one - 1) <= asked.tolerance and one != nearest]
-    return (nearest, *sorted(within, key=lambda one: abs(math.log(one / exact))))
+    return (nearest, *largest_first(within, lambda one: -abs(math.log(one / exact))))
 
 
 def ratios_beside(ratio: float) -> tuple[float, float]:
     """Preferred ratios below and above one of them."""
     near = preferred_ratios(ratio / _NEAR, ratio * _NEAR)
-    at = int(np.argmin(np.abs(near - ratio)))
+    at = first_smallest(np.abs(near - ratio))
     return float(near[at - 1]), float(near[at + 1])
 
 

@@ -10,6 +10,7 @@ from cranktrain.mechanisms.articulated_rod.kinematics import articulated_rod_gap
 from cranktrain.motion import Array, single
 from cranktrain.numerics import bracketed_roots, smallest, turn_grid
 from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.ties import largest_first
 from cranktrain.synthesis.knuckle_equations import (
     HALF_THE_DIGITS,
     NEWTON_STEPS,
@@ -95,8 +96,8 @@ def searched(rod: ArticulatedRod, requirements: KnuckleRequirements, free: Seque
         samples = curve(grid)
     changes = np.flatnonzero(np.sign(samples[:-1]) * np.sign(samples[1:]) <= 0)
     solved = at(bracketed_roots(curve, grid[changes], grid[changes + 1]))
-    rods = [rod for rod in _one_by_one(solved, len(changes)) if is_usable(rod)]
-    rods.sort(key=lambda found: _distance(found, rod))
+    usable = [rod for rod in _one_by_one(solved, len(changes)) if is_usable(rod)]
+    rods = largest_first(usable, lambda found: -_distance(found, rod))
     reached = samples[~np.isnan(samples)] + goals[0].target
     least, most = (float(np.min(reached)), float(np.max(reached))) if reached.size else (np.nan, np.nan)
     return Search(tuple(rods), least, most)

@@ -12,6 +12,7 @@ from cranktrain.analysis.run import run
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.machine import Machine
+from cranktrain.numerics.ties import first_largest, first_smallest, smallest_of
 from cranktrain.questions.drive.choosing_ratio import preferred_ratios
 from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
@@ -66,7 +67,7 @@ class _Behind(NamedTuple):
     @property
     def governing(self) -> str:
         """Name of the check that governs."""
-        return _(_CHECKS[int(np.nanargmax(self.shares))])
+        return _(_CHECKS[first_largest(self.shares)])
 
 
 def servo_ratio(machine: Machine, ratio: str) -> MachineProposal:
@@ -101,8 +102,8 @@ def servo_ratio(machine: Machine, ratio: str) -> MachineProposal:
     tried = near if ratio == "preferred" else [best, *(_at(case, one) for one in _fine(own, best))]
     passing = [one for one in tried if one.largest <= 1]
     if not passing:
-        raise InputError([Problem("drive.motor", None, _not_enough(min(tried, key=lambda one: one.largest)))])
-    chosen = min(passing, key=lambda one: one.rms)
+        raise InputError([Problem("drive.motor", None, _not_enough(smallest_of(tried, lambda one: one.largest)))])
+    chosen = smallest_of(passing, lambda one: one.rms)
     note = _("the least effective torque of the motor")
     return MachineProposal(
         title=_("{machine}: drive").format(machine=machine.name) if machine.name else _("Drive"),
@@ -216,7 +217,7 @@ def _numbers(case: _Servo, one: _Behind, best: _Behind | None = None) -> Iterato
 
 def _alternatives(case: _Servo, chosen: _Behind, near: list[_Behind], own: float) -> Iterator[Alternative]:
     """Preferred ratios below and above, and that of the file."""
-    place = int(np.argmin([abs(math.log(one.ratio / chosen.ratio)) for one in near]))
+    place = first_smallest([abs(math.log(one.ratio / chosen.ratio)) for one in near])
     for one in near[max(place - _BESIDE, 0) : place + _BESIDE + 1]:
         if one.ratio != chosen.ratio:
             label = _("enough") if one.largest <= 1 else _("misses by {by}").format(by=number(one.largest - 1, "%"))
@@ -238,6 +239,6 @@ def _remarks(case: _Servo, chosen: _Behind, best: _Behind, near: list[_Behind]) 
     )
     better = [one for one in near if one.rms < chosen.rms and one.largest > 1]
     if better:
-        one = min(better, key=lambda each: each.rms)
+        one = smallest_of(better, lambda each: each.rms)
         said = _("Behind {ratio} it would have less effective torque, and misses by {by}: {check}.")
         yield said.format(ratio=number(one.ratio, "1"), by=number(one.largest - 1, "%"), check=one.governing)

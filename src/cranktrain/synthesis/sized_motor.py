@@ -7,6 +7,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.quantities import shown
 from cranktrain.questions.drive.motor_tables.cage import CageSpec
 from cranktrain.questions.drive.motor_tables.wound_rotor import WoundRotorSpec
@@ -73,7 +74,7 @@ def declared_slip(machine: Machine) -> KeptSlip:
         slip = spec.breakdown_slip.array * (ratio - np.sqrt(ratio * ratio - 1))
         torque = np.nan if spec.breakdown_torque is None else spec.breakdown_torque.array / ratio
     first, power = float(np.ravel(slip)[0]), float(np.ravel(torque * motor.top_speed * (1 - slip))[0])
-    nearest = int(np.argmin(np.abs(four_pole_motors().power - power)))
+    nearest = first_smallest(np.abs(four_pole_motors().power - power))
     return KeptSlip(slip=first) if first > max(_ORDINARY * typical_slip(nearest), _MOST_ORDINARY) else KeptSlip()
 
 

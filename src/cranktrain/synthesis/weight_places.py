@@ -11,6 +11,7 @@ from cranktrain.language import _
 from cranktrain.layout.axial import throw_positions
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.quantities import unlisted
 from cranktrain.questions.balance.spec import WeightSpec
 from cranktrain.questions.balance.weights import BalanceWeights
@@ -170,6 +171,6 @@ def _on_throw(weight: WeightSpec, machine: Machine) -> OnThrow | None:
     elif weight.z is None or positions is None or weight.ratio != 1 or any(spot.si for spot in weight.place):
         return None
     else:
-        throw = int(np.argmin([abs(float(position) - weight.z.si) for position in positions]))
+        throw = first_smallest([abs(float(position) - weight.z.si) for position in positions])
     side = -1.0 if weight.angle is None else float(np.cos(weight.angle.si - directions[throw]))
     return OnThrow(throw, float(weight.moment) * side)

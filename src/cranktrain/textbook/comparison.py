@@ -241,10 +241,10 @@ def _reasons(one: Range, batch: Batch) -> dict[str, list[int]]:
     """Members of a batch that are outside a range, by the reason: that of the first design that is."""
     plain = getattr(batch.members.geometry, "master", batch.members.geometry)
     ratio, offset = (part[..., 0] for part in np.broadcast_arrays(plain.crank_radius / plain.rod_length, plain.offset))
-    outside = one.outside(ratio, offset)
-    first = np.argmax(outside, axis=0)
+    is_outside = one.outside(ratio, offset)
+    first = np.argmax(is_outside, axis=0)
     return grouped(
         (_(" and ").join(one.reasons(float(ratio[design, member]), float(offset[design, member]))), member)
         for member, design in enumerate(first.tolist())
-        if outside[design, member]
+        if is_outside[design, member]
     )

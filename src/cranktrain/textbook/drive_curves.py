@@ -9,6 +9,7 @@ from cranktrain.language import N_
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
+from cranktrain.numerics.ties import first_largest
 from cranktrain.record import record
 from cranktrain.textbook.crank_rocker_drive import (
     always_dividing,
@@ -301,5 +302,5 @@ def _peak(drive: CrankRockerDrive, curve: DriveCurve, half: Half) -> CurvePeak:
     angles = roots[~np.isnan(roots)]
     values = values_at(drive, curve, angles)
     at_dead = values_at(drive, curve, np.array([half.start]))[0]
-    best = int(np.argmax(np.abs(values - at_dead)))
+    best = first_largest(np.abs(values - at_dead))
     return CurvePeak(float(angles[best] % (2 * np.pi)), float(values[best]))

@@ -26,23 +26,31 @@ def figure(value: float) -> str:
 
 
 def column(values: Sequence[float], scale: Scale) -> list[str]:
-    """Write SI values of a column in a unit: with four figures each, but at most a decimal more than the largest has.
+    """Write SI values of a column in a unit, with four figures each; what is rounding beside the largest is 0.
 
     Examples
     --------
     >>> column([47780.0, 9318.0, 82.61, 0.0], Scale("kN"))
-    ['47.78', '9.318', '0.083', '0']
+    ['47.78', '9.318', '0.08261', '0']
     """
     shown = [float(scale.of(value)) for value in values]
-    finest = 1 + decimals_for(max((abs(value) for value in shown if np.isfinite(value)), default=0.0), _DIGITS)
-    return [_written(value, min(decimals_for(abs(value), _DIGITS), finest)) for value in shown]
+    nothing = _NOTHING * max(1.0, *(abs(value) for value in shown if np.isfinite(value)), 0.0)
+    return [_written(value, decimals_for(abs(value), _DIGITS), nothing) for value in shown]
 
 
 def aligned(values: Array) -> list[str]:
-    """Write numbers of a column with as many decimals as give the largest four figures, and a true minus."""
+    """Write numbers of a column with four figures each, what is rounding as 0 of the largest, and a true minus.
+
+    Examples
+    --------
+    >>> aligned(np.array([135.84, 0.06127, 1e-14]))
+    ['135.8', '0.06127', '0.0']
+    """
     most = float(np.nanmax(np.abs(values), initial=0.0))
-    decimals = decimals_for(most if most > _NOTHING else 0.0, _DIGITS)
-    return [_written(value, decimals, nothing=0.0) for value in values.tolist()]
+    nothing = _NOTHING * max(1.0, most)
+    usual = decimals_for(most if most > _NOTHING else 0.0, _DIGITS)
+    decimals = [decimals_for(abs(value), _DIGITS) if abs(value) > nothing else usual for value in values.tolist()]
+    return [_written(value, own, nothing=0.0) for value, own in zip(values.tolist(), decimals, strict=True)]
 
 
 def rounded(value: float) -> str:

@@ -174,7 +174,7 @@ def test_failed_check_is_shown(typed, capsys):
     answer = [line.plain for line in answer_lines(file, result, "vaz-21213", 80)]
     assert "! A check does not hold: something against something else" in answer
     assert "! outside its range" in answer
-    assert any(line.startswith("✗ 1 of 12 checks do not hold, 1 not judged · ") for line in answer)
+    assert any(line.startswith("✗ 1 of 13 checks do not hold, 1 not judged · ") for line in answer)
 
 
 def test_step(typed, written):

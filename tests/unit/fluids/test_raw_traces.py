@@ -7,6 +7,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from tests.gas_engines import FOUR_STROKE, Engine, csv, wiebe_cycle
+from tests.sentences import NOT_POSITIVE
 
 from cranktrain.errors import InputError
 from cranktrain.fluids.indicator import IndicatorSpec, card_of, diagram_work, indicator_diagram, pressure_at
@@ -57,7 +58,7 @@ def test_a_raw_trace_asks_for_its_level_first():
         diagram_of(RAW)
     (problem,) = refusal.value.problems
     assert str(problem.position) == "trace.csv:5:8"
-    assert problem.allowed == "an absolute pressure must be more than 0 (342 values are not)"
+    assert problem.allowed == f"an absolute pressure {NOT_POSITIVE} (342 values are not)"
     assert problem.repair.startswith('as a sensor does not know its level, write peg.pressure = "1 bar"')
     with pytest.raises(InputError, match=r"write peg\.pressure"):
         diagram_of(RAW, smoothing="3 deg")

@@ -173,11 +173,15 @@ def test_slaves_jointed_on_the_crank_pin_are_plain_slider_cranks():
 def test_sliders_and_rockers_on_one_shaft():
     rocker = {"kind": "crank_rocker", "crank_radius": "10 mm", "rod_length": "40 mm", "rocker_length": "30 mm"}
     bank = {
-        "P": {"angle": "0 deg", "mechanism": slider()},
-        "K": {"angle": "90 deg", "mechanism": rocker | {"ground_length": "45 mm", "load_radius": "50 mm"}},
-        "Q": {"angle": "180 deg", "mechanism": slider()},
+        "P": {"angle": "0 deg", "mechanism": slider(), "throws": [1, 2]},
+        "K": {
+            "angle": "90 deg",
+            "mechanism": rocker | {"ground_length": "45 mm", "load_radius": "50 mm"},
+            "throws": [3, 4],
+        },
+        "Q": {"angle": "180 deg", "mechanism": slider(), "throws": [1, 2]},
     }
-    result = engine(throws(0, 180, speed="100 rpm"), bank, cylinder={"bore": "80 mm"})
+    result = engine(throws(0, 180, 0, 180, speed="100 rpm"), bank, cylinder={"bore": "80 mm"})
     assert result.labels["mechanism"] == ("1P", "2P", "1K", "2K", "1Q", "2Q")
     assert_tops(result, {"1P": 0, "2P": 180, "1Q": 180, "2Q": 0})
     alone = ct.run(

@@ -19,6 +19,9 @@ CRANK = {"kind": "slider_crank", "stroke": "80 mm", "rod_length": "140 mm"}
         (CRANK, {"on": "piston", "force": "1 N", "radius": "10 mm"}, "load.x.radius: is for what turns"),
         (CRANK, {"on": "piston", "force": "-5 N"}, "load.x.force = -5 N: must be at least 0 of a load that resists"),
         (CRANK, {"on": "rod", "force": "5 N", "sense": "active"}, "load.x.direction: is missing; a force on a link"),
+        (CRANK, {"on": "rod", "force": "5 N"}, "load.x.along: is missing: where on the rod the force acts"),
+        (CRANK, {"on": "crank", "force": "5 N", "across": "3 mm"}, "load.x.along: is missing: where on the crank"),
+        (ROCKER, {"on": "rocker", "force": "5 N", "direction": "9 deg"}, "load.x.along: is missing: where on the rock"),
         (CRANK, {"on": "rod", "force": "5 N", "exponent": 2}, "load.x.exponent = 2: needs at_speed"),
         (CRANK, {"on": "rod", "torque": "5 N*m", "at_speed": "1 m/s"}, "load.x.at_speed = 1 m/s: is for a force"),
         (CRANK, {"on": "rod", "force": "5 N", "at_turning": "1 rpm"}, "load.x.at_turning = 1 rpm: is for a torque"),
@@ -145,3 +148,55 @@ def test_two_turns_are_for_a_four_stroke_wherever_the_load_stands():
         with pytest.raises(ct.InputError) as caught:
             ct.run(machine)
         assert [problem.path for problem in caught.value.problems] == [path]
+
+
+def crusher(**load):
+    """A jaw crusher as one of its builders types it: 400 kN of stone on the jaw, which is the rod."""
+    return ct.Machine(
+        angle="177 deg",
+        shaft={"main": {"speed": "290 rpm"}},
+        mechanism={
+            "kind": "crank_rocker",
+            "crank_radius": "15 mm",
+            "rod_length": "1085 mm",
+            "rocker_length": "455 mm",
+            "ground_length": "817 mm",
+        },
+        load={"stone": {"on": "rod", "force": "400 kN", **load}},
+    )
+
+
+def jaw_along(angles, along, direction):
+    """How far a point of the crusher's rod is along a direction: the four-bar's loop closed by hand. [m]"""
+    crank, rod, rocker, ground = 0.015, 1.085, 0.455, 0.817
+    pin = crank * np.exp(1j * angles)
+    reach = ground - pin
+    bend = np.arccos((rod**2 + np.abs(reach) ** 2 - rocker**2) / (2 * rod * np.abs(reach)))
+    found = [(pin + along * np.exp(1j * (np.angle(reach) + side * bend))) for side in (-1, 1)]
+    return [np.real(one * np.exp(-1j * direction)) for one in found]
+
+
+def test_a_force_on_a_link_asks_where_it_acts():
+    """Of the stone it was said 200 kW at the crank pin; at the jaw 39.27 kW, one way half of it, by its own stroke."""
+    with pytest.raises(ct.InputError) as caught:
+        ct.run(crusher())
+    said = str(caught.value)
+    assert 'along = "200 mm"' in said
+    assert 'on = "seat"' in said
+    at = {"along": "700 mm", "direction": "-112.5 deg"}
+    strokes = [np.ptp(one) for one in jaw_along(np.linspace(0, 2 * np.pi, 20001), 0.7, np.radians(-112.5))]
+    stroke = min(strokes, key=lambda one: abs(one - 10.1548e-3))
+    assert stroke == pytest.approx(10.1548e-3, abs=1e-7)
+    rate = 400e3 * stroke * 290 / 60
+    one_way = {"travel": ["0 mm", "20 mm"], "force": ["400 kN", "400 kN"], "force_back": ["0 kN", "0 kN"]}
+    for more, power in (({}, 2 * rate), (one_way, rate)):
+        result = ct.run(crusher(**at, **more))
+        assert -float(result.load_work[0]) * 290 / 60 == pytest.approx(power, rel=1e-6)
+
+
+def test_a_point_that_is_followed_is_named():
+    """Of a mechanism with one on that link, the example is that point."""
+    machine = crusher().declared | {"load": {"stone": {"on": "rod", "force": "400 kN"}}}
+    machine["mechanism"]["points"] = {"jaw": {"link": "rod", "along": "700 mm", "across": "0 mm"}}
+    with pytest.raises(ct.InputError, match='on = "jaw"'):
+        ct.run(ct.Machine(**machine))

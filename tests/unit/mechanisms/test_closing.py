@@ -209,3 +209,58 @@ def test_astern_the_angles_are_mirrored():
 def test_problem_stands_where_the_rod_is_given(mechanism, path, given):
     problem = problem_of(mechanism=mechanism)
     assert (problem.path, problem.given) == (path, given)
+
+
+SIX_LINKS = {
+    "kind": "chain",
+    "output": "FE",
+    "fixed": {"G": ["110.6 mm", "-11 mm"]},
+    "crank": {"main": {"radius": "34.731541860389674 mm"}},
+    "part": [
+        {
+            "type": "pin",
+            "rod": {"name": "CBD", "from": "main.pin", "length": "43.26707755326214 mm"},
+            "rocker": {"name": "CFG", "from": "G", "length": "69.62126112043648 mm"},
+            "joint": "C",
+            "side": "left",
+        },
+        {"type": "point", "name": "D", "link": "CBD", "along": "21.2078109244 mm", "across": "33.5599278276 mm"},
+        {"type": "point", "name": "F", "link": "CFG", "along": "32.0614703623 mm", "across": "-61.1985467001 mm"},
+        {
+            "type": "pin",
+            "rod": {"name": "DE", "from": "D", "length": "54.76531749200401 mm"},
+            "rocker": {"name": "FE", "from": "F", "length": "36.338959808998386 mm"},
+            "joint": "E",
+            "side": "left",
+        },
+    ],
+}
+
+
+def by_hand(degrees):
+    """Whether the dyads C and E of the six links close, by circles that meet; E's None where C has no place."""
+    pin, ground = 34.731541860389674 * np.exp(1j * np.radians(degrees)), 110.6 - 11j
+    apart = abs(ground - pin)
+    rod, rocker = 43.26707755326214, 69.62126112043648
+    if not abs(rod - rocker) < apart < rod + rocker:
+        return False, None
+    turn = np.arccos((rod**2 + apart**2 - rocker**2) / (2 * rod * apart))
+    joint = pin + rod * np.exp(1j * (np.angle(ground - pin) + turn))
+    along, lever = (joint - pin) / rod, (joint - ground) / rocker
+    between = abs(ground + lever * (32.0614703623 - 61.1985467001j) - pin - along * (21.2078109244 + 33.5599278276j))
+    return True, abs(54.76531749200401 - 36.338959808998386) < between < 54.76531749200401 + 36.338959808998386
+
+
+def test_every_part_of_a_chain_has_its_own_angles():
+    """Each is told where it cannot close itself; where one that it hangs on cannot, it is not to blame."""
+    found = ct.Machine(name="six", shaft={"main": {"speed": "10 rpm"}}, mechanism=SIX_LINKS, rotation="anticlockwise")
+    first, second = found.closing_problems
+    assert (first.path, second.path) == ("mechanism.part[0]", "mechanism.part[3]")
+    assert "78.25 deg to 270.39 deg (short" in first.allowed
+    assert "281.36 deg to 67.28 deg (short" in second.allowed
+    assert "makes C, CBD, CFG" in first.allowed
+    assert "makes E, DE, FE" in second.allowed
+    for inside, closes in ((73.0, (True, True)), (276.0, (True, True)), (180.0, (False, None)), (0.0, (True, False))):
+        assert by_hand(inside) == closes
+    for edge, part in ((78.25, 0), (270.39, 0), (281.36, 1), (67.28, 1)):
+        assert bool(by_hand(edge - 0.02)[part]) != bool(by_hand(edge + 0.02)[part])

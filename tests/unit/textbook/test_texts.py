@@ -1,9 +1,14 @@
 """What the texts hold: every number of theirs is there, and what is said of a formula follows from its closed form."""
 
+import re
+
 import mpmath as mp
+import numpy as np
 import pytest
 
+import cranktrain as ct
 from cranktrain.errors import InputError
+from cranktrain.io.examples import example_document, example_names
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.texts import TEXTS, text_called
 
@@ -115,3 +120,21 @@ def test_an_unknown_text_is_refused_with_the_nearest(asked, meant):
     (problem,) = refused.value.problems
     assert problem.path == "--source"
     assert problem.repair == (f'write "{meant}"' if meant else None)
+
+
+def test_how_far_the_form_of_articulated_rods_is_off():
+    """On the slaves of all examples that have any: from the least of one to the largest of any, as the page says."""
+    (said,) = (one.note for one in text_called("bolotin").formulas if "real proportions" in one.note)
+    names = [name for name in example_names() if "articulated_rod" in example_document(name).text]
+    assert {"3d12", "r_1340", "m_503"} <= set(names)
+    found = {"displacement": [], "velocity": [], "acceleration": []}
+    for name in names:
+        result = ct.run(name, step_degrees=5.0)
+        place = result.labels["motion_method"].index("reconstructed")
+        for what, errors in found.items():
+            of_slaves = np.abs(getattr(result, f"{what}_error")[place])
+            errors.extend((100 * of_slaves[np.isfinite(of_slaves)]).tolist())
+    ranges = re.findall(r"([\d.]+)–([\d.]+) %", said)
+    for (least, most), errors in zip(ranges, found.values(), strict=True):
+        assert float(least) == pytest.approx(min(errors), abs=0.06)
+        assert float(most) == pytest.approx(max(errors), abs=0.06)

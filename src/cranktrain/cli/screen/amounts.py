@@ -13,15 +13,19 @@ from cranktrain.motion import Array
 from cranktrain.quantities import chosen_unit
 from cranktrain.rows import Amount, Extent, Piece
 from cranktrain.scales import scale_for
-from cranktrain.wording import ABSENT, decimals_for, in_print, signless
+from cranktrain.wording import ABSENT, decimals_for, in_print, seen, signless
 
 _FIGURES = 4
 _MOST_DECIMALS = 8
+"""Of values that are to be told apart."""
 _ROUNDING = 1e-9
-"""Of the largest value; what is less is nothing beside it."""
+"""Of the largest value, and of a unit; what is less is nothing beside it."""
 
 _DECIMALS = {"rad": 2, "deg": 2, "position": 1, "off": 0, "number": 0}
 """Of these, whatever their size, unless another unit is chosen."""
+
+_PLACES = {"deg", "position"}
+"""Where something stands: 0 is a place among others, and nearly there is there."""
 
 _FEW_FIGURES = {"error": 2}
 """Of errors, that say how far off something is."""
@@ -38,8 +42,10 @@ class Written(NamedTuple):
         return f"{text}{'' if self.label in ('', '°') else KEPT}{self.label}"
 
 
-def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.0) -> Written:
-    """Write values of one quantity with four figures each, but hardly more decimals than the largest has.
+def written(
+    values: Array, unit: str, *, apart: bool = False, beside: float = 0.0, measured: Array | None = None
+) -> Written:
+    """Write values of one quantity with four figures each; what is rounding beside the largest of them is 0.
 
     Parameters
     ----------
@@ -51,27 +57,32 @@ def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.
         Whether there are to be digits enough to tell them apart.
     beside : float
         Size of the largest value beside which these stand, and whose unit they have.
+    measured : Array, shape (n,), optional
+        Size beside which each is measured; that of the largest of all unless given.
     """
     sizes = np.abs(values[np.isfinite(values)])
     most = float(np.max(sizes, initial=0.0))
     scale = scale_for(unit, max(most, beside))
     sized = [float(scale.of(float(value))) for value in values]
-    decimals = _decimals_of(sized, abs(float(scale.of(most))), unit, apart=apart)
+    each = np.full(len(sized), most) if measured is None else measured
+    nothing = [max(1.0, abs(float(scale.of(float(one))))) * _ROUNDING for one in each]
+    decimals = _decimals_of(sized, nothing, abs(float(scale.of(most))), unit, apart=apart)
     sign = "+" if unit == "off" else ""
     return Written(tuple(_text(*one, sign) for one in zip(sized, decimals, strict=True)), scale.label)
 
 
-def _decimals_of(sized: Sequence[float], most: float, unit: str, *, apart: bool) -> list[int]:
-    """How many decimals each of some values has, the largest of which is `most`; what is rounding beside it has its."""
+def _decimals_of(sized: Sequence[float], nothing: Sequence[float], most: float, unit: str, *, apart: bool) -> list[int]:
+    """How many decimals each of some values has, the largest of which is `most`; what is nothing has those of it."""
     figures = _FEW_FIGURES.get(unit, _FIGURES)
     fixed = None if unit == "rad" and chosen_unit("°") else _DECIMALS.get(unit)
-    usual = fixed if fixed is not None else decimals_for(most, figures)
+    usual = fixed if fixed is not None else decimals_for(most, figures) if most > _ROUNDING else 0
     differs = float(np.ptp(sized)) if apart else 0.0
-    needed = max(usual, 1 - floor(log10(differs))) if differs > 0 else usual
+    needed = min(max(usual, 1 - floor(log10(differs))), _MOST_DECIMALS) if differs > _ROUNDING else usual
     if fixed is not None:
-        return [needed] * len(sized)
-    own = [decimals_for(abs(one), figures) if abs(one) > _ROUNDING * most else usual for one in sized]
-    return [min(max(needed, min(one, usual + 1)), _MOST_DECIMALS) for one in own]
+        own = [needed if unit in _PLACES else seen(abs(one), needed) for one in sized]
+    else:
+        own = [max(needed, decimals_for(abs(one), figures)) for one in sized]
+    return [many if abs(one) > least else needed for one, many, least in zip(sized, own, nothing, strict=True)]
 
 
 def filled(words: str, pieces: Mapping[str, Piece]) -> str:

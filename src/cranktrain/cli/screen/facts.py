@@ -13,11 +13,12 @@ from cranktrain.analysis import Result
 from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.catalogue import Entry
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
-from cranktrain.cli.screen.figures import figures
+from cranktrain.cli.screen.figures import Figures, figures
 from cranktrain.cli.screen.text import GAP, table
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.question import ResultDimension
+from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.wording import ABSENT, ranged
 
@@ -176,7 +177,7 @@ def _lines(rows: Sequence[FactRow], members: Sequence[str], outer: str = "") -> 
 def _deep(result: Result, entries: Sequence[Entry], width: int) -> Iterator[str | Text]:
     """Facts with more dimensions, as of each piston by each method: a line for each method and group of pistons."""
     *outer, members = result.labels_of(entries[0]).values()
-    shown = [figures(getattr(result, entry.name).ravel(), entry.shown) for entry in entries]
+    shown = [_of_members(getattr(result, entry.name), entry) for entry in entries]
     lines: list[_Line] = []
     rows: list[FactRow] = []
     for i, names in enumerate(itertools.product(*outer)):
@@ -187,6 +188,13 @@ def _deep(result: Result, entries: Sequence[Entry], width: int) -> Iterator[str 
         ]
         lines += _lines(rows, members, ", ".join(names))
     yield from _by_member(rows, lines, width)
+
+
+def _of_members(values: Array, entry: Entry) -> Figures:
+    """Write values with several dimensions; what is rounding beside the largest of its own mode is nothing."""
+    axes = tuple(i for i, name in enumerate(entry.dimensions) if not DIMENSIONS[name].is_apart)
+    beside = np.fmax.reduce(np.abs(values), axis=axes, keepdims=True, initial=0.0)
+    return figures(values.ravel(), entry.shown, np.broadcast_to(beside, values.shape).ravel())
 
 
 def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int, title: str = "") -> Iterator[str | Text]:

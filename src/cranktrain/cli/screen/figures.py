@@ -15,7 +15,7 @@ class Figures(NamedTuple):
     unit: str
 
 
-def figures(values: Array, unit: str) -> Figures:
+def figures(values: Array, unit: str, beside: Array | None = None) -> Figures:
     """Write the values of one quantity.
 
     Parameters
@@ -24,6 +24,8 @@ def figures(values: Array, unit: str) -> Figures:
         In the unit of its catalogue entry.
     unit : str
         That unit.
+    beside : Array, shape (n,), optional
+        Size beside which each is measured, if that is not the largest of all.
 
     Returns
     -------
@@ -32,7 +34,7 @@ def figures(values: Array, unit: str) -> Figures:
     """
     known = values[np.isfinite(values)]
     if unit == "1" and np.all(known == np.rint(known)):
-        found = written(values, "number")
+        found = written(values, "number", measured=beside)
     else:
-        found = written(values, "%" if unit == "1" and np.all(np.abs(known) < 1) else unit)
+        found = written(values, "%" if unit == "1" and np.all(np.abs(known) < 1) else unit, measured=beside)
     return Figures(found.texts, found.label)

@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-import numpy as np
 from rich.cells import cell_len
 from rich.text import Text
 
@@ -12,6 +11,7 @@ from cranktrain.cli.screen.columns_of_members import MemberColumns, member_colum
 from cranktrain.cli.screen.text import GAP, INDENT, folded
 from cranktrain.grouping import grouped
 from cranktrain.language import _
+from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.one_line import visible
 from cranktrain.rows import AnswerLine
 from cranktrain.wording import ABSENT
@@ -125,7 +125,7 @@ def _by_name(row: AnswerLine, found: Written) -> str:
     )
     if len(alike) <= _NAMED and len(each) <= _LONGEST:
         return each
-    least, most = (row.members[pick(row.values)] for pick in (np.nanargmin, np.nanargmax))
+    least, most = (row.members[pick(row.values)] for pick in (first_smallest, first_largest))
     texts = dict(zip(row.members, found.texts, strict=True))
     return _("{least} ({one}) to {most} ({other})").format(
         least=texts[least], one=least, most=found.whole(texts[most]), other=most

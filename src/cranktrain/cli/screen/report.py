@@ -16,14 +16,12 @@ from cranktrain.cli.screen.inputs import input_table, provenance
 from cranktrain.cli.screen.text import INDENT, paragraph, section, table
 from cranktrain.io.machine_file import MachineFile, inputs_of
 from cranktrain.language import _
+from cranktrain.numerics.ties import first_largest, largest_of
 from cranktrain.one_line import visible
 from cranktrain.wording import ABSENT
 
 _NAMED = 4
 """How many of the results that something would give are named."""
-
-_EQUAL = 1e-9
-"""Peaks closer than this are one: which of them rounding makes the largest says nothing."""
 
 
 def show_full(console: Console, file: MachineFile, result: Result, names: Sequence[str], *, is_all: bool) -> None:
@@ -105,7 +103,7 @@ def _in_steps(result: Result, entry: Entry, place: Place) -> tuple[float, str, i
     """Largest size of a curve among its steps, at which and whose; NaN where it has none."""
     curves = np.reshape(getattr(result, entry.name)[place], (-1, result.crank_angle.size))
     size = np.nan_to_num(np.abs(curves), nan=-1.0)
-    member, step = np.unravel_index(np.argmax(size >= np.max(size) * (1 - _EQUAL)), size.shape)
+    member, step = np.unravel_index(first_largest(size), size.shape)
     return float(curves[member, step]), f"{result.crank_angle[step]:g}", int(member)
 
 
@@ -120,11 +118,11 @@ def _refined(result: Result, entry: Entry, place: Place) -> tuple[float, str, in
             continue
         values, angles = (np.ravel(np.asarray(fact.value)[place]) for fact in (extreme, at))
         sizes = np.nan_to_num(np.abs(values), nan=-1.0)
-        member = int(np.argmax(sizes >= np.max(sizes) * (1 - _EQUAL)))
+        member = first_largest(sizes)
         if sizes[member] >= 0:
             where = "" if np.isnan(angles[member]) else f"{angles[member]:.1f}"  # of what is level, nowhere
             found.append((float(values[member]), where, member))
-    return max(found, key=lambda one: abs(one[0]), default=None)
+    return largest_of(found, lambda one: abs(one[0])) if found else None
 
 
 def _checks(console: Console, result: Result) -> Iterator[Text]:

@@ -2,17 +2,20 @@
 
 import re
 import shlex
-from collections.abc import Generator, Iterator, Sequence
-from contextlib import contextmanager, nullcontext
+from collections.abc import Iterator, Sequence
+from contextlib import nullcontext
+from functools import partial as with_arguments
 
 from rich.console import Console
 from rich.text import Text
 
+from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.screen.columns import Column, column_tables, worded_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_errors_of
 from cranktrain.grouping import grouped
+from cranktrain.how_far import say_how_far
 from cranktrain.io.added_tables import with_tables, with_values
 from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile, read_machine
@@ -22,7 +25,6 @@ from cranktrain.one_line import one_line
 from cranktrain.quantities import chosen_unit, shown_as_in
 from cranktrain.synthesis.counterweights import CounterweightProposal
 from cranktrain.synthesis.proposal import MachineProposal, Number, Proposal
-from cranktrain.synthesis.relief import Progress
 from cranktrain.textbook.errata import SYNTHESIS
 from cranktrain.wording import figure, number
 
@@ -67,8 +69,8 @@ def _give_proposal(
 ) -> None:
     """Do so, in the units in which numbers are shown."""
     wanted = SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed
-    with nullcontext() if file is None else _searching() as progress:
-        proposal = proposed(problem, wanted, file, progress)
+    with says_how_far():
+        proposal = proposed(problem, wanted, file, None if file is None else _progress)
     if output is not None:
         write_machine_file(output, _machine_file(proposal, file), force=force)
     if output in STANDARD_OUTPUT:
@@ -86,16 +88,14 @@ def _give_proposal(
         console.print(said, soft_wrap=True)
 
 
-@contextmanager
-def _searching() -> Generator[Progress]:
-    """Show how far a search is, for as long as it takes, where somebody looks on."""
-    with Console(stderr=True).status(_("searching")) as status:
+def _progress(reached: float, bound: float) -> None:
+    """Say how far a search is."""
+    say_how_far(with_arguments(_how_far, reached, bound))
 
-        def progress(reached: float, bound: float) -> None:
-            said = _("searching: {reached} reached, nothing goes below {bound}")
-            status.update(said.format(reached=number(reached, "kN"), bound=number(bound, "kN")))
 
-        yield progress
+def _how_far(reached: float, bound: float) -> str:
+    said = _("searching: {reached} reached, nothing goes below {bound}")
+    return said.format(reached=number(reached, "kN"), bound=number(bound, "kN"))
 
 
 def _machine_file(proposal: Proposal, file: MachineFile | None) -> str:

@@ -8,6 +8,7 @@ from rich.console import Console
 from rich.text import Text as Line
 
 from cranktrain.analysis import Result, run
+from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.screen.title import title
 from cranktrain.cli.textbook.constructions import show_constructions
@@ -108,7 +109,8 @@ def _show_machine(
 ) -> None:
     """Show what the texts, or one of them, have for a machine."""
     machine = machine_file(file, settings, "cranktrain textbook 3d12, or cranktrain textbook --source").machine
-    result = run(machine, step_degrees=STEP, quantities=(*FORMS_NEEDED, *OPPOSED_NEEDED))
+    with says_how_far():
+        result = run(machine, step_degrees=STEP, quantities=(*FORMS_NEEDED, *OPPOSED_NEEDED))
     shown = {name: show for name, show in _SHOWN.items() if text is None or name == text.name}
     with page(title(machine)) as console:
         spoken = [name for name, show in shown.items() if show(console, machine, result, with_table=with_table)]

@@ -11,6 +11,7 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.slider_crank import SliderCrank
+from cranktrain.numerics.ties import first_largest
 from cranktrain.plans.constructions import Construction, construction
 from cranktrain.wording import figure, number, ranged
 
@@ -36,7 +37,7 @@ def show_constructions(
     section(console, _("Arcs of the rod's length about the piston's pin"), [words.format(off=off)])
     read = [construction(machine, "brix_backward", _FINE, mechanism=first.name) for first in firsts]
     errors = [np.rad2deg(one.angle - one.exact_angle) for one in read]
-    worst = [int(np.nanargmax(np.abs(error))) for error in errors]
+    worst = [first_largest(np.abs(error)) for error in errors]
     columns = [
         Column("OP = λR/2", "mm", tuple(figure(-one.pole, "mm") for one in read)),
         Column("Δφ", "deg", tuple(f"{error[at]:.2f}" for error, at in zip(errors, worst, strict=True))),

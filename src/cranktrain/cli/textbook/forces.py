@@ -14,10 +14,13 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.plans.force_table import ForceColumn, ForceTable, force_table
 from cranktrain.textbook.percents import percent
-from cranktrain.wording import signless
+from cranktrain.wording import decimals_for, seen, signless
 
 _FIGURES = 5
 """Of the largest number in a column."""
+
+_ROUNDING = 1e-9
+"""Of the largest number; what is less is nothing beside it."""
 
 _SAID = 5e-5
 """An error that is shown, in parts of the peak."""
@@ -112,7 +115,8 @@ def _explained(table: ForceTable) -> Iterator[str]:
 
 
 def _written(values: Array, like: Array) -> tuple[str, ...]:
-    """Write numbers with as many decimals as give the largest of a curve its figures."""
+    """Write numbers with as many decimals as give the largest of a curve its figures, or as show what is less."""
     peak = float(np.max(np.abs(like)))
-    decimals = max(0, _FIGURES - 1 - int(np.floor(np.log10(peak)))) if peak > 0.0 else 0
-    return tuple(signless(f"{value:.{decimals}f}") for value in values)
+    usual = max(0, decimals_for(peak, _FIGURES))
+    decimals = [seen(abs(value), usual) if abs(value) > _ROUNDING * peak else usual for value in values.tolist()]
+    return tuple(signless(f"{value:.{own}f}") for value, own in zip(values, decimals, strict=True))

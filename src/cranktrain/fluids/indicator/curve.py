@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.numerics.spline import periodic_slopes
+from cranktrain.numerics.ties import first_largest
 
 _AT_PLACE = 1e-13
 """What is so little before a place stands at it: places come back from a count of other zero with rounding. [rad]"""
@@ -136,8 +137,8 @@ def crest(curve: CubicCurve) -> tuple[float, float]:
     found = [_share(both, 3 * three), _share(one, both)]
     shares = np.stack([np.zeros_like(step), *found, np.ones_like(step)])
     values = along(curve, np.arange(len(step)), shares)
-    which, piece = np.unravel_index(np.argmax(values), values.shape)
-    return float(curve.places[piece] + shares[which, piece] * step[piece]), float(values[which, piece])
+    piece, which = np.unravel_index(first_largest(values.T), values.T.shape)
+    return float(curve.places[piece] + shares[which, piece] * step[piece]), float(np.max(values))
 
 
 def _share(above: Array, below: Array) -> Array:

@@ -10,6 +10,7 @@ from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.fluids.indicator.pegging import polytropic_exponent
 from cranktrain.language import _
 from cranktrain.numerics import around_zero
+from cranktrain.numerics.ties import first_largest
 from cranktrain.quantities import shown
 
 _START, _END = np.radians(-80.0), np.radians(-40.0)
@@ -85,7 +86,7 @@ def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[str]:
     steep = (np.abs(slopes) > _STEEP * onward) & (np.abs(slopes) > _STEEPER * np.max(np.abs(beside), axis=0))
     found = np.flatnonzero(steep & (np.abs(ends - starts) > _LARGE_STEP * np.ptp(samples.pressures)))
     if found.size:
-        largest = int(found[np.argmax(np.abs(ends - starts)[found])])
+        largest = int(found[first_largest(np.abs(ends - starts)[found])])
         sentence = _(
             "Between {start} and {end} the pressure goes from {before} to {after} bar in one step, far steeper than"
             " beside it{more}: if it jumps, give the jump as two rows of one angle (or place), before and after; else"

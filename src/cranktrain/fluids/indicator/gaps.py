@@ -7,6 +7,7 @@ from cranktrain.errors import InputError
 from cranktrain.fluids.indicator.reading import Trace
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.quantities import shown
 
 _DOUBTFUL = 3.5
@@ -54,10 +55,10 @@ def gap_flags(trace: Trace, angles: Array, pressures: Array, lines: NDArray[np.i
         return ()
     errors = bridging_errors(angles, pressures, gaps, cycle)
     costs = np.where(steps[gaps] > _WIDEST, np.inf, errors * steps[gaps])
-    worst = int(np.argmax(costs))
+    worst = first_largest(costs)
     if costs[worst] > _MOST_LOST * np.ptp(pressures):
         raise _refused(trace, angles, int(gaps[worst]), float(steps[gaps[worst]]), float(errors[worst]), lines)
-    widest = int(np.argmax(steps))
+    widest = first_largest(steps)
     start, end = _degrees(angles[widest]), _degrees(angles[widest] + steps[widest])
     if gaps.size == 1:
         said = _("There are no samples between {start} and {end}: the curve bridges them.")

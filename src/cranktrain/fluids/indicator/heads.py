@@ -22,6 +22,17 @@ _ANGLE_UNITS = (
 """Degrees of crank angle as programs and people write them."""
 _PRESSURE_UNITS = {r"(?:кг|kg|kp)/(?:см|cm)2|ата|ata": "at", r"at[üu]": "ati", r"bara": "bar", r"barü": "barg"}
 """Units of pressure that only heads have, with those of the list that they mean: old books' kg/cm² is kgf/cm²."""
+_FORCE_UNITS = {r"(?:lb|lbs|pounds?)\.?": "lbf"}
+"""Units of force that only heads have: what an instrument calls pounds is pounds-force."""
+_TORQUE_UNITS = {
+    r"(?:ft|foot)[\s·*.-]?(?:lb|lbs|pounds?)|(?:lb|lbs|pounds?)[\s·*.-]?(?:ft|feet)": "lbf·ft",
+    r"(?:in|inch)[\s·*.-]?(?:lb|lbs|pounds?)|(?:lb|lbs|pounds?)[\s·*.-]?(?:in|inch)": "lbf·in",
+}
+_OF_HEADS = {
+    Dimension.PRESSURE: _PRESSURE_UNITS,
+    Dimension.FORCE: _FORCE_UNITS,
+    Dimension.TORQUE: _TORQUE_UNITS,
+}
 # Both alphabets have the letter: р is Cyrillic, p Latin; х and x likewise.
 _WORDS = {
     "angle": r"angle|\bcad?\b|crank|winkel|угол|угла|\bphi\b|φ|\bалфа\b|пкв",
@@ -116,10 +127,9 @@ def _unit(piece: str, dimension: Dimension) -> str | None:
         return "deg"
     if is_unit(piece, dimension):
         return piece
-    if dimension is Dimension.PRESSURE:
-        plain = unicodedata.normalize("NFKC", piece).replace("^", "")
-        return next((unit for form, unit in _PRESSURE_UNITS.items() if re.fullmatch(form, plain, re.IGNORECASE)), None)
-    return None
+    plain = unicodedata.normalize("NFKC", piece).replace("^", "")
+    others = _OF_HEADS.get(dimension, {})
+    return next((unit for form, unit in others.items() if re.fullmatch(form, plain, re.IGNORECASE)), None)
 
 
 def _spaced(head: str) -> str:

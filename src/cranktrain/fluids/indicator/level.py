@@ -10,6 +10,7 @@ from cranktrain.fluids.indicator.reading import peg_advice
 from cranktrain.language import _
 from cranktrain.motion import Array, single
 from cranktrain.numerics import around_zero
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.quantities import shown
 from cranktrain.wording import precise
 
@@ -32,7 +33,7 @@ def refuse_not_positive(card: Card, curve: CubicCurve) -> None:
     InputError
         With the lowest pressure that is left, and what would raise it.
     """
-    lowest = int(np.argmin(curve.starts))
+    lowest = first_smallest(curve.starts)
     if curve.starts[lowest] > 0:
         return
     allowed = _("has {n} absolute pressures that are not more than 0, the lowest {lowest} bar at {angle}° from firing")

@@ -19,6 +19,7 @@ from cranktrain.fluids.indicator.pegging import pegged
 from cranktrain.fluids.indicator.placing import placed
 from cranktrain.fluids.indicator.unrolling import OutwardAngle, dead_centres_of, unrolled
 from cranktrain.language import _
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.quantities import shown
 
 
@@ -51,7 +52,7 @@ def indicator_diagram(card: Card, chamber: Chamber) -> Diagram:
         _refuse_angles(card, trace.axis)
         samples = unrolled(trace, chamber, CURVES[card.interpolation], _outward(card, chamber))
     samples = samples._replace(findings=(*trace.findings, *samples.findings))
-    highest = int(np.argmin(np.abs(samples.pressures - np.max(trace.pressures))))
+    highest = first_smallest(np.abs(samples.pressures - np.max(trace.pressures)))
     if card.peg is not None:
         samples = pegged(samples, _drawn(samples, chamber, card), card.peg, chamber, card.smoothing)
     diagram = _drawn(samples, chamber, card)

@@ -10,6 +10,7 @@ from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.language import _
 from cranktrain.motion import Array, single
 from cranktrain.numerics import around_zero
+from cranktrain.numerics.ties import first_largest
 from cranktrain.quantities import shown
 
 Sense: TypeAlias = Literal["forward", "backward", "found"]
@@ -98,7 +99,7 @@ def _within_cycle(angles: Array, cycle: float) -> Array:
 
 def _found(samples: Samples, cycle: float, firing_angle: float | None) -> _Found:
     """Find the dead centre by the peak, unless it is given, and judge the turn about it."""
-    at = float(samples.angles[np.argmax(samples.pressures)])
+    at = float(samples.angles[first_largest(samples.pressures)])
     dead_centre = _dead_centre_by(at) if firing_angle is None else firing_angle
     peak = float(around_zero(single(at - dead_centre), cycle))
     from_it = around_zero(samples.angles - dead_centre, cycle)

@@ -14,6 +14,7 @@ from cranktrain.fluids.indicator.reading import Trace
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero, bracketed_roots, extremes, turn_grid
+from cranktrain.numerics.ties import falling, first_largest
 from cranktrain.quantities import shown
 
 _JUMP = 0.5
@@ -129,7 +130,7 @@ def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
         raise trace.refused(_("has one volume only"))
     if trace.axis == "displacement":
         part = (trace.places - low) / (high - low)
-        is_turned = bool(part[np.argmax(trace.pressures)] > 0.5)
+        is_turned = bool(part[first_largest(trace.pressures)] > 0.5)
         sentences = [_("The ends of the file's displacements are taken for the dead centres.")]
         if is_turned:
             sentences.append(
@@ -180,7 +181,7 @@ def _in_order(branches: Sequence[_Branch], trace: Trace) -> Sequence[_Branch]:
     """Put the strokes in order: expansion, exhaust, inlet, compression; expansion and compression of a two-stroke."""
     middle = np.linspace(0.05, 0.95, 91)
     levels = [float(np.mean(np.interp(middle, *branch))) for branch in branches]
-    highest, second = (int(place) for place in np.argsort(levels)[::-1][:2])
+    highest, second = falling(levels)[:2]
     n_strokes = len(branches)
     if n_strokes == 2:
         return branches[highest], branches[second]

@@ -26,6 +26,7 @@ from cranktrain.mechanisms.chain.triads import triad_ends, triad_legs
 from cranktrain.mechanisms.chain.walks import sign_of
 from cranktrain.motion import Array, single
 from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.ties import smallest_of
 
 _TRIED = 12
 """Directions of a link from which one that cannot close is brought as near as it comes."""
@@ -110,7 +111,7 @@ def _start(step: TriadStep, own: TriadSize, made: Made, near: Array) -> StartSiz
     modes = modes_of(step, own, made)
     if not modes:
         return _least_open(ends, legs)
-    best = min(modes, key=lambda mode: float(np.nansum((mode.joints - near) ** 2)))
+    best = smallest_of(modes, lambda mode: float(np.nansum((mode.joints - near) ** 2)))
     sign = sign_of(ends, legs, best.pose)
     return StartSize(*(single(float(part)) for part in (*best.pose, sign, 1.0)))
 
@@ -122,5 +123,5 @@ def _least_open(ends: TriadEnds, legs: Triad) -> StartSize:
         y = float(np.mean([end.origin.y.value for end in ends]))
         starts = (Pose(single(x), single(y), single(2 * np.pi * i / _TRIED)) for i in range(_TRIED))
         tries = [nearest_pose(ends, legs, start) for start in starts]
-    best = min(tries, key=lambda one: float(np.nan_to_num(one.opening, nan=np.inf)))
+    best = smallest_of(tries, lambda one: float(np.nan_to_num(one.opening, nan=np.inf)))
     return StartSize(*(single(float(part)) for part in (*best.pose, 1.0, 1.0)))

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import cache, partial
+from functools import cache, partial, reduce
 from typing import Any, TypeVar
 
 import numpy as np
@@ -15,7 +15,6 @@ from cranktrain.mechanisms.chain.groups import anatomy, made_names
 from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_motion, triad_branch
 from cranktrain.mechanisms.chain.made import SHAFT, Part, pin_of
 from cranktrain.mechanisms.chain.margin import chain_openings
-from cranktrain.mechanisms.chain.spec import ChainSpec
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     GuideLegStep,
@@ -32,9 +31,8 @@ from cranktrain.mechanisms.chain.steps import (
     YokeStep,
 )
 from cranktrain.mechanisms.geometry import Geometry
-from cranktrain.mechanisms.kind import Kind
+from cranktrain.mechanisms.kind import ClosingPart, Kind
 from cranktrain.motion import Array
-from cranktrain.numerics import turn_grid
 
 _Outcome = TypeVar("_Outcome")
 
@@ -65,8 +63,7 @@ def kind_of_structure(
 def fields_of(structure: Structure) -> dict[str, Any]:
     """What a kind says that depends on the chain's structure, where the file has the chain's numbers."""
     return {
-        "closing_advice": partial(_advice, structure),
-        "closing_field": partial(_stuck_part, structure),
+        "closing_advice": partial(_closing_parts, structure),
         **as_chain(structure, _as_it_is, dict(_length_places(structure))),
     }
 
@@ -150,20 +147,23 @@ def _part_named(names: tuple[str, ...], motion: ChainMotion, name: str) -> Part:
     return motion.parts[names.index(name)]
 
 
-def _stuck(structure: Structure, size: ChainSize) -> int:
-    """The first group that cannot close somewhere over the turn; otherwise the one that closes least."""
-    with np.errstate(all="ignore"):
-        least = [float(np.nanmin(np.append(gap, np.inf))) for gap in chain_gaps(structure, turn_grid(), size)]
-    return next((place for place, gap in enumerate(least) if gap < 0), int(np.argmin(least)))
+def _closing_parts(structure: Structure, size: ChainSize) -> list[ClosingPart]:
+    """Every group with its own gap: where one that it hangs on cannot close, it is not to blame."""
+    return [
+        ClosingPart(f"part[{place}]", _advice(structure, size, place), partial(_own_gap, structure, size, place))
+        for place in range(len(structure.steps))
+    ]
 
 
-def _stuck_part(structure: Structure, _spec: ChainSpec, size: ChainSize) -> str:
-    return f"part[{_stuck(structure, size)}]"
+def _own_gap(structure: Structure, size: ChainSize, place: int, angle: Array) -> Array:
+    """Gap of one group; where it has none, by how much those before it cannot close, as if it had that to spare. [m]"""
+    gaps = chain_gaps(structure, angle, size)
+    spare = -reduce(np.fmin, gaps[:place], np.full_like(angle + size.cranks[0].radius, np.inf))
+    return np.where(np.isnan(gaps[place]), spare, gaps[place])
 
 
-def _advice(structure: Structure, size: ChainSize) -> str:
+def _advice(structure: Structure, size: ChainSize, place: int) -> str:
     """Say which part it is, by what it makes, and what it hangs on."""
-    place = _stuck(structure, size)
     step = structure.steps[place]
     groups = step.legs if isinstance(step, TriadStep) else (step,)
     named = [getattr(group, field) for group in groups for field in _HUNG_ON if hasattr(group, field)]

@@ -6,6 +6,7 @@ from typing import Annotated, Literal, NamedTuple
 
 from pydantic import Field
 
+from cranktrain.allowed import Name
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.spec import MechanismSpec
@@ -208,10 +209,10 @@ class ChainTable(MechanismSpec, frozen=True):
 
     kind: Literal["chain"]
     output: str = Field(description=N_("Name of the slider or link that load and gas act on."))
-    fixed: Mapping[str, FixedPoint] = Field(
+    fixed: Mapping[Name, FixedPoint] = Field(
         default={}, description=N_("Fixed points by name: x and y in the file's own axes, from the shaft's centre.")
     )
-    crank: Mapping[str, ChainCrankSpec] = Field(
+    crank: Mapping[Name, ChainCrankSpec] = Field(
         description=N_("Cranks on the shaft: `main`, whose angle is the crank angle, and eccentrics.")
     )
     part: tuple[PartSpec, ...] = Field(min_length=1, description=N_("Groups, each on what stands above it."))

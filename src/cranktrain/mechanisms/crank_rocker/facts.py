@@ -11,6 +11,7 @@ from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_roc
 from cranktrain.mechanisms.kind import Members
 from cranktrain.motion import Array
 from cranktrain.numerics import extremes
+from cranktrain.numerics.ties import first_smallest_along
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
 from cranktrain.rows import Amount, AnswerLine, valued, worded
@@ -103,7 +104,7 @@ def grashof_class(geometry: CrankRocker) -> Array:
     links = np.stack(
         np.broadcast_arrays(geometry.crank_radius, geometry.ground_length, geometry.rod_length, geometry.rocker_length)
     )
-    shortest = np.argmin(links, axis=0)
+    shortest = first_smallest_along(np.moveaxis(links, 0, -1))
     slack = np.sum(links, axis=0) - 2 * (np.min(links, axis=0) + np.max(links, axis=0))
     rounding = 4 * np.finfo(float).eps * np.max(links, axis=0)
     return np.where(slack > rounding, shortest, np.where(slack < -rounding, 5, 4)).astype(float)

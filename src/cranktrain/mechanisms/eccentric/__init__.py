@@ -33,6 +33,7 @@ KIND = Kind(
     members=Members,
     stages=(),
     has_chambers=False,
+    has_own_pin=True,
     example="""\
 [mechanism]
 kind = "eccentric"

@@ -38,7 +38,7 @@ QUESTION = Question(
         Stage(shaking.shaking_forces),
         Stage(shaking.shaking_couples),
         Stage(shaking.rolling_moment),
-        Stage(unlikely.unlikely_balance, applies=unlikely.has_weights),
+        Stage(unlikely.unlikely_balance),
     ),
     dimensions=(ResultDimension("balance", N_("balance"), own=-1), ResultDimension("weight", N_("weight"))),
     headline=("shaking_force_largest", "shaking_couple_largest"),

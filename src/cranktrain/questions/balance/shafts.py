@@ -5,6 +5,7 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.numerics.plane_vectors import PlaneVectors
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.balance.counterweights import two_plane_vectors
 from cranktrain.questions.balance.rotating_weights import RotatingWeights
 from cranktrain.questions.balance.unit_shaking import Shaking
@@ -84,7 +85,7 @@ def couple_of(before: Shaking) -> Shaking:
 
 def vectors_of(vectors: PlaneVectors, order: int) -> tuple[ComplexArray, ComplexArray]:
     """Forward and backward vector of one order, of shape (...)."""
-    at = np.argmin(np.abs(vectors.order - order))
+    at = first_smallest(np.abs(vectors.order - order))
     return vectors.forward[..., at], vectors.backward[..., at]
 
 

@@ -22,6 +22,7 @@ from cranktrain.numerics.plane_vectors import (
     machine_axes,
     vector_curve,
 )
+from cranktrain.numerics.ties import falling
 from cranktrain.questions.balance.frame_forces import FrameForces
 from cranktrain.questions.balance.rotating_weights import RotatingWeights, weight_orders, weight_vectors
 from cranktrain.questions.balance.running_frame import RunningFrame
@@ -207,8 +208,7 @@ def _summed(vectors: PlaneVectors, arm: Array) -> PlaneVectors:
 
 def _largest_first(largest: Array, gross: float) -> list[int]:
     """Places of orders that there are, the largest first; what is nothing beside `gross` is none."""
-    places: list[int] = np.argsort(-largest, kind="stable").tolist()
-    return [i for i in places if largest[i] > _GONE * gross]
+    return [i for i in falling(largest) if largest[i] > _GONE * gross]
 
 
 def _size(value: float, unit: str) -> str:

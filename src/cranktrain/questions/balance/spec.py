@@ -50,8 +50,15 @@ class SectorSpec(Spec, frozen=True):
     @property
     def moment(self) -> Array:
         """Mass times radius of its centroid; docs/theory/balance, below eq. (16.7). [kg·m]"""
+        # As products: NumPy raises a number to a power otherwise than a column, by a last bit.
         rim, begin, opening = (part.array for part in (self.outer_radius, self.inner_radius, self.opening))
-        return self.density.array * self.thickness.array * (rim**3 - begin**3) * (2 / 3) * np.sin(opening / 2)
+        return (
+            self.density.array
+            * self.thickness.array
+            * (rim * rim * rim - begin * begin * begin)
+            * (2 / 3)
+            * np.sin(opening / 2)
+        )
 
     def _problems(self) -> Iterator[Problem]:
         """Find a sector that begins beyond its rim."""

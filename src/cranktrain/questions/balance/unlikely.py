@@ -21,14 +21,14 @@ class UnlikelyBalance(StageResult):
     """Balance weights that do the contrary of what they are for."""
 
 
-def has_weights(declared: DeclaredBalance | None) -> bool:
-    """Whether the file gives weights of its own."""
-    return declared is not None and declared.given.moment.shape[-1] > 0
-
-
-def unlikely_balance(shaking: ShakingForces, weights: BalanceWeights, speed: Speed) -> UnlikelyBalance:
-    """Flag weights that make the largest shaking force larger."""
-    return UnlikelyBalance(unlikely=tuple(_heavier(shaking, weights, speed)))
+def unlikely_balance(
+    shaking: ShakingForces | None, weights: BalanceWeights | None, declared: DeclaredBalance | None, speed: Speed | None
+) -> UnlikelyBalance:
+    """Flag weights of the file that make the largest shaking force larger."""
+    if shaking is None or weights is None or declared is None or speed is None:
+        return UnlikelyBalance()
+    has_given = declared.given.moment.shape[-1] > 0
+    return UnlikelyBalance(unlikely=tuple(_heavier(shaking, weights, speed)) if has_given else ())
 
 
 def _heavier(shaking: ShakingForces, weights: BalanceWeights, speed: Speed) -> Iterator[str]:

@@ -8,6 +8,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
 from cranktrain.questions.crankshaft.bearings_between_events import BearingsBetweenEvents
 from cranktrain.questions.crankshaft.cycle_points import CyclePoints
@@ -106,5 +107,5 @@ def _axes(loaded: LoadedShafts, acting: Sequence[ShaftLoads]) -> tuple[Array, Ar
 
 def first_throw(one: LoadedShaft, acting: ShaftLoads) -> Array:
     """Direction of the crank of a shaft's throw 1, from X toward Y, shape (design, n). [rad]"""
-    piece = one.laid.pins[np.argmin(one.laid.declared.throw)]
+    piece = one.laid.pins[first_smallest(one.laid.declared.throw)]
     return one.shaft.pieces.angle[:, piece, np.newaxis] + acting.turned

@@ -97,11 +97,11 @@ def laid_crankshafts(
     each: list[LaidShaft] = []
     for one in declared.each:
         carrying = np.flatnonzero((carriers.master < 0) & (shafts.shaft == one.shaft)).astype(np.intp)
-        of_pin = shafts.throw[carrying] == one.throw[:, np.newaxis]
-        first = carrying[np.argmax(of_pin, axis=1)]
+        is_on_pin = shafts.throw[carrying] == one.throw[:, np.newaxis]
+        first = carrying[np.argmax(is_on_pin, axis=1)]
         ahead = direction(pins, turn) - direction(pins[:, first[:1]], turn)
         throws = _throws(one, np.abs(pins)[:, first], ahead[:, first])
-        on_pin, member = np.nonzero(of_pin)
+        on_pin, member = np.nonzero(is_on_pin)
         piece = np.full(2 * len(first) + 1, -1, dtype=np.intp)
         piece[throws.pieces] = np.arange(throws.pieces.size)
         each.append(

@@ -11,6 +11,7 @@ from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.shafts import Shafts
 from cranktrain.layout.throws import ShaftCentres
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.balance.rotating_weights import RotatingWeights
 from cranktrain.questions.balance.weights import BalanceWeights
 from cranktrain.questions.crankshaft.acting import ActingPlaces, LoadedShaft, LoadedShafts, Shares
@@ -159,7 +160,7 @@ class _Places:
     def _held(self, z: Array) -> list[tuple[tuple[int, int] | None, Array]]:
         """Which webs, by pin and side, hold a weight, and which part of it; None for a journal."""
         declared = self.laid.declared
-        pin = int(np.argmin(np.abs(declared.centres[0] - z[0])))
+        pin = first_smallest(np.abs(declared.centres[0] - z[0]))
         first, last = declared.planes[:, pin, 0], declared.planes[:, pin, 1]
         half = declared.web_thickness[0, pin] / 2
         is_beyond = not first[0] - half[0] <= z[0] <= last[0] + half[1]

@@ -8,6 +8,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.laid import LaidCrankshafts
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft, DeclaredCrankshafts
 from cranktrain.questions.crankshaft.pin_wear import CrankPinWear
@@ -17,8 +18,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.wording import Names, number
 
-_ALIKE = 1e-9
-"""Pressures that differ by less, in parts of the largest, are one; the first is named."""
 _PIN, _BEARING = ("mechanism",), ("bearing_method", "bearing")
 
 
@@ -38,7 +37,7 @@ class CrankPinPressures(StageResult):
         pressures = self.largest_crankpin_pressure[design]
         if np.all(np.isnan(pressures)):
             return None
-        worst = int(np.argmax(pressures >= (1 - _ALIKE) * np.nanmax(pressures)))
+        worst = first_largest(pressures)
         return _("Largest specific pressure of a crank pin {pressure}, by the rod of {mechanism}.").format(
             pressure=number(float(pressures[worst]), "bar"), mechanism=names["mechanism"][worst]
         )
@@ -60,7 +59,7 @@ class MainBearingPressures(StageResult):
         pressures = self.largest_bearing_pressure[design, 0]
         if np.all(np.isnan(pressures)):
             return None
-        worst = int(np.argmax(pressures >= (1 - _ALIKE) * np.nanmax(pressures)))
+        worst = first_largest(pressures)
         return _("Largest specific pressure of a main bearing {pressure}, of bearing {bearing}.").format(
             pressure=number(float(pressures[worst]), "bar"), bearing=names["bearing"][worst]
         )

@@ -6,6 +6,7 @@ import numpy as np
 
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.housing import HousingSpread
 from cranktrain.questions.crankshaft.section_torques import SectionTorques, widest_sections
 from cranktrain.questions.crankshaft.stages import MainBearingLoads
@@ -42,7 +43,7 @@ def bearing_rows(
         own = most.get(method)
         if own is not None and np.all(np.isfinite(own)):
             load, other = (Amount(float(np.max(each)), "N") for each in (own, most[beside]))
-            yield worded(_(name), _(said), load=load, other=other, bearing=bearings[int(np.argmax(own))])
+            yield worded(_(name), _(said), load=load, other=other, bearing=bearings[first_largest(own)])
             if housing is not None and method == "frame_elastic":
                 yield from _by_housing(housing, design)
     every = np.stack(list(most.values()))
@@ -63,7 +64,7 @@ def _spread(most: Array, bearings: Sequence[str], best: str) -> AnswerLine:
     """Which method to trust, and how much all differ where they differ most; on two bearings they do not."""
     if np.all(np.ptp(most, axis=0) <= _ALIKE * np.max(most)):
         return worded(_("to trust"), _("any: all methods give the same"))
-    widest = int(np.argmax(np.ptp(most, axis=0)))
+    widest = first_largest(np.ptp(most, axis=0))
     extent = Extent(float(np.min(most[:, widest])), float(np.max(most[:, widest])), "N")
     return worded(_("to trust"), _(_TRUST[best]), range=extent, bearing=bearings[widest])
 

@@ -13,12 +13,13 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics import Curve, Peak
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.bearings_between_events import bearing_loads_of, methods_for
 from cranktrain.questions.crankshaft.loads_over_cycle import LoadsOverCycle
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, torques
+from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, torque_sizes, torques
 from cranktrain.questions.crankshaft.stages import MainBearingLoads
 from cranktrain.questions.crankshaft.torque_along import torque_along
 from cranktrain.questions.forces.events import ForceEvents
@@ -31,8 +32,6 @@ from cranktrain.wording import Names, number
 
 _FACT = ("bearing_method", "section")
 _CURVE = (*_FACT, "crank_angle")
-_ALIKE = 9
-"""Ranges that are the same to so many decimals of the largest are one."""
 _LIMIT = 1e-11
 """Of what all do by their arms: what rounding may leave over."""
 
@@ -86,11 +85,10 @@ SECTIONS = ("journal", "pin")
 
 def widest_sections(ranges: Array, sections: Sequence[str]) -> tuple[int, int]:
     """Which journal and which pin have the widest range, of alike ones the first."""
-    largest = np.max(ranges)
 
     def widest(kind: str) -> int:
         own = [i for i, name in enumerate(sections) if kind in name]
-        return max(own, key=lambda i: round(float(ranges[i] / largest), _ALIKE) if largest > 0 else 0.0)
+        return own[first_largest(ranges[own])]
 
     return widest(SECTIONS[0]), widest(SECTIONS[1])
 
@@ -175,10 +173,12 @@ def _check(loaded: LoadedShafts, acting: Sequence[ShaftLoads], driving: Array) -
         by_forces = one.laid.turn * torques(own)[:, :n_loads]
         by_joints = np.sum(driving[:, np.unique(one.rods.number)], axis=1)
         off = np.max(np.abs(np.sum(by_forces, axis=1) + by_joints), axis=-1)
-        scale = np.max(np.sum(np.abs(by_forces), axis=1), axis=-1)
+        # Forces that stand along their cranks turn nothing, but by rounding.
+        scale = np.max(np.sum(torque_sizes(own)[:, :n_loads], axis=1), axis=-1)
         worst = np.maximum(worst, off / np.where(scale > 0, scale, 1.0))
     sentence = _(
-        "Torque of all rods and cranks about the shaft's axis, as its last journal has it, against the joints'"
+        "Torque of all rods and cranks about the shaft's axis, as its last journal has it, against the joints',"
+        " relative to forces times arms"
     )
     return Check("section_torque", sentence, worst, _LIMIT)
 

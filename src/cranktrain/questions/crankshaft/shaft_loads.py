@@ -82,6 +82,12 @@ def arms(loads: ShaftLoads) -> Array:
     return np.stack([radius * np.cos(direction), radius * np.sin(direction)], axis=2)
 
 
+def torque_sizes(loads: ShaftLoads) -> Array:
+    """Force of each load by its arm about the shaft's axis, with its torque, shape (design, load, angle). [N·m]"""
+    most = loads.radius[:, :, np.newaxis] * np.hypot(loads.force[:, :, 0], loads.force[:, :, 1])
+    return most if loads.torque is None else most + np.abs(loads.torque)
+
+
 def torques(loads: ShaftLoads) -> Array:
     """Torque of each load about the shaft's axis, from X toward Y, shape (design, load, angle). [N·m]
 

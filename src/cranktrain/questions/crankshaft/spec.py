@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from cranktrain.allowed import Name
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.listed import OneOrMany
@@ -155,10 +156,10 @@ class CrankshaftTable(Spec, frozen=True):
         default=None,
         description=N_("Which bearing takes axial forces, as those of helical gears; the last unless given."),
     )
-    bearing: Mapping[str, BearingSpec] = Field(
+    bearing: Mapping[Name, BearingSpec] = Field(
         default={}, description=N_("Bearings that are not as all others, by the number of the journal, or by name.")
     )
-    pull: Mapping[str, PullSpec] = Field(
+    pull: Mapping[Name, PullSpec] = Field(
         default={}, description=N_("Constant forces on the shaft by name: a belt's pull, the weight of a flywheel.")
     )
     young_modulus: PositivePressure | None = Field(

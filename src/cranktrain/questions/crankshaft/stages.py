@@ -11,6 +11,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, residuals
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
@@ -59,7 +60,7 @@ class MainBearingLoads(StageResult):
             _("{method} {load} in bearing {bearing}").format(
                 method=title_of(method),
                 load=number(float(np.max(own)), "kN"),
-                bearing=names["bearing"][int(np.argmax(own))],
+                bearing=names["bearing"][first_largest(own)],
             )
             for method, own in zip(names["bearing_method"], most, strict=True)
         )

@@ -10,6 +10,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.axial import AxialPlaces
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.crankshaft.laid import LaidCrankshafts, LaidShaft, pin_names
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
@@ -72,10 +73,12 @@ class _Stress(NamedTuple):
 
 
 def unlikely_crankshafts(
-    laid: LaidCrankshafts, shafts: Shafts, axial: AxialPlaces, loads: CrankPinLoads | None
+    laid: LaidCrankshafts | None, shafts: Shafts | None, axial: AxialPlaces | None, loads: CrankPinLoads | None
 ) -> UnlikelyCrankshafts:
     """Flag what is beyond the limits."""
     found: list[str] = []
+    if laid is None or shafts is None or axial is None:
+        return UnlikelyCrankshafts()
     for one in laid.each:
         own, pins = one.declared, pin_names(one, shafts)
         found += flagged(_YOUNG, own.material.young)
@@ -104,7 +107,7 @@ def _bearings(own: DeclaredCrankshaft) -> Iterator[str]:
         said = _(
             "Bearings {one} and {other} are only {apart} apart, on a journal of {diameter}: are their places right?"
         )
-        design, place = int(np.argmin(apart[:, close[0]])), close[0]
+        design, place = first_smallest(apart[:, close[0]]), close[0]
         yield said.format(
             one=own.bearing_names[place],
             other=own.bearing_names[place + 1],
@@ -158,7 +161,7 @@ def _of_rod_widths(one: LaidShaft, z: Array, pins: Sequence[str]) -> Iterator[st
 
 
 def _stresses(one: LaidShaft, largest: Array) -> _Stress:
-    """Nominal bending stress by the largest load of each pin in the middle of its span, or on its overhang."""
+    """Nominal bending stress by the largest load of each pin in the middle of its span, or where it hangs over."""
     own = one.declared
     n_pins = len(own.throw)
     force = np.zeros((len(largest), n_pins))
@@ -167,9 +170,12 @@ def _stresses(one: LaidShaft, largest: Array) -> _Stress:
     away = own.bearings[:, np.newaxis] - own.centres[..., np.newaxis]
     before = np.min(np.where(away < 0, -away, np.inf), axis=-1)
     behind = np.min(np.where(away > 0, away, np.inf), axis=-1)
-    arm = np.where(np.isfinite(before + behind), (before + behind) / 4, np.minimum(before, behind))
-    moment = force * np.where(np.isfinite(arm), arm, 0.0)
+    span = before + behind
+    is_between = np.isfinite(span)
+    # A pin that hangs over is held by one web, and its journal bears it by the arm to the first bearing.
+    arms = (np.where(is_between, span / 4, over) for over in (own.pin_length / 2, np.minimum(before, behind)))
     beside = np.stack([own.journals[:-1], own.journals[1:]])
     diameters = np.stack([own.journal[:, :-1, 0], own.journal[:, 1:, 0]], axis=1)
     journal = np.min(np.where(beside, diameters, np.inf), axis=1)
-    return _Stress(*(32 * moment / (np.pi * diameter**3) for diameter in (own.pin[..., 0], journal)))
+    each = zip(arms, (own.pin[..., 0], journal), strict=True)
+    return _Stress(*(32 * force * arm / (np.pi * diameter**3) for arm, diameter in each))

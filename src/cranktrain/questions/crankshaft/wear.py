@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.numerics.sectors import Sectors
+from cranktrain.numerics.ties import first_largest_along
 
 N_RAYS = 36
 """Rays of a diagram: one every 10°."""
@@ -93,7 +94,7 @@ def oil_hole(wear: Array) -> Array:
     largest = np.max(wear, axis=-1, keepdims=True)
     is_least = wear <= np.min(wear, axis=-1, keepdims=True) + _ALIKE * largest
     width = _widths(is_least)
-    start = np.argmax(width, axis=-1)
+    start = first_largest_along(width)
     widest = np.max(width, axis=-1)
     middle = (start + (widest - 1) / 2) * (2 * np.pi / n_rays)
     return np.where((widest > 0) & (widest < n_rays), np.mod(middle, 2 * np.pi), np.nan)

@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import smallest_of
 from cranktrain.questions.cylinders.firing import firing_angles
 
 
@@ -32,7 +33,7 @@ def numbers_line(order: Sequence[str], leading: Sequence[PlacedMechanism], tops:
         fired = firing_angles(tops[[places.index(numbers[word]) for word in order]], cycle)
         return np.inf if fired is None else float(np.sum(np.diff(fired, append=fired[0] + cycle) ** 2).round(6))
 
-    numbers = min(ways, key=unevenness)
+    numbers = smallest_of(ways, unevenness)
     pairs = ", ".join(f'{word} = "{name}"' for word, name in numbers.items())
     return _("where these are the maker's numbers, write in [cylinder]: {line}").format(line=f"numbers = {{ {pairs} }}")
 

@@ -127,13 +127,12 @@ def compression_ratios_of(cylinders: Sequence[Cylinder], n_designs: int) -> Comp
     if not cylinders or np.any(np.isnan(ratio[:, cylinder[leader]])):
         return None
     has_own = np.array([one.has_own_ratio for one in cylinders])[cylinder]
+    owners: list[int] = cylinder.tolist()
     of_piston = {piston: k for k in heads for piston in cylinders[int(cylinder[k])].pistons}
     return CompressionRatios(
         value=np.where((cylinder == cylinder[leader]) | ~is_head | has_own, ratio[:, cylinder], np.nan),
         leader=np.where(is_head, leader, np.arange(len(cylinder))),
-        master=np.array(
-            [of_piston.get(cylinders[i].carrier, k) for k, i in enumerate(cylinder.tolist())], dtype=np.intp
-        ),
+        master=np.array([of_piston.get(cylinders[i].carrier, k) for k, i in enumerate(owners)], dtype=np.intp),
         is_clearance=cylinders[int(cylinder[leader])].paths["compression_ratio"].endswith(".clearance"),
     )
 

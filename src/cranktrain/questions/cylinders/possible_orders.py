@@ -61,14 +61,14 @@ def has_even_order(tops: Array, cycle: float, tolerance: float) -> bool:
     >>> has_even_order(np.radians([0, 90, 270, 180]), 4 * np.pi, 0.01)
     False
     """
-    step = cycle / tops.size
+    step: float = cycle / tops.size
 
     def places(angles: Array) -> Array:
         within = np.mod(angles, TURN)
         return np.sort(np.where(within > TURN - tolerance * step, within - TURN, within))
 
     # An even order has a piston at its top at every step of the cycle, wherever in the turn that is.
-    wanted = places(step * np.arange(tops.size))
+    wanted = places(np.linspace(0.0, cycle, tops.size, endpoint=False))
     return bool(np.all(np.abs(places(tops - tops[0]) - wanted) <= tolerance * step))
 
 

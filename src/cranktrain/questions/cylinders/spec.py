@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from cranktrain.allowed import Name
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.overridden import OverriddenSpec
@@ -86,14 +87,14 @@ class CylindersSpec(CylinderSpec, OverriddenSpec, frozen=True):
         default=None,
         description=N_('Cylinders in the order in which they fire, such as "1-3-4-2"; with the cycle: firing angles.'),
     )
-    firing_angles: tuple[Angle, ...] | Mapping[str, Angle] | None = Field(
+    firing_angles: tuple[Angle, ...] | Mapping[Name, Angle] | None = Field(
         default=None,
         description=N_(
             "Crank angles at which the cylinders fire, as shown, instead of an order: a list, one for each cylinder in "
             'the order of the file, or by name, { 1L = "0 deg", 1R = "60 deg" }.'
         ),
     )
-    numbers: Mapping[str, str] = Field(
+    numbers: Mapping[Name, str] = Field(
         default={},
         description=N_('A maker\'s own numbers of the cylinders, for use in the firing order: { 5 = "1L" }.'),
     )

@@ -10,6 +10,7 @@ from cranktrain.layout.frames import Frames
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero
+from cranktrain.numerics.ties import first_largest, smallest_of
 from cranktrain.questions.cylinders.firing import Cycle, Firing, FiringOrder, within_turn
 from cranktrain.questions.cylinders.possible_orders import has_even_order, likest_orders
 from cranktrain.questions.cylinders.travel import CylinderPistons
@@ -58,7 +59,7 @@ def _ratios_of_slaves(ratio: Array, ratios: CompressionRatios, names: Sequence[s
     """Flag the slave whose ratio is farthest off its master's."""
     off = np.abs(ratio / ratio[:, ratios.master] - 1)
     if np.any(off > _OFF):
-        design, slave = np.unravel_index(int(np.nanargmax(off)), off.shape)
+        design, slave = divmod(first_largest(off), off.shape[1])
         master = int(ratios.master[slave])
         said = _(
             "The compression ratio of {slave} is {ratio}, that of {master}, on whose rod it hangs, {other}: are its"
@@ -125,6 +126,6 @@ def _even_angle(tops: Array, cycle: Cycle, cylinders: CylinderPistons, pistons: 
     if not angles:
         return None
     given = abs(float(around_zero(np.array(apart))))
-    nearest = min(angles, key=lambda one: abs(one - given))
+    nearest = smallest_of(angles, lambda one: abs(one - given))
     said = _("with banks {even} apart in place of {given} they would fire evenly")
     return said.format(even=number(nearest, "deg"), given=number(given, "deg"))

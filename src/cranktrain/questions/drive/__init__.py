@@ -86,7 +86,7 @@ QUESTION = Question(
         Stage(motor_sizing),
         Stage(drive_flywheel, applies=is_flywheel_wanted),
         Stage(press_strokes, applies=are_strokes_wanted),
-        Stage(unlikely_drive, applies=is_driven),
+        Stage(unlikely_drive),
     ),
     dimensions=(
         ResultDimension("drive_shaft", N_("shaft of the drive")),

@@ -19,7 +19,7 @@ _FASTEST = 1e5
 """How many times as fast as it is first tried a motor without a top speed is looked at."""
 
 
-class Balance(NamedTuple):
+class SpeedBalance(NamedTuple):
     """What drives a crank at constant speeds, less what holds it, on the mean over the cycle.
 
     Attributes
@@ -43,7 +43,7 @@ class Balance(NamedTuple):
         return low + (high - low) * over / (over - under)
 
 
-def balance(turning: DriveInTurn, cycle: float) -> Balance:
+def balance(turning: DriveInTurn, cycle: float) -> SpeedBalance:
     """Look for the constant speed at which the motor gives on the mean what the machine takes.
 
     Parameters
@@ -54,7 +54,7 @@ def balance(turning: DriveInTurn, cycle: float) -> Balance:
 
     Returns
     -------
-    Balance
+    SpeedBalance
         Up to 1.3 times the motor's top speed; where it has none or still drives there, and neither speed is a balance,
         as far as the torque falls below the load.
     """
@@ -67,9 +67,9 @@ def balance(turning: DriveInTurn, cycle: float) -> Balance:
     return _up_to(there, _end(there, highest if np.isfinite(highest) else 1.0))
 
 
-def _up_to(turning: DriveInTurn, top: float) -> Balance:
+def _up_to(turning: DriveInTurn, top: float) -> SpeedBalance:
     speeds = np.linspace(_SLOWEST, _BEYOND, _N_SPEEDS) * top
-    return Balance(speeds, _mean_work(turning, speeds))
+    return SpeedBalance(speeds, _mean_work(turning, speeds))
 
 
 def _end(turning: DriveInTurn, first: float) -> float:

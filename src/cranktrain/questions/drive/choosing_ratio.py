@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_smallest_along
 from cranktrain.questions.drive.choosing import TorqueHistory
 from cranktrain.questions.drive.sizing.torque_means import rms_torque
 
@@ -69,7 +70,7 @@ def preferred_ratios(least: float, most: float) -> Array:
 def nearest_ratio(wanted: Array, ratios: Array) -> NearestRatio:
     """Ratio of a list, shape (ratio,), that is nearest to a wanted one, shape (...), in parts of it."""
     away = np.abs(np.log(ratios / np.asarray(wanted)[..., np.newaxis]))
-    place = np.argmin(away, axis=-1)
+    place = first_smallest_along(away)
     return NearestRatio(ratios[place], place, wanted / ratios[place])
 
 

@@ -11,6 +11,8 @@ from cranktrain.questions.drive.steady_cycle import SpeedOverTurn
 _MOST_STEPS = 60
 _SETTLED = 1e-11
 """Of ω²: after such a step of Newton's method the next one is less than rounding."""
+_STANDS = 1e-14
+"""In parts of the largest ω²: a shaft that is so slow on the way stops within the cycle."""
 _NEAR = 1e-7
 """In parts of ω²: of the difference by which slopes are taken."""
 _TO_ENDS = to_places(np.array([0.0, 1.0]))
@@ -59,6 +61,8 @@ def speed_over_turn(
         better = np.clip(base + departure, half / 4, half * 4)
         move = np.max(np.abs(better - half) / half)
         half = better
+        if np.min(half) < _STANDS * np.max(half):
+            return None
         if move < _SETTLED:
             return SpeedOverTurn(mesh, base, departure, at_start, slopes, multiplier)
     return None

@@ -88,7 +88,8 @@ class CyclePieces(NamedTuple):
             Of each piece.
         """
         bounds = np.concatenate([[-np.inf], np.sort(levels), [np.inf]])
-        place = np.searchsorted(bounds, half_square, side="right")
+        # no more than the last, as of a value that is not known where the shaft nearly stands
+        place = np.minimum(np.searchsorted(bounds, half_square, side="right"), bounds.size - 1)
         return self._replace(low=bounds[place - 1], high=bounds[place])
 
 

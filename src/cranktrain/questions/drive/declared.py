@@ -64,7 +64,7 @@ def drive_parts(designs: Designs) -> Iterator[object]:
     motor = None if spec.motor is None else declared_motor(spec.motor, designs)
     yield _declared_drive(spec, motor, designs)
     yield DeclaredStart(spec.start)
-    yield declared_duty(spec.duty, designs)
+    yield declared_duty(spec.duty, designs, holds_valves_open=spec.start.unloaded_until is not None)
     yield from declared_grips(spec.clutch, spec.brake, spec.stroke, lambda *numbers: designs.by_design(list(numbers)))
     if spec.flywheel is not None:
         yield wanted_flywheel(spec.flywheel, designs)

@@ -36,6 +36,8 @@ class DeclaredDuty:
         Largest one. [1]
     starts_unloaded : bool
         Whether it starts before its loads act.
+    holds_valves_open : bool
+        Whether it starts with a compressor's suction valves held open.
     """
 
     needs: ClassVar[str] = N_("[drive]")
@@ -49,6 +51,7 @@ class DeclaredDuty:
     reserve: Array
     inertia_ratio: Array
     starts_unloaded: bool
+    holds_valves_open: bool
 
 
 @record
@@ -70,8 +73,8 @@ class WantedFlywheel:
     fluctuation: Array
 
 
-def declared_duty(spec: DutySpec | None, designs: Designs) -> DeclaredDuty:
-    """Take what the table says, or running on and on where there is none."""
+def declared_duty(spec: DutySpec | None, designs: Designs, *, holds_valves_open: bool) -> DeclaredDuty:
+    """Take what the table says, or running on and on where there is none; and what its start says of valves."""
     own = DutySpec() if spec is None else spec
     factor = duty_factor(
         own.kind,
@@ -91,7 +94,12 @@ def declared_duty(spec: DutySpec | None, designs: Designs) -> DeclaredDuty:
         lowest * lowest,
         _asked(own.largest_inertia_ratio),
     )
-    return DeclaredDuty(spec is not None, *designs.by_design(list(numbers)).T, starts_unloaded=own.start == "unloaded")
+    return DeclaredDuty(
+        spec is not None,
+        *designs.by_design(list(numbers)).T,
+        starts_unloaded=own.start == "unloaded",
+        holds_valves_open=holds_valves_open,
+    )
 
 
 def wanted_flywheel(spec: SizedFlywheelSpec, designs: Designs) -> WantedFlywheel:

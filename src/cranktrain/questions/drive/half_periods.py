@@ -17,7 +17,7 @@ from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.gear_train import torque_through
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import overall_ratio
-from cranktrain.questions.drive.sign_changes import sign_changes
+from cranktrain.questions.drive.sign_changes import ASIDE, sign_changes
 from cranktrain.record import record
 
 _THEORY = "docs/theory/reduced-machine"
@@ -86,7 +86,7 @@ def _halves(drive: DeclaredDrive, machines: ReducedMachines, crank_angle: CrankA
 
     crossings = sign_changes(torque, mesh_of(cycle, corners))
     starts = crossings if crossings.size else np.array([zero])
-    starts = np.sort(within(starts - zero, cycle)) + zero
+    starts = np.sort(within(starts - zero, cycle, ASIDE)) + zero
     lengths = np.diff(np.append(starts, starts[0] + cycle))
     all_corners = np.concatenate([corners, crossings])
 
@@ -106,6 +106,8 @@ def _halves(drive: DeclaredDrive, machines: ReducedMachines, crank_angle: CrankA
     shown = np.broadcast_to(crank_angle.shown, (len(halves), crank_angle.shown.size))
     found = largest_between(heights, crank_angle.shown, heights(halves, shown), all_corners - zero)
     signs = np.where(works < 0, -1.0, 1.0)
+    if np.any(np.isnan(works)):  # links that do not close all round: there is no cycle to divide
+        starts, lengths = np.full((2, len(starts)), np.nan)
     return _Halves(
         starts - zero, lengths, works * overall_ratio(gearing), within(found.angle, cycle), signs * found.value
     )

@@ -31,6 +31,7 @@ SIZING_CHECKS = (
 """What a motor is checked for, in this order."""
 START = SIZING_CHECKS.index("start at the worst angle")
 _UNLOADED = N_("start, unloaded")
+_VALVES_OPEN = N_("start, suction valves held open")
 _BEFORE_CLUTCH = N_("start, clutch let go")
 _SERVO_RATIO = 10.0
 _N_ANGLES = 720
@@ -38,9 +39,19 @@ _N_ANGLES = 720
 
 def check_names(duty: DeclaredDuty, *, has_clutch: bool) -> tuple[str, ...]:
     """What a motor is checked for, in the user's language; of a start without load no angle is the worst."""
-    unloaded = {START: _UNLOADED} if duty.starts_unloaded else {}
-    own = {START: _BEFORE_CLUTCH} if has_clutch else unloaded
-    return tuple(_(own.get(place, name)) for place, name in enumerate(SIZING_CHECKS))
+    start = SIZING_CHECKS[START]
+    if has_clutch:
+        start = _BEFORE_CLUTCH
+    elif duty.starts_unloaded:
+        start = _UNLOADED
+    elif duty.holds_valves_open:
+        start = _VALVES_OPEN
+    return tuple(_(start if place == START else name) for place, name in enumerate(SIZING_CHECKS))
+
+
+def is_with_load(name: str) -> bool:
+    """Whether a check, by its name for users, is of a start with all loads at the worst crank angle."""
+    return name == _(SIZING_CHECKS[START])
 
 
 class AskedOfMotor(NamedTuple):

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.motor_tables.declared import LONG_SINCE
 from cranktrain.questions.drive.motors import (
@@ -80,7 +81,7 @@ def motor_limits(motor: DeclaredMotor, design: int, reserve: float) -> MotorLimi
     speeds = _speeds(motor, design)
     running = _curve(motor, design, speeds)
     starting = _curve(motor, design, speeds, 0.0) if motor.motor is STAR_DELTA else running
-    start = float(np.max(starting) if motor.motor in _RAMPED else np.min(starting[: np.argmax(starting) + 1]))
+    start = float(np.max(starting) if motor.motor in _RAMPED else np.min(starting[: first_largest(starting) + 1]))
     peak = _breakdown(motor, design, running) if motor.motor in (*_BY_VOLTAGE, TABLE) else np.nan
     return MotorLimits(rated, peak, start, left)
 

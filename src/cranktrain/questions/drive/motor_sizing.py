@@ -13,6 +13,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.drive.clutched.declared import DeclaredClutch, before_clutch
 from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.declared_duty import DeclaredDuty
@@ -23,6 +24,7 @@ from cranktrain.questions.drive.motor_checks import (
     MotorAtMachine,
     check_names,
     checked_motor,
+    is_with_load,
     mean_inertia,
 )
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
@@ -35,7 +37,7 @@ from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.questions.drive.sizing.checks import TorqueDemand, motor_choice
 from cranktrain.questions.drive.static_torques import StaticTorques
-from cranktrain.questions.drive.unloaded import idle_torques
+from cranktrain.questions.drive.unloaded import starting_torques, with_open_valves, without_loads
 from cranktrain.record import record
 from cranktrain.wording import Names, number
 
@@ -70,9 +72,6 @@ class MotorSizing(StageResult):
         "λ_J", "1", _EACH, N_("Mean inertia of what is driven over that of the rotor, at the motor"), _THEORY
     )
 
-    starts_unloaded: bool = False
-    has_clutch: bool = False
-
     def answer(self, _names: Names, design: int) -> str:
         """Say which typical motor is enough, what governs it, and by how much the next smaller one misses."""
         chosen, smaller = self.largest_share[design, 1:].tolist()
@@ -93,7 +92,7 @@ class MotorSizing(StageResult):
     def governing(self, design: int, which: int) -> str:
         """Name of the check whose share is largest; nothing where none is known."""
         shares = self.sizing_share[design, which]
-        return "" if np.all(np.isnan(shares)) else self.labels["sizing_check"][int(np.nanargmax(shares))]
+        return "" if np.all(np.isnan(shares)) else self.labels["sizing_check"][first_largest(shares)]
 
 
 class SizedDesign(NamedTuple):
@@ -158,7 +157,7 @@ def motor_sizing(
             flags.append(reason)
         rows.append((own, *found))
         rated.append([_rated(motor, design), *(_rated(typical_motors(), place) for place in places)])
-        flags += _beyond(own, names) if motor is not None else ()
+        flags += _beyond(own, names, has_valves=len(machines.each[design].chambers) > 0) if motor is not None else ()
     points = np.array(rated)
     columns = [np.array([[getattr(one, name) for one in row] for row in rows]) for name in _SHOWN]
     return MotorSizing(
@@ -167,8 +166,6 @@ def motor_sizing(
         points[..., 0],
         points[..., 1],
         *columns,
-        starts_unloaded=duty.starts_unloaded,
-        has_clutch=clutch is not None,
         labels={
             "sized_motor": tuple(_(name) for name in SIZED_MOTORS),
             "sizing_check": names,
@@ -209,8 +206,10 @@ def sized_design(
     if clutch is not None:
         return SizedDesign(alone, bare, _before_clutch(bare, clutch, design), duty, design)
     of_machine = mean_inertia(alone.each[0], alone.cycle) / overall_ratio(gearing) ** 2
-    own = float(static.largest_static_torque.value[design, 0]), float(static.mean_static_torque[design, 0])
-    worst, mean = idle_torques(alone.each[0], bare, alone.cycle) if duty.starts_unloaded else own
+    worst, mean = float(static.largest_static_torque.value[design, 0]), float(static.mean_static_torque[design, 0])
+    if duty.starts_unloaded or duty.holds_valves_open:
+        freed = without_loads if duty.starts_unloaded else with_open_valves
+        worst, mean = starting_torques(freed(alone.each[0]), alone.corners[0], bare, alone.cycle)
     asked = AskedOfMotor(worst, mean, _at_motor(bare) + of_machine)
     return SizedDesign(alone, bare, asked, duty, design)
 
@@ -301,9 +300,21 @@ def _other_pace(gearing: Gearing, motor: DeclaredMotor | None, design: int, decl
     return said.format(typical=number(typical, "rpm"), wanted=number(wanted, "rpm"))
 
 
-def _beyond(own: CheckedMotor, names: tuple[str, ...]) -> Iterator[str]:
-    """Flag what the declared motor cannot do."""
+def _beyond(own: CheckedMotor, names: tuple[str, ...], *, has_valves: bool) -> Iterator[str]:
+    """Flag what the declared motor cannot do; of a start with its load at the worst angle what helps as well."""
     for share, name in zip(own.shares.tolist(), names, strict=True):
         if np.isfinite(share) and share > 1:
             said = _("The motor is too small: {check} {share} of what it can.")
-            yield said.format(check=name, share=number(share, "%"))
+            if is_with_load(name):
+                said = _(
+                    "A start with its load at the worst angle asks {share} of what the motor can. If it need not:"
+                    " {helps}, or a flywheel and another angle."
+                )
+            yield said.format(check=name, share=number(share, "%"), helps=_what_helps(has_valves=has_valves))
+
+
+def _what_helps(*, has_valves: bool) -> str:
+    """What in the file lets a motor start with less."""
+    unloaded = _('[drive.duty] start = "unloaded"')
+    valves = _("[drive.start] unloaded_until")
+    return f"{unloaded}, {valves}" if has_valves else unloaded

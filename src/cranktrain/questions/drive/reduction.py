@@ -5,6 +5,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.fluids.compressor.pressure import Compressor
 from cranktrain.layout.crank_angle import CrankAngle
@@ -14,6 +15,7 @@ from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.polyline import Polyline
+from cranktrain.questions.drive.gentle_rows import gentle_rows
 from cranktrain.questions.drive.running.reduced import (
     BY_ANGLE,
     BY_SPEED,
@@ -47,12 +49,15 @@ class ReducedMachines:
     each : tuple of ReducedMachine
     corners : Array, shape (design, corner)
         φ; NaN fills up. [rad]
+    is_gentle : Array of bool, of that shape
+        Which corners are rows of a long load curve alone, that bends there as along a smooth one.
     cycle : float
         After which all comes again. [rad]
     """
 
     each: tuple[ReducedMachine, ...]
     corners: Array
+    is_gentle: NDArray[np.bool_]
     cycle: float
 
 
@@ -101,6 +106,8 @@ def reduced_machines(
     first_volume = _OF_ALL + sum(way.n_coefficients for way in ways)
     others = [*_gas_over_cycle(loaded, remembering, crank_angle, events), *_friction(loaded, crank_angle, events)]
     on_shaft = () if on_shafts is None else on_shafts.given
+    corners = _corners(events, on_shaft, crank_angle)
+    laws = [load.law for load in (*(way.load for way in ways), *on_shaft) if isinstance(load.law, ByAngle)]
     return ReducedMachines(
         tuple(
             ReducedMachine(
@@ -110,7 +117,8 @@ def reduced_machines(
             )
             for design, own in enumerate(pieces)
         ),
-        _corners(events, on_shaft, crank_angle),
+        corners,
+        gentle_rows(laws, corners, crank_angle.zero[:, 0, 0], crank_angle.cycle),
         crank_angle.cycle,
     )
 

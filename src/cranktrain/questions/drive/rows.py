@@ -6,6 +6,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.questions.drive.flywheel_sizing import DriveFlywheel
+from cranktrain.questions.drive.motor_checks import is_with_load
 from cranktrain.questions.drive.motor_sizing import MotorSizing
 from cranktrain.questions.drive.press_strokes import PressStrokes
 from cranktrain.questions.drive.servo.rocking import RockingCrank, RockingDrive
@@ -20,7 +21,7 @@ _NOTHING = 1e-9
 
 
 def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[AnswerLine]:
-    """Range of the static torque at the first shaft, and of the flywheel moment there."""
+    """Range of the static torque at the first shaft, of the inertia there, and what it is of the drive alone."""
     most, least = found.largest_static_torque, found.smallest_static_torque
     yield worded(
         _("static torque at {shaft}").format(shaft=labels["drive_shaft"][0]),
@@ -28,12 +29,12 @@ def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[An
         range=Extent(float(least.value[design, 0]), float(most.value[design, 0]), "N*m"),
         rms=Amount(float(found.rms_static_torque[design, 0]), "N*m"),
     )
-    moments = found.driven_flywheel_moment[design, 0]
+    inertia = found.driven_inertia[design, 0]
     yield worded(
-        _("GD² at {shaft}").format(shaft=labels["drive_shaft"][0]),
-        _("{range}, {own} without the machine"),
-        range=Extent(float(np.min(moments)), float(np.max(moments)), "kg*m^2"),
-        own=Amount(float(found.gear_flywheel_moment[design, 0]), "kg*m^2"),
+        _("J at {shaft}").format(shaft=labels["drive_shaft"][0]),
+        _("{range}, alone {own}; GD² = 4 J"),
+        range=Extent(float(np.min(inertia)), float(np.max(inertia)), "kg*m^2"),
+        own=Amount(float(found.gear_flywheel_moment[design, 0]) / 4, "kg*m^2"),
     )
 
 
@@ -70,17 +71,12 @@ def _unless_rounding(power: float, swung: float) -> float:
 
 def sizing_rows(labels: Names, design: int, found: MotorSizing) -> Iterator[AnswerLine]:
     """What governs the declared motor, and the smallest typical one that passes."""
-    declared, chosen, smaller = found.largest_share[design].tolist()
-    if np.isfinite(declared):
-        how = _("; started unloaded") if found.starts_unloaded else ""
-        yield worded(
-            _("motor is used to"),
-            _("{share}: {check}") + (_("; clutch locked") if found.has_clutch else how),
-            share=Amount(declared, "%"),
-            check=found.governing(design, 0),
-        )
+    _declared, chosen, smaller = found.largest_share[design].tolist()
+    yield from _used(found, design)
     if np.isfinite(chosen):
         words = _("typical {power}, used to {share}")
+        if is_with_load(found.governing(design, 1)):
+            words += _(" if it must start with its load at the worst angle")
         if np.isfinite(smaller):
             words += _("; {less} misses by {by}: {missed}")
         yield worded(
@@ -90,6 +86,20 @@ def sizing_rows(labels: Names, design: int, found: MotorSizing) -> Iterator[Answ
             share=Amount(chosen, "%"),
             **_smaller(found, design, smaller),
         )
+
+
+def _used(found: MotorSizing, design: int) -> Iterator[AnswerLine]:
+    """Every share of the declared motor that is asked for; of a start with its load at the worst angle, if it must."""
+    shares: dict[str, Amount | str] = {}
+    words: list[str] = []
+    for name, share in zip(found.labels["sizing_check"], found.sizing_share[design, 0].tolist(), strict=True):
+        if np.isfinite(share):
+            piece = f"share_{len(shares)}"
+            shares[piece] = Amount(share, "%")
+            said = _("{share} if it must start with its load at the worst angle") if is_with_load(name) else ""
+            words.append((said or _("{check} {share}")).format(check=name, share=f"{{{piece}}}"))
+    if shares:
+        yield worded(_("motor is used to"), ", ".join(words), **shares)
 
 
 def _smaller(found: MotorSizing, design: int, share: float) -> dict[str, Amount | str]:

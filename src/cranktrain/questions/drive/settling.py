@@ -10,7 +10,7 @@ from cranktrain.questions.drive.cycle_equation import speed_over_turn
 from cranktrain.questions.drive.cycle_pieces import NODES, CyclePieces, mesh_of, to_integrals, to_places
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.running.gearing import overall_ratio
+from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, passings
 from cranktrain.questions.drive.steady_turn import DriveInTurn
 
@@ -28,6 +28,8 @@ _TO_BETWEEN, _SLOPE_BETWEEN = to_integrals(_BETWEEN), to_places(_BETWEEN)
 _PARTS = 4
 """Into which a piece is cut on which too much is left over."""
 _MOST_PIECES = 600
+_HEAVIER = (30.0, 10.0, 4.0, 1.5, 0.6, 0.3, 0.1, 0.03, 0.0)
+"""How many times its own inertia a machine has more, on the way to a cycle that is not found at once."""
 _ASIDE = 1e-9
 """In parts of a speed: how far aside a law that jumps there is asked."""
 _JUMP = 1e-6
@@ -65,7 +67,7 @@ def settled(
     if turning.is_held:
         return turning, None if held is None else _constant(mesh, held)
     first, levels = balance(turning, machines.cycle).speed, _levels(turning.motor, turning.design, turning)
-    found = None if first is None else _cycle(turning, mesh, first)
+    found = None if first is None else _cycle(turning, mesh, first) or _from_heavier(turning, mesh, first)
     kinks, passed, cuts, n_with_kinks = np.empty(0), np.empty(0), np.empty(0), 0
     for _again in range(_MOST_MESHES):
         if found is None:
@@ -130,6 +132,20 @@ def _constant(mesh: CyclePieces, speed: float) -> SpeedOverTurn:
 def _cycle(turning: DriveInTurn, mesh: CyclePieces, first: float | Array) -> SpeedOverTurn | None:
     """Steady cycle near a constant speed, or speeds at the nodes."""
     return speed_over_turn(lambda speed: turning.passed(speed).acceleration, mesh, first)
+
+
+def _from_heavier(turning: DriveInTurn, mesh: CyclePieces, first: float) -> SpeedOverTurn | None:
+    """Steady cycle by way of those with more inertia, which run more evenly, each near the one before."""
+    there = turning.here
+    whole, guess = np.mean(there.inertia) + turning_inertia(turning.gearing), first
+    found: SpeedOverTurn | None = None
+    for more in _HEAVIER:
+        heavier = turning._replace(here=there._replace(inertia=there.inertia + more * whole))
+        found = _cycle(heavier, mesh, guess)
+        if found is None:
+            return None
+        guess = found.speed
+    return found
 
 
 def _kinks(turning: DriveInTurn, found: SpeedOverTurn) -> Array:

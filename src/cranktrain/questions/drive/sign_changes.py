@@ -8,7 +8,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
 from cranktrain.questions.drive.cycle_pieces import CyclePieces
 
-_ASIDE = 1e-9
+ASIDE = 1e-9
 """Of a corner, on both its sides. [rad]"""
 _NOTHING = 1e-9
 """Of the peak: a smaller torque is of neither sign."""
@@ -16,7 +16,7 @@ _NOTHING = 1e-9
 
 def sign_changes(torque: Callable[[Array], Array], mesh: CyclePieces) -> Array:
     """Crank angles at which a torque changes its sign, also where it jumps across 0. [rad]"""
-    ends = np.stack([mesh.start + _ASIDE, mesh.start + mesh.width - _ASIDE], axis=-1)
+    ends = np.stack([mesh.start + ASIDE, mesh.start + mesh.width - ASIDE], axis=-1)
     places = np.ravel(np.hstack([ends[:, :1], mesh.nodes.reshape(len(mesh.start), -1), ends[:, 1:]]))
     values = torque(places)
     clear = np.abs(values) > _NOTHING * np.max(np.abs(values))

@@ -6,6 +6,7 @@ from typing import Annotated, Literal, TypeAlias
 import numpy as np
 from pydantic import Field
 
+from cranktrain.allowed import Name
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
@@ -169,7 +170,7 @@ class DriveSpec(Spec, frozen=True):
     stage: tuple[StageSpec, ...] = Field(
         default=(), description=N_("Gear and belt stages from the motor to the crank, in their order.")
     )
-    part: Mapping[str, PartSpec] = Field(
+    part: Mapping[Name, PartSpec] = Field(
         default={}, description=N_("What turns with a shaft of the drive, by name: couplings, pulleys, flywheels.")
     )
     clutch: ClutchSpec | None = Field(

@@ -21,6 +21,8 @@ class StartCase:
     machine : ReducedMachine
     corners : Array
         φ of its loads' corners. [rad]
+    rows : Array
+        φ of rows of long load curves that are next to no corners. [rad]
     cycle : float
         After which these come again. [rad]
     gearing : Gearing
@@ -38,6 +40,7 @@ class StartCase:
 
     machine: ReducedMachine
     corners: Array
+    rows: Array
     cycle: float
     gearing: Gearing
     motor: DeclaredMotor | None

@@ -195,6 +195,7 @@ def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: A
         samples=own,
         breaks=tuple(at - span.start for at in _breaks(case) if span.start < at < span.end),
         corners=case.corners,
+        rows=case.rows,
         period=case.cycle,
         target_speed=span.target,
         overspeed=at_or_never(case.spec.overspeed),

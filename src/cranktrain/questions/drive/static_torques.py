@@ -12,6 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import ONE, Array
 from cranktrain.numerics import Extreme, largest_between
+from cranktrain.numerics.ties import without_residue
 from cranktrain.questions.drive.at_angles import reduced_at
 from cranktrain.questions.drive.cycle_pieces import mesh_of
 from cranktrain.questions.drive.declared import DeclaredDrive
@@ -48,10 +49,10 @@ class StaticTorques(StageResult):
         "J_k", "kg*m^2", _CURVE, N_("Inertia of drive and machine together, reduced to each shaft"), THEORY
     )
     driven_flywheel_moment: Array = quantity(
-        "GD²", "kg*m^2", _CURVE, N_("Flywheel moment at each shaft, four times the inertia"), THEORY
+        "GD²", "kg*m^2", _CURVE, N_("Flywheel moment GD² at each shaft, four times the inertia"), THEORY
     )
     gear_flywheel_moment: Array = quantity(
-        "(GD²)₀", "kg*m^2", _SHAFT, N_("Flywheel moment of the drive without the machine"), THEORY
+        "(GD²)₀", "kg*m^2", _SHAFT, N_("Flywheel moment GD² of the drive without the machine"), THEORY
     )
     largest_static_torque: Extreme = extreme(
         "M_st,max", "N*m", _SHAFT, N_("Largest static torque"), N_("Crank angle of the largest static torque"), THEORY
@@ -160,13 +161,14 @@ def static_facts(
     changes = sign_changes(at_crank, mesh_of(cycle, corners))
     mesh = mesh_of(cycle, np.concatenate([corners, changes]))
     samples = torque(grid + zero)
+    largest = np.max(np.abs(samples), axis=-1)
 
     def peak(sign: float) -> Extreme:
         def curves(which: NDArray[np.intp], shown: Array) -> Array:
             return sign * torque(shown + zero)[which, np.arange(len(which))]
 
         found = largest_between(curves, grid, sign * samples, np.append(corners, changes) - zero)
-        return Extreme(within(found.angle, cycle), sign * found.value)
+        return Extreme(within(found.angle, cycle), without_residue(sign * found.value, largest))
 
     at_nodes = torque(mesh.nodes)
     return StaticFacts(peak(1.0), peak(-1.0), mesh.mean(at_nodes), np.sqrt(mesh.mean(at_nodes**2)))

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.numerics.roots import bracketed_roots
@@ -64,7 +65,7 @@ class SpeedOverTurn:
         slopes = self.acceleration.reshape(-1, N_NODES)
         return self.at_start[:, np.newaxis] + self.mesh.width[:, np.newaxis] * (slopes @ integrals.T)
 
-    def in_piece(self, piece: Array, place: Array) -> Array:
+    def in_piece(self, piece: NDArray[np.intp], place: Array) -> Array:
         """ω²/2 less the base at a place 0…1 of a piece, shapes (n,). [rad²/s²]"""
         slopes = self.acceleration.reshape(-1, N_NODES)[piece]
         return self.at_start[piece] + self.mesh.width[piece] * np.sum(to_integrals(place) * slopes, axis=1)
@@ -149,7 +150,7 @@ def _passings(found: SpeedOverTurn, over: Array, level: float) -> Array:
     return np.concatenate([inside[np.isfinite(inside)], between])
 
 
-def _touches(over: Array) -> tuple[Array, Array, Array, Array]:
+def _touches(over: Array) -> tuple[NDArray[np.intp], Array, Array, Array]:
     """Pieces in which a curve comes back between two samples, and the places before, at and after its top there."""
     before, here, after = over[:, :-2], over[:, 1:-1], over[:, 2:]
     bend = before - 2 * here + after

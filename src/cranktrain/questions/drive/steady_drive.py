@@ -26,6 +26,8 @@ from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/reduced-machine"
 _CURVE = ("crank_angle",)
+_SLIP = 0.01
+"""What a motor gives for such a part of its speed is what its work is made of, where nothing takes any."""
 _ENERGY_LIMIT = 1e-9
 _MOTION_LIMIT = 1e-9
 _OTHER_PACE = 0.1
@@ -200,7 +202,8 @@ def _residual(turning: DriveInTurn, found: SpeedOverTurn) -> float:
     torque = turning.motor_torque(speed) * overall_ratio(turning.gearing)
     parts = np.stack([torque, turning.here.by_load(speed), lost_torque(turning.passed(speed).outputs, turning.gearing)])
     motor, load, lost = found.mesh.mean(parts).tolist()
-    return abs(motor - load - lost) / float(np.max(found.mesh.mean(np.abs(parts))))
+    largest = max(float(np.max(found.mesh.mean(np.abs(parts)))), turning.least_torque(speed, _SLIP))
+    return abs(motor - load - lost) / largest
 
 
 def _no_cycle(turning: DriveInTurn, cycle: float) -> str:

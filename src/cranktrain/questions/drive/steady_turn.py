@@ -16,6 +16,9 @@ from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, largest_over_
 _NONE = np.empty(0)
 NOWHERE = ReducedAt(_NONE, _NONE, _NONE, (), _NONE)
 
+_ALIKE = 1e-6
+"""Speeds and energies that differ by less, in parts of themselves, are as good as one."""
+
 
 class DriveInTurn(NamedTuple):
     """One design's machine, motor and gearing, as it turns forward; `here` is the machine at some crank angles.
@@ -63,7 +66,18 @@ class DriveInTurn(NamedTuple):
     def torque_size(self, speed: Array) -> float:
         """Largest of the torques that the equation of motion is made of, by amount, at the crank. [N·m]"""
         driving, loading = self.motor_torque(speed) * overall_ratio(self.gearing), self.here.by_load(speed)
-        return float(np.max(np.abs([driving, loading, self.here.taken(speed) - loading])))
+        largest = float(np.max(np.abs([driving, loading, self.here.taken(speed) - loading])))
+        return max(largest, self.least_torque(speed))
+
+    def least_torque(self, speed: Array, slip: float = _ALIKE) -> float:
+        """What counts as a torque at the crank: less is a difference of speeds or energies as good as one. [N·m]
+
+        What the motor gives for a part of the speed, and a millionth of the energy of all that turns, for 1 rad.
+        """
+        ratio = overall_ratio(self.gearing)
+        by_speed = ratio * (self.motor_torque(speed * (1.0 - slip)) - self.motor_torque(speed))
+        by_energy = _ALIKE * (self.here.inertia + turning_inertia(self.gearing)) * speed * speed / 2
+        return float(np.max(np.abs([by_speed, by_energy])))
 
     def at(self, angle: Array) -> "DriveInTurn":
         """The same at other crank angles, shape (n,). [rad]"""

@@ -24,7 +24,7 @@ from cranktrain.record import record
 from cranktrain.wording import number
 
 # Gears have 0.95 and more, belts 0.9, self-locking worms 0.3 to 0.5, screws 0.2.
-_LEAST_EFFICIENCY = Limit(
+_STAGE_EFFICIENCY = Limit(
     np.inf,
     "",
     N_("A stage with an efficiency of {value} loses nearly all; self-locking worms have 0.2 and more: is it right?"),
@@ -32,6 +32,10 @@ _LEAST_EFFICIENCY = Limit(
 )
 _DRIVES = 1e-6
 """Of what all loads do and take: less work than that is none."""
+_NOTHING = 1e-6
+"""Of the largest size: less is where a load has not begun."""
+_CLOSE = 1e-3
+"""Of the stroke."""
 
 
 @record
@@ -40,7 +44,7 @@ class UnlikelyDrive(StageResult):
 
 
 def unlikely_drive(
-    drive: DeclaredDrive,
+    drive: DeclaredDrive | None,
     motor: DeclaredMotor | None,
     work: LoadWork | None,
     gas: GasPressures | None,
@@ -51,7 +55,7 @@ def unlikely_drive(
     rocked: RockingDrive | None,
 ) -> UnlikelyDrive:
     """Flag what is unlikely, as far as it is known."""
-    found = list(flagged(_LEAST_EFFICIENCY, drive.forward))
+    found = [] if drive is None else list(flagged(_STAGE_EFFICIENCY, drive.forward))
     if motor is not None and work is not None:
         found += _driving(work, gas)
     if loaded is not None and wanted is not None and servo is not None:
@@ -67,9 +71,9 @@ def _driving(work: LoadWork, gas: GasPressures | None) -> Iterator[str]:
     gross = np.sum(np.abs(work.load_work), axis=1)
     by_gas = 0.0 if gas is None else np.sum(gas.indicated_work, axis=1)
     # What fires drives the motor as it should.
-    drives = (own > _DRIVES * gross) & (own + by_gas > _DRIVES * gross) & (by_gas <= 0)
-    if np.any(drives):
-        design = int(np.argmax(drives))
+    is_driven = (own > _DRIVES * gross) & (own + by_gas > _DRIVES * gross) & (by_gas <= 0)
+    if np.any(is_driven):
+        design = int(np.argmax(is_driven))
         each = work.load_work[design]
         names = ", ".join(name for name, one in zip(work.labels["load"], each.tolist(), strict=True) if one > 0)
         said = _("{names} drives the machine with {work} a cycle, and its motor brakes: are its sense and side right?")
@@ -95,13 +99,18 @@ def _first_met(
 ) -> Iterator[str]:
     """Say when all loads of one part together are first met, if it is then at rest or on the way back."""
     size = sum((_size(loaded, load, design, course) for load in loads), start=np.zeros(course.time.shape))
-    begins = np.flatnonzero((size > 0) & (np.roll(size, 1) == 0))
+    acts = size > _NOTHING * np.max(size)
+    begins = np.flatnonzero(acts & ~np.roll(acts, 1))
     way = next((piece.rise for piece in made.wanted.pieces if piece.law is not None), 0.0)
     if not begins.size or way == 0:
         return
     first = int(begins[0])
-    is_at_rest = course.speed[first] == 0 or course.speed[first - 1] == 0
-    speed = made.output.motion(course.angle[first : first + 1]).first[0] * course.speed[first]
+    place = made.output.motion(course.angle)
+    earlier = (first - np.arange(size.size)) % size.size
+    # Nobody can tell a rest just before the work from one at it.
+    is_there = np.abs(place.value[earlier] - place.value[first]) <= _CLOSE * made.output.stroke
+    is_at_rest = bool(np.any((course.speed[earlier] == 0) & np.logical_and.accumulate(is_there)))
+    speed = place.first[first] * course.speed[first]
     # A table of positions may begin anywhere, and has no way out.
     is_back = made.wanted.cubics is None and speed * way < 0
     if not (is_at_rest or is_back):

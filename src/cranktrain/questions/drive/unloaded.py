@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from cranktrain.motion import Array
 from cranktrain.questions.drive.running.gearing import Gearing
 from cranktrain.questions.drive.running.reduced import DISCHARGE, SUCTION, ReducedMachine
 from cranktrain.questions.drive.static_torques import static_facts
@@ -24,8 +25,8 @@ def without_loads(machine: ReducedMachine) -> ReducedMachine:
     return with_open_valves(machine)._replace(loads=np.asarray(machine.loads)[:0])
 
 
-def idle_torques(machine: ReducedMachine, gearing: Gearing, cycle: float) -> tuple[float, float]:
-    """Largest and mean static torque at the motor of a machine without loads: weights, and drags of stages. [N·m]"""
+def starting_torques(machine: ReducedMachine, corners: Array, gearing: Gearing, cycle: float) -> tuple[float, float]:
+    """Largest and mean static torque at the motor of a machine as it starts, with what loads it has then. [N·m]"""
     grid = np.arange(_N_ANGLES) * cycle / _N_ANGLES
-    found = static_facts(without_loads(machine), np.empty(0), cycle, gearing, zero=0.0, grid=grid)
+    found = static_facts(machine, corners, cycle, gearing, zero=0.0, grid=grid)
     return float(found.largest.value[0]), float(found.mean[0])

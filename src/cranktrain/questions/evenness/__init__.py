@@ -17,6 +17,7 @@ from cranktrain.questions.evenness import (
     running_speed,
     shaft_work,
     spec,
+    unlikely,
 )
 
 
@@ -43,9 +44,10 @@ QUESTION = Question(
         Stage(running_speed.for_second_run),
         Stage(flywheel.flywheel_size),
         Stage(flywheel.rim_size),
+        Stage(unlikely.unlikely_evenness),
     ),
     dimensions=(ResultDimension("flywheel_method", N_("method"), own=0),),
-    headline=("coefficient_of_fluctuation", "largest_excess_work", "wanted_flywheel_moment"),
+    headline=("coefficient_of_fluctuation", "largest_excess_work", "flywheel_inertia"),
     title=N_("Evenness"),
     rows=(
         rows.running_rows,

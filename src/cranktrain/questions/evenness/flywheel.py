@@ -9,6 +9,7 @@ from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.evenness.flywheel_inertia import METHODS, Flywheel, flywheels_by_method
 from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.rim import rim, rim_speed
@@ -177,7 +178,7 @@ def _rim_flags(inertia: Array, speed: Array, wanted: DeclaredRim, height: Array)
     """Flag a rim that runs too fast, or that has no room on its diameter."""
     too_fast = speed > wanted.largest_speed
     if np.any(too_fast):
-        worst = int(np.argmax(np.where(too_fast, speed / wanted.largest_speed, 0.0)))
+        worst = first_largest(np.where(too_fast, speed / wanted.largest_speed, 0.0))
         yield _(
             "The rim's outside runs too fast: at {speed}, and it bears {largest}"
             " ([evenness.rim] largest_speed; of cast iron unless given)."

@@ -6,9 +6,9 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, near_roots
-from cranktrain.numerics.periodic import PeriodicCurve, combined, curve_extremes, plus
+from cranktrain.numerics.periodic import PeriodicCurve, combined, curve_extremes, mean_samples, plus
 from cranktrain.questions.evenness.excess_work import ExcessWork
-from cranktrain.questions.evenness.speed_over_cycle import Mean, grid_mean, steady_speed
+from cranktrain.questions.evenness.speed_over_cycle import Mean, mean_speed_of, steady_speed
 
 
 class Flywheel(NamedTuple):
@@ -89,14 +89,14 @@ def exact_flywheel(
     if mean == "extremes":
         return _between(excess, inertia, wanted - half, wanted + half)
 
-    stored, carried = excess.work.samples, inertia.samples
+    (stored, carried), weight = mean_samples(excess.work, inertia)
     tried: list[Flywheel] = []
 
     def missing(middle: Array) -> Array:
         found = _between(excess, inertia, middle[..., 0] - half, middle[..., 0] + half)
         tried.append(found)
         energy, total = stored + found.initial_energy[..., np.newaxis], carried + found.inertia[..., np.newaxis]
-        return (grid_mean(2 * energy / total, mean) - wanted)[..., np.newaxis]
+        return (mean_speed_of(2 * energy / total, mean, weight) - wanted)[..., np.newaxis]
 
     # The smallest speed is not negative: its square would be that of another.
     ends = np.maximum(wanted - half, half), wanted + half

@@ -16,7 +16,7 @@ class FlywheelMoment:
         "GD²",
         "kg*m^2",
         ("crank_angle",),
-        N_("Flywheel moment of all moving parts, four times their reduced inertia"),
+        N_("Flywheel moment GD² of all moving parts, four times their reduced inertia"),
         _THEORY,
     )
 

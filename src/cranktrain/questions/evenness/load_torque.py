@@ -28,6 +28,8 @@ from cranktrain.wording import Names, number
 
 _NOTHING = 1e-9
 """A mean torque below this part of the peak is none."""
+_NOTEWORTHY = 0.1
+"""Of the machine's mean torque: of more that balances it and stands nowhere the answer speaks."""
 
 
 @record
@@ -40,6 +42,8 @@ class LoadTorque(StageResult):
         What does not depend on the speed. [N·m]
     work : PeriodicCurve or None
         Of that less its mean, from the first point of the grid, exact, (n,), or (design, n); None for none. [J]
+    corners : tuple of Array, shape (design, corner)
+        Of each load over crank angles, as shown, where its torque has corners. [rad]
     mean, mean_torque : Array, shape (design,)
         Of that; of all loads at the declared speed. [N·m]
     powers : tuple of Power
@@ -54,6 +58,7 @@ class LoadTorque(StageResult):
 
     even: Array
     work: PeriodicCurve | None
+    corners: tuple[Array, ...]
     mean: Array
     powers: tuple[Power, ...]
     shape: Power | None
@@ -78,6 +83,17 @@ class LoadTorque(StageResult):
         N_("Mean of the machine's torque that its loads leave; less than 0 where the shaft is driven besides"),
         _THEORY,
     )
+
+    def undeclared(self, design: int) -> float:
+        """Constant torque by which the machine and its loads are balanced, where it is much; below 0 it drives. [N·m]
+
+        0 where it is little beside the machine's mean torque, or a motor or a load of unknown size takes it.
+        """
+        rest = float(self.remaining_torque[design])
+        machine = float(self.mean_torque[design]) + rest
+        if self.has_motor or self.shape is not None or self.is_scaled:
+            return 0.0
+        return rest if abs(rest) > _NOTEWORTHY * abs(machine) else 0.0
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the loads' mean and peak, and their factor or what balances the rest."""
@@ -150,10 +166,12 @@ def load_torque(
         return sum((one.torque(turning) for one in (*powers, *rises)), even(shown))
 
     mean = constant + sum(own * _mean(load) for load, own in scaled)
+    corners = tuple(load.law.kinks(crank_angle.cycle) for load, _factor in scaled if isinstance(load.law, ByAngle))
     grid = np.broadcast_to(crank_angle.shown, (len(machine), crank_angle.shown.size))
     return LoadTorque(
         even=even(grid),
         work=_work(scaled, crank_angle),
+        corners=corners,
         mean=mean,
         mean_torque=mean + sum(one.torque(speed.value[:, 0])[:, 0] for one in (*powers, *rises)),
         powers=powers,
@@ -162,7 +180,7 @@ def load_torque(
         has_motor=driven is not None,
         load_torque=whole(grid),
         load_factor=factor if shape is None else np.where(np.isnan(factor), factor, 1.0),
-        largest_load_torque=_largest(whole, scaled, crank_angle),
+        largest_load_torque=_largest(whole, corners, crank_angle),
         remaining_torque=left if balanced is None else np.where(np.isnan(factor), left, 0.0),
         flags=tuple(_flags(factor, applied.applied_torque)),
     )
@@ -204,12 +222,9 @@ def _work(scaled: Sequence[tuple[TorqueOnShaft, Array]], crank_angle: CrankAngle
     return reduce(lambda one, other: combined(one, ONE, other), curves) if curves else None
 
 
-def _largest(
-    whole: Callable[[Array], Array], scaled: Sequence[tuple[TorqueOnShaft, Array]], crank_angle: CrankAngle
-) -> Array:
+def _largest(whole: Callable[[Array], Array], corners: Sequence[Array], crank_angle: CrankAngle) -> Array:
     """Largest torque, between the corners of what is listed, shape (design,). [N·m]"""
     samples = whole(np.broadcast_to(crank_angle.shown, (len(crank_angle.zero), crank_angle.shown.size)))
-    breaks = [load.law.kinks(crank_angle.cycle) for load, _factor in scaled if isinstance(load.law, ByAngle)]
 
     def curves(which: NDArray[np.intp], shown: Array) -> Array:
         asked, slot = in_slots(which, shown, len(samples))
@@ -217,7 +232,7 @@ def _largest(
         return found[which, slot]
 
     nowhere = np.full((len(samples), 1), np.nan)
-    return largest_between(curves, crank_angle.shown, samples, np.concatenate([nowhere, *breaks], axis=-1)).value
+    return largest_between(curves, crank_angle.shown, samples, np.concatenate([nowhere, *corners], axis=-1)).value
 
 
 def _flags(factor: Array, applied: Array) -> Iterator[str]:

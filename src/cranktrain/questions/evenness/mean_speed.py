@@ -1,13 +1,15 @@
 """What balances a machine at a wanted mean speed, where torques depend on the speed."""
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import ONE, ZERO, Array
 from cranktrain.numerics import bracketed_roots
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, energy_under_law, speed_under_law
-from cranktrain.questions.evenness.speed_over_cycle import Mean, grid_mean
+from cranktrain.questions.evenness.speed_law import Power, SpeedUnderLaw, TorqueLaw, energy_under_law, speed_under_law
+from cranktrain.questions.evenness.speed_over_cycle import Mean, mean_speed_of
 
 _NO_MEAN, _NO_WORK = 1e-9, 1e-14
 """A mean torque of less than this part of the peak, or of the energy that it would change, is rounding."""
@@ -40,7 +42,14 @@ def has_mean(driving: Array, inertia: Array, mean_speed: Array) -> NDArray[np.bo
 
 
 def balancing_coefficient(
-    law: TorqueLaw, shape: Power | None, inertia: Array, mean_speed: Array, cycle: float = TURN, mean: Mean = "time"
+    law: TorqueLaw,
+    shape: Power | None,
+    inertia: Array,
+    mean_speed: Array,
+    cycle: float = TURN,
+    mean: Mean = "time",
+    *,
+    under: Callable[[TorqueLaw], SpeedUnderLaw] | None = None,
 ) -> Array:
     """Coefficient k with which a load of a shape balances all other torques, at a mean speed.
 
@@ -58,6 +67,8 @@ def balancing_coefficient(
         [rad]
     mean : Mean
         Which mean is given.
+    under : callable, optional
+        Gives the speed under a law, where it is not by series on the grid.
 
     Returns
     -------
@@ -84,10 +95,12 @@ def balancing_coefficient(
 
     def missing(coefficient: Array) -> Array:
         whole = with_load(law, shape, coefficient)
-        if mean == "extremes":
+        if under is not None:
+            found = getattr(under(whole).speed.means, mean)
+        elif mean == "extremes":
             found = speed_under_law(whole, inertia, cycle).speed.means.extremes
         else:
-            found = grid_mean(2 * energy_under_law(whole, inertia, cycle) / inertia, mean)
+            found = mean_speed_of(2 * energy_under_law(whole, inertia, cycle) / inertia, mean)
         return found[..., np.newaxis] - wanted
 
     found = np.full_like(free, np.nan)

@@ -39,6 +39,14 @@ def load_rows(labels: Names, design: int, load: LoadTorque) -> Iterator[AnswerLi
     else:
         said = _(", at most {most}")
     yield valued(_("load, on the mean"), load.mean_torque[design], "N*m", words=said, **pieces)
+    rest = load.undeclared(design)
+    if rest != 0:
+        balances = (
+            _("a further {rest} drives the shaft, which stands nowhere in the file")
+            if rest < 0
+            else _("a further {rest} loads the shaft, which stands nowhere in the file")
+        )
+        yield worded(_("balanced by"), balances, rest=Amount(abs(rest), "N*m"))
 
 
 def flywheel_rows(labels: Names, design: int, found: FlywheelSize, rim: RimSize | None) -> Iterator[AnswerLine]:

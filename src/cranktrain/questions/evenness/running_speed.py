@@ -109,7 +109,7 @@ def running_speed(
     assert applied is not None
     assert work is not None
     inertia = plus(work.inertia, flywheel.inertia)
-    found = steady_running(balancing, given, applied, work, inertia, speed.value[:, 0, 0])
+    found = steady_running(balancing, given, work, inertia, speed.value[:, 0, 0])
     slope = torques.reduced_inertia_slope
     even = 0.0 if given is None else given.even
     torque = applied.applied_torque - even + found.besides

@@ -5,11 +5,14 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
-from cranktrain.numerics.periodic import PeriodicCurve
+from cranktrain.numerics.periodic import PeriodicCurve, fourier_curve
 from cranktrain.questions.evenness.applied_torque import AppliedTorque
+from cranktrain.questions.evenness.between_events import applied_work, nodes_at, work_of_loads
 from cranktrain.questions.evenness.excess_work import ExcessWork, excess_against, excess_of
 from cranktrain.questions.evenness.load_torque import LoadTorque
+from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
@@ -49,25 +52,33 @@ def shaft_work(
     applied: AppliedTorque,
     sources: TorqueSources,
     given: LoadTorque | None,
+    events: ForceEvents,
     torques: MechanismTorques,
+    speed: Speed,
     crank_angle: CrankAngle,
 ) -> ShaftWork:
     """Work of what drives the shaft less what its loads take, over the cycle.
 
     Notes
     -----
-    At the grid's points it is by quadrature between events.
+    By quadrature between events, with a node at each; by Fourier series where there is none.
     docs/theory/evenness, eqs. (17.2) and (17.17).
     """
-    work = sources.applied_work(crank_angle.shown, crank_angle.cycle)
-    mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
-    slope = applied.applied_torque - mean[..., np.newaxis]
-    excess = excess_of(applied.by.work(work, slope, crank_angle.cycle), mean)
+    mean, taken = np.sum(sources.mean(crank_angle.cycle), axis=-1), None if given is None else given.work
+    if applied.is_smooth and taken is None:
+        work = fourier_curve(sources.applied_work(crank_angle.shown, crank_angle.cycle), crank_angle.cycle)
+        inertia = fourier_curve(torques.reduced_inertia, crank_angle.cycle)
+    else:
+        corners = () if given is None else given.corners
+        nodes = nodes_at(np.concatenate([events.whole - crank_angle.zero[:, 0], *corners], axis=-1), crank_angle)
+        work, inertia = applied_work(nodes, sources, torques, speed, crank_angle)
+        taken = None if taken is None else work_of_loads(nodes, taken)
+    excess = excess_of(work, mean)
     if given is not None:
-        excess = excess_against(excess, given.work, given.mean)
+        excess = excess_against(excess, taken, given.mean)
     return ShaftWork(
         excess=excess,
-        inertia=applied.by.curve(torques.reduced_inertia, crank_angle.cycle),
+        inertia=inertia,
         excess_work=excess.work.samples,
         largest_excess_work=excess.difference,
     )

@@ -9,10 +9,10 @@ from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import Interpolation, fourier_curve, fourier_integral
 from cranktrain.questions.evenness.speed_over_cycle import SpeedOverCycle, speed_from_energy
 
-_MOST_STEPS = 60
+MOST_STEPS = 60
 _CLOSE = 1e-6
 """A step after which a start is near enough."""
-_SETTLED = 1e-12
+SETTLED = 1e-12
 """A step of Newton's method after which the next one is less than rounding, in parts of the energy."""
 
 
@@ -121,21 +121,21 @@ def energy_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> Arr
     """
     law, carried = _on_one_grid(law, inertia)
     with np.errstate(all="ignore"):
-        energy = carried * _even_speed(law) ** 2 / 2
+        energy = carried * even_speed(law) ** 2 / 2
         move = np.full(energy.shape, np.inf)
-        for _ in range(_MOST_STEPS):
+        for _ in range(MOST_STEPS):
             speed = np.sqrt(2 * energy / carried)
             slope = law.slope(speed) / (carried * speed)
             better = linear_periodic(-slope, law.torque(speed) - slope * energy, cycle)
             # A step that would stop the shaft goes part of the way.
             better = np.maximum(better, energy / 4)
             # What has settled stays, however long others take.
-            goes_on = ~(np.max(move, axis=-1, keepdims=True) <= _SETTLED)
+            goes_on = ~(np.max(move, axis=-1, keepdims=True) <= SETTLED)
             move = np.where(goes_on, np.abs(better - energy) / energy, move)
             energy = np.where(goes_on, better, energy)
-            if not np.any(move > _SETTLED):
+            if not np.any(move > SETTLED):
                 break
-        return np.where(np.max(move, axis=-1, keepdims=True) <= _SETTLED, energy, np.nan)
+        return np.where(np.max(move, axis=-1, keepdims=True) <= SETTLED, energy, np.nan)
 
 
 def linear_periodic(decay: Array, source: Array, cycle: float = TURN) -> Array:
@@ -176,7 +176,7 @@ def _on_one_grid(law: TorqueLaw, inertia: Array) -> tuple[TorqueLaw, Array]:
     return law._replace(free=np.broadcast_to(law.free, shape)), np.broadcast_to(inertia, shape)
 
 
-def _even_speed(law: TorqueLaw) -> Array:
+def even_speed(law: TorqueLaw) -> Array:
     """Speed at which the mean torques balance: where Newton's method starts, shape (..., 1).
 
     By the logarithm of the speed the mean torque falls ever faster, so that Newton's steps from beyond do not pass by.
@@ -188,7 +188,7 @@ def _even_speed(law: TorqueLaw) -> Array:
         alone = np.where(coefficient < 0, (free / -coefficient) ** (1 / exponent), np.inf)
         speed = np.minimum(speed, alone)
     goes_on = np.full(speed.shape, fill_value=True)
-    for _ in range(_MOST_STEPS):
+    for _ in range(MOST_STEPS):
         terms = [one.torque(speed) for one in powers]
         slopes = [one.exponent * term for one, term in zip(powers, terms, strict=True)]
         step = np.where(goes_on, sum(terms, free) / sum(slopes, ZERO), 0.0)

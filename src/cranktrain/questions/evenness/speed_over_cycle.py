@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, near_roots, turning_points
-from cranktrain.numerics.periodic import PeriodicCurve, plus
+from cranktrain.numerics.periodic import PeriodicCurve, mean_samples, plus
+from cranktrain.numerics.piecewise import piece_extremes
 from cranktrain.numerics.tops import chosen
 from cranktrain.questions.evenness.excess_work import ExcessWork
 from cranktrain.record import record
@@ -17,6 +18,8 @@ Mean: TypeAlias = Literal["time", "angle", "extremes"]
 
 _ASIDE = 1e-6
 """How much wider than the grid's extremes ask a bracket is, in parts of the energies."""
+_RESTS = 1e-3
+"""Of the mean speed: a shaft that slows down to less all but stops, for as long as no step shows."""
 
 
 class MeanSpeeds(NamedTuple):
@@ -81,27 +84,32 @@ def speed_from_energy(energy: PeriodicCurve, inertia: PeriodicCurve) -> SpeedOve
 
     Notes
     -----
-    ω² = 2T/J. docs/theory/evenness, eqs. (17.4) and (17.5). The time is summed over the grid, which converges faster
-    than any power of the step where the curves are smooth.
+    ω² = 2T/J. docs/theory/evenness, eqs. (17.4) and (17.5). Where the curves are smooth the time is summed over the
+    grid, which converges faster than any power of the step; between events by Gauss's points.
     """
     angle = energy.angle
 
-    def square(phi: Array) -> Coefficient:
-        stored, carried = energy.motion(phi), inertia.motion(phi)
-        value = 2 * stored.value / carried.value
-        first = (2 * stored.first - value * carried.first) / carried.value
-        second = (2 * stored.second - 2 * first * carried.first - value * carried.second) / carried.value
-        return Coefficient(value, first, second)
-
     samples = 2 * energy.samples / inertia.samples
-    found = turning_points(square, samples, angle)
+    if energy.between is not None and energy.between is inertia.between:
+        found = piece_extremes(lambda share: _square(energy.each(share), inertia.each(share)), energy.between)
+    else:
+        found = turning_points(lambda phi: _square(energy.motion(phi), inertia.motion(phi)), samples, angle)
+    (stored, carried), weight = mean_samples(energy, inertia)
     with np.errstate(invalid="ignore", divide="ignore"):
         speed = np.sqrt(samples)
         smallest, largest = (Extreme(one.angle, np.sqrt(one.value)) for one in found)
-        means = MeanSpeeds(
-            1 / np.mean(1 / speed, axis=-1), np.mean(speed, axis=-1), (smallest.value + largest.value)[..., 0] / 2
-        )
+    time, over_angle = (mean_speed_of(2 * stored / carried, mean, weight) for mean in ("time", "angle"))
+    means = MeanSpeeds(time, over_angle, (smallest.value + largest.value)[..., 0] / 2)
     return SpeedOverCycle(angle, speed, smallest, largest, means)
+
+
+def _square(stored: Coefficient, carried: Coefficient) -> Coefficient:
+    """Square of the speed, 2T/J, with its derivatives."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        value = 2 * stored.value / carried.value
+        first = (2 * stored.first - value * carried.first) / carried.value
+        second = (2 * stored.second - 2 * first * carried.first - value * carried.second) / carried.value
+    return Coefficient(value, first, second)
 
 
 def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, mean: Mean = "time") -> SpeedOverCycle:
@@ -128,9 +136,10 @@ def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, 
     E₀ is free; the mean fixes it. docs/theory/evenness, eqs. (17.4) and (17.5).
     """
     wanted = np.asarray(mean_speed, dtype=float)[..., np.newaxis]
-    stored, carried = excess.work.samples, inertia.samples
+    (stored, carried), weight = mean_samples(excess.work, inertia)
     stops = -excess.smallest.value
-    slow = wanted**2 / 2 * np.min(carried, axis=-1, keepdims=True) - excess.largest.value
+    slowest = wanted**2 / 2 * np.min(carried, axis=-1, keepdims=True)
+    slow = slowest - excess.largest.value
     fast = wanted**2 / 2 * np.max(carried, axis=-1, keepdims=True) + stops
     aside = _ASIDE * (np.abs(fast) + np.abs(slow))
 
@@ -141,17 +150,20 @@ def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, 
         if mean == "extremes":
             found = speed_from_energy(plus(excess.work, energy[..., 0]), inertia).means.extremes
         else:
-            found = grid_mean(2 * (stored + energy) / carried, mean)
+            found = mean_speed_of(2 * (stored + energy) / carried, mean, weight)
         return scale * (found[..., np.newaxis] - wanted)
 
     start = wanted * scale / 2 - np.mean(stored, axis=-1, keepdims=True)
-    ends = np.maximum(slow - aside, stops + _ASIDE * aside), fast + aside
+    least = _ASIDE * aside if weight is None else np.maximum(_ASIDE * aside, _RESTS**2 * slowest)
+    ends = np.maximum(slow - aside, stops + least), fast + aside
     energy = near_roots(missing, *np.broadcast_arrays(start, *ends))[..., 0]
     return speed_from_energy(plus(excess.work, energy), inertia)
 
 
-def grid_mean(square: Array, mean: Literal["time", "angle"]) -> Array:
-    """Mean of a speed whose square is known on the grid, shape (..., n) [rad²/s²]."""
+def mean_speed_of(square: Array, mean: Literal["time", "angle"], weight: Array | None = None) -> Array:
+    """Mean of a speed whose square is known at points of some weights, of the grid unless given, shape (..., n)."""
     with np.errstate(invalid="ignore", divide="ignore"):
         speed = np.sqrt(square)
-        return 1 / np.mean(1 / speed, axis=-1) if mean == "time" else np.mean(speed, axis=-1)
+        values = 1 / speed if mean == "time" else speed
+        found = np.mean(values, axis=-1) if weight is None else np.sum(values * weight, axis=-1)
+        return 1 / found if mean == "time" else found

@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array
 from cranktrain.numerics import spectral_derivative
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.numerics.periodic import PeriodicCurve, combined
-from cranktrain.questions.evenness.applied_torque import AppliedTorque
+from cranktrain.numerics.periodic import PeriodicCurve, combined, fourier_integral, spline_integral
+from cranktrain.questions.evenness.law_between_events import speed_between_events
 from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.mean_speed import balancing_coefficient, has_mean, with_load
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.questions.evenness.spec import Balancing
-from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, speed_under_law
+from cranktrain.questions.evenness.speed_law import Power, SpeedUnderLaw, TorqueLaw, speed_under_law
 from cranktrain.questions.evenness.speed_over_cycle import SpeedOverCycle, chosen_speed, steady_speed
 
 
@@ -45,7 +45,6 @@ class SteadyRunning(NamedTuple):
 def steady_running(
     balancing: Balancing,
     given: LoadTorque | None,
-    applied: AppliedTorque,
     work: ShaftWork,
     inertia: PeriodicCurve,
     wanted: Array,
@@ -64,17 +63,27 @@ def steady_running(
     if np.all(by_energy):
         steady = steady_speed(work.excess, inertia, wanted, balancing.mean)
         return SteadyRunning(steady, -left, work.excess.work, np.ones(1), is_free)
+
+    def between_events(law: TorqueLaw) -> SpeedUnderLaw:
+        """Speed under what is left of a law without the torques whose work is known."""
+        return speed_between_events(law, work.excess.work, inertia)
+
+    is_broken = work.excess.work.between is not None
+    if is_broken:
+        torque = np.where(has_load[:, np.newaxis], left, 0.0)
     law = TorqueLaw(torque, tuple(one._replace(coefficient=-one.coefficient) for one in powers))
-    size = balancing_coefficient(law, shape, inertia.samples, wanted, cycle, balancing.mean)
+    solver = between_events if is_broken else None
+    size = balancing_coefficient(law, shape, inertia.samples, wanted, cycle, balancing.mean, under=solver)
     law = with_load(law, shape, size[:, np.newaxis])
-    under = speed_under_law(law, inertia.samples, cycle, applied.by.curve)
+    under = speed_under_law(law, inertia.samples, cycle) if solver is None else solver(law)
     speed, multiplier = under.speed, under.multiplier
     taken = under.torque - torque
     if np.any(by_energy):
         # Of several designs some may have no such load: their energy is free, as under a constant load.
         speed = chosen_speed(by_energy, steady_speed(work.excess, inertia, wanted, balancing.mean), speed)
         taken, multiplier = np.where(by_energy[:, np.newaxis], -left, taken), np.where(by_energy, 1.0, multiplier)
-    whole = combined(work.excess.work, np.ones(1), applied.by.integral(taken, cycle))
+    integral = spline_integral if is_broken else fourier_integral
+    whole = combined(work.excess.work, np.ones(1), integral(taken, cycle))
     return SteadyRunning(speed, taken, whole, multiplier, is_free)
 
 

@@ -11,6 +11,7 @@ from cranktrain.linkage.forces import Gravity, Wrench, crank_link
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.gathering import put
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.forces.joint_forces import JointForces, joint_label
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.pin_load import (
@@ -27,8 +28,6 @@ from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number
 
 _CURVE = ("mechanism", "crank_angle")
-_ALIKE = 1e-9
-"""Loads that differ by less, relative, are the same; the first is named."""
 
 
 def have_crank_pins(mechanisms: Mechanisms) -> bool:
@@ -93,7 +92,7 @@ class CrankPinLoads:
         at, largest = (part[design] for part in self.largest_crankpin_load)
         if np.all(np.isnan(largest)):
             return None
-        worst = int(np.argmax(largest >= (1 - _ALIKE) * np.nanmax(largest)))
+        worst = first_largest(largest)
         return _("Largest load of a crank pin {load}, by the rod of {mechanism} at {angle}.").format(
             load=number(float(largest[worst]), "kN"),
             mechanism=names["mechanism"][worst],

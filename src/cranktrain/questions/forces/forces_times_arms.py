@@ -29,6 +29,16 @@ def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> A
     return loaded.in_order(found)
 
 
+def forces_times_places(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:
+    """Largest force in the joints of each mechanism by how far its farthest pin is, shape (design, mechanism). [N·m]"""
+    found: list[Array] = []
+    for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
+        links = batch.kind.dynamics.links(one.motion, batch.members.geometry)
+        away = np.sqrt(_largest(link.origin.x.value**2 + link.origin.y.value**2 for link in links))
+        found.append(_largest_force(one) * away)
+    return loaded.in_order(found)
+
+
 def _largest_force(one: SolvedBatch) -> Array:
     """Largest force in any joint of each mechanism of one kind, shape (design, member)."""
     return np.sqrt(_largest(joint.x * joint.x + joint.y * joint.y for joint in one.forces.joints))

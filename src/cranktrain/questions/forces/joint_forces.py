@@ -104,6 +104,10 @@ def _flags(loaded: LoadedMachine) -> Iterator[str]:
     masses = loaded.masses
     if (said := loaded.without_mass()) is not None:
         yield said
+    if masses.unused:
+        yield _("{tables} stands for no part: every bank that has one gives its own.").format(
+            tables=", ".join(f"[{path}]" for path in masses.unused)
+        )
     if masses.doubtful:
         yield _(
             "The inertia of {parts} is hardly that of a link of such mass and length:"

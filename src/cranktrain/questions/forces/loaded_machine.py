@@ -149,7 +149,7 @@ class LoadedMachine:
         pairs = [(slave, master) for slave, master in enumerate(self.carriers.master.tolist()) if master >= 0]
         if self.gas is not None:
             driven, works = self.carriers.driven, np.any(self.gas.chambers.areas != 0.0, axis=0)
-            pairs += [(driven[np.argmax(own)], other) for own in works.T for other in driven[own].tolist()]
+            pairs += [(driven[np.argmax(is_own)], other) for is_own in works.T for other in driven[is_own].tolist()]
         for one, other in pairs:
             label[label == label[one]] = label[other]
         return label

@@ -6,15 +6,13 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.questions.forces.guides import GuideEdges
 from cranktrain.questions.forces.joint_forces import JointForces
 from cranktrain.questions.forces.largest_forces import LargestForces
 from cranktrain.rows import Amount, AnswerLine, valued
 from cranktrain.wording import Names
-
-_ALIKE = 1e-9
-"""Largest values closer than this are one: which of them rounding makes the largest says nothing."""
 
 
 def force_rows(
@@ -49,7 +47,7 @@ def _largest(
     """Say the largest of some values, and where and of whom it is."""
     if not np.any(np.isfinite(values)):
         return
-    worst = int(np.argmax(values >= (1 - _ALIKE) * np.nanmax(values)))
+    worst = first_largest(values)
     if np.isnan(angles[worst]):  # of nothing, which is largest nowhere
         yield valued(name, values[worst], "N")
         return

@@ -5,6 +5,7 @@ from typing import Annotated, Any, TypeAlias, cast
 
 from pydantic import BeforeValidator, Discriminator, Tag
 
+from cranktrain.allowed import Name
 from cranktrain.errors import Problem, refuse
 from cranktrain.fluids import KINDS, AnyGas
 from cranktrain.language import _
@@ -45,7 +46,7 @@ def _is_fluid(value: object) -> bool:
 
 
 GasTables: TypeAlias = Annotated[
-    Annotated[AnyGas, Tag("one")] | Annotated[Mapping[str, AnyGas], Tag("named")],
+    Annotated[AnyGas, Tag("one")] | Annotated[Mapping[Name, AnyGas], Tag("named")],
     Discriminator(_form),
     BeforeValidator(_one_way),
 ]

@@ -57,6 +57,9 @@ _LEAST_EFFICIENCY = Limit(
     N_("A mechanical_efficiency of {value} leaves next to nothing; engines have 0.7 to 0.95: is its unit right?"),
     0.15,
 )
+_LONG, _OF_LONG = 2.0, 0.45 / 0.55
+"""Strokes in bores from which a rod is on a crosshead, outside the cylinder, and the part of λ that then counts: slow
+marine engines with strokes of 2.5 to 5 bores have rods of a stroke, λ 0.4 to 0.5."""
 
 
 @record
@@ -78,13 +81,15 @@ def unlikely_gas(gas: GasInChambers | None, heat: HeatBalance | None, losses: Lo
 
 def _ratios_of_cranks(gas: GasInChambers) -> Iterator[str]:
     """Flag λ of pistons with gas whose rods hang on a crank themselves."""
-    is_pressed = np.any(gas.chambers.areas != 0.0, axis=(0, 2))
-    ratio = np.full(gas.tops.shape[:2], np.nan)
+    areas = np.max(np.abs(gas.chambers.areas), axis=2)
+    ratio, stroke = np.full((2, *gas.tops.shape[:2]), np.nan)
     for batch in gas.pistons.batches:
         if batch.kind.name == "slider_crank":
             size = batch.members.geometry
             ratio[:, batch.index] = (size.crank_radius / size.rod_length)[..., 0]
-    yield from flagged(_LAMBDA, np.where(is_pressed, ratio, np.nan), whose=gas.pistons.names)
+            stroke[:, batch.index] = 2 * size.crank_radius[..., 0]
+    counted = np.where(stroke > _LONG * np.sqrt(4 / np.pi * areas), _OF_LONG, 1.0) * ratio
+    yield from flagged(_LAMBDA, np.where(areas > 0, counted, np.nan), ratio, gas.pistons.names)
 
 
 def _burning(gas: GasInChambers) -> Iterator[str]:
@@ -94,7 +99,8 @@ def _burning(gas: GasInChambers) -> Iterator[str]:
         # Without heat to the walls nothing is said of temperatures.
         is_known = law.transfer != 0
         charge = gas_mass * np.where(is_known, 1.0, law.start_temperature / _WARM) / _GAS_CONSTANT
-        names = [gas.chambers.names[place] for place in filling.places.tolist()]
+        places: list[int] = filling.places.tolist()
+        names = [gas.chambers.names[place] for place in places]
         yield from flagged(_LEAST_HEAT, (law.heat / (charge * _HEAT_OF_CHARGE))[..., 0], whose=names)
         yield from flagged(_COLDEST_WALL, np.where(is_known, law.wall_temperature, np.nan))
 

@@ -11,6 +11,7 @@ from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle
+from cranktrain.layout.load_stretch import stretch_flags
 from cranktrain.layout.loads import LinkLoad, Loads
 from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
 from cranktrain.motion import Array
@@ -117,7 +118,10 @@ def load_work(
         largest_load_force=_known(largest, ~is_torque),
         largest_load_moment=_known(largest, is_torque),
         labels={"load": names},
-        flags=tuple(one_sided([(_("largest power"), most), (_("largest size"), largest)], names)),
+        flags=(
+            *stretch_flags({load.name: load.stretch for load in links if load.stretch is not None}),
+            *one_sided([(_("largest power"), most), (_("largest size"), largest)], names),
+        ),
     )
 
 
@@ -152,4 +156,4 @@ def _works(on_crank: Callable[[Array], Array], events: ForceEvents, crank_angle:
     angle, weight = points_together(events.whole - crank_angle.zero[:, 0], _WIDEST, crank_angle.cycle)
     done = on_crank(angle + crank_angle.zero) * weight
     work, gross = np.sum(done, axis=-1), np.sum(np.abs(done), axis=-1)
-    return np.where(np.abs(work) > _ROUNDING * gross, work, 0.0)
+    return np.where(np.abs(work) <= _ROUNDING * gross, 0.0, work)

@@ -29,9 +29,11 @@ class UnlikelyStrokes(StageResult):
     """Loads on sliders where their machines hardly work."""
 
 
-def unlikely_strokes(loaded: LoadedMachine) -> UnlikelyStrokes:
+def unlikely_strokes(loaded: LoadedMachine | None) -> UnlikelyStrokes:
     """Flag resisting forces on sliders whose way back is free that begin with the stroke, or act on the way back."""
-    loads = () if loaded.loads is None else loaded.loads.each
+    if loaded is None or loaded.loads is None:
+        return UnlikelyStrokes()
+    loads = loaded.loads.each
     sliding = [load for load in loads if load.is_slider and load.resists and not isinstance(load.law, BySpeed)]
     others = {(load.mechanism, load.link) for load in loads if load.is_slider and load not in sliding}
     each = grouped(((load.mechanism, load.link), load) for load in sliding)
@@ -41,8 +43,9 @@ def unlikely_strokes(loaded: LoadedMachine) -> UnlikelyStrokes:
 
 def _of_slider(loaded: LoadedMachine, loads: Sequence[LinkLoad]) -> Iterator[str]:
     """Flag what all such loads of one slider do together."""
-    step = 2 * TURN / _N_ANGLES
-    angle = step * (np.arange(_N_ANGLES) + 0.5)[np.newaxis, np.newaxis]  # aside from dead centres, where none acts
+    # Aside from dead centres, where none acts.
+    turned = np.linspace(0.0, 2 * TURN, _N_ANGLES, endpoint=False) + TURN / _N_ANGLES
+    angle = turned[np.newaxis, np.newaxis]
     ways = [loaded.load_way(load, angle) for load in loads]
     rows = [loaded.load_value(*row, angle, np.ones_like(angle)) for row in zip(loads, ways, strict=True)]
     size = np.sum(np.abs(np.concatenate(np.broadcast_arrays(*rows), axis=1)), axis=1)

@@ -10,6 +10,7 @@ from cranktrain.layout.distinct import distinct
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.record import record
 from cranktrain.wording import Names, around_turn, shared
 
@@ -46,7 +47,7 @@ class Closing(StageResult):
         margins = self.closing_margin[design]
         if np.all(np.isnan(margins)):
             return None
-        least = int(np.nanargmin(margins))
+        least = first_smallest(margins)
         return _("Closing margin {margin} ({mechanism}: {length}, at {angle}).").format(
             margin=shared(("",), margins[least : least + 1], "%"),
             mechanism=names["mechanism"][least],

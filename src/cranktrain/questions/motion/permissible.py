@@ -9,6 +9,7 @@ from cranktrain.layout.design import Designs
 from cranktrain.mechanisms.slider_crank import SliderCrankSpec
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
+from cranktrain.numerics.ties import first_largest
 from cranktrain.record import record
 from cranktrain.wording import around_turn, number
 
@@ -41,7 +42,7 @@ def exceeding(permissible: PermissibleAngles, largest: Extreme) -> Iterator[str]
     excess = np.where(angle > permissible.value * (1 + _ROUNDING), angle - permissible.value, 0.0)
     if not np.any(excess > 0.0):
         return
-    worst = np.unravel_index(np.argmax(excess), excess.shape)
+    worst = np.unravel_index(first_largest(excess), excess.shape)
     said = _("The rod's pressure angle comes to {angle} (crank at {crank}), {excess} over the permissible {limit}.")
     yield said.format(
         angle=number(float(angle[worst]), "deg"),

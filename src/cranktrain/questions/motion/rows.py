@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.language import N_, _
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.motion.closing import Closing
 from cranktrain.questions.motion.dead_centres import DeadCentres
 from cranktrain.questions.motion.pistons import PistonSpeeds
@@ -120,7 +121,7 @@ def closing_rows(labels: Names, design: int, closing: Closing) -> Iterator[Answe
     margins = closing.closing_margin[design]
     if np.all(np.isnan(margins)) or np.nanmin(margins) > _NEAR:
         return
-    least = int(np.nanargmin(margins))
+    least = first_smallest(margins)
     name = labels["mechanism"][least]
     yield valued(
         _("closing margin"),

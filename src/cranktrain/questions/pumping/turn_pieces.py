@@ -7,6 +7,7 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.numerics import Subintervals, bracketed_roots, subintervals
 from cranktrain.numerics.subintervals import interpolation
+from cranktrain.numerics.ties import first_largest
 
 _WIDEST = np.pi / 18
 """Of a piece. [rad]"""
@@ -42,7 +43,7 @@ class TurnPieces(NamedTuple):
 
     def largest(self, values: Array, low: float = -np.inf, high: float = np.inf) -> TurnTop:
         """Largest value between the points; only of pieces from `low` to `high`, which are edges of such. [rad]"""
-        best = TurnTop(np.nan, -np.inf)
+        angles, tops = list[Array](), list[Array]()
         middles = low + np.mod(self.cut.start + self.cut.width / 2 - low, self.cycle) if np.isfinite(low) else None
         for size in np.unique(self.cut.size).tolist():
             chosen = self.cut.size == size
@@ -53,11 +54,13 @@ class TurnPieces(NamedTuple):
                 continue
             at_points = values[self.cut.first[own, np.newaxis] + np.arange(size)]
             way, value = _tops(at_points, size)
-            place = int(np.argmax(value))
-            if value[place] > best.value:
-                angle = self.cut.start[own[place]] + self.cut.width[own[place]] * (1 + way[place]) / 2
-                best = TurnTop(float(np.mod(angle, self.cycle)), float(value[place]))
-        return best
+            angles.append(np.mod(self.cut.start[own] + self.cut.width[own] * (1 + way) / 2, self.cycle))
+            tops.append(value)
+        if not tops:
+            return TurnTop(np.nan, -np.inf)
+        order = np.argsort(np.concatenate(angles), kind="stable")
+        angle, top = (np.concatenate(parts)[order] for parts in (angles, tops))
+        return TurnTop(float(angle[first_largest(top)]), float(np.max(top)))
 
 
 def turn_pieces(breaks: Array, cycle: float) -> TurnPieces:

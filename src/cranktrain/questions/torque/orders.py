@@ -11,6 +11,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import from_vectors
+from cranktrain.numerics.ties import falling
 from cranktrain.questions.cylinders.firing import Cycle, Firing
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.questions.torque.stars import phase_stars
@@ -58,8 +59,7 @@ class TorqueOrders(StageResult):
         """Places of the largest orders, the largest first; none of what is rounding."""
         amplitude = np.nan_to_num(self.torque_order_amplitude[design])
         least = max(_ROUNDING * float(np.max(amplitude)), _GONE * float(self.gross[design]))
-        places: list[int] = np.argsort(-amplitude, kind="stable")[:_NAMED].tolist()
-        return [place for place in places if amplitude[place] > least]
+        return [place for place in falling(amplitude)[:_NAMED] if amplitude[place] > least]
 
 
 def torque_orders(sources: TorqueSources, torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrders:

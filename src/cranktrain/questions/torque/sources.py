@@ -13,11 +13,18 @@ from numpy.typing import NDArray
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
-from cranktrain.motion import ZERO, Array
-from cranktrain.numerics import Subintervals, integral_to, subintervals
+from cranktrain.motion import ZERO, Array, Coefficient
+from cranktrain.numerics import (
+    Subintervals,
+    integral_motion,
+    integral_to,
+    shows,
+    spectral_derivative,
+    subintervals,
+)
 from cranktrain.numerics.gathering import gathered
-from cranktrain.numerics.harmonics import ComplexArray, harmonics, phasor
-from cranktrain.numerics.periodic import fourier_integral
+from cranktrain.numerics.harmonics import TURN, ComplexArray, harmonics, phasor
+from cranktrain.numerics.periodic import fourier_integral, quintic_curve
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques, driving_torques
@@ -32,6 +39,10 @@ _WIDEST = np.pi / 9
 """Of a panel, for the highest order too. [rad]"""
 _REACH = 1.3
 """How wide they may be for the distance of the volume's zeros in the complex plane, where p ~ V⁻ⁿ has its poles."""
+
+
+_HALVINGS = 10
+"""How often panels are halved at most, of a machine that nearly locks and turns sharply there."""
 
 
 class Source(NamedTuple):
@@ -54,6 +65,18 @@ class Source(NamedTuple):
     values: Array
     starts: Array
     shafts: NDArray[np.intp]
+
+    def without_mean(self, cycle: float) -> Array:
+        """All parts together less their mean, shape (point,). [N·m]"""
+        values = np.sum(self.values, axis=0)
+        return values - np.sum(values * self.subintervals.weight) / cycle
+
+    def in_steps(self, step: float) -> Iterator[tuple[float, list[int]]]:
+        """Starts that are whole steps apart, which see the same points in turn: the part of a step, and whole ones."""
+        steps = self.starts / step
+        beside: Array = np.round(np.mod(steps + 0.5, 1.0) - 0.5, 9)
+        for aside in np.unique(beside).tolist():
+            yield aside, np.rint(steps[beside == aside] - aside).astype(np.intp).tolist()
 
 
 @record
@@ -132,17 +155,54 @@ class TorqueSources:
         found = fourier_integral(np.sum(self.rest, axis=1) + self.inertia, cycle).samples + self.kept
         step = float(shown[1] - shown[0])
         for one in self.sources:
-            values = np.sum(one.values, axis=0)
-            values = values - np.sum(values * one.subintervals.weight) / cycle
-            # Starts that are whole steps apart see the same points in turn.
-            steps = one.starts / step
-            beside: Array = np.round(np.mod(steps + 0.5, 1.0) - 0.5, 9)
-            for aside in np.unique(beside).tolist():
+            values = one.without_mean(cycle)
+            for aside, late in one.in_steps(step):
                 whole = integral_to(one.subintervals, values, shown - aside * step)
-                for late in np.rint(steps[beside == aside] - aside).astype(np.intp).tolist():
-                    laid = np.roll(whole, late)
+                for steps in late:
+                    laid = np.roll(whole, steps)
                     found[one.design] += laid - laid[0]
         return found
+
+    def applied_beside(self, shown: Array, breaks: Array, cycle: float) -> tuple[Coefficient, Coefficient]:
+        """Work as `applied_work` has it, but for `kept`, with its derivatives on both sides of grid and some breaks.
+
+        Parameters
+        ----------
+        shown : Array, shape (n,)
+            The grid. [rad]
+        breaks : Array, shape (design, m)
+            As shown. [rad]
+        cycle : float
+            [rad]
+
+        Returns
+        -------
+        before, after : Coefficient, shape (design, n + m)
+        """
+        torque = np.sum(self.rest, axis=1) + self.inertia
+        torque = torque - np.mean(torque, axis=-1, keepdims=True)
+        smooth = Coefficient(
+            fourier_integral(torque, cycle).samples, torque, spectral_derivative(torque) * (TURN / cycle)
+        )
+        between = quintic_curve(smooth, cycle).motion(breaks)
+        before = [np.concatenate(parts, axis=-1) for parts in zip(smooth, between, strict=True)]
+        sides = before, [part.copy() for part in before]
+        step = float(shown[1] - shown[0])
+        for one in self.sources:
+            values, begins = one.without_mean(cycle), 0.0
+            for aside, late in one.in_steps(step):
+                grid = integral_motion(one.subintervals, values, shown - aside * step)
+                for steps in late:
+                    begins += float(np.roll(grid[0].value, steps)[0])
+                    for found, laid in zip(sides, grid, strict=True):
+                        for part, own in zip(found, laid, strict=True):
+                            part[one.design, : shown.size] += np.roll(own, steps)
+            angle: Array = breaks[one.design] - one.starts[:, np.newaxis]
+            for found, each in zip(sides, integral_motion(one.subintervals, values, np.ravel(angle)), strict=True):
+                for part, own in zip(found, each, strict=True):
+                    part[one.design, shown.size :] += np.sum(own.reshape(angle.shape), axis=0)
+                found[0][one.design] -= begins
+        return Coefficient(*sides[0]), Coefficient(*sides[1])
 
 
 def torque_sources(
@@ -206,10 +266,15 @@ def _of_chambers(
         # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
         volume, _slope, curvature = (float(part[design, gas.among_distinct[design, first], 0]) for part in events.least)
         away = float(np.sqrt(2 * volume / curvature))
-        cut = subintervals(
-            events.angle[design, first] - start, min(_WIDEST, _REACH * away) if away > 0 else _WIDEST, gas.cycle
-        )
+        widest = min(_WIDEST, _REACH * away) if away > 0 else _WIDEST
+        cut = subintervals(events.angle[design, first] - start, widest, gas.cycle)
         motion = gas.volume_of(design, first, cut.angle + start)
+        for _halving in range(_HALVINGS):
+            if shows(cut, motion.first):
+                break
+            widest /= 2
+            cut = subintervals(events.angle[design, first] - start, widest, gas.cycle)
+            motion = gas.volume_of(design, first, cut.angle + start)
         pressure = gas.pressure_of(design, first, cut.angle, motion)
         by_chamber = [np.flatnonzero(gas.chambers.areas[design, :, place]) for place in places.tolist()]
         if len(by_chamber[0]) == 1:

@@ -7,7 +7,7 @@ from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
-from cranktrain.questions.forces.forces_times_arms import forces_times_arms
+from cranktrain.questions.forces.forces_times_arms import forces_times_arms, forces_times_places
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.pressures import GasPressures
@@ -19,6 +19,8 @@ from cranktrain.references import THEORY_OF_FORCES as _THEORY
 _EXACT_LIMIT = 1e-12
 _RESTING_LIMIT = 1e-6
 """About a rest within a stroke the acceleration goes like a root of the crank angle, which quadrature meets to less."""
+_FAR = 1e-3
+"""Of forces times the places where they act: 10⁻¹⁵ of those, a few times what rounding is, are within the limit."""
 _SHARE = 0.1
 """Of forces times arms, for 1 rad: work that is less is judged by these; an engine's gas does more."""
 
@@ -52,11 +54,21 @@ def load_balance(
     if pressures is not None:
         works = np.concatenate([works, pressures.indicated_work], axis=-1)
     done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
-    on_the_way = np.sum(forces_times_arms(loaded, solved.batches), axis=1)
-    scale = np.maximum(np.sum(np.abs(works), axis=-1), _SHARE * on_the_way)
-    residual = np.abs(done - np.sum(works, axis=-1)) / scale
+    residual = np.abs(done - np.sum(works, axis=-1)) / _work_size(works, loaded, solved)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of loads and gas")
     return LoadBalance(checks=(Check("load_work", sentence, residual, _limit(loaded)),))
+
+
+def _work_size(works: Array, loaded: LoadedMachine, solved: SolvedCycle) -> Array:
+    """What works are to be compared with, shape (design,). [J]
+
+    They may be none, and what works on the shaft may cancel: that leaves rounding of forces times arms. Where links are
+    far longer than the stroke their places are rounded, and the way that is left of them.
+    """
+    on_the_way = np.sum(forces_times_arms(loaded, solved.batches), axis=1)
+    there = np.sum(forces_times_places(loaded, solved.batches), axis=1)
+    size = np.maximum(np.sum(np.abs(works), axis=-1), np.maximum(_SHARE * on_the_way, _FAR * there))
+    return np.where(size > 0, size, 1.0)
 
 
 def _limit(loaded: LoadedMachine) -> float:
@@ -86,8 +98,6 @@ def work_balance(
         return WorkBalance(total)
     # What inertia takes at a moment of acceleration, the shaft does not get.
     done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
-    # Gas may do no work at all, and what works on the shaft may cancel: that leaves rounding of forces times arms.
-    on_the_way = np.sum(forces_times_arms(loaded, solved.batches), axis=1)
-    residual = np.abs(done - total) / np.maximum(np.sum(np.abs(works), axis=-1), _SHARE * on_the_way)
+    residual = np.abs(done - total) / _work_size(works, loaded, solved)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas")
     return WorkBalance(total, checks=(Check("work", sentence, residual, _limit(loaded)),))

@@ -47,7 +47,7 @@ QUESTION = Question(
     ),
     dimensions=(
         ResultDimension("disc", N_("disc")),
-        ResultDimension("mode", N_("mode"), is_number=True),
+        ResultDimension("mode", N_("mode"), is_number=True, is_apart=True),
         ResultDimension("throw_method", N_("method"), own=0),
         ResultDimension("throw_gap", N_("between throws")),
     ),

@@ -1,8 +1,10 @@
 """Critical speeds of torsional vibration: where orders meet natural frequencies, and how far cylinders add up there."""
 
+from collections.abc import Sequence
 from dataclasses import field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
@@ -12,6 +14,7 @@ from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
 from cranktrain.layout.shafts import Shafts
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import ALIKE, falling
 from cranktrain.questions.cylinders.firing import Cycle, Firing
 from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.forces.carriers import Carriers
@@ -25,49 +28,8 @@ from cranktrain.wording import Names, number
 _ORDER = ("mode", "order")
 _NAMED = 3
 """How many of the largest vector sums the answer says, and of the orders that have one."""
-_DECIMALS = 9
-"""To which vector sums are alike; firing makes the same one for many orders."""
-
-
-@record
-class CriticalSpeeds(StageResult):
-    """Speeds at which an order of the torque has a natural frequency; speed is the declared one, if any."""
-
-    critical_speed: Array = quantity(
-        "Ω", "rad/s", _ORDER, N_("Speed of the crank at which the order has the mode's natural frequency"), _THEORY
-    )
-    speed: Array | None = field(kw_only=True)
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say between which critical speeds of the first mode the machine runs."""
-        places = self.beside(design)
-        if self.speed is None or not places:
-            return None
-        of_mode = self.critical_speed[design, 0]
-        said = [
-            _("{speed} (order {order})").format(speed=number(float(of_mode[place]), "rpm"), order=names["order"][place])
-            for place in places
-        ]
-        return _("The critical speeds of mode 1 next to {running}: {speeds}.").format(
-            running=number(float(self.speed[design]), "rpm"), speeds=", ".join(said)
-        )
-
-    def beside(self, design: int) -> list[int]:
-        """Orders whose critical speeds of the first mode are next to the machine's speed, the slower one first."""
-        of_mode = self.critical_speed[design, 0]
-        if self.speed is None or not np.all(np.isfinite(of_mode)):
-            return []
-        above = int(np.count_nonzero(of_mode > float(self.speed[design])))
-        return [place for place in (above, above - 1) if 0 <= place < of_mode.size]
-
-
-def critical_speeds(modes: TorsionalModes, crank_angle: CrankAngle, speed: Speed | None) -> CriticalSpeeds:
-    """Divide every natural frequency by every order; docs/theory/torsion, eq. (23.9)."""
-    return CriticalSpeeds(
-        modes.natural_frequency[..., np.newaxis] / orders(crank_angle.cycle),
-        speed=None if speed is None else speed.mean[:, 0, 0],
-        labels=order_labels(crank_angle.cycle),
-    )
+_MAJOR = 0.5
+"""From which part of the largest vector sum of a mode on an order is a major one."""
 
 
 @record
@@ -87,8 +49,7 @@ class ModeVectorSums(StageResult):
         of_mode = self.mode_vector_sum[design, 0]
         if not np.all(np.isfinite(of_mode)):
             return None
-        ranked: list[int] = np.argsort(-of_mode.round(_DECIMALS), kind="stable").tolist()
-        alike = grouped((f"{float(of_mode[place]):.3g}", names["order"][place]) for place in ranked)
+        alike = grouped((f"{float(of_mode[place]):.3g}", names["order"][place]) for place in falling(of_mode))
         said = [
             _("{sum} of order {orders}").format(
                 sum=size, orders=", ".join([*own[:_NAMED], *["…"] * (len(own) > _NAMED)])
@@ -96,6 +57,88 @@ class ModeVectorSums(StageResult):
             for size, own in [*alike.items()][:_NAMED]
         ]
         return _("Largest vector sums of mode 1: {sums}.").format(sums="; ".join(said))
+
+
+@record
+class CriticalSpeeds(StageResult):
+    """Speeds at which an order of the torque has a natural frequency.
+
+    speed is the declared one, if any; sums are the vector sums of the orders, where cylinders fire, (design, mode,
+    order).
+    """
+
+    critical_speed: Array = quantity(
+        "Ω", "rad/s", _ORDER, N_("Speed of the crank at which the order has the mode's natural frequency"), _THEORY
+    )
+    speed: Array | None = field(kw_only=True)
+    sums: Array | None = field(kw_only=True)
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say between which critical speeds of the first mode the machine runs, and which minor ones are nearer."""
+        places = self.beside(design)
+        if self.speed is None or not places:
+            return None
+        minor = self._nearer(design, places)
+        said, nearer = (", ".join(self._said(place, names, design) for place in each) for each in (places, minor))
+        words = _("The critical speeds of mode 1 next to {running}: {speeds}; of minor orders {nearer}.")
+        if not minor:
+            words = _("The critical speeds of mode 1 next to {running}: {speeds}.")
+        running = number(float(self.speed[design]), "rpm")
+        return words.format(running=running, speeds=said, nearer=nearer)
+
+    def _said(self, place: int, names: Names, design: int) -> str:
+        """A critical speed of the first mode with its order, and the vector sum of that."""
+        speed, order = number(float(self.critical_speed[design, 0, place]), "rpm"), names["order"][place]
+        if self.sums is None:
+            return _("{speed} (order {order})").format(speed=speed, order=order)
+        size = f"{float(self.sums[design, 0, place]):.4g}"
+        return _("{speed} (order {order}, vector sum {sum})").format(speed=speed, order=order, sum=size)
+
+    def beside(self, design: int) -> list[int]:
+        """Major orders whose critical speeds of the first mode are next to the machine's speed, the slower one first.
+
+        Major are those whose cylinders' torques add up to half of the largest sum of the mode; all where nothing fires.
+        """
+        above = self._n_above(design)
+        if above is None:
+            return []
+        major = self._major(design)
+        below = np.flatnonzero(major[above:])[:1] + above
+        return [*below.tolist(), *np.flatnonzero(major[:above])[-1:].tolist()]
+
+    def _nearer(self, design: int, places: Sequence[int]) -> list[int]:
+        """Minor orders with critical speeds between those of major ones, or next to the machine's; slower first."""
+        above = self._n_above(design) or 0
+        slower = next((place for place in places if place >= above), above + 1)
+        faster = next((place for place in places if place < above), above - 2)
+        within = range(max(faster + 1, 0), min(slower, self.critical_speed.shape[-1]))
+        return [place for place in reversed(within) if place not in places]
+
+    def _n_above(self, design: int) -> int | None:
+        """How many critical speeds of the first mode are above the machine's; they fall with the order."""
+        of_mode = self.critical_speed[design, 0]
+        if self.speed is None or not np.all(np.isfinite(of_mode)):
+            return None
+        return int(np.count_nonzero(of_mode > float(self.speed[design])))
+
+    def _major(self, design: int) -> NDArray[np.bool_]:
+        """Which orders excite the first mode most, shape (order,)."""
+        if self.sums is None or not np.all(np.isfinite(self.sums[design, 0])):
+            return np.isfinite(self.critical_speed[design, 0])
+        sums: Array = self.sums[design, 0]
+        return np.greater_equal(sums, (_MAJOR - ALIKE) * np.max(sums))
+
+
+def critical_speeds(
+    modes: TorsionalModes, crank_angle: CrankAngle, speed: Speed | None, sums: ModeVectorSums | None
+) -> CriticalSpeeds:
+    """Divide every natural frequency by every order; docs/theory/torsion, eq. (23.9)."""
+    return CriticalSpeeds(
+        modes.natural_frequency[..., np.newaxis] / orders(crank_angle.cycle),
+        speed=None if speed is None else speed.mean[:, 0, 0],
+        sums=None if sums is None else sums.mode_vector_sum,
+        labels=order_labels(crank_angle.cycle),
+    )
 
 
 def mode_vector_sums(

@@ -29,7 +29,7 @@ def frequency_rows(labels: Names, design: int, modes: TorsionalModes) -> Iterato
 
 
 def critical_rows(labels: Names, design: int, found: CriticalSpeeds) -> Iterator[AnswerLine]:
-    """The critical speeds of the first mode on both sides of the machine's."""
+    """The critical speeds of the first mode on both sides of the machine's, of orders that excite it much."""
     beside = found.beside(design)
     words = ", ".join(
         _("{speed} (order {order})").format(speed=f"{{speed{place}}}", order=labels["order"][place]) for place in beside

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from cranktrain.allowed import Name
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.listed import OneOrMany
@@ -61,7 +62,7 @@ class TorsionSpec(Spec, frozen=True):
         default=None,
         description=N_("What turns with a throw and is not in [masses]: one moment of inertia, or one for each throw."),
     )
-    disc: Mapping[str, DiscSpec] = Field(
+    disc: Mapping[Name, DiscSpec] = Field(
         default={},
         description=N_("Discs beside the throws, by name, in the order in which they stand along the shaft."),
     )

@@ -9,6 +9,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.questions.crankshaft.laid import LaidCrankshafts, LaidShaft
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.throw_gaps import ThrowSizes, gaps_of, ker_wilson_web
@@ -20,7 +21,6 @@ from cranktrain.wording import Names, number
 
 GIVEN = "given"
 """The name of what the file gives, among the methods."""
-_SAME = 1e-9
 _FAR = 2.0
 """By what factor a given stiffness may be off what the sizes give before it is minded."""
 
@@ -78,7 +78,7 @@ class ThrowStiffness(StageResult):
     def softest(self, design: int) -> int | None:
         """The gap that is softest, the first of several; None where the shaft has no stiffness."""
         own = self.chosen_stiffness[design]
-        return int(np.argmax(own <= np.min(own) * (1 + _SAME))) if np.all(np.isfinite(own)) else None
+        return first_smallest(own) if np.all(np.isfinite(own)) else None
 
 
 def of_sized_crankshaft(train: DeclaredTrain, crankshafts: DeclaredCrankshafts | None) -> bool:
@@ -142,5 +142,5 @@ def _flags(declared: DeclaredTrain, shaft: ShaftInTorsion, by_size: dict[str, Ar
     ratio = given / of_frame
     if np.any(np.maximum(ratio, 1 / ratio) > _FAR):
         yield _("The given stiffness between throws is {ratio} times what the crankshaft's sizes give.").format(
-            ratio=f"{float(ratio.ravel()[np.argmax(np.abs(np.log(ratio)))]):.3g}"
+            ratio=f"{float(ratio.ravel()[first_largest(np.abs(np.log(ratio)))]):.3g}"
         )

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest_along
 
 _STILL = 1e-9
 """A disc that moves less, in parts of the largest amplitude, is a node: nothing is measured by it."""
@@ -101,7 +102,7 @@ def scaled(shape: Array, free_end: int) -> tuple[Array, NDArray[np.intp]]:
     """
     size = np.abs(shape)
     moves = size[..., free_end] > _STILL * np.max(size, axis=-1)
-    unit = np.where(moves, free_end, np.argmax(size, axis=-1))
+    unit = np.where(moves, free_end, first_largest_along(size))
     return shape / np.take_along_axis(shape, unit[..., np.newaxis], axis=-1), unit
 
 

@@ -60,7 +60,7 @@ TEXT = Text(
             "right in a range",
             _SLAVES,
             N_("the text gives none; γ in the sense of rotation, no offset"),
-            N_("on real proportions off by 0.15–0.41 % of the stroke, 0.4–1.1 % in v, 0.9–2.8 % in j"),
+            N_("on real proportions off by 0.15–0.8 % of the stroke, 0.4–1.7 % in v, 0.9–4.1 % in j"),
         ),
         Formula(
             "(I.13)",

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.plans.positions import scale_words
 from cranktrain.viz.paper.labels import dots
 from cranktrain.viz.paper.page import Box, Page, fitting_scale
@@ -73,5 +74,5 @@ def _free_place(whole: Sketch, origin: tuple[float, float], room: Box) -> tuple[
     y = np.arange(room.bottom + RADIUS + 1.0, room.bottom + room.height - RADIUS - 5.0, _STEP)
     tried = np.stack([part.ravel() for part in np.meshgrid(x, y)])
     away = np.min(np.hypot(*(tried[:, :, np.newaxis] - taken[:, np.newaxis, :])), axis=1)
-    best = int(np.argmax(away))
+    best = first_largest(away)
     return (float(tried[0, best]), float(tried[1, best])), float(away[best])

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.viz.paper.sketch import Circle, Label, Manner, Sketch, bounds_of
 
 _CHARACTER, _LINE, _SYMBOL_LINE = 1.75, 3.2, 4.2
@@ -71,7 +72,7 @@ def placed_labels(
             + _OVER_MARK * sum(_is_over(boxes, mark, scale) for mark in marks)
             + _NOT_ITS_OWN * _is_nearer_to_another(places, point, points)
         )
-        best = int(np.argmin(cost))
+        best = first_smallest(cost)
         if wish.manner == "number" and under[best]:
             continue
         taken.append(boxes[..., best])

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import largest_of
 from cranktrain.one_line import short
 from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.plans.vectors import angle_of, turned_left
@@ -150,7 +151,7 @@ def clear_side(point: Array, way: Array, longest: float, links: Sequence[Array])
     """On which side of a point along a way a line is farther from the links: +1 or −1."""
     steps = longest * np.array([0.35, 0.7, 1.0])
     tried = {side: point[:, np.newaxis] + side * way[:, np.newaxis] * steps for side in (1.0, -1.0)}
-    return max(tried, key=lambda side: round(float(np.sum(_distances(tried[side], links))) / longest, 6))
+    return largest_of(tried, lambda side: round(float(np.sum(_distances(tried[side], links))) / longest, 6))
 
 
 def _distances(points: Array, links: Sequence[Array]) -> Array:

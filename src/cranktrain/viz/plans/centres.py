@@ -7,6 +7,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import largest_of
 from cranktrain.plans.centres import Centre, InstantCentres, TurningBody, instant_centres
 from cranktrain.plans.positions import PositionPlan, fitting
 from cranktrain.plans.vectors import angle_of, spoken_name
@@ -135,7 +136,7 @@ def _lines_through(found: InstantCentres, wanted: Centre) -> Iterator[Array]:
         joints = [found.centre(number, third) for number in (wanted.first, wanted.second)]
         places = [one.place for one in joints if np.all(np.isfinite(one.place))]
         if all(one.is_joint for one in joints) and places:
-            yield max(places, key=lambda place: float(np.hypot(*(place - wanted.place))))
+            yield largest_of(places, lambda place: float(np.hypot(*(place - wanted.place))))
 
 
 def _body_words(body: TurningBody) -> str:

@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.mechanisms.crank_rocker.kinematics import crank_rocker
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import largest_of
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.crank_rocker_drive import Directions, centre_distances, crank_pin_force, directions, rod_force
 from cranktrain.textbook.drive_curves import Verdict, curve_facts, dead_positions, drive_curves, values_at
@@ -128,7 +129,7 @@ def _sketch(points: Mapping[str, Array], angle: float, scale: float) -> Sketch:
         sketch.add([Line(np.stack([at[start], at[end]], axis=1), "LINKS", "load", 5)])
     if "C" in at:
         for link in (("O", "B"), ("O_1", "A")):
-            start = max((at[end] for end in link), key=lambda pin: float(np.hypot(*(pin - at["C"]))))
+            start = largest_of((at[end] for end in link), lambda pin: float(np.hypot(*(pin - at["C"]))))
             sketch.add([Line(np.stack([start, at["C"]], axis=1), "DIMENSIONS", "construction", 2)])
         sketch.add([Circle(at["C"], 0.9 * scale, "DIMENSIONS", "outline", 6, "ink")])
     sketch.add([Line(np.stack([at["O"], at["O_1"]], axis=1), "GUIDES", "axis", 1)])

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import PolygonForce
 from cranktrain.plans.vectors import angle_of
@@ -66,7 +67,7 @@ def _wishes(drawn: Sequence[_Drawn], lines: Sequence[Array], middle: Array) -> I
         places = sorted(_PLACES, key=lambda place, own=one.middle: abs(place - own))
         points = [line @ np.array([1.0 - place, place]) for place in places]
         rooms = [min((_distance(point, other) for other in others), default=_CLEAR) for point in points]
-        point = points[int(np.argmax(np.round(np.minimum(rooms, _CLEAR))))]
+        point = points[first_largest(np.round(np.minimum(rooms, _CLEAR)))]
         towards = _outward(point - middle, angle_of(one.end - one.start))
         if one.length > _SYMBOL:
             yield Wish(point, one.force.symbol, towards)
@@ -104,7 +105,7 @@ def _beside(ends: Array, lines: Sequence[Array]) -> Array:
         tried = [ends + (step * _ASIDE * across)[:, np.newaxis] for step in steps]
         room = [min((_room(one, line) for line in lines), default=np.inf) for one in tried]
         if max(room) >= _OVER:
-            return tried[int(np.argmax(room))]
+            return tried[first_largest(room)]
     return ends
 
 

@@ -8,6 +8,7 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.plans.pin_loads import CrankpinLoad, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
 from cranktrain.plans.vectors import angle_of
@@ -124,7 +125,7 @@ def polar_sketch(loads: CrankpinLoad, pair: tuple[Array, Array], scale: float, u
     sketch.add(Line(ring, "LINKS", "dotted", 1) for ring in rings if np.any(np.isfinite(ring)))
     marked = np.nonzero(loads.angle % _MARKS == 0)[0]
     sketch.add(Circle(full[:, i], 0.6, "LINKS", "outline", 6, "paper") for i in marked)
-    largest = full[:, int(np.argmin(np.abs(loads.angle - loads.largest_at)))]
+    largest = full[:, first_smallest(np.abs(loads.angle - loads.largest_at))]
     sketch.add([Circle(largest, 1.8, "LINKS", "outline", 7)])
     longer = -1.0 if -low[1] >= high[1] else 1.0
     wishes = [

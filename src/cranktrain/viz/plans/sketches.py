@@ -7,6 +7,7 @@ import numpy as np
 from cranktrain.grouping import grouped
 from cranktrain.mechanisms.drawing import Drawing, DrawnLink
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.plans.klein import Klein
 from cranktrain.plans.polygons import Polygon
 from cranktrain.plans.positions import PositionPlan
@@ -177,7 +178,7 @@ def frame_lines(drawing: Drawing, pins: dict[str, Array], scale: float) -> Itera
             yield Line(wall, "GUIDES", "thin", 2)
             yield shapes.hatch(wall[:, 0], wall[:, 1], np.sign(side) * line.across, scale)
         shafts = [float(line.along @ pins[name][:, 0]) for name in drawing.fixed if name.startswith("O")]
-        own = min(shafts, key=lambda shaft: abs(shaft - places[0]), default=0.0)
+        own = shafts[first_smallest(np.abs(np.array(shafts) - places[0]))] if shafts else 0.0
         beyond = max(places) + 8 * scale if places[0] > own else min(places) - 8 * scale
         yield Line(line.path((own, 0.0), (beyond, 0.0)), "GUIDES", "axis", 1)
     for name in drawing.fixed:

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import smallest_of
 from cranktrain.plans.vectors import pair
 from cranktrain.viz.paper.labels import labelled_bounds
 from cranktrain.viz.paper.page import fitting_scale
@@ -54,7 +55,7 @@ def fitted(drawn: Callable[[float], Sequence[Sketch]], rough: float, room: tuple
 
 def at_scale(drawn: Callable[[float], Sequence[Sketch]], scale: float, room: tuple[float, float]) -> Beside:
     """Put throws beside each other to a scale, as `fitted` does."""
-    return min(_all_ways(drawn(scale), scale, room), key=lambda way: way[0])[1]
+    return smallest_of(_all_ways(drawn(scale), scale, room), lambda way: way[0])[1]
 
 
 def _all_ways(sketches: Sequence[Sketch], scale: float, room: tuple[float, float]) -> Iterator[tuple[float, Beside]]:

@@ -10,6 +10,7 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import smallest_of
 from cranktrain.plans.drawn_throws import drawn_throws
 from cranktrain.plans.vectors import pair
 from cranktrain.viz.paper.page import Page, drawing_settings, fitting_scale
@@ -61,7 +62,7 @@ def animation(result: Result, *, n_frames: int = 36, design: int = 0, piston: st
     fits: list[tuple[float, tuple[Array, ...], Bounds]] = []
     for places, (low, high) in arrangements(bounds, gap):
         fits.append((fitting_scale(*pair(high - low), (_SIDE - 8.0, _SIDE - 8.0)), places, Bounds(low, high)))
-    scale, places, (low, high) = min(fits, key=lambda fit: fit[0])
+    scale, places, (low, high) = smallest_of(fits, lambda fit: fit[0])
     size = pair((high - low) / scale + np.array([8.0, 8.0 + _HEAD]))
     origin = pair(4.0 - low / scale)
 

@@ -5,6 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from cranktrain.layout.load_laws import ByAngle
+from cranktrain.questions.drive.gentle_rows import gentle_rows
 from cranktrain.questions.drive.running import endings
 from cranktrain.questions.drive.running.corners import corner_ahead, on_the_way
 from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, no_heat, no_motor
@@ -201,3 +203,50 @@ def test_a_corner_is_found_by_halving(sense):
 def test_without_corners_nothing_is_ahead():
     assert corner_ahead(1.0, -1.0, (), 2 * math.pi) == -math.inf
     assert on_the_way(1.0, 1.0, (), 2 * math.pi) == 1.0
+
+
+def rows_load(angle, _speed, _sense, numbers):
+    """Straight lines through rows of a torque of two harmonics, evenly round a turn: inertia, number of rows."""
+    place = (angle % 6.283185307179586) / 6.283185307179586 * numbers[1]
+    row = int(place)
+    at = [6.283185307179586 * (row + k) / numbers[1] for k in (0, 1)]
+    one, other = (4 * math.sin(x) + 2 * math.sin(3 * x) for x in at)
+    return numbers[0], 0.0, one + (place - row) * (other - one), 1.0
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_gentle_rows_limit_steps_and_do_not_end_them(sense):
+    """3600 of them in few steps; the energy is that of the straight lines' exact integral."""
+    n = 3600
+    rows = np.linspace(0, 2 * np.pi, n, endpoint=False)
+    drive = DriveTrain((1.5, float(n)), (), 0.0, DIRECT)
+    asked = wanted(6.0, angle=0.3, speed=10.0 * sense, rows=rows)
+    found = run(without_motor(rows_load), drive, asked, is_compiled=False)
+    turns = abs(found.end[0] - 0.3) / (2 * np.pi)
+    assert n / 14 * turns < found.n_steps < n / 9 * turns
+    ends = np.array([0.3, found.end[0]])
+    between = 2 * np.pi / n * np.arange(np.ceil(ends.min() * n / 2 / np.pi), np.floor(ends.max() * n / 2 / np.pi) + 1)
+    angles = np.concatenate([[ends.min()], between, [ends.max()]])
+    torques = np.array([rows_load(float(angle), 0.0, 1.0, (1.5, float(n)))[2] for angle in angles])
+    work = sense * np.trapezoid(torques, angles)
+    energy = 0.5 * 2.0 * 100.0 - work
+    by_chance = np.sqrt(found.n_steps) * asked.limits.tolerance * 2 * energy  # the error allowed in every step
+    assert 0.5 * 2.0 * found.end[1] ** 2 == pytest.approx(energy, abs=by_chance)
+
+
+def test_which_rows_are_gentle():
+    """Of a sine's 3600 all; of 36 none where it bends; never one that is another's corner too, or a jump."""
+    law, coarse = (
+        ByAngle(at[np.newaxis], (20 + 4 * np.sin(at + 0.05))[np.newaxis])
+        for at in (np.linspace(0, 2 * np.pi, n, endpoint=False) for n in (3600, 36))
+    )
+    zero, cycle = np.array([0.2]), 2 * np.pi
+    corners = law.kinks(cycle) + zero
+    assert np.all(gentle_rows([law], corners, zero, cycle))
+    assert not np.any(gentle_rows([coarse], coarse.kinks(cycle) + zero, zero, cycle))
+    other = np.concatenate([corners, [[corners[0, 5] + cycle, 1.0, np.nan]]], axis=1)
+    mask = gentle_rows([law], other, zero, cycle)[0]
+    assert np.flatnonzero(~mask).tolist() == [5, 3600, 3601, 3602]
+    jump = law._replace(values=law.values + 5.0 * (law.angles > 1.0))
+    first = int(np.argmax(law.angles[0] > 1.0))
+    assert np.flatnonzero(~gentle_rows([jump], corners, zero, cycle)[0]).tolist() == [0, first - 1, first, 3599]

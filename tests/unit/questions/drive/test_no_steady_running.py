@@ -13,6 +13,20 @@ DRIVEN = {
     "load": {"work": {"on": "main", "torque": "40 N*m"}},
     "drive": {"motor": {"kind": "shunt", "torque": "200 N*m", "speed": "57 rpm", "no_load_speed": "60 rpm"}},
 }
+PEAK = {
+    "on": "main",
+    "crank_angles": ["0 deg", "90 deg", "91 deg", "180 deg", "181 deg", "360 deg"],
+    "torque": ["0 N*m", "0 N*m", "9 kN*m", "9 kN*m", "0 N*m", "0 N*m"],
+}
+"""More than the motor of 4 kN·m at standstill has, for a quarter of a turn; less on the mean."""
+GOVERNED = {
+    "kind": "prime_mover",
+    "torque": "200 N*m",
+    "speed": "57 rpm",
+    "no_load_speed": "60 rpm",
+    "full_load": {"speeds": ["0 rpm", "60 rpm"], "torques": ["250 N*m", "250 N*m"]},
+}
+"""Which does not brake a load that drives."""
 JAMMED = {"ratio": 30, "efficiency": 0.3}
 """As theory says: inertia 4 behind 30 with 0.3, less than 0 backward, next to no rotor: no acceleration, or two."""
 
@@ -22,6 +36,8 @@ JAMMED = {"ratio": 30, "efficiency": 0.3}
     [
         ({"mechanism.crank_radius": "330 mm"}, "the links do not close all round"),
         ({"load.work.torque": "9 kN*m"}, "the motor cannot carry the machine through the cycle"),
+        ({"load.peak": PEAK}, "at a constant"),
+        ({"load.work.sense": "active", "drive.motor": GOVERNED}, "nothing holds it"),
         (
             {
                 "drive.stage": [JAMMED],
@@ -31,7 +47,7 @@ JAMMED = {"ratio": 30, "efficiency": 0.3}
             "irreversible gearing jams",
         ),
     ],
-    ids=["open", "weak", "jammed"],
+    ids=["open", "weak", "peak", "driven", "jammed"],
 )
 def test_why_there_is_none(changes, why):
     result = ct.run(ct.Machine(**DRIVEN).with_(changes), partial=True, quantities=None)

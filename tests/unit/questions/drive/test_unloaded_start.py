@@ -75,9 +75,12 @@ def test_time_of_the_start(started):
 
 def test_it_is_said_where_the_number_stands(started):
     own = ct.run(press({**STARTED, "start": "loaded"}))
-    rows = [next(iter(sizing_rows({}, 0, each[MotorSizing]))).words for each in (own, started)]
-    assert [words.endswith("started unloaded") for words in rows] == [False, True]
-    assert any("too small: start at the worst angle" in flag for flag in own.flags)
+    loaded, unloaded = (next(iter(sizing_rows({}, 0, each[MotorSizing]))) for each in (own, started))
+    assert loaded.words.endswith("if it must start with its load at the worst angle, time of a start {share_3}")
+    assert "start, unloaded {share_2}" in unloaded.words
+    for row, sized in ((loaded, own), (unloaded, started)):
+        np.testing.assert_array_equal([piece.value for piece in row.pieces.values()], sized.sizing_share[0, :4])
+    assert any(flag.startswith("A start with its load at the worst angle asks") for flag in own.flags)
     assert not any("start" in flag for flag in started.flags)
     assert "start, unloaded" in started.labels["sizing_check"]
     np.testing.assert_array_equal(own.sizing_share[0, :2], started.sizing_share[0, :2])

@@ -12,7 +12,7 @@ from tests.machines import slider
 
 import cranktrain as ct
 from cranktrain.errors import InputError
-from cranktrain.questions.evenness.applied_torque import AppliedTorque
+from cranktrain.questions.evenness.shaft_work import ShaftWork
 
 RADIUS, ROD, BORE, RATIO = 0.05, 0.18, 0.085, 16.0
 PISTON, ROD_MASS, CENTROID, ROD_INERTIA, CRANK_INERTIA = 1.2, 1.6, 0.06, 0.008, 0.02
@@ -397,12 +397,11 @@ def test_no_flywheel_needed_is_told():
     assert "of 0.1 no flywheel is needed" in found.summary()
 
 
-def test_kinks_are_joined_by_splines_and_smooth_curves_by_series(engine):
-    def by(result):
-        return result[AppliedTorque].by.curve.__name__
-
-    assert by(engine) == "spline_curve"
-    assert by(run(machine=MASSES_ALONE, flywheel="1 kg·m²")) == "fourier_curve"
+def test_kinks_are_nodes_of_curves_and_smooth_curves_are_series(engine):
+    between = engine[ShaftWork].excess.work.between
+    for corner in CORNERS:
+        assert np.min(np.abs(between.start - np.mod(corner, CYCLE))) < 1e-9
+    assert run(machine=MASSES_ALONE, flywheel="1 kg·m²")[ShaftWork].excess.work.between is None
 
 
 def test_without_a_load_it_is_said_what_is_missing():
@@ -439,3 +438,13 @@ def test_gd2_in_technical_units():
     one = run(10, flywheel_moment="8 kgf·m²")
     for table in ({"flywheel": "2 kg·m²"}, {"flywheel_moment": "78.4532 N·m²"}):
         np.testing.assert_allclose(run(10, **table).crank_speed, one.crank_speed, rtol=1e-14)
+
+
+def test_headlines_and_comparisons_say_the_inertia_of_the_flywheel():
+    """In both J is first; a GD² that is asked for is called so."""
+    result = run(coefficient=0.01)
+    assert "flywheel_inertia" in result.headline
+    assert "wanted_flywheel_moment" not in result.headline
+    compared = str(ct.compare(result, run(coefficient=0.02), quantities=["wanted_flywheel_moment", "flywheel_inertia"]))
+    assert "flywheel inertia" in compared
+    assert "wanted flywheel moment GD²" in compared

@@ -10,7 +10,7 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.errors import InputError
-from cranktrain.questions.torsion.critical import mode_vector_sums
+from cranktrain.questions.torsion.critical import CriticalSpeeds, mode_vector_sums
 from cranktrain.questions.torsion.modes import TorsionalModes
 
 FLYWHEEL = {"inertia": "2 kg·m²", "beside": 4, "stiffness": "2 MN·m/rad"}
@@ -310,3 +310,31 @@ def test_links_that_cannot_close_have_no_frequencies():
     (check,) = (check for check in result.checks if check.name == "holzer")
     assert check.verdict() == "needs a full turn"
     assert "Torsional" not in result.summary()
+
+
+class TestMajorOrders:
+    """Next to the machine's speed are critical speeds of orders that excite the mode much."""
+
+    @pytest.mark.parametrize("rpm", [120, 700, 1500, 2900, 6100, 15000, 200000])
+    def test_the_nearest_on_both_sides(self, rpm):
+        """Found here by looking at all orders, with the vector sums of this module's own phasors."""
+        result = run(four(shaft__main__speed=f"{rpm} rpm"))
+        orders = np.arange(1, 49) / 2
+        shape = result.mode_shape[0, :4]
+        phasors = np.exp(-1j * orders[:, np.newaxis] * np.radians([0, 540, 180, 360]))
+        sums = np.abs(phasors @ shape)
+        speeds = result.natural_frequency[0] / orders * 30 / np.pi
+        every = zip(speeds.tolist(), orders.tolist(), sums.tolist(), strict=True)
+        major = [(speed, order) for speed, order, one in every if one >= 0.5 * max(sums)]
+        slower = max((one for one in major if one[0] <= rpm), default=None)
+        faster = min((one for one in major if one[0] > rpm), default=None)
+        found = result.get(CriticalSpeeds).beside(0)
+        assert [orders[place] for place in found] == [one[1] for one in (slower, faster) if one is not None]
+
+    def test_where_nothing_fires_all_orders_count(self):
+        result = run(four(cylinder__firing_order=None))
+        first = result.natural_frequency[0] * 30 / np.pi
+        near = [first / order for order in (np.ceil(first * 2 / 3000) / 2, np.floor(first * 2 / 3000) / 2)]
+        (said,) = (line for line in result.summary().splitlines() if line.startswith("The critical speeds"))
+        assert all(f"{speed:.1f} rpm" in said for speed in near)
+        assert "vector sum" not in said

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.drive.clutched.equation import ANGLE, BRAKE_HEAT, SPEED, Press
 from cranktrain.questions.drive.clutched.runs import (
     ANGLE_PASSED,
@@ -76,7 +77,7 @@ def stop_measurement(kernels: Kernels, press: Press, start: Moment, plan: PressP
     passed = [event.moment for event in run.of_kind(ANGLE_PASSED)]
     found = [_stop(kernels, press, moment, through) for moment in passed]
     angle, time, heat = (np.array([one[index] for one in found], dtype=float) for index in range(3))
-    largest = [int(np.nanargmax(each)) if np.isfinite(each).any() else -1 for each in (angle, time)]
+    largest = [first_largest(each) if np.isfinite(each).any() else -1 for each in (angle, time)]
     return StopMeasurement(
         np.array([moment.state[ANGLE] for moment in passed]),
         np.array([moment.state[SPEED] for moment in passed]),
@@ -159,7 +160,7 @@ def worst_stop(
 def _vertex(found: StopMeasurement, values: str) -> float | None:
     """Angle of the command at the vertex of a parabola through the worst stop and its neighbours."""
     each = found.angle if values == "angle" else found.time
-    at = int(np.nanargmax(each))
+    at = first_largest(each)
     if not 0 < at < len(each) - 1:
         return None
     left, middle, right = each[at - 1 : at + 2].tolist()
@@ -171,5 +172,5 @@ def _vertex(found: StopMeasurement, values: str) -> float | None:
 def _largest(found: StopMeasurement, values: str) -> tuple[float, float]:
     """Largest of angles or times, and the angle of its command."""
     each = found.angle if values == "angle" else found.time
-    at = int(np.nanargmax(each))
+    at = first_largest(each)
     return float(each[at]), float(found.command_angle[at])

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.language import _
 from cranktrain.motion import Array, single
+from cranktrain.numerics.ties import first_smallest_along
 from cranktrain.quantities import Given
 from cranktrain.questions.drive.motor_tables.cage_keys import CageKeys
 from cranktrain.questions.drive.motor_tables.declared import UNKNOWN, DeclaredMotor, Rating
@@ -46,7 +47,7 @@ class Size(NamedTuple):
 
 def place_of(size: Given) -> NDArray[np.intp]:
     """Place of a size in the small catalogue, the nearest one."""
-    return np.argmin(np.abs(four_pole_motors().power - np.expand_dims(size.array, -1)), axis=-1)
+    return first_smallest_along(np.abs(four_pole_motors().power - np.expand_dims(size.array, -1)))
 
 
 def of_size(spec: CageKeys) -> Size:

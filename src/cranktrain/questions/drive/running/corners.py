@@ -9,6 +9,8 @@ from typing import Any
 
 _BESIDE, _OF_ANGLE = 1e-13, 1e-15
 """How far from a corner one stands on its side, in rad and of the angle: more than what rounding makes of the angle."""
+_FEW = 12
+"""So many rows a step passes at most: what bends between them is seen at its stages."""
 _NEAR = 5
 """How near is at a corner, in these distances."""
 
@@ -41,6 +43,14 @@ def corner_ahead(angle: float, sense: float, corners: Any, period: float) -> flo
         which += onward
         at = counted(which, corners, period)
     return at - sense * beside(angle)
+
+
+def few_ahead(angle: float, sense: float, rows: Any, period: float) -> float:
+    """How far a crank turns over as many rows of a load curve as a step may pass, infinite without rows. [rad]"""
+    if len(rows) == 0:
+        return math.inf
+    count = count_before(angle, rows, period)
+    return abs(counted(count + _FEW if sense > 0 else count - 1 - _FEW, rows, period) - angle)
 
 
 def count_before(angle: float, corners: Any, period: float) -> int:

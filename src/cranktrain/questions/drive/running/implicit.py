@@ -20,8 +20,15 @@ from cranktrain.questions.drive.running.equation import (
     train_of,
 )
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.rest import HEAT_PANELS, heated, kind_of_rest, let_go_at, sense_of_start
+from cranktrain.questions.drive.running.rest import (
+    HEAT_PANELS,
+    heated,
+    kind_of_rest,
+    let_go_at,
+    sense_of_start,
+)
 from cranktrain.questions.drive.running.runs import Event, Progress, Run, Wanted, energy_account
+from cranktrain.questions.drive.running.settling import may_settle, settles
 from cranktrain.questions.drive.running.step import N_STATE, ROW
 
 _STIFF = 1e-3
@@ -79,7 +86,8 @@ class _StuckError(Exception):
 _CALLS_OF_A_STEP = 3
 """More of them, on the mean, are steps that fail."""
 
-
+_WHERE_IT_BEGINS = 1e-9
+"""So near to a run's start a dead position is where the crank stood: x′ there is rounding of either sign. [rad]"""
 _MOST_IN_VAIN, _SHORTEST = 10_000, 1e-9
 """Slopes in which a run must come on by a part of the longest step."""
 
@@ -127,6 +135,8 @@ def run_implicitly(
     ImportError
         Where SciPy is not installed.
     """
+    # steps of its own, whose stages may lie far apart, see no rows: each is a corner
+    asked = asked._replace(corners=np.union1d(asked.corners, asked.rows))
     parts, train = joined(kernels, is_compiled), train_of(drive, kernels, is_compiled)
     table = np.full((len(asked.samples), N_STATE), np.nan)
     longest = min(longest_step, 0.02 * asked.limits.end_time)
@@ -136,7 +146,7 @@ def run_implicitly(
     state, time, n_steps, n_reversals = asked.start.copy(), 0.0, 0, 0
     machine, settle = parts.kernels.machine, parts.kernels.settle
     settle(state[0], train.machine)
-    sense, reason = float(np.sign(state[1])), GOING
+    sense, fastest, reason = float(np.sign(state[1])), abs(float(state[1])), GOING
     before = machine(state[0], state[1], sense, train.machine)[0]
     try:
         while reason == GOING and time < asked.limits.end_time:
@@ -157,7 +167,8 @@ def run_implicitly(
             if ending == endings.SWINGS:
                 state[1], sense, n_reversals = 0.0, 0.0, n_reversals + 1
                 ending = endings.SWINGS if n_reversals >= asked.limits.most_reversals else GOING
-            reason = ending
+            fastest = max(fastest, abs(float(state[1])))
+            reason = _at_rest(going, time, state, sense, fastest) if ending == GOING else ending
     except _StuckError as stuck:
         reason = stuck.reason
     except KeyboardInterrupt:
@@ -207,6 +218,19 @@ def _set_off(going: _Going, time: float, state: Array) -> tuple[float, float, in
     return sense_of_start(at, state[0], own, train, *corners), at, GOING
 
 
+def _at_rest(going: _Going, time: float, state: Array, sense: float, fastest: float) -> int:
+    """What kind of rest a crank has settled to; `GOING` where it has not."""
+    (derive, own), train, asked = going[:3]
+    if sense == 0.0 or time >= asked.limits.end_time or not may_settle(state[1], fastest):
+        return GOING
+    if not settles(derive, time, state, sense, sense * np.inf, np.zeros(ROW), train, asked):
+        return GOING
+    state[1] = 0.0
+    going.table[asked.samples == time, 1] = 0.0
+    going.events.append(Event(endings.HELD, time, float(state[0]), 0.0))
+    return kind_of_rest(time, own, train, asked.limits.end_time)
+
+
 def _trouble(going: _Going, time: float, state: Array, sense: float) -> int:
     """Why a phase cannot begin; `GOING` where it can."""
     slopes = np.zeros(ROW)
@@ -230,7 +254,8 @@ def _phase(going: _Going, time: float, state: Array, sense: float) -> tuple[floa
     stopped, passed, over, _, corner = found.t_events[:5]
     for kind, which in ((endings.REVERSAL, 0), (endings.SPEED_PASSED, 1), (endings.DEAD_POSITION, 3)):
         for when, y in zip(found.t_events[which], found.y_events[which], strict=True):
-            events.append(Event(kind, float(when), float(y[0]), float(y[1])))
+            if kind != endings.DEAD_POSITION or time > 0 or abs(y[0] - state[0]) > _WHERE_IT_BEGINS:
+                events.append(Event(kind, float(when), float(y[0]), float(y[1])))
     _fill(table, asked.samples, time, found.t[-1], found.sol)
     going.ends.extend(zip(found.t.tolist(), found.y[1].tolist(), strict=True))
     end = float(found.t[-1])

@@ -10,7 +10,8 @@ from cranktrain.questions.drive.running.equation import HEAT, is_open
 from cranktrain.questions.drive.running.law import accelerated
 from cranktrain.questions.drive.running.step import N_STATE
 
-_REST_LOOKS = 400
+REST_LOOKS = 400
+"""At what is yet to come, where motor or brake depend on the time."""
 _MOST_HALVINGS = 60
 HEAT_PANELS = 64
 _NODE = math.sqrt(0.6)
@@ -58,8 +59,8 @@ def next_break(time: float, until: float, breaks: Any) -> float:
 def _let_go_between(begin: float, until: float, angle: float, kernels: Any, train: Any, asked: Any) -> float:
     """When it begins to move between two times, infinite if it does not. [s]"""
     before = begin
-    for look in range(1, _REST_LOOKS + 1):
-        at = begin + (until - begin) * look / _REST_LOOKS
+    for look in range(1, REST_LOOKS + 1):
+        at = begin + (until - begin) * look / REST_LOOKS
         if sense_of_start(at, angle, kernels, train, asked.corners, asked.period) != 0.0:
             for _ in range(_MOST_HALVINGS):
                 middle = 0.5 * (before + at)
@@ -74,8 +75,8 @@ def _let_go_between(begin: float, until: float, angle: float, kernels: Any, trai
 
 def kind_of_rest(time: float, kernels: Any, train: Any, until: float) -> int:
     """Whether a motor pulls at a crank that is held, now or later, or nothing does."""
-    for look in range(_REST_LOOKS + 1):
-        at = time + (until - time) * look / _REST_LOOKS
+    for look in range(REST_LOOKS + 1):
+        at = time + (until - time) * look / REST_LOOKS
         if abs(kernels.motor(0.0, at, train.motor)) > 0:
             return STALLED
     return AT_REST

@@ -122,6 +122,7 @@ class Wanted(NamedTuple):
     breaks: Array
     corners: Array
     period: float
+    rows: Array
 
 
 def wanted(
@@ -132,6 +133,7 @@ def wanted(
     samples: Array | None = None,
     breaks: Array | tuple[float, ...] = (),
     corners: Array | tuple[float, ...] = (),
+    rows: Array | tuple[float, ...] = (),
     period: float = 2 * np.pi,
     target_speed: float = np.inf,
     overspeed: float = np.inf,
@@ -154,6 +156,8 @@ def wanted(
     corners : Array, optional
         Crank angles at which a load has a corner or jumps, or a chamber that remembers its gas turns round. A step ends
         there; what the load is at the corner itself is asked on the side to which the crank goes. [rad]
+    rows : Array, optional
+        Crank angles of rows of a load curve that are next to no corners: a step passes over a few at most. [rad]
     period : float, optional
         After which the corners come again: of a four-stroke engine two turns. [rad]
 
@@ -170,7 +174,8 @@ def wanted(
     start[0], start[1] = angle, speed
     times = np.sort(np.asarray(breaks, dtype=float))
     asked = np.array(() if samples is None else samples, dtype=float)
-    return Wanted(start, limits, asked, times, _apart(np.asarray(corners, dtype=float), period), float(period))
+    places = (_apart(np.asarray(each, dtype=float), period) for each in (corners, rows))
+    return Wanted(start, limits, asked, times, next(places), float(period), next(places))
 
 
 def _apart(corners: Array, period: float) -> Array:
@@ -221,7 +226,7 @@ def run(
     log = Log(np.empty((len(asked.samples), N_STATE)), np.empty((_MOST_MARKS, 4)))
     if not is_compiled:
         asked = asked._replace(
-            **{name: getattr(asked, name).tolist() for name in ("start", "samples", "breaks", "corners")}
+            **{name: getattr(asked, name).tolist() for name in ("start", "samples", "breaks", "corners", "rows")}
         )
     reason, course = _run_through(partial(loop, train, asked), course, log, asked.limits.most_steps, progress, ends)
     return _result(reason, course, log, asked, drive, train.machine)

@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from cranktrain.questions.drive.running.corners import beside, corner_ahead, on_the_way
+from cranktrain.questions.drive.running.corners import beside, corner_ahead, few_ahead, on_the_way
 from cranktrain.questions.drive.running.course import (
     BOUND,
     BREAK,
@@ -40,6 +40,7 @@ from cranktrain.questions.drive.running.endings import (
 )
 from cranktrain.questions.drive.running.equation import is_open
 from cranktrain.questions.drive.running.rest import kind_of_rest, set_off
+from cranktrain.questions.drive.running.settling import come_to_rest
 from cranktrain.questions.drive.running.step import BESIDE, N_STATE, ROW, error_of, integrate_along, take_step, within
 
 NOWHERE, AT_TIME, AT_CORNER = range(3)
@@ -176,14 +177,15 @@ def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, t
         here[OUTPUT] = output
     _go_to_the_end(asked, course, width, landing, error)
     kernels.settle(course.state[0], train.machine)
-    return GOING
+    return come_to_rest(derive, kernels, train, asked, course, table, marks)
 
 
 def _width_and_landing(asked: Any, course: Any) -> tuple[float, int]:
     """How wide a step is to be tried, and where it should end."""
     here, counts, end_time = course.here, course.counts, asked.limits.end_time
     speed, grown = abs(course.state[1]), here[SENSE] * course.slopes[1]
-    width, landing = min(here[WIDTH], time_over(_LARGEST_TURN, speed, abs(grown))), NOWHERE
+    most = min(_LARGEST_TURN, few_ahead(course.state[0], here[SENSE], asked.rows, asked.period))
+    width, landing = min(here[WIDTH], time_over(most, speed, abs(grown))), NOWHERE
     until, short = end_time, 0.0
     if counts[BREAK] < len(asked.breaks) and asked.breaks[counts[BREAK]] < end_time:
         until, short = asked.breaks[counts[BREAK]], _SHORT_OF_BREAK * end_time

@@ -8,6 +8,7 @@ from cranktrain.layout.wish.following import Following
 from cranktrain.layout.wish.wanted import moved
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
+from cranktrain.numerics.ties import first_smallest
 
 _N_TIMES, _N_PHASES = 720, 180
 _GOLDEN = (np.sqrt(5) - 1) / 2
@@ -38,7 +39,7 @@ def constant_miss(made: Following) -> ConstantMiss:
 
     step = TURN / _N_PHASES
     phases: Array = np.arange(_N_PHASES, dtype=np.float64) * step
-    best = float(phases[np.argmin(largest(phases))])
+    best = float(phases[first_smallest(largest(phases))])
     low, high = best - step, best + step
     for _ in range(_N_STEPS):
         inner = np.array([high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)])

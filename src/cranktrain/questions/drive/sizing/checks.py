@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest_along
 from cranktrain.questions.drive.motors.catalogue import MotorRange
 
 VOLTAGE_RESERVE = 0.81
@@ -141,4 +142,4 @@ def _of_motor(uses: Array, motor: NDArray[np.intp]) -> Array:
 def _largest(uses: Array) -> NDArray[np.intp]:
     """Which criterion is the largest; −1 where nothing is known."""
     is_known = ~np.isnan(uses[..., 0])
-    return np.where(is_known, np.argmax(np.nan_to_num(uses), axis=-1), -1)
+    return np.where(is_known, first_largest_along(np.nan_to_num(uses)), -1)

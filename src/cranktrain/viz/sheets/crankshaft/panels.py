@@ -10,6 +10,7 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.section_torques import SECTIONS
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
@@ -125,7 +126,7 @@ def _diagram(shown: OneDesign, title: str, curves: Sequence[tuple[str, Array, Ar
     # Beside a jump the curve's points are on either side of it.
     beside = np.abs(shown.cycle - at) <= shown.cycle[1] * (1 + _NEXT)
     size = np.where(beside, np.hypot(*found[0].points), -1.0)
-    return PolarDiagram(title, found, found[0].points[:, int(np.argmax(size))], at, float(shown.cycle[-1]))
+    return PolarDiagram(title, found, found[0].points[:, first_largest(size)], at, float(shown.cycle[-1]))
 
 
 def pin_wear(shown: OneDesign) -> Iterator[WearDiagram]:
@@ -171,7 +172,7 @@ def torque_panels(shown: OneDesign) -> Iterator[Panel]:
         own = np.flatnonzero(which)
         if not np.any(torque[own]):
             continue  # as in a pin that hangs over the end
-        worst = int(own[np.argmax(ranges[own])])
+        worst = int(own[first_largest(ranges[own])])
         curves = [
             Curve(closed(torque[i]), "whole" if i == worst else "each", "T", name=names[i])
             for i in sorted(own.tolist(), key=lambda i: i == worst)

@@ -7,6 +7,7 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.numerics.ties import largest_first
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import column
 from cranktrain.viz.panel import OneDesign
@@ -49,7 +50,7 @@ def sheet_crankpins(result: Result, *, size: str = "A4", design: int = 0) -> Fig
         raise InputError([Problem("masses", None, _("give no loads of crank pins, so there is no sheet of them"))])
     page, box = result_page(result, design, size, _("Loads of the crank pins"))
     largest = shown("largest_crankpin_load")
-    drawn = sorted(sorted(pins, key=lambda pin: -float(largest[pin.first]))[:_MOST])
+    drawn = sorted(largest_first(pins, lambda pin: float(largest[pin.first]))[:_MOST])
     unit = scale_for("N", float(np.nanmax(largest)))
     notes = list(_notes(len(pins) - len(drawn)))
     foot = 10.0 + LEAST_ROW * (len(drawn) + 1) + LINE * len(notes)

@@ -7,6 +7,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import largest_of
 from cranktrain.plans.positions import fitting
 from cranktrain.scales import Scale
 from cranktrain.viz.figures import plain
@@ -62,7 +63,7 @@ def cells(box: Box, n: int, aspect: float = 1.0) -> list[Box]:
         n_rows = -(-n // n_columns)
         return min(box.width / n_columns / aspect, box.height / n_rows)
 
-    n_columns = max(range(1, n + 1), key=size)
+    n_columns = largest_of(range(1, n + 1), size)
     n_rows = -(-n // n_columns)
     width, height = box.width / n_columns, box.height / n_rows
     return [

@@ -8,6 +8,7 @@ from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import falling, first_largest
 from cranktrain.questions.crankshaft.section_torques import SECTIONS
 from cranktrain.questions.crankshaft.stages import title_of
 from cranktrain.scales import scale_for
@@ -73,7 +74,7 @@ def _draw_ranges(page: Page, shown: OneDesign, room: Box) -> float:
     page.heading(room.left, top - 3.0, _("Least to largest torque along the shaft, {unit}").format(unit=unit.label))
     axes = axes_in(page, Box(room.left + 9.0, top - 7.0 - height, room.width - 9.0, height))
     places = np.arange(len(names))
-    widest = int(np.argmax(np.where(journals, largest - least, -1.0)))
+    widest = first_largest(np.where(journals, largest - least, -1.0))
     colours = np.where(journals, COLOURS["T"], "white").tolist()
     low, span = unit.of(least), unit.of(largest - least)
     bars = axes.bar(places, span, bottom=low, width=0.62, color=colours, edgecolor=COLOURS["T"], linewidth=0.7)
@@ -106,7 +107,7 @@ def _write_table(page: Page, shown: OneDesign, room: Box) -> None:
     ranges, largest, least = (shown(name)[0] for name in kinds)
     names, method = shown.result.labels["section"], title_of(shown.result.labels["bearing_method"][0])
     n_fit = int((room.height - 16.0) / LEAST_ROW)
-    members: Sequence[int] = sorted(np.argsort(-ranges, kind="stable")[:n_fit].tolist())
+    members: Sequence[int] = sorted(falling(ranges)[:n_fit])
     unit = scale_for("N*m", float(np.max(np.abs(largest))))
     head = [_("section"), _("range, {unit}"), _("largest"), _("at φ, °"), _("least"), _("at φ, °")]
     columns = [

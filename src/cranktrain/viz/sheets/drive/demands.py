@@ -7,6 +7,7 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.drive.servo.demand import ServoDemand
 from cranktrain.questions.drive.servo.rocking import RockingDrive
 from cranktrain.questions.drive.servo.stages import ServoDrive
@@ -32,7 +33,7 @@ def demand_panels(shown: OneDesign, demand: ServoDemand) -> Iterator[Panel]:
         shown.cycle,
         (Curve(torque, "whole", "T", "M_s"), Curve(effective, "mean", "F", "M_{eff}")),
     )
-    fastest = int(np.argmax(np.abs(demand.crank.speed)))
+    fastest = first_largest(np.abs(demand.crank.speed))
     ratio = demand.motor_speed[fastest] / demand.crank.speed[fastest]
     speed = Curve(closed(ratio * shown("wanted_crank_speed")), "first", "v", "n_m")
     yield Panel(_("Speed of the motor"), "rpm", shown.cycle, (speed,), "n_m")

@@ -19,7 +19,7 @@ def drive_panels(shown: OneDesign) -> Iterator[Panel]:
     own = np.full(angle.size, float(shown("gear_flywheel_moment")[0]))
     moment = closed(shown("driven_flywheel_moment")[0])
     yield Panel(
-        _("Flywheel moment at the motor's shaft"),
+        _("Flywheel moment GD² = 4 J at the motor's shaft"),
         "kg*m^2",
         angle,
         (Curve(moment, "whole", "s", "GD^2"), Curve(own, "mean", "F", "(GD^2)_0")),

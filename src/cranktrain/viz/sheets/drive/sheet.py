@@ -85,7 +85,9 @@ def _facts(shown: OneDesign, demand: ServoDemand | None) -> Iterator[tuple[str, 
     yield of(_("largest static torque"), "largest_static_torque", "N*m", 0)
     yield of(_("smallest static torque"), "smallest_static_torque", "N*m", 0, float(shown("largest_static_torque")[0]))
     yield of(_("effective static torque"), "rms_static_torque", "N*m", 0)
-    yield of(_("flywheel moment of the drive alone"), "gear_flywheel_moment", "kg*m^2", 0)
+    own = float(shown("gear_flywheel_moment")[0])
+    yield _("inertia J of the drive alone"), with_unit(own / 4, scale_for("kg*m^2", own / 4))
+    yield of(_("its flywheel moment GD²"), "gear_flywheel_moment", "kg*m^2", 0)
     if demand is not None:
         for words, value, unit in demand_facts(demand):
             yield words, with_unit(value, scale_for(unit, abs(value)))

@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.mechanisms.dynamics import FRAME
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest, largest_first
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.scales import Scale, scale_for
 from cranktrain.viz.figures import figure
@@ -43,7 +44,7 @@ class JointForce(NamedTuple):
     @property
     def largest_at(self) -> int:
         """Where it is largest."""
-        return int(np.argmax(self.size))
+        return first_largest(self.size)
 
 
 def mechanism_of(shown: OneDesign, piston: str | None) -> str:
@@ -62,7 +63,7 @@ def joint_forces(shown: OneDesign, mechanism: str) -> list[JointForce]:
     peaks = {name: float(np.max(np.hypot(*force))) for name, force in forces.items()}
     most = max((peak for peak in peaks.values() if np.isfinite(peak)), default=0.0)
     found: list[JointForce] = []
-    for name in sorted((name for name, peak in peaks.items() if peak > _NOTHING * most), key=lambda name: -peaks[name]):
+    for name in largest_first([name for name, peak in peaks.items() if peak > _NOTHING * most], peaks.__getitem__):
         size = np.hypot(*forces[name])
         alike = next((at for at, one in enumerate(found) if np.max(np.abs(one.size - size)) < _ALIKE * most), None)
         if alike is None:

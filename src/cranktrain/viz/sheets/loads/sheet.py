@@ -1,6 +1,6 @@
 """The sheet of loads: their curves, work and power, sizes over travel, and the machine under them."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -8,6 +8,7 @@ from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.layout.part_tables import part_name
 from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.numerics.ties import first_largest
 from cranktrain.one_line import short
 from cranktrain.plans.drawn_throws import drawn_throws
 from cranktrain.plans.vectors import pair
@@ -147,5 +148,4 @@ def _draw_machine(page: Page, shown: OneDesign, piston: str | None, room: Box) -
 
 def _largest_at(shown: OneDesign) -> float:
     """Crank angle at which a load has the largest power of all. [deg]"""
-    most: Sequence[float] = np.abs(shown("largest_load_power")).tolist()
-    return float(shown("largest_load_power_at")[int(np.argmax(most))])
+    return float(shown("largest_load_power_at")[first_largest(np.abs(shown("largest_load_power")))])

@@ -14,6 +14,7 @@ from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.linkage.forces import Drive
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics.ties import largest_of
 from cranktrain.plans.drawn_throws import drawn_places
 from cranktrain.plans.turning import turning
 from cranktrain.viz.panel import Curve, OneDesign, Panel, Role
@@ -131,11 +132,10 @@ def _forms(shown: OneDesign) -> dict[str, int]:
 
 def _worst(shown: OneDesign, forms: dict[str, int]) -> str | None:
     """Find the piston with the largest error of acceleration."""
-    return max(
-        forms,
-        key=lambda name: float(shown("acceleration_error")[forms[name], shown.member("piston", name)]),
-        default=None,
-    )
+    if not forms:
+        return None
+    errors = shown("acceleration_error")
+    return largest_of(forms, lambda name: float(errors[forms[name], shown.member("piston", name)]))
 
 
 def _roles(names: Sequence[str]) -> Iterator[Role]:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import orders
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import falling
 from cranktrain.questions.torque.stars import PhaseStars, phase_stars
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import figure
@@ -56,7 +57,7 @@ def largest_stars(shown: OneDesign) -> PhaseStars | None:
     if not shown.has("phase_star_sum") or len(shown("firing_angle")) < 2:
         return None
     bars = order_bars(shown)
-    largest = np.argsort(-bars.amplitude, kind="stable")[:STARS]
+    largest = np.array(falling(bars.amplitude)[:STARS], dtype=np.intp)
     order = bars.order[largest[bars.amplitude[largest] > 0.0]]
     return phase_stars(order, _firing(shown)) if order.size else None
 

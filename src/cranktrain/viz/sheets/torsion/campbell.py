@@ -3,6 +3,7 @@
 import numpy as np
 
 from cranktrain.language import _
+from cranktrain.numerics.ties import largest_first
 from cranktrain.scales import Scale, scale_for
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.page import Axes, Box, Page, formula, set_words
@@ -119,7 +120,7 @@ def _write_speeds(page: Page, of: Campbell, left: float, top: float, width: floa
         page.text(left, top, words.format(order=float(of.order[-1])))
         return
     has_sums = bool(np.isfinite(of.crossings[0].weight))
-    chosen = sorted(of.crossings, key=lambda one: -one.weight if has_sums else one.order)[:_ROWS]
+    chosen = largest_first(of.crossings, lambda one: one.weight if has_sums else -one.order)[:_ROWS]
     page.heading(left, top, _("Critical speeds with the largest marks") if has_sums else _("Critical speeds"))
     head = [
         _("mode"),

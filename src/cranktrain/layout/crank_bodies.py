@@ -1,0 +1,121 @@
+"""Bodies of cranks: one to a throw, which belongs to whatever works on it; and pins that rods share."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from cranktrain.errors import Problem
+from cranktrain.language import _
+from cranktrain.layout.bodies import BodySpec
+from cranktrain.layout.part_tables import nearest_item, table_paths
+from cranktrain.layout.places import PlacedMechanism
+from cranktrain.mechanisms.kind import AnyKind
+from cranktrain.quantities import Given
+from cranktrain.wording import precise
+
+CRANK = "crank"
+_TABLE = "masses"
+_RADII = ("crank_radius", "stroke")
+_SAME = 1e-9
+"""Numbers that differ by less, in parts of the larger one, say the same in other words."""
+
+Bodies = Mapping[str, Mapping[str, BodySpec]]
+
+
+class _Throw(NamedTuple):
+    """A throw or an eccentric beside one: the mechanisms that it drives, and whether the default body is its own."""
+
+    members: tuple[PlacedMechanism, ...]
+    is_main: bool
+
+
+def _throws(places: Sequence[PlacedMechanism]) -> list[_Throw]:
+    """Throws of mechanisms that have a crank; eccentrics are throws of their own where there is no other."""
+    found: dict[tuple[str, int, str], tuple[PlacedMechanism, ...]] = {}
+    for place in places:
+        if CRANK in place.kind.dynamics.moving:
+            throw = (place.shaft, place.throw, place.name if place.kind.has_own_pin else "")
+            found[throw] = (*found.get(throw, ()), place)
+    return [
+        _Throw(members, not name or (shaft, throw, "") not in found) for (shaft, throw, name), members in found.items()
+    ]
+
+
+def crank_bodies(places: Sequence[PlacedMechanism], given: Bodies) -> dict[str, BodySpec | None]:
+    """Body of each throw, by the name of the mechanism with which it counts: the first on it that has a crank.
+
+    That of a bank's own table, whichever bank of the throw has one; else that of all throws.
+    """
+    found: dict[str, BodySpec | None] = {}
+    for members, is_main in _throws(places):
+        own = _tables_of(members, given)
+        default = nearest_item(members[0], CRANK, _TABLE, given) if is_main else None
+        found[members[0].name] = own[0][1] if own else default
+    return found
+
+
+def _tables_of(members: Sequence[PlacedMechanism], given: Bodies) -> list[tuple[str, BodySpec]]:
+    """What tables of banks say of the crank of one throw, by path."""
+    paths = dict.fromkeys(path for place in members for path in table_paths(place, _TABLE)[:-1])
+    return [(path, body) for path in paths if (body := given.get(path, {}).get(CRANK)) is not None]
+
+
+def crank_problems(places: Sequence[PlacedMechanism], given: Bodies) -> Iterator[Problem]:
+    """Find banks that give the crank of one throw two bodies, and one pin two radii."""
+    for members, _is_main in _throws(places):
+        own = _tables_of(members, given)
+        for path, body in own[1:]:
+            if not _is_same(body, own[0][1]):
+                allowed = _(
+                    "differs from {other} on a throw that both banks share: a throw has one body; give it once,"
+                    " in the table of one bank, or in [masses.crank] for all throws"
+                )
+                yield Problem(f"{path}.{CRANK}", None, allowed.format(other=f"{own[0][0]}.{CRANK}"))
+
+
+def pin_problems(places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
+    """Find rods of pistons on one pin whose cranks have two radii; far pistons of a cylinder have their own pins.
+
+    What else a throw drives, a rocker or a yoke, may hang on a crank of its own.
+    """
+    for members, _is_main in _throws(places):
+        for is_far in (False, True):
+            own = [one for one in members if one.is_far == is_far and _is_rod_of_piston(one.kind)]
+            for other in own[1:]:
+                yield from _unlike_radii(own[0], other)
+
+
+def _is_rod_of_piston(kind: AnyKind) -> bool:
+    return kind.has_rod and kind.output == "slider" and kind.dynamics.joint("crank_pin") is not None
+
+
+def _unlike_radii(one: PlacedMechanism, other: PlacedMechanism) -> Iterator[Problem]:
+    radius, own = (float(place.geometry.crank_radius) for place in (one, other))
+    if abs(own - radius) > _SAME * max(radius, own):
+        path, given = _radius_field(other)
+        allowed = _(
+            "makes the crank's radius {own}, and {path} makes it {radius} on the same pin: both rods need one radius,"
+            " or a throw each (two throws at one place have spacing 0)"
+        )
+        yield Problem(path, given, allowed.format(own=precise(own), path=_radius_field(one)[0], radius=precise(radius)))
+
+
+def _radius_field(place: PlacedMechanism) -> tuple[str, str | None]:
+    """Path of the field that gives a mechanism's crank radius, and what it says."""
+    for name in _RADII:
+        given = getattr(place.spec, name, None)
+        if given is not None:
+            return place.path_of(name), given.text if isinstance(given, Given) else None
+    return place.path, None
+
+
+def _is_same(one: BodySpec, other: BodySpec) -> bool:
+    """Whether two tables say the same body."""
+    pairs = zip(_numbers(one), _numbers(other), strict=True)
+    return all(abs(a - b) <= _SAME * max(abs(a), abs(b)) for a, b in pairs)
+
+
+def _numbers(body: BodySpec) -> tuple[float, ...]:
+    """Mass, centroid and inertia; 0 of what is not given."""
+    inertia = 0.0 if body.own_inertia is None else float(body.own_inertia)
+    lengths = (0.0 if one is None else one.si for one in (body.mass, body.along, body.across))
+    return (*lengths, inertia)

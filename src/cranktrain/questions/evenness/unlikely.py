@@ -1,0 +1,28 @@
+"""Loads on the shaft that an engine cannot turn: computed with all the same, and flagged."""
+
+import numpy as np
+
+from cranktrain.checks import StageResult
+from cranktrain.language import _
+from cranktrain.questions.evenness.load_torque import LoadTorque
+from cranktrain.record import record
+from cranktrain.wording import number
+
+
+@record
+class UnlikelyEvenness(StageResult):
+    """Loads on the shaft that hardly any machine has."""
+
+
+def unlikely_evenness(load: LoadTorque | None) -> UnlikelyEvenness:
+    """Flag loads that take much more than a machine gives which drives them; what is driven itself has a motor."""
+    if load is None:
+        return UnlikelyEvenness()
+    given = load.mean_torque + load.remaining_torque
+    over = [design for design in range(given.size) if given[design] > 0 and load.undeclared(design) < 0]
+    if not over:
+        return UnlikelyEvenness()
+    worst = max(over, key=lambda design: float(np.abs(load.remaining_torque[design]) / given[design]))
+    said = _("Loads on the shaft take {load} on the mean, and the machine gives {machine}: are their sizes right?")
+    taken, machine = (number(float(of[worst]), "N*m") for of in (load.mean_torque, given))
+    return UnlikelyEvenness(unlikely=(said.format(load=taken, machine=machine),))

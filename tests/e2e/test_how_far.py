@@ -1,0 +1,82 @@
+"""Work that takes long says on the standard error how far it is; what is short says nothing."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+from tests.e2e.conftest import environment
+
+from cranktrain.how_far import listened_to, say_how_far, within
+
+SOON = """
+import sys
+import cranktrain.cli.how_far as how_far
+how_far._LONG, how_far._SEEN, how_far._BETWEEN = 0.02, 0.02, 0.005
+from cranktrain.cli import main
+sys.exit(main(sys.argv[1:]))
+"""
+RUN = ("run", "pumping_unit_c57")
+ASKED = [
+    (RUN, " s  "),
+    (("compare", "3d12", "kamaz_740"), " of "),
+    (("start", "tilting_table", "--set", "drive.start.duration=20 s"), "turns, "),
+    (("synthesise", "counterweights", "vaz_21213"), " of "),
+]
+
+
+def typed(code, arguments):
+    command = [sys.executable, "-c", code, *arguments]
+    return subprocess.run(command, env=environment(), capture_output=True, encoding="utf-8", check=False)
+
+
+@pytest.mark.parametrize(("arguments", "said"), ASKED, ids=lambda part: part[0] if isinstance(part, tuple) else "")
+def test_long_work_says_how_far_it_is(arguments, said):
+    """Lines of their own where no terminal is; the answer is the same."""
+    done = typed(SOON, arguments)
+    assert done.returncode == 0
+    assert said in done.stderr
+    assert "\r" not in done.stderr
+    quiet = typed("import sys; from cranktrain.cli import main; sys.exit(main(sys.argv[1:]))", arguments)
+    assert done.stdout == quiet.stdout
+
+
+def test_a_terminal_has_one_line_that_is_gone_before_the_answer():
+    pty = pytest.importorskip("pty")
+    child, terminal = pty.fork()
+    if child == 0:
+        os.execve(sys.executable, [sys.executable, "-c", SOON, *RUN], environment())
+    said = b""
+    while True:
+        try:
+            more = os.read(terminal, 65536)
+        except OSError:
+            break
+        if not more:
+            break
+        said += more
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+    progress, _gap, answer = said.rpartition(b"\r" + b" " * 78 + b"\r")
+    assert b" s  " in progress
+    assert b"Motion" not in progress
+    assert b"Motion" in answer
+
+
+def test_short_work_says_nothing():
+    done = typed("import sys; from cranktrain.cli import main; sys.exit(main(sys.argv[1:]))", ("run", "vaz_21213"))
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_pieces_of_pieces_are_said_together():
+    heard = []
+    say_how_far(lambda: "nobody listens")
+    with listened_to(heard.append), within(lambda: "design 3"):
+        say_how_far(lambda: "forces")
+        with within(lambda: "turn 2"):
+            say_how_far(lambda: "bearing 1")
+        say_how_far(lambda: "torque")
+    assert [[words() for words in one] for one in heard] == [
+        ["design 3", "forces"],
+        ["design 3", "turn 2", "bearing 1"],
+        ["design 3", "torque"],
+    ]

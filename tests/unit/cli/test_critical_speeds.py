@@ -1,0 +1,45 @@
+"""Critical speeds next to the machine's: of major orders in the answer, of minor ones with --full."""
+
+SIX = """
+[shaft.main]
+throws = ["0 deg", "240 deg", "120 deg", "120 deg", "240 deg", "0 deg"]
+spacing = "130 mm"
+speed = "1500 rpm"
+[bank.A.mechanism]
+kind = "slider_crank"
+stroke = "135 mm"
+rod_length = "220 mm"
+[cylinder]
+bore = "115 mm"
+cycle = "four-stroke"
+firing_order = "1-5-3-6-2-4"
+[masses]
+piston = { mass = "2.9 kg" }
+rod = { mass = "3.1 kg", along = "72 mm", inertia = "0.031 kg·m²" }
+crank = { mass = "11 kg", along = "22 mm", inertia = "0.05 kg·m²" }
+[crankshaft]
+journal_diameter = "95 mm"
+pin_diameter = "80 mm"
+pin_length = "40 mm"
+web_thickness = "24 mm"
+web_width = "130 mm"
+bearing_width = "34 mm"
+[torsion.disc.flywheel]
+inertia = "1.9 kg·m²"
+beside = 6
+stiffness = "2 MN·m/rad"
+[torsion.disc.damper]
+inertia = "0.12 kg·m²"
+beside = 1
+stiffness = "0.8 MN·m/rad"
+"""
+"""A truck's six: orders 6 and 9 excite its first mode most, 8 between them hardly."""
+
+
+def test_a_six_between_its_major_orders(typed, written):
+    said = typed("run", str(written(SIX))).output
+    row = next(line for line in said.splitlines() if "next critical speeds" in line)
+    assert row.split(None, 3)[3] == "1285 rpm (order 9), 1927 rpm (order 6)"
+    full = " ".join(typed("run", str(written(SIX)), "--full").output.split())
+    assert "1284.9 rpm (order 9, vector sum 3.504), 1927.4 rpm (order 6, vector sum 3.504); of minor orders" in full
+    assert "rpm (order 8, vector sum 0.1314)" in full
