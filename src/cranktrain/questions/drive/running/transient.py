@@ -167,6 +167,8 @@ def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, t
     _note_on_the_way(derive, kernels, train, limits, course, width, theta, marks)
     if event >= 0:
         width = step_to(derive, train, course, theta, width, 1, level)
+        if course.trial[1] != course.trial[1]:  # the whole step has slopes, and this one has not
+            return GEARING_JAMS
         _sample(asked.samples, course, course.again, width, table)
         go_ahead(course, here[TIME] + width, course.trial)
         kernels.settle(course.state[0], train.machine)
