@@ -1,5 +1,6 @@
 """Stiff motors: the same run by an implicit method of SciPy, chosen by the motor's slip time constant."""
 
+import warnings
 from collections.abc import Callable
 from typing import Any, NamedTuple, cast
 
@@ -311,10 +312,12 @@ def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array
     corner.terminal, corner.direction = True, 1.0  # pyright: ignore[reportFunctionMemberAccess]
     closeness = _CLOSER * limits.tolerance
     solve: Any = cast(Any, integrate).solve_ivp
-    return solve(
-        slope, span, state, method=method, rtol=max(closeness, 3e-14), atol=closeness,
-        max_step=going.longest_step, dense_output=True, events=(stopped, passed, over, dead, corner),
-    )  # fmt: skip
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # LSODA says there that it fails, which its end shows as well
+        return solve(
+            slope, span, state, method=method, rtol=max(closeness, 3e-14), atol=closeness,
+            max_step=going.longest_step, dense_output=True, events=(stopped, passed, over, dead, corner),
+        )  # fmt: skip
 
 
 def _treads(going: _Going, time: float) -> bool:
