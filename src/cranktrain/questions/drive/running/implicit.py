@@ -252,6 +252,8 @@ def _phase(going: _Going, time: float, state: Array, sense: float) -> tuple[floa
     later = asked.breaks[asked.breaks > time]
     until = min(asked.limits.end_time, float(later[0]) if len(later) else np.inf, time + _AT_ONCE * going.longest_step)
     found = _solved(going, sense, (time, until), state)
+    if found.t.size < 2:  # not one step was short enough
+        return time, state, endings.TOO_MANY_STEPS, 0
     stopped, passed, over, _, corner = found.t_events[:5]
     for kind, which in ((endings.REVERSAL, 0), (endings.SPEED_PASSED, 1), (endings.DEAD_POSITION, 3)):
         for when, y in zip(found.t_events[which], found.y_events[which], strict=True):
