@@ -10,13 +10,12 @@ from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.load_laws import ByAngle
 from cranktrain.layout.load_stretch import stretch_flags
 from cranktrain.layout.loads import LinkLoad, Loads
 from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, points_together
-from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.events import ForceEvents, with_shafts
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.peaks import largest_of_machine, one_sided
 from cranktrain.questions.gas.declared import DeclaredGas
@@ -103,9 +102,7 @@ def load_work(
     grid = crank_angle.angle
     torque, sizes = acting(grid)
     power = torque * loaded.speed.drive(grid).speed
-    corners = (load.law.kinks(crank_angle.cycle) for load in shafts if isinstance(load.law, ByAngle))
-    at_shafts = [own + crank_angle.zero[:, 0] for own in corners]
-    whole = ForceEvents(events.angle, np.concatenate([events.whole, *at_shafts], axis=-1))
+    whole = with_shafts(events, shafts, crank_angle)
     work = _works(lambda angle: acting(angle)[0], whole, crank_angle)
     most = largest_of_machine(size_of_power, np.abs(power), whole, crank_angle)
     largest = largest_of_machine(size, np.abs(sizes), whole, crank_angle)
