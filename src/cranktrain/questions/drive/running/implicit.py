@@ -63,7 +63,7 @@ def slip_time_constant(
     Returns
     -------
     float
-        (J_m + J/i²)/max(−dM/dω); of Kloss's formula (J_m + J/i²) ω_s s_b/(2 M_b). docs/theory/transient, eq. (26.15).
+        (J_m + J/i²)/max(−dM/dω); of Kloss's formula (J_m + J/i²) ω_s s_b/(2 M_b). docs/theory/transient, eq. (26.17).
     """
     speeds = np.linspace(0.0, top_speed, _N_SPEEDS)
     torques = np.array([kernels.motor(float(speed), time, drive.motor) for speed in speeds])
