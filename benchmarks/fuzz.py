@@ -44,7 +44,7 @@ PLANS = [one.name for one in PICTURES if one.kind == "plan"]
 LONGEST = 40.0
 """A command ends within this. [s]"""
 MOST_MENDS = 15
-MOST_STEPS = 3000
+MOST_STEPS = 1000
 """Of a start."""
 
 
