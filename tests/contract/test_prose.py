@@ -71,7 +71,7 @@ NOT_COMPUTED = {
     "src/cranktrain/questions/crankshaft/README.md": {
         "20°": "a default",
         "60°": "the rule of wear",
-        **{limit: "a limit of the flag" for limit in ("500 GPa", "1 %", "1 GPa")},
+        **dict.fromkeys(("500 GPa", "1 %", "1 GPa"), "a limit of the flag"),
         **{one.text: "a default, of steel" for one in STEEL if " " in one.text},
     },
     "src/cranktrain/questions/gas/README.md": {"1 %": "a limit of the flag", "250 K": "a limit of the flag"},
