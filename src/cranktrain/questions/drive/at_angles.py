@@ -41,6 +41,9 @@ _Coefficient: TypeAlias = Callable[[float], Array]
 """A coefficient by its place, at the angles that are asked for, shape (n,)."""
 
 
+_ORDERS = np.arange(1.0, DEGREE + 1)
+
+
 class ReducedAt(NamedTuple):
     """What the equation of motion asks of a machine at some crank angles, each of shape (n,).
 
@@ -79,14 +82,15 @@ def reduced_at(machine: ReducedMachine, angle: Array) -> ReducedAt:
     turns = angle / TURN
     along = (turns - np.floor(turns)) * len(machine.pieces)
     piece = np.minimum(along.astype(np.intp), len(machine.pieces) - 1)
-    rows, x = np.asarray(machine.pieces)[piece], 2 * (along - piece) - 1
+    pieces, powers_of_place = _apart(machine), np.vander(2 * (along - piece) - 1, DEGREE + 1, increasing=True)
     by_angle = len(machine.pieces) / np.pi
 
     def value(which: float) -> Array:
-        return _polynomial(rows, int(which), x)
+        return np.einsum("nk,nk->n", pieces[piece, int(which)], powers_of_place)
 
     def slope(which: float) -> Array:
-        return _polynomial(rows, int(which), x, order=1) * by_angle
+        own = pieces[piece, int(which), 1:]
+        return np.einsum("nk,nk,k->n", own, powers_of_place[:, :-1], _ORDERS) * by_angle
 
     load, powers = value(WEIGHT), list[Power]()
     for row in np.asarray(machine.loads).tolist():
@@ -105,17 +109,12 @@ def reduced_at(machine: ReducedMachine, angle: Array) -> ReducedAt:
 
 def has_inertia(machine: ReducedMachine, turning: float) -> bool:
     """Whether anything resists acceleration: what turns with the crank, or what the crank moves. [kg·m²]"""
-    which = int(INERTIA)
-    moved = np.asarray(machine.pieces)[:, which * (DEGREE + 1) : (which + 1) * (DEGREE + 1)]
-    return turning > 0 or bool(np.any(moved != 0))
+    return turning > 0 or bool(np.any(_apart(machine)[:, int(INERTIA)] != 0))
 
 
-def _polynomial(rows: Array, which: int, x: Array, *, order: int = 0) -> Array:
-    """A coefficient, or its slope, at places −1…1 within pieces."""
-    own = rows[:, which * (DEGREE + 1) : (which + 1) * (DEGREE + 1)]
-    powers = np.arange(order, DEGREE + 1)
-    scaled = own[:, order:] * (powers if order else 1)
-    return np.sum(scaled * x[:, np.newaxis] ** (powers - order), axis=1)
+def _apart(machine: ReducedMachine) -> Array:
+    """Polynomials by pieces and coefficients, shape (piece, coefficient, `DEGREE` + 1)."""
+    return np.asarray(machine.pieces).reshape(len(machine.pieces), -1, DEGREE + 1)
 
 
 def _size(
@@ -154,7 +153,7 @@ def _steady_pressures(machine: ReducedMachine, value: _Coefficient, slope: _Coef
 
 def _extreme_volume(machine: ReducedMachine, which: int, sign: float) -> float:
     """Largest (1) or smallest (−1) value of a coefficient over the turn."""
-    own = np.asarray(machine.pieces)[:, which * (DEGREE + 1) : (which + 1) * (DEGREE + 1)]
+    own = _apart(machine)[:, which]
     places = np.linspace(-1.0, 1.0, 33)
     samples = sign * own @ np.vander(places, DEGREE + 1, increasing=True).T
     piece, place = np.unravel_index(np.argmax(samples), samples.shape)

@@ -34,7 +34,7 @@ def corners_and_rows(angles: Array, misses: Array, cycle: float, tolerance: floa
 
     Notes
     -----
-    docs/theory/transient, eq. (26.17).
+    docs/theory/transient, eq. (26.15).
     """
     happens = np.isfinite(angles)
     within = np.mod(angles[happens] + _SAME, cycle) - _SAME

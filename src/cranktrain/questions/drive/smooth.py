@@ -17,14 +17,14 @@ _NODES = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
 _LOOKS = np.array([-0.93, -0.41, 0.07, 0.68, 0.97])
 
 
-def _monomials() -> Array:
-    """From values at the nodes to powers of −1…1."""
-    to_series = np.linalg.inv(chebyshev.chebvander(_NODES, DEGREE))
-    powers = np.array([np.pad(chebyshev.cheb2poly(row), (0, DEGREE - i)) for i, row in enumerate(np.eye(DEGREE + 1))])
-    return powers.T @ to_series
-
-
-_POWERS = _monomials()
+_DEGREES = np.arange(DEGREE + 1)
+_TO_SERIES = (
+    np.cos(np.outer(_DEGREES, np.arccos(_NODES))) * np.where(_DEGREES > 0, 2.0, 1.0)[:, np.newaxis] / _NODES.size
+)
+"""From values at the nodes to Chebyshev's series."""
+_POWERS = np.array([np.pad(chebyshev.cheb2poly(row), (0, DEGREE - i)) for i, row in enumerate(np.eye(DEGREE + 1))])
+"""From the series to powers of −1…1. A second step: multiplied into the first, these whole numbers make a thousand
+times its rounding, of which an inertia's slope gives work in every turn, and a soft motor a slip."""
 
 
 def smooth_pieces(coefficients: Callable[[Array], Array]) -> Array:
@@ -66,7 +66,11 @@ def _on(coefficients: Callable[[Array], Array], n_pieces: int) -> Array:
     """Polynomials on so many pieces."""
     values = coefficients(_angles(n_pieces, _NODES))
     apart = values.reshape(*values.shape[:2], n_pieces, DEGREE + 1)
-    return np.moveaxis(apart @ _POWERS.T, 1, 2)
+    # From one of its own values on, as a constant is to have no slope, not even by rounding.
+    base = apart[..., :1]
+    found = (apart - base) @ _TO_SERIES.T @ _POWERS
+    found[..., :1] += base
+    return np.moveaxis(found, 1, 2)
 
 
 def _miss(coefficients: Callable[[Array], Array], pieces: Array) -> Array:

@@ -33,10 +33,14 @@ _ROUNDING = 1e-12
 
 @record
 class LoadWork(StageResult):
-    """What the loads do: less than 0 where the machine works against them; n_on_links are first, then on_shafts."""
+    """What the loads do: less than 0 where the machine works against them; n_on_links are first, then on_shafts.
+
+    speed is the declared one, shape (design,). [rad/s]
+    """
 
     n_on_links: int
     on_shafts: tuple[TorqueOnShaft, ...]
+    speed: Array
     load_torque_on_crank: Array = quantity(
         "Q_l", "N*m", _CURVE, N_("Torque of the load on the crank, by virtual work"), _THEORY
     )
@@ -107,6 +111,7 @@ def load_work(
     return LoadWork(
         n_on_links=len(links),
         on_shafts=shafts,
+        speed=loaded.speed.mean[:, 0, 0],
         load_torque_on_crank=torque,
         load_power=power,
         load_work=work,

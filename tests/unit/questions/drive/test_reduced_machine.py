@@ -7,6 +7,7 @@ from tests.validation.test_drive import CAGE, LOSSY, table
 import cranktrain as ct
 from cranktrain.questions.drive.at_angles import reduced_at
 from cranktrain.questions.drive.reduction import ReducedMachines
+from cranktrain.questions.drive.smooth import smooth_pieces
 
 EXAMPLES = ("tilting_table", "pumping_unit_c57", "shaper", "toggle_press", "gas_compressor", "vaz_21213", "kamaz_740")
 FACTS = ("cycle_time", "rms_motor_torque", "rms_static_torque", "drive_fluctuation", "motor_power", "half_period_work")
@@ -97,3 +98,15 @@ def test_alone_or_among_designs():
     for design, machine in enumerate(machines):
         alone = facts(machine)
         same(alone, {name: values[design] for name, values in together.items()})
+
+
+def test_slopes_of_polynomials_have_hardly_more_rounding_than_values():
+    """Of sin²φ: the slope's sum over a turn, which has to vanish, is the work that rounding gives a machine."""
+    pieces = smooth_pieces(lambda angle: np.sin(angle)[np.newaxis, np.newaxis] ** 2)[0, :, 0]
+    places = np.linspace(-1, 1, 21)
+    angle = (np.arange(len(pieces))[:, np.newaxis] + (places + 1) / 2) * 2 * np.pi / len(pieces)
+    powers = np.arange(1, pieces.shape[1])
+    slope = len(pieces) / np.pi * (pieces[:, 1:] * powers) @ places ** (powers - 1)[:, np.newaxis]
+    np.testing.assert_allclose(slope, np.sin(2 * angle), rtol=0, atol=1e-12)
+    rise = pieces @ (1.0 - (-1.0) ** np.arange(pieces.shape[1]))
+    assert abs(np.sum(rise)) < 1e-14
