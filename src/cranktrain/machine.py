@@ -327,12 +327,15 @@ class Machine(Spec, frozen=True):
     def table_problems(self) -> tuple[Problem, ...]:
         """What only the tables together can show to be wrong."""
         places, found = self.arranged
-        return found or (
-            *pin_problems(places),
-            *standing_problems(self.shafts, places, self.orientation),
-            *wish_problems(self.design),
-            *(problem for question in QUESTIONS for problem in question.problems(self.design)),
-        )
+        if found:
+            return found
+        with np.errstate(all="ignore"):  # links that cannot close have no motion, which is said beside
+            return (
+                *pin_problems(places),
+                *standing_problems(self.shafts, places, self.orientation),
+                *wish_problems(self.design),
+                *(problem for question in QUESTIONS for problem in question.problems(self.design)),
+            )
 
     @cached_property
     def closing_problems(self) -> tuple[Problem, ...]:

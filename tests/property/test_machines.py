@@ -15,9 +15,9 @@ lengths = st.floats(20, 400).map(lambda length: round(length, 3))
 
 
 @st.composite
-def slider_cranks(draw):
-    """A crank that turns with a closing margin of 8 % or more."""
-    radius = draw(lengths)
+def slider_cranks(draw, radius=None):
+    """A crank that turns with a closing margin of 8 % or more, of any radius unless its pin has one."""
+    radius = draw(lengths) if radius is None else radius
     offset = round(radius * draw(st.sampled_from([0, 0, -0.4, 0.1, 0.7])), 3)
     rod = round((radius + abs(offset)) * draw(st.floats(1.1, 6)), 3)
     return {"kind": "slider_crank", "crank_radius": radius, "rod_length": rod, "offset": offset}
@@ -30,7 +30,7 @@ def engines(draw):
     master = draw(slider_cranks())
     banks = {"L": {"angle": draw(angles), "mechanism": master}}
     if draw(st.booleans()):
-        banks["Q"] = {"angle": draw(angles), "mechanism": draw(slider_cranks())}
+        banks["Q"] = {"angle": draw(angles), "mechanism": draw(slider_cranks(master["crank_radius"]))}
     if draw(st.booleans()):
         gamma = draw(angles)
         knuckle = round(master["crank_radius"] * draw(st.floats(0.3, 1.1)), 3)

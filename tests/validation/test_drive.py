@@ -171,7 +171,7 @@ def test_the_check_of_energy_can_fail():
     assert found is not None
     turning = _turning(result)
     assert _residual(turning.at(found.mesh.nodes), found) < 1e-12
-    disturbed = replace(found, half_square=found.half_square * (1 + 1e-3 * np.sin(found.mesh.nodes)))
+    disturbed = replace(found, departure=found.departure + 5e-4 * found.speed**2 * np.sin(found.mesh.nodes))
     assert _residual(turning.at(found.mesh.nodes), disturbed) > 1e-9
 
 

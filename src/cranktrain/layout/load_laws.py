@@ -63,6 +63,10 @@ class ByAngle(NamedTuple):
         turns = np.arange(0.0, cycle - TURN / 2, TURN)
         return (self.angles[:, np.newaxis] + turns[:, np.newaxis]).reshape(len(self.angles), -1)
 
+    def misses(self, cycle: float) -> Array:
+        """By how much the lines may miss a smooth curve at each of these, in parts of the largest size."""
+        return np.stack([_at_kinks(*rows) for rows in zip(self.polylines, self.kinks(cycle), strict=True)])
+
 
 class ByTravel(NamedTuple):
     """Straight lines over the travel from where it is least, on the way out and on the way back.
@@ -80,10 +84,39 @@ class ByTravel(NamedTuple):
         ways = [(_between(s, places, out), _between(s, places, back)) for s, places, out, back in rows]
         return np.where(state.speed >= 0, np.stack([out for out, _ in ways]), np.stack([back for _, back in ways]))
 
+    @property
+    def misses(self) -> Array:
+        """By how much the lines may miss a smooth curve at each place, in parts of the largest size, on either way."""
+        ends = ((0, 0), (1, 1))
+        at = np.pad(self.places, ends, mode="reflect", reflect_type="odd")
+        return np.maximum(*(_misses(at, np.pad(size, ends, mode="edge")) for size in (self.out, self.back)))
+
 
 def _between(at: Array, places: Array, values: Array) -> Array:
     """Straight lines from place to place; beyond the ends the last value."""
     return np.asarray(np.interp(at, places, values), dtype=np.float64)
+
+
+def _misses(at: Array, values: Array) -> Array:
+    """By how much lines may miss a smooth curve through their points, at all but the first and the last of these.
+
+    A smooth curve bends away from its chord of the length h by h²/8 times its second derivative, which is the lines'
+    change of slope over h. In parts of the largest value; without any, 0.
+    """
+    bend = np.diff(np.diff(values) / np.diff(at))
+    largest = np.max(np.abs(values), axis=-1, keepdims=True)
+    misses = np.abs(bend) * (at[..., 2:] - at[..., :-2]) / 16
+    return np.divide(misses, largest, out=np.zeros_like(misses), where=largest > 0)
+
+
+def _at_kinks(curve: Polyline, kinks: Array) -> Array:
+    """Misses of lines round a period at angles as they are shown; infinite where no point of theirs lies."""
+    angles, values, period = curve
+    around = np.concatenate([angles[-1:] - period, angles, angles[:1] + period])
+    misses = _misses(around, np.concatenate([values[-1:], values, values[:1]]))
+    turned = np.mod(kinks + _SAME, period) - _SAME
+    at = np.minimum(np.searchsorted(angles, turned), angles.size - 1)
+    return np.where(np.abs(angles[at] - turned) <= _SAME, misses[at], np.inf)
 
 
 def is_over_two_turns(first: float, last: float) -> bool:

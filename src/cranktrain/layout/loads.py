@@ -367,8 +367,8 @@ def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iter
     whole = float(np.ravel(travel_of(way))[0])
     if given[0].si != 0.0:
         yield Problem(f"{where}.{name}[0]", given[0].text, _("must be 0, where the travel begins"))
-    is_card, off = spec.file is not None, given[-1].si / whole - 1
-    if abs(off) > WIDEST if is_card else off < -_COVERED:
+    is_card, off = spec.file is not None, given[-1].si - whole
+    if abs(off) > WIDEST * whole if is_card else off < -_COVERED * whole:
         allowed = _("must go as far as the part goes, {whole}")
         if is_card:
             allowed = _("must go as far as the part goes, {whole}, or within 2 % of that, to be stretched")

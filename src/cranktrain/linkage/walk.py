@@ -96,6 +96,7 @@ def pose_at(walk: Walk, angle: Array) -> Pose:
     The polynomial of fifth degree with value and two derivatives of both nodes; docs/theory/groups-2, eq. (7.19).
     """
     angle = np.mod(angle, TURN)
+    walk = _lifted(walk, np.ndim(angle))
     last = walk.angle.shape[-1] - 2
     before = np.minimum(sum(walk.angle[..., i : i + 1] <= angle for i in range(1, last + 2)), last)
     near = np.take_along_axis(walk.angle, before, axis=-1)
@@ -110,6 +111,13 @@ def pose_at(walk: Walk, angle: Array) -> Pose:
     quintic = 6.0 * value - 3.0 * first + 0.5 * second
     rest = cubic + share * (quartic + share * quintic)
     return Pose(*(here[0] + share * (here[1] + share * (0.5 * here[2] + share * rest))))
+
+
+def _lifted(walk: Walk, n_axes: int) -> Walk:
+    """The same walk with leading axes of one, where angles have more than it has."""
+    more = (1,) * max(n_axes - walk.angle.ndim, 0)
+    pose = Coefficient(*(part.reshape(len(part), *more, *part.shape[1:]) for part in walk.pose))
+    return Walk(walk.angle.reshape(*more, *walk.angle.shape), pose)
 
 
 def _at_node(walk: Walk, node: NDArray[np.intp], step: Array) -> tuple[Array, Array, Array]:

@@ -34,7 +34,7 @@ class PiecePlaces(NamedTuple):
 
 
 def pieces_from(starts: Array, cycle: float) -> PiecePlaces:
-    """PiecePlaces that begin at some angles, rising from 0, of which several may be one, up to the cycle. [rad]"""
+    """Pieces that begin at some angles, rising from 0, of which several may be one, up to the cycle. [rad]"""
     return PiecePlaces(starts, np.diff(starts, axis=-1, append=np.full((*starts.shape[:-1], 1), cycle)))
 
 

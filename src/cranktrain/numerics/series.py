@@ -79,7 +79,7 @@ def derivatives_residual(motion: Callable[[Array], Coefficient], samples: Coeffi
     if it can be.
     """
     residual = second = np.array(np.nan)
-    is_sharp = None
+    is_sharp: NDArray[np.bool_] = np.zeros((), dtype=bool)
     with np.errstate(all="ignore"):
         for n_points in _SERIES_LENGTHS:
             if samples is not None and n_points == samples.value.shape[-1]:
@@ -94,7 +94,8 @@ def derivatives_residual(motion: Callable[[Array], Coefficient], samples: Coeffi
             residual = np.where(np.isnan(found), np.nan, np.fmin(residual, found))
             if not np.any(residual > DERIVATIVES_LIMIT):
                 return residual
-            is_sharp = ~has_ended(second, DERIVATIVES_LIMIT) if is_sharp is None else is_sharp
+            if n_points == _SERIES_LENGTHS[0]:
+                is_sharp = ~has_ended(second, DERIVATIVES_LIMIT)
         # What only a longer series shows has fewer digits itself, the nearer to locking the fewer.
         is_beyond = ~has_ended(second, DERIVATIVES_LIMIT) | (is_sharp & (residual < _FEW_DIGITS))
         return np.where((residual > DERIVATIVES_LIMIT) & is_beyond, np.inf, residual)

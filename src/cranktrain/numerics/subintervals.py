@@ -185,10 +185,11 @@ def _beside(of: Subintervals, values: Array, placed: _Placed) -> Coefficient:
     total = _whole_panels(of, values, panel, turns)
     first, second = (np.empty_like(total) for _derivative in range(2))
     for chosen, place, n_nodes in _by_size(of, panel):
-        own, half = values[..., place], of.width[panel[chosen]] / 2
-        total[..., chosen] += half * np.sum(own * partial_integrals(way[chosen], n_nodes), axis=-1)
-        first[..., chosen] = np.sum(own * interpolation(way[chosen], n_nodes), axis=-1)
-        second[..., chosen] = np.sum(own * _slopes(way[chosen], n_nodes), axis=-1) / half
+        half, legendre = of.width[panel[chosen]] / 2, np.polynomial.legendre.legvander(way[chosen], n_nodes)
+        orders = values[..., place] @ _to_series(n_nodes).T
+        total[..., chosen] += half * np.sum(orders * _legendre_integrals(way[chosen], legendre), axis=-1)
+        first[..., chosen] = np.sum(orders * legendre[:, :-1], axis=-1)
+        second[..., chosen] = np.sum(orders @ _derived(n_nodes).T * legendre[:, :-2], axis=-1) / half
     return Coefficient(total, first, second)
 
 
@@ -230,13 +231,7 @@ def interpolation(way: Array, n_nodes: int) -> Array:
 
 def partial_integrals(way: Array, n_nodes: int) -> Array:
     """Weights of values at Gauss's points for the integral from −1 to some ways, shape (k, n)."""
-    return _legendre_integrals(way, n_nodes) @ _to_series(n_nodes)
-
-
-def _slopes(way: Array, n_nodes: int) -> Array:
-    """Weights of values at Gauss's points for the slope by the way at some ways, shape (k, n)."""
-    derived = np.polynomial.legendre.legder(_to_series(n_nodes))
-    return np.polynomial.legendre.legvander(way, n_nodes - 2) @ derived
+    return _legendre_integrals(way, np.polynomial.legendre.legvander(way, n_nodes)) @ _to_series(n_nodes)
 
 
 @cache
@@ -247,9 +242,14 @@ def _to_series(n_nodes: int) -> Array:
     return (order + 0.5) * np.polynomial.legendre.legvander(node, n_nodes - 1).T * weight
 
 
-def _legendre_integrals(way: Array, n_nodes: int) -> Array:
-    """Integrals of Legendre's polynomials from −1 to some ways, shape (k, n)."""
-    values = np.polynomial.legendre.legvander(way, n_nodes)
-    order = np.arange(1, n_nodes)
+@cache
+def _derived(n_nodes: int) -> Array:
+    """From coefficients of Legendre's polynomials to those of the slope, shape (n − 1, n)."""
+    return np.polynomial.legendre.legder(np.eye(n_nodes))
+
+
+def _legendre_integrals(way: Array, values: Array) -> Array:
+    """Integrals of Legendre's polynomials from −1 to some ways, by the values there, one more, shape (k, n)."""
+    order = np.arange(1, values.shape[-1] - 1)
     rest = (values[:, 2:] - values[:, :-2]) / (2 * order + 1)
     return np.concatenate([(1 + way)[:, np.newaxis], rest], axis=1)

@@ -100,7 +100,7 @@ class Construction(Readings):
     @property
     def stroke(self) -> float:
         """Exact stroke. [m]"""
-        return _end(self.geometry) - _end(self.geometry, -1.0)
+        return _stroke(self.geometry)
 
     @property
     def ratio(self) -> float:
@@ -181,22 +181,34 @@ def exact_crank_angle(displacement: Array, geometry: SliderCrank) -> Array:
 
     Notes
     -----
-    The rule of cosines in the triangle of shaft, crank pin and piston pin.
+    The half angle in the triangle of shaft, crank pin and piston pin, from by how much each two of its sides are longer
+    than the third: near the dead centres, and of a rod however long, no cosine has to be told from ±1.
     """
-    along = _end(geometry) - displacement
-    square = along**2 + geometry.offset**2
-    cosine = (geometry.crank_radius**2 + square - geometry.rod_length**2) / (
-        2 * geometry.crank_radius * np.sqrt(square)
-    )
-    # What rounding moved off ±1 is taken back.
-    kept = np.where(np.abs(np.abs(cosine) - 1) < 1e-14, np.sign(cosine), cosine)
-    return np.arctan2(geometry.offset, along) + np.arccos(kept)
+    radius, rod, offset = geometry
+    end = _end(geometry)
+    along = end - displacement
+    side = np.hypot(along, offset)  # from the shaft to the piston pin
+    around = rod + radius + side
+    above = (
+        displacement * (2 * end - displacement) / around
+    )  # rod and crank together beyond it: (rod + radius)² − side²
+    below = 2 * radius - above
+    rounding = 8 * np.finfo(float).eps * around
+    above, below = (np.where((gap < 0) & (gap > -rounding), 0.0, gap) for gap in (above, below))
+    with np.errstate(invalid="ignore"):  # NaN outside the stroke, as said
+        half = np.arctan2(np.sqrt((side + rod - radius) * above), np.sqrt(around * below))
+    return np.arctan2(offset, along) + 2 * half
 
 
 def _end(geometry: SliderCrank, side: float = 1.0) -> float:
     """Farthest place of the piston's pin along the line of stroke, or the nearest one, where side is −1. [m]"""
     reach = geometry.rod_length + side * geometry.crank_radius
     return float(np.sqrt(reach**2 - geometry.offset**2))
+
+
+def _stroke(geometry: SliderCrank) -> float:
+    """Distance of the two ends: that of their squares, 4 R L, over their sum. [m]"""
+    return float(4 * geometry.crank_radius * geometry.rod_length / (_end(geometry) + _end(geometry, -1.0)))
 
 
 def _on_line(along: Array, geometry: SliderCrank) -> Array:
@@ -258,7 +270,7 @@ def _brix(geometry: SliderCrank, phi: Array) -> Readings:
 
 def _backward(geometry: SliderCrank, chosen: int | Array) -> Readings:
     """From displacements: equal parts of the stroke, or those of crank angles, to angles on the way to the shaft."""
-    whole = _end(geometry) - _end(geometry, -1.0)
+    whole = _stroke(geometry)
     if isinstance(chosen, int):
         displacement = whole * np.arange(chosen + 1) / chosen
         exact = exact_crank_angle(displacement, geometry)

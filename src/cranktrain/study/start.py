@@ -21,6 +21,7 @@ from cranktrain.one_line import short
 from cranktrain.questions.drive.at_angles import has_inertia
 from cranktrain.questions.drive.clutched.declared import DeclaredBrake, DeclaredStroke
 from cranktrain.questions.drive.declared import DeclaredDrive, DeclaredStart
+from cranktrain.questions.drive.gentle_rows import corners_and_rows
 from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.press_strokes import PressStrokes
 from cranktrain.questions.drive.reduction import ReducedMachines
@@ -178,12 +179,14 @@ def start_case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCas
         )
         raise InputError([Problem("drive", None, allowed)])
     brake, place = _brake(parts.get(DeclaredBrake))
-    corners, is_gentle = machines.corners[0], machines.is_gentle[0]
+    corners, rows = corners_and_rows(
+        machines.corners[0], machines.misses[0], machines.cycle, parts[DeclaredStart].spec.tolerance.si
+    )
     cycle_time = np.nan if steady is None else float(steady.cycle_time[0])
     return StartCase(
         machine=machines.each[0],
-        corners=corners[np.isfinite(corners) & ~is_gentle],
-        rows=corners[is_gentle],
+        corners=corners,
+        rows=rows,
         cycle=machines.cycle,
         gearing=drive.gearings[0],
         motor=parts.get(DeclaredMotor),

@@ -80,6 +80,20 @@ def test_exact_angle_has_the_displacement_that_it_comes_from(offset):
     np.testing.assert_allclose(exact_crank_angle(given.displacement, given.geometry), given.exact_angle, rtol=1e-12)
 
 
+@pytest.mark.parametrize("times", [1e5, 1e9, 1e12])
+def test_exact_angle_of_a_rod_without_end(times):
+    """The crank pin's own projection, to λ/2: 1 − cos φ of the radius, at every tenth of the stroke, its ends too."""
+    endless = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": f"{R} m", "rod_length": f"{times * R} m"})
+    found = construction(endless, "brix_backward", 10)
+    np.testing.assert_allclose(found.displacement, 2 * R * np.arange(11) / 10, rtol=1e-14)
+    np.testing.assert_allclose(found.exact_angle, np.arccos(1 - np.arange(11) / 5), rtol=0, atol=1 / times)
+
+
+def test_beyond_the_stroke_is_no_angle():
+    geometry = construction(crank(), "arc").geometry
+    assert np.all(np.isnan(exact_crank_angle(np.array([-1e-9, 2 * R + 1e-9]), geometry)))
+
+
 def test_other_mechanisms_and_angles_are_refused():
     with pytest.raises(InputError, match="no slider-crank"):
         construction(ct.load("pumping_unit_c57"), "arc")

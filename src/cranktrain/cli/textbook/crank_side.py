@@ -53,7 +53,10 @@ def _differences(groups: Mapping[SliderCrank, Sequence[int]]) -> list[Column]:
     """Z by the source, as it is, and its error; of an offset mechanism by the source alone."""
     source = [float(largest_difference(one.crank_radius, one.crank_radius / one.rod_length)) for one in groups]
     exact = [
-        float(one.rod_length - np.sqrt(one.rod_length**2 - one.crank_radius**2)) if one.offset == 0.0 else np.nan
+        # L − √(L² − R²), which loses no figures of a long rod
+        float(one.crank_radius**2 / (one.rod_length + np.sqrt(one.rod_length**2 - one.crank_radius**2)))
+        if one.offset == 0.0
+        else np.nan
         for one in groups
     ]
     errors = [own / true - 1.0 for own, true in zip(source, exact, strict=True)]

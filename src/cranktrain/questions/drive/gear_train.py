@@ -83,7 +83,7 @@ def through_stages(torque: Array, inertia: Array, load: Array, gearing: Gearing)
 def lost_torque(outputs: Array, gearing: Gearing) -> Array:
     """Torque at the crank, which turns forward, that losses take: by what each stage passes on, (stage, n) → (n,).
 
-    docs/theory/transient, eq. (26.9). [N·m]
+    docs/theory/transient, eq. (26.10). [N·m]
     """
     factor = np.where(outputs > 0, 1 / gearing.forward[:, np.newaxis], gearing.backward[:, np.newaxis])
     turned = np.cumprod(gearing.ratio[::-1])[::-1]  # of each stage's input, for one of the crank

@@ -1,60 +1,50 @@
 """Rows of a long load curve that are next to no corners: steps may pass over some of them."""
 
-from collections.abc import Sequence
-
 import numpy as np
-from numpy.typing import NDArray
 
-from cranktrain.layout.load_laws import ByAngle
 from cranktrain.motion import Array
-from cranktrain.numerics.polyline import Polyline
 
-_GENTLE = 1e-5
-"""Of a curve's largest size: by how much straight lines at a gentle row may miss a smooth curve through the rows."""
+_GENTLE = 100.0
+"""Tolerances of a run: so much of the largest size lines at a gentle row may miss; works then err by few of them."""
+_SEEN = 2.5e-6
+"""Of the largest size: what lines through the rows that are counted miss; what rises between few of them is seen."""
 _SAME = 1e-9
 """Angles closer than this are one. [rad]"""
 
 
-def gentle_rows(laws: Sequence[ByAngle], corners: Array, zero: Array, cycle: float) -> NDArray[np.bool_]:
-    """Which corners are rows of load curves whose lines bend there as those along a smooth curve do, and nothing else.
+def corners_and_rows(angles: Array, misses: Array, cycle: float, tolerance: float) -> tuple[Array, Array]:
+    """Part what ends the steps of a run from rows of load curves that bend there as along a smooth one.
 
     Parameters
     ----------
-    laws : sequence of ByAngle
-    corners : Array, shape (design, corner)
-        φ, as often as there is something; NaN fills up. [rad]
-    zero : Array, shape (design,)
-        φ where the shown angle is 0. [rad]
+    angles : Array, shape (event,)
+        φ, as often as there is something; NaN for nothing. [rad]
+    misses : Array, shape (event,)
+        As those of `ForceEvents`.
     cycle : float
         [rad]
+    tolerance : float
+        Of the run.
 
     Returns
     -------
-    Array of bool, shape (design, corner)
+    corners, rows : Array
+        Within the cycle, each once; of the rows no more than straight lines need that are as close to a smooth curve
+        as a step asks for, so that finer curves take no more steps. [rad]
+
+    Notes
+    -----
+    docs/theory/transient, eq. (26.15).
     """
-    found = np.zeros(corners.shape, dtype=np.bool_)
-    for design, own in enumerate(corners):
-        curves = [law.polylines[min(design, len(law.angles) - 1)] for law in laws]
-        rows = [_gentle(curve, cycle) + zero[min(design, len(zero) - 1)] for curve in curves]
-        at = np.mod(own + _SAME, cycle)
-        gentle = np.mod(np.concatenate([*rows, np.empty(0)]) + _SAME, cycle)
-        n_gentle = _n_near(gentle, at)
-        found[design] = (n_gentle > 0) & (n_gentle == _n_near(at[np.isfinite(at)], at))
-    return found
-
-
-def _gentle(curve: Polyline, cycle: float) -> Array:
-    """Angles of a curve's gentle rows within a cycle. [rad]"""
-    angles, values, period = curve
-    before, after = angles - np.roll(angles, 1), np.roll(angles, -1) - angles
-    before[0], after[-1] = before[0] + period, after[-1] + period
-    bend = (np.roll(values, -1) - values) / after - (values - np.roll(values, 1)) / before
-    misses = np.abs(bend) * (before + after) / 16
-    own = angles[misses <= _GENTLE * np.max(np.abs(values))]
-    return (own[:, np.newaxis] + np.arange(0.0, cycle - period / 2, period)).ravel()
-
-
-def _n_near(angles: Array, at: Array) -> NDArray[np.intp]:
-    """How many of some angles lie at each of others."""
-    ordered = np.sort(angles)
-    return np.searchsorted(ordered, at + _SAME, side="right") - np.searchsorted(ordered, at - _SAME)
+    happens = np.isfinite(angles)
+    within = np.mod(angles[happens] + _SAME, cycle) - _SAME
+    order = np.argsort(within)
+    within, missed = within[order], misses[happens][order]
+    first = np.flatnonzero(np.diff(within, prepend=-np.inf) > _SAME)
+    if first.size == 0:
+        return within, within
+    at, largest = within[first], np.maximum.reduceat(missed, first)
+    is_gentle = largest <= _GENTLE * tolerance
+    # n times as many lines miss n² times less
+    needed = np.floor(np.cumsum(np.sqrt(largest[is_gentle] / _SEEN)))
+    return at[~is_gentle], at[is_gentle][np.diff(needed, prepend=0.0) > 0]

@@ -5,7 +5,6 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.fluids.compressor.pressure import Compressor
 from cranktrain.layout.crank_angle import CrankAngle
@@ -15,7 +14,6 @@ from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.polyline import Polyline
-from cranktrain.questions.drive.gentle_rows import gentle_rows
 from cranktrain.questions.drive.running.reduced import (
     BY_ANGLE,
     BY_SPEED,
@@ -26,7 +24,7 @@ from cranktrain.questions.drive.running.reduced import (
 )
 from cranktrain.questions.drive.smooth import smooth_pieces
 from cranktrain.questions.evenness.spec import GivenFlywheel
-from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.events import ForceEvents, with_shafts
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.chambers import AMBIENT, Filling
 from cranktrain.record import record
@@ -49,15 +47,15 @@ class ReducedMachines:
     each : tuple of ReducedMachine
     corners : Array, shape (design, corner)
         φ; NaN fills up. [rad]
-    is_gentle : Array of bool, of that shape
-        Which corners are rows of a long load curve alone, that bends there as along a smooth one.
+    misses : Array, of that shape
+        As those of `ForceEvents`.
     cycle : float
         After which all comes again. [rad]
     """
 
     each: tuple[ReducedMachine, ...]
     corners: Array
-    is_gentle: NDArray[np.bool_]
+    misses: Array
     cycle: float
 
 
@@ -106,8 +104,7 @@ def reduced_machines(
     first_volume = _OF_ALL + sum(way.n_coefficients for way in ways)
     others = [*_gas_over_cycle(loaded, remembering, crank_angle, events), *_friction(loaded, crank_angle, events)]
     on_shaft = () if on_shafts is None else on_shafts.given
-    corners = _corners(events, on_shaft, crank_angle)
-    laws = [load.law for load in (*(way.load for way in ways), *on_shaft) if isinstance(load.law, ByAngle)]
+    of_all = with_shafts(events, on_shaft, crank_angle)
     return ReducedMachines(
         tuple(
             ReducedMachine(
@@ -117,18 +114,10 @@ def reduced_machines(
             )
             for design, own in enumerate(pieces)
         ),
-        corners,
-        gentle_rows(laws, corners, crank_angle.zero[:, 0, 0], crank_angle.cycle),
+        of_all.whole,
+        of_all.misses,
         crank_angle.cycle,
     )
-
-
-def _corners(events: ForceEvents, on_shaft: Sequence[TorqueOnShaft], crank_angle: CrankAngle) -> Array:
-    """Where loads, gas and friction have jumps or corners, those on shafts too, shape (design, corner). [rad]"""
-    own = [load.law.kinks(crank_angle.cycle) for load in on_shaft if isinstance(load.law, ByAngle)]
-    shape = (len(events.whole), -1)
-    kinks = [np.broadcast_to(each, (shape[0], each.shape[-1])) + crank_angle.zero[..., 0] for each in own]
-    return np.concatenate([events.whole, *kinks], axis=-1)
 
 
 def _ways(loads: Sequence[LinkLoad]) -> list[_Way]:

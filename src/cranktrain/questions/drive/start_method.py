@@ -6,6 +6,7 @@ from typing import Protocol
 
 import numpy as np
 
+from cranktrain.questions.drive.running.corners import few_ahead
 from cranktrain.questions.drive.running.equation import DriveTrain, Kernels
 from cranktrain.questions.drive.running.gearing import overall_ratio
 from cranktrain.questions.drive.running.implicit import is_stiff, run_implicitly, slip_time_constant
@@ -53,4 +54,6 @@ def method_of(case: StartCase) -> Runs:
     at_crank = top / overall_ratio(case.gearing)
     if not is_stiff(slip_time_constant(start_kernels(case.motor), drive, top, _ANGLES), at_crank):
         return run
-    return partial(run_implicitly, longest_step=2 * np.pi / at_crank / _STEPS_A_TURN)
+    rows = case.rows.tolist()
+    few = (few_ahead(at, 1.0, rows, case.cycle) for at in rows)
+    return partial(run_implicitly, longest_step=min([2 * np.pi / _STEPS_A_TURN, *few]) / at_crank)

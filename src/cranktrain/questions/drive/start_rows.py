@@ -110,6 +110,8 @@ def _effective(torque: Array, time: Array) -> float:
     """Root mean square over the time; of a run that ends as it begins, its only value."""
     if time[-1] <= time[0]:
         return abs(float(torque[-1]))
+    last = np.append(np.diff(time) > 0, True)  # of those at one time, where a part of the run follows another
+    torque, time = torque[last], time[last]
     squares, steps = torque**2, np.diff(time)
     bent = np.sum(steps**2 * np.diff(np.gradient(squares, time))) / 12  # what chords leave out
     return float(np.sqrt(max(0.0, np.trapezoid(squares, time) - bent) / (time[-1] - time[0])))

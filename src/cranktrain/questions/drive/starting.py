@@ -75,7 +75,7 @@ def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
 
     Notes
     -----
-    docs/theory/transient, eqs. (26.7) to (26.12). Once to find its end, and once more for the states on the way.
+    docs/theory/transient, eqs. (26.7) to (26.13). Once to find its end, and once more for the states on the way.
     """
     steps, run_by = list[tuple[float, float]](), method_of(case)
     first = list(_runs(case, run_by, _NO_TIMES, np.inf, progress, steps))

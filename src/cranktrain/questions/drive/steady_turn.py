@@ -54,8 +54,10 @@ class DriveInTurn(NamedTuple):
         return self.motor.heating(np.broadcast_to(at_motor, (self.motor.n_designs, *speed.shape)))[self.design]
 
     def passed(self, speed: Array) -> Passed:
-        """Acceleration of the crank, and torque at the output of every stage."""
+        """Acceleration of the crank, none where its speed is held, and torque at the output of every stage."""
         taken = self.here.taken(speed)
+        if self.is_held:
+            return Passed(np.zeros(taken.shape), torque_through(taken, ONE, self.gearing)[1:])
         return through_stages(self.motor_torque(speed), self.here.inertia, taken, self.gearing)
 
     def left_over(self, speed: Array, acceleration: Array) -> Array:

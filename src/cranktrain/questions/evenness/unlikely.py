@@ -4,6 +4,7 @@ import numpy as np
 
 from cranktrain.checks import StageResult
 from cranktrain.language import _
+from cranktrain.numerics.ties import largest_of
 from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.record import record
 from cranktrain.wording import number
@@ -22,7 +23,7 @@ def unlikely_evenness(load: LoadTorque | None) -> UnlikelyEvenness:
     over = [design for design in range(given.size) if given[design] > 0 and load.undeclared(design) < 0]
     if not over:
         return UnlikelyEvenness()
-    worst = max(over, key=lambda design: float(np.abs(load.remaining_torque[design]) / given[design]))
+    worst = largest_of(over, lambda design: float(np.abs(load.remaining_torque[design]) / given[design]))
     said = _("Loads on the shaft take {load} on the mean, and the machine gives {machine}: are their sizes right?")
     taken, machine = (number(float(of[worst]), "N*m") for of in (load.mean_torque, given))
     return UnlikelyEvenness(unlikely=(said.format(load=taken, machine=machine),))

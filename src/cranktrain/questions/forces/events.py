@@ -1,6 +1,7 @@
 """Events of the forces: angles at which gas or friction make them jump or give them kinks; between, all is smooth."""
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle, ByTravel
 from cranktrain.layout.loads import LinkLoad, of_member
+from cranktrain.layout.shaft_loads import TorqueOnShaft
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots, in_slots
 from cranktrain.questions.forces.edges import edges_of
@@ -33,27 +35,42 @@ class ForceEvents:
         φ of what happens to each mechanism, or to one whose rod or chamber it shares. [rad]
     whole : Array, shape (design, event)
         φ of all. [rad]
+    misses : Array, shape (design, event)
+        Of all: at a row of a load's curve by how much its straight lines may miss a smooth curve there, in parts of
+        its largest size; infinite for whatever else happens.
     """
 
     angle: Array
     whole: Array
+    misses: Array
 
 
 class _Signals(NamedTuple):
-    """What tells of kinks or jumps by its sign.
+    """What tells of kinks or jumps by its sign: curves less levels.
 
     Attributes
     ----------
     mechanisms : array of int, shape (member,)
         Whose they are.
-    each : int
-        How many each has.
-    of : callable (solved) → Array, shape (design, member · each, n)
+    of : callable (solved) → Array, shape (design, member · curve, n)
+    curve : array of int, shape (signal,)
+        Of the signals that each member has: which of its curves each is of.
+    levels, misses : Array, shape (design, signal)
+        What is taken off that curve; and as those of `ForceEvents`.
     """
 
     mechanisms: NDArray[np.intp]
-    each: int
     of: Callable[[Sequence[SolvedBatch]], Array]
+    curve: NDArray[np.intp]
+    levels: Array
+    misses: Array
+
+
+class _Found(NamedTuple):
+    """What happens, and the misses of rows, as in `ForceEvents`."""
+
+    angle: Array
+    misses: Array
 
 
 def force_events(
@@ -61,28 +78,50 @@ def force_events(
 ) -> ForceEvents:
     """Collect the events of gas and friction."""
     n_designs = len(crank_angle.zero)
-    own: dict[int, list[Array]] = {i: [np.empty((n_designs, 0))] for i in range(len(loaded.mechanisms.names))}
+    own = {i: [_beside_rows(np.empty((n_designs, 0)))] for i in range(len(loaded.mechanisms.names))}
     if gas is not None and loaded.gas is not None:
         for chamber, mechanism in enumerate(loaded.carriers.driven[loaded.gas.chambers.leading].tolist()):
-            own[mechanism].append(gas.angle[:, chamber])
+            own[mechanism].append(_beside_rows(gas.angle[:, chamber]))
     for signals in (*_rubbing(loaded), *_loading(loaded)):
         turns = _turns(loaded, solved, signals, crank_angle)
         for member, mechanism in enumerate(signals.mechanisms.tolist()):
-            own[mechanism].append(turns[:, member])
+            own[mechanism].append(_Found(turns.angle[:, member], turns.misses[:, member]))
     for load in () if loaded.loads is None else loaded.loads.each:
         if isinstance(load.law, ByAngle):
-            own[load.mechanism].append(load.law.kinks(crank_angle.cycle) + crank_angle.zero[..., 0])
+            own[load.mechanism].append(_rows_by_angle(load.law, crank_angle))
     curve = loaded.speed.curve
     if curve is not None and curve.corners is not None:
         for parts in own.values():
-            parts.append(np.broadcast_to(curve.corners, (n_designs, curve.corners.shape[-1])))
-    each = [np.concatenate(parts, axis=-1) for parts in own.values()]
+            parts.append(_beside_rows(np.broadcast_to(curve.corners, (n_designs, curve.corners.shape[-1]))))
+    each = [np.concatenate([part.angle for part in parts], axis=-1) for parts in own.values()]
+    misses = np.concatenate([part.misses for parts in own.values() for part in parts], axis=-1)
     shared = [
         np.concatenate([each[i] for i in np.flatnonzero(loaded.sharing == label)], axis=-1) for label in loaded.sharing
     ]
     longest = max(part.shape[-1] for part in shared)
     filled = [np.pad(part, ((0, 0), (0, longest - part.shape[-1])), constant_values=np.nan) for part in shared]
-    return ForceEvents(np.stack(filled, axis=1), np.concatenate(each, axis=-1))
+    return ForceEvents(np.stack(filled, axis=1), np.concatenate(each, axis=-1), misses)
+
+
+def with_shafts(events: ForceEvents, loads: Sequence[TorqueOnShaft], crank_angle: CrankAngle) -> ForceEvents:
+    """Add the rows of loads on shafts, which are events of the machine as a whole."""
+    rows = [_rows_by_angle(load.law, crank_angle) for load in loads if isinstance(load.law, ByAngle)]
+    return replace(
+        events,
+        whole=np.concatenate([events.whole, *(each.angle for each in rows)], axis=-1),
+        misses=np.concatenate([events.misses, *(each.misses for each in rows)], axis=-1),
+    )
+
+
+def _beside_rows(angle: Array) -> _Found:
+    """What happens at no row of a load's curve."""
+    return _Found(angle, np.full(angle.shape, np.inf))
+
+
+def _rows_by_angle(law: ByAngle, crank_angle: CrankAngle) -> _Found:
+    """Rows of a load over the crank angle."""
+    angle = law.kinks(crank_angle.cycle) + crank_angle.zero[..., 0]
+    return _Found(angle, np.broadcast_to(law.misses(crank_angle.cycle), angle.shape))
 
 
 def _rubbing(loaded: LoadedMachine) -> Iterator[_Signals]:
@@ -90,19 +129,30 @@ def _rubbing(loaded: LoadedMachine) -> Iterator[_Signals]:
     for place, (batch, made) in enumerate(zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True)):
         for sliding, coefficient in enumerate(made.friction):
             if np.any(coefficient != 0.0):
-                yield _Signals(batch.index, 3, partial(_pressing, loaded, place, sliding))
+                yield _of_no_rows(batch.index, partial(_pressing, loaded, place, sliding), 3)
 
 
 def _loading(loaded: LoadedMachine) -> Iterator[_Signals]:
     """Find loads that jump where their point turns back, or have kinks along its travel."""
     for load in () if loaded.loads is None else loaded.loads.each:
         if load.resists or isinstance(load.law, ByTravel):
-            kinks = load.law.places.shape[1] if isinstance(load.law, ByTravel) else 0
-            yield _Signals(np.array([load.mechanism]), 1 + kinks, partial(_along, loaded, load))
+            own, along = np.array([load.mechanism]), partial(_along, loaded, load)
+            if not isinstance(load.law, ByTravel):
+                yield _of_no_rows(own, along, 1)
+                continue
+            curve = np.array([0, *[1] * load.law.places.shape[1]])
+            first = ((0, 0), (1, 0))
+            levels, misses = np.pad(load.law.places, first), np.pad(load.law.misses, first, constant_values=np.inf)
+            yield _Signals(own, along, curve, levels, misses)
+
+
+def _of_no_rows(mechanisms: NDArray[np.intp], of: Callable[[Sequence[SolvedBatch]], Array], n_curves: int) -> _Signals:
+    """Curves whose own signs tell, and which are of no rows."""
+    return _Signals(mechanisms, of, np.arange(n_curves), np.zeros((1, n_curves)), np.full((1, n_curves), np.inf))
 
 
 def _along(loaded: LoadedMachine, load: LinkLoad, solved: Sequence[SolvedBatch]) -> Array:
-    """Speed along a load's way, and its travel less each place at which its size has a kink: (design, 1 + kink, n)."""
+    """Speed along a load's way, and its travel where its size goes by that, shape (design, curve, n)."""
     for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
         member = np.flatnonzero(batch.index == load.mechanism)
         if member.size:
@@ -113,7 +163,7 @@ def _along(loaded: LoadedMachine, load: LinkLoad, solved: Sequence[SolvedBatch])
             if not isinstance(load.law, ByTravel):
                 return rate
             travel = load.counts * way.place - loaded.travel_starts[load.name]
-            return np.concatenate([rate, travel - load.law.places[..., np.newaxis]], axis=1)
+            return np.concatenate([rate, np.broadcast_to(travel, rate.shape)], axis=1)
     raise IndexError(load.mechanism)
 
 
@@ -135,26 +185,34 @@ def _pressing(loaded: LoadedMachine, place: int, sliding: int, solved: Sequence[
     return np.stack(parts, axis=2).reshape(shape[0], -1, shape[-1])
 
 
-def _turns(loaded: LoadedMachine, solved: SolvedCycle, signals: _Signals, crank_angle: CrankAngle) -> Array:
+def _turns(loaded: LoadedMachine, solved: SolvedCycle, signals: _Signals, crank_angle: CrankAngle) -> _Found:
     """φ at which one of the signals changes its sign, shape (design, member, event)."""
-    samples = signals.of(solved.batches)
+    curves = signals.of(solved.batches)
+    n_designs, n_members, n_signals = len(curves), len(signals.mechanisms), signals.curve.size
+    each = curves.reshape(n_designs, n_members, -1, curves.shape[-1])
+    n_curves = each.shape[2]
+    samples = each[:, :, signals.curve] - signals.levels[:, np.newaxis, :, np.newaxis]
     is_clear = np.abs(samples) > _ROUNDING * np.max(np.abs(samples), axis=-1, keepdims=True)
     sign = np.where(is_clear, np.sign(samples), 0.0)
     changes = sign != np.roll(sign, -1, axis=-1)
-    which, place = np.nonzero(changes.reshape(-1, changes.shape[-1]))
-    n_designs, rows = len(samples), np.repeat(signals.mechanisms, signals.each)
-    if which.size == 0:
-        return np.empty((n_designs, len(signals.mechanisms), 0))
+    design, member, own, place = np.nonzero(changes)
+    if design.size == 0:
+        return _beside_rows(np.empty((n_designs, n_members, 0)))
+    levels, misses = (np.broadcast_to(of, (n_designs, n_signals))[design, own] for of in signals[3:])
+    rows = np.repeat(signals.mechanisms, n_curves)
+    which = (design * n_members + member) * n_curves + signals.curve[own]
 
     def signal(angle: Array) -> Array:
-        return loaded.of_each(rows, which, angle, signals.of)
+        return loaded.of_each(rows, which, angle, signals.of) - levels[:, np.newaxis]
 
     step = crank_angle.cycle / crank_angle.shown.size
-    low = (crank_angle.shown[place] + crank_angle.zero[which // rows.size, 0, 0])[:, np.newaxis]
+    low = (crank_angle.shown[place] + crank_angle.zero[design, 0, 0])[:, np.newaxis]
     # What is 0 at a point of the grid has changed its sign within the steps before and after.
     aside = _ASIDE * step
     found = bracketed_roots(signal, low - aside, low + step + aside)
-    laid, slot = in_slots(which // signals.each, found, n_designs * len(signals.mechanisms))
-    is_one = np.zeros(laid.shape, dtype=np.bool_)
-    is_one[which // signals.each, slot] = True
-    return np.where(is_one, laid, np.nan).reshape(n_designs, len(signals.mechanisms), -1)
+    whose = design * n_members + member
+    laid, slot = in_slots(whose, found, n_designs * n_members)
+    angles, own_misses = np.full(laid.shape[:2], np.nan), np.full(laid.shape[:2], np.inf)
+    angles[whose, slot], own_misses[whose, slot] = found[:, 0], misses
+    shape = (n_designs, n_members, -1)
+    return _Found(angles.reshape(shape), own_misses.reshape(shape))

@@ -10,13 +10,12 @@ from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.load_laws import ByAngle
 from cranktrain.layout.load_stretch import stretch_flags
 from cranktrain.layout.loads import LinkLoad, Loads
 from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, points_together
-from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.events import ForceEvents, with_shafts
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.peaks import largest_of_machine, one_sided
 from cranktrain.questions.gas.declared import DeclaredGas
@@ -34,10 +33,14 @@ _ROUNDING = 1e-12
 
 @record
 class LoadWork(StageResult):
-    """What the loads do: less than 0 where the machine works against them; n_on_links are first, then on_shafts."""
+    """What the loads do: less than 0 where the machine works against them; n_on_links are first, then on_shafts.
+
+    speed is the declared one, shape (design,). [rad/s]
+    """
 
     n_on_links: int
     on_shafts: tuple[TorqueOnShaft, ...]
+    speed: Array
     load_torque_on_crank: Array = quantity(
         "Q_l", "N*m", _CURVE, N_("Torque of the load on the crank, by virtual work"), _THEORY
     )
@@ -99,9 +102,7 @@ def load_work(
     grid = crank_angle.angle
     torque, sizes = acting(grid)
     power = torque * loaded.speed.drive(grid).speed
-    corners = (load.law.kinks(crank_angle.cycle) for load in shafts if isinstance(load.law, ByAngle))
-    at_shafts = [own + crank_angle.zero[:, 0] for own in corners]
-    whole = ForceEvents(events.angle, np.concatenate([events.whole, *at_shafts], axis=-1))
+    whole = with_shafts(events, shafts, crank_angle)
     work = _works(lambda angle: acting(angle)[0], whole, crank_angle)
     most = largest_of_machine(size_of_power, np.abs(power), whole, crank_angle)
     largest = largest_of_machine(size, np.abs(sizes), whole, crank_angle)
@@ -110,6 +111,7 @@ def load_work(
     return LoadWork(
         n_on_links=len(links),
         on_shafts=shafts,
+        speed=loaded.speed.mean[:, 0, 0],
         load_torque_on_crank=torque,
         load_power=power,
         load_work=work,

@@ -5,8 +5,6 @@ import math
 import numpy as np
 import pytest
 
-from cranktrain.layout.load_laws import ByAngle
-from cranktrain.questions.drive.gentle_rows import gentle_rows
 from cranktrain.questions.drive.running import endings
 from cranktrain.questions.drive.running.corners import corner_ahead, on_the_way
 from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, no_heat, no_motor
@@ -232,21 +230,3 @@ def test_gentle_rows_limit_steps_and_do_not_end_them(sense):
     energy = 0.5 * 2.0 * 100.0 - work
     by_chance = np.sqrt(found.n_steps) * asked.limits.tolerance * 2 * energy  # the error allowed in every step
     assert 0.5 * 2.0 * found.end[1] ** 2 == pytest.approx(energy, abs=by_chance)
-
-
-def test_which_rows_are_gentle():
-    """Of a sine's 3600 all; of 36 none where it bends; never one that is another's corner too, or a jump."""
-    law, coarse = (
-        ByAngle(at[np.newaxis], (20 + 4 * np.sin(at + 0.05))[np.newaxis])
-        for at in (np.linspace(0, 2 * np.pi, n, endpoint=False) for n in (3600, 36))
-    )
-    zero, cycle = np.array([0.2]), 2 * np.pi
-    corners = law.kinks(cycle) + zero
-    assert np.all(gentle_rows([law], corners, zero, cycle))
-    assert not np.any(gentle_rows([coarse], coarse.kinks(cycle) + zero, zero, cycle))
-    other = np.concatenate([corners, [[corners[0, 5] + cycle, 1.0, np.nan]]], axis=1)
-    mask = gentle_rows([law], other, zero, cycle)[0]
-    assert np.flatnonzero(~mask).tolist() == [5, 3600, 3601, 3602]
-    jump = law._replace(values=law.values + 5.0 * (law.angles > 1.0))
-    first = int(np.argmax(law.angles[0] > 1.0))
-    assert np.flatnonzero(~gentle_rows([jump], corners, zero, cycle)[0]).tolist() == [0, first - 1, first, 3599]

@@ -177,3 +177,27 @@ def test_a_rocking_crank_works_against_friction_both_ways():
     assert result.rocking_peak_power == pytest.approx(_largest_rocking_power(), rel=1e-6)
     least, most = np.degrees(np.arccos([1 - 0.03 / RADIUS, 1 - 0.06 / RADIUS]))
     assert (result.least_rocking_angle, result.greatest_rocking_angle) == pytest.approx((least, most), rel=1e-9)
+
+
+@pytest.mark.parametrize("efficiency", [0.9, 0.2])
+@pytest.mark.parametrize("inertia", [0.0, 3e-3])
+def test_a_held_speed_is_held_whatever_turns_with_it(efficiency, inertia):
+    """Of no inertia too, and behind irreversible gearing: what drives is Q/(iη), what pulls Q(2 − 1/η)/i, ε = 0."""
+    machine = ct.Machine(
+        mechanism={"kind": "scotch_yoke", "crank_radius": "50 mm"},
+        shaft={"main": {"speed": "60 rpm"}},
+        load={"given": {"on": "main", "crank_angles": ["0 deg", "120 deg"], "torque": ["30 N*m", "-20 N*m"]}},
+        drive={
+            "stage": [{"ratio": 10, "efficiency": efficiency}],
+            "motor": {"kind": "servo", "torque": "40 N*m", "peak_torque": "90 N*m", "speed": "3000 rpm"},
+            "part": {"rotor": {"on": "motor", "inertia": f"{inertia} kg*m^2"}} if inertia else {},
+        },
+    )
+    found = ct.run(machine)
+    load = np.interp(np.arange(360), [0, 120, 360], [30.0, -20.0, 30.0])
+    np.testing.assert_array_equal(found.drive_acceleration, np.zeros(found.drive_acceleration.shape))
+    factor = np.where(load > 0, 1 / efficiency, 2 - 1 / efficiency)
+    np.testing.assert_allclose(np.ravel(found.motor_torque), load * factor / 10, rtol=1e-12, atol=1e-12)
+    assert all(
+        np.all(check.judged) and np.all(check.passed) for check in found.checks if check.name.startswith("drive_")
+    )

@@ -127,7 +127,7 @@ def untimed(kernel: Callable[[float, Any], float]) -> Motor:
 
 
 def time_form(kernels: Kernels, law: Any) -> Derive:
-    """Join the kernels to the slopes of the state by time, x′ beside. docs/theory/transient, eqs. (26.8), (26.9)."""
+    """Join the kernels to the slopes of the state by time, x′ beside. docs/theory/transient, eqs. (26.9), (26.10)."""
     machine, motor, heat, brake, _ = kernels
 
     def derive(

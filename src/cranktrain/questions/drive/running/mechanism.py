@@ -51,7 +51,7 @@ def of_rocker(motion: Any) -> Any:
 def machine_of(kind: Kind[Any, Any], is_compiled: bool = True) -> Machine:
     """Give a kind's inertia, load and output as the equation of motion asks for them; its numbers are a `Mechanism`.
 
-    docs/theory/transient, eq. (26.8). Compiled, every kind but a chain; plain, of numbers, it is slow.
+    docs/theory/transient, eq. (26.9). Compiled, every kind but a chain; plain, of numbers, it is slow.
     """
     own = kind.dynamics
     output_of = of_slider if kind.output == "slider" else of_rocker

@@ -166,9 +166,14 @@ def filled_at(angle: float, numbers: Any) -> None:
 
 
 def place_of(angle: float, numbers: Any) -> Any:
-    """Where the polynomials of an angle begin, its place −1…1 in their piece, and the slope of that by the angle."""
+    """Where the polynomials of an angle begin, its place −1…1 in their piece, and the slope of that by the angle.
+
+    The place is NaN where a step that is tried leads to no angle.
+    """
     n_pieces = int(numbers[_N_PIECES])
     turns = angle / TURN
+    if not abs(turns) < math.inf:
+        return int(numbers[_PIECES]), math.nan, n_pieces / math.pi
     along = (turns - math.floor(turns)) * n_pieces
     piece = min(int(along), n_pieces - 1)
     row = int(numbers[_PIECES]) + piece * int(numbers[_WIDTH])

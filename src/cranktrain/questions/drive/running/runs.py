@@ -219,7 +219,7 @@ def run(
 
     Notes
     -----
-    docs/theory/transient, eqs. (26.7) to (26.13).
+    docs/theory/transient, eqs. (26.7) to (26.14).
     """
     loop = loop_of(joined(kernels, is_compiled), is_compiled)
     train, course = train_of(drive, kernels, is_compiled), course_from(asked.start, is_compiled)
@@ -314,7 +314,7 @@ def run_all(kernels: Kernels, cases: list[tuple[DriveTrain, Wanted]], *, n_threa
 
 
 def energy_account(drive: DriveTrain, inertias: tuple[float, float], start: Any, end: Any) -> tuple[float, float]:
-    """Kinetic energy gained less work given, and the work by which to judge that. [J] Eq. (26.10)
+    """Kinetic energy gained less work given, and the work by which to judge that. [J] Eq. (26.11)
 
     By the machine's reduced inertia at the start and at the end. [kg·m²]
     """

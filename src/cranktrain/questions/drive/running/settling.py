@@ -23,7 +23,7 @@ def settles(
     """Whether a crank moves next to nothing any more about where load and motor balance, now and later.
 
     By its energy about that angle, to which all pulls it: it never gets away. `slopes` is room for a stage.
-    docs/theory/transient, eq. (26.16).
+    docs/theory/transient, eq. (26.8).
     """
     angle, speed, end_time = state[0], state[1], asked.limits.end_time
     _, pulled = derive(time, angle, 0.0, sense, bound, slopes, 0, train)

@@ -80,7 +80,7 @@ def steady_cycle(
 
     Notes
     -----
-    docs/theory/transient, eq. (26.14).
+    docs/theory/transient, eq. (26.16).
     """
     walk = _walk(kernels, is_compiled)
     turning = turning_inertia(drive.gearing)

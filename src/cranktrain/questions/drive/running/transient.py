@@ -167,6 +167,8 @@ def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, t
     _note_on_the_way(derive, kernels, train, limits, course, width, theta, marks)
     if event >= 0:
         width = step_to(derive, train, course, theta, width, 1, level)
+        if course.trial[1] != course.trial[1]:  # the whole step has slopes, and this one has not
+            return GEARING_JAMS
         _sample(asked.samples, course, course.again, width, table)
         go_ahead(course, here[TIME] + width, course.trial)
         kernels.settle(course.state[0], train.machine)
@@ -216,7 +218,7 @@ def _width_to_corner(derive: Any, course: Any, width: float, train: Any) -> floa
 
 
 def _error(course: Any, width: float, tolerance: float) -> float:
-    """Error of a step in parts of what is allowed, eq. (26.11); NaN where there are no slopes."""
+    """Error of a step in parts of what is allowed, eq. (26.12); NaN where there are no slopes."""
     fastest = max(course.here[FASTEST], abs(course.ahead[1]))
     of_angle = error_of(course.slopes, width, 0) / tolerance
     of_speed = error_of(course.slopes, width, 1) / (tolerance * fastest + 1e-300)
@@ -276,7 +278,7 @@ def _note_on_the_way(
 def step_to(derive: Any, train: Any, course: Any, theta: float, width: float, which: int, level: float) -> float:
     """Width of a step to where angle (0) or speed (1) has the level, by Newton's method over steps of that length.
 
-    The interpolant is of a lower order than the step, so it only gives the start. Eq. (26.12)
+    The interpolant is of a lower order than the step, so it only gives the start. Eq. (26.13)
     """
     here, state, again, trial = course.here, course.state, course.again, course.trial
     part = theta * width
