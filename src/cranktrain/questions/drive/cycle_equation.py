@@ -9,6 +9,9 @@ from cranktrain.questions.drive.cycle_pieces import INTEGRALS, N_NODES, CyclePie
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn
 
 _MOST_STEPS = 60
+_FIRST_STEPS, _LAST_STEPS = 16, 10
+"""Where after so many steps the last of them are no less than half the least before, they lead nowhere: where they lead
+to a cycle, be it one that is just about to vanish, each step at least is half the one before."""
 _SETTLED = 1e-11
 """Of ω²: after such a step of Newton's method the next one is less than rounding."""
 _STANDS = 1e-14
@@ -43,6 +46,7 @@ def speed_over_turn(
     points of all pieces, so that a motor may be as stiff as it likes.
     """
     half = np.full(len(mesh.start) * N_NODES, 0.5 * np.square(first_speed))
+    moves: list[float] = []
     for _ in range(_MOST_STEPS):
         base = float(mesh.mean(half))
         there = mesh.within(half)
@@ -59,13 +63,20 @@ def speed_over_turn(
             return None
         # A step that would stop the shaft goes part of the way.
         better = np.clip(base + departure, half / 4, half * 4)
-        move = np.max(np.abs(better - half) / half)
+        moves.append(float(np.max(np.abs(better - half) / half)))
         half = better
         if np.min(half) < _STANDS * np.max(half):
             return None
-        if move < _SETTLED:
+        if moves[-1] < _SETTLED:
             return SpeedOverTurn(mesh, base, departure, at_start, slopes, multiplier)
+        if _leads_nowhere(moves):
+            return None
     return None
+
+
+def _leads_nowhere(moves: list[float]) -> bool:
+    """Whether the last steps are no shorter than those before them."""
+    return len(moves) >= _FIRST_STEPS and min(moves[-_LAST_STEPS:]) > 0.5 * min(moves[:-_LAST_STEPS])
 
 
 def _linear_cycle(
