@@ -63,3 +63,21 @@ def test_without_a_turn_there_are_no_facts_of_a_cycle(kind):
     assert {"load_work", "mean_load_power", "mean_torque", "half_period_length"} <= found.keys()
     assert [name for name, values in found.items() if np.any(np.isfinite(values))] == []
     assert "0 J" not in " ".join(str(result).split())
+
+
+@pytest.mark.parametrize("kind", MACHINES)
+def test_a_torque_on_the_shaft_alone_has_no_cycle_either(kind):
+    """It is given at every crank angle, and yet does no work where the machine does not get to."""
+    mechanism, link, _output = MACHINES[kind]
+    machine = {
+        "mechanism": mechanism,
+        "shaft": {"main": {"speed": "60 rpm"}},
+        "masses": {link: {"mass": "1 kg", "along": "35 mm", "inertia": "1e-3 kg*m^2"}},
+        "load": {"belt": {"on": "main", "torque": "9 N*m"}},
+    }
+    result = ct.run(machine, partial=True)
+    assert np.all(np.isnan(result.load_work))
+    assert np.all(np.isnan(result.mean_load_power))
+    torque = np.asarray(result.load_torque_on_crank)[0]
+    assert np.array_equal(np.isfinite(torque), np.isfinite(np.asarray(result.reduced_inertia)))
+    assert np.all(torque[np.isfinite(torque)] == -9.0)

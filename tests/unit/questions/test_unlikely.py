@@ -474,6 +474,11 @@ CARELESS = {
         {"load.mill": {"on": "main", "torque": "9000 N·m"}},
         "Loads on the shaft take 9000",
     ),
+    "a load beyond an engine whose evenness nobody asks for": (
+        ONE,
+        {"load.mill": {"on": "main", "torque": "9000 N·m"}},
+        "Loads on the shaft take 9000",
+    ),
     "a stage that loses all": (
         DRIVES[0],
         {"drive.stage.0.efficiency": "0.95 %"},

@@ -15,6 +15,7 @@ from cranktrain.questions.evenness import (
     load_torque,
     rows,
     running_speed,
+    shaft_balance,
     shaft_work,
     spec,
     unlikely,
@@ -38,6 +39,7 @@ QUESTION = Question(
     stages=(
         Stage(flywheel_moment.flywheel_moment, applies=bodies_given),
         Stage(applied_torque.applied_torque, applies=applied_torque.of_steady_running),
+        Stage(shaft_balance.shaft_balance, applies=shaft_balance.are_balanced),
         Stage(load_torque.load_torque, applies=load_torque.are_on_shafts),
         Stage(shaft_work.shaft_work),
         Stage(running_speed.running_speed, applies=running_speed.runs_steadily),
@@ -52,6 +54,7 @@ QUESTION = Question(
     rows=(
         rows.running_rows,
         rows.load_rows,
+        rows.balance_rows,
         rows.flywheel_rows,
     ),
     offers={

@@ -10,26 +10,23 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.load_laws import ByAngle, BySpeed
+from cranktrain.layout.load_laws import ByAngle
 from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import ONE, Array
 from cranktrain.numerics import in_slots, largest_between
 from cranktrain.numerics.periodic import PeriodicCurve, combined, side_by_side, times
-from cranktrain.numerics.polyline import polyline_integral, polyline_mean
+from cranktrain.numerics.polyline import polyline_integral
 from cranktrain.questions.evenness.applied_torque import AppliedTorque
+from cranktrain.questions.evenness.shaft_balance import ShaftBalance, listed, mean_of, power_of, powers_of
 from cranktrain.questions.evenness.spec import DrivenByMotor
 from cranktrain.questions.evenness.speed_law import Power
-from cranktrain.questions.forces.mechanism_torques import MechanismTorques
-from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 from cranktrain.wording import Names, number
 
 _NOTHING = 1e-9
 """A mean torque below this part of the peak is none."""
-_NOTEWORTHY = 0.1
-"""Of the machine's mean torque: of more that balances it and stands nowhere the answer speaks."""
 
 
 @record
@@ -84,17 +81,6 @@ class LoadTorque(StageResult):
         _THEORY,
     )
 
-    def undeclared(self, design: int) -> float:
-        """Constant torque by which the machine and its loads are balanced, where it is much; below 0 it drives. [N·m]
-
-        0 where it is little beside the machine's mean torque, or a motor or a load of unknown size takes it.
-        """
-        rest = float(self.remaining_torque[design])
-        machine = float(self.mean_torque[design]) + rest
-        if self.has_motor or self.shape is not None or self.is_scaled:
-            return 0.0
-        return rest if abs(rest) > _NOTEWORTHY * abs(machine) else 0.0
-
     def answer(self, _names: Names, design: int) -> str:
         """Say the loads' mean and peak, and their factor or what balances the rest."""
         factor, largest = float(self.load_factor[design]), float(self.largest_load_torque[design])
@@ -127,8 +113,7 @@ def load_torque(
     loads: LoadsOnShafts,
     driven: DrivenByMotor | None,
     applied: AppliedTorque,
-    sources: TorqueSources,
-    torques: MechanismTorques,
+    balance: ShaftBalance,
     speed: Speed,
     crank_angle: CrankAngle,
 ) -> LoadTorque:
@@ -138,21 +123,15 @@ def load_torque(
     -----
     docs/theory/evenness, eqs. (17.17) and (17.18).
     """
-    machine = np.sum(sources.mean(crank_angle.cycle), axis=-1)
-    powers, constant = _powers(loads.given, len(machine))
-    taken = (
-        constant + sum(map(_mean, _listed(loads.given))) + sum(one.torque(speed.value[:, 0])[:, 0] for one in powers)
-    )
-    # A machine that nothing but inertia acts on has a mean torque of rounding.
-    peak = np.max(np.maximum(np.abs(applied.applied_torque), np.abs(torques.from_mechanisms)), axis=-1)
-    left = np.where(np.abs(machine - taken) <= _NOTHING * peak, 0.0, machine - taken)
+    left = balance.left
+    powers, constant = powers_of(loads.given, len(left))
     balanced = loads.balanced
-    factor, shape = np.ones_like(machine), None
+    factor, shape = np.ones_like(left), None
     if balanced is not None:
         is_listed = isinstance(balanced.law, ByAngle)
-        factor = np.where(left > 0, left / (_mean(balanced) if is_listed else 1.0), np.nan)
-        shape = None if is_listed else _power(balanced)
-    scaled = [(load, factor if load.is_balanced else np.ones_like(factor)) for load in _listed(loads.each)]
+        factor = np.where(left > 0, left / (mean_of(balanced) if is_listed else 1.0), np.nan)
+        shape = None if is_listed else power_of(balanced)
+    scaled = [(load, factor if load.is_balanced else np.ones_like(factor)) for load in listed(loads.each)]
     rises = () if shape is None else (shape.times(left / shape.torque(speed.value[:, 0])[:, 0]),)
 
     def even(shown: Array) -> Array:
@@ -165,9 +144,9 @@ def load_torque(
         turning = speed.drive(shown[:, np.newaxis] + crank_angle.zero).speed[:, 0]
         return sum((one.torque(turning) for one in (*powers, *rises)), even(shown))
 
-    mean = constant + sum(own * _mean(load) for load, own in scaled)
+    mean = constant + sum(own * mean_of(load) for load, own in scaled)
     corners = tuple(load.law.kinks(crank_angle.cycle) for load, _factor in scaled if isinstance(load.law, ByAngle))
-    grid = np.broadcast_to(crank_angle.shown, (len(machine), crank_angle.shown.size))
+    grid = np.broadcast_to(crank_angle.shown, (len(left), crank_angle.shown.size))
     return LoadTorque(
         even=even(grid),
         work=_work(scaled, crank_angle),
@@ -184,32 +163,6 @@ def load_torque(
         remaining_torque=left if balanced is None else np.where(np.isnan(factor), left, 0.0),
         flags=tuple(_flags(factor, applied.applied_torque)),
     )
-
-
-def _listed(loads: Sequence[TorqueOnShaft]) -> list[TorqueOnShaft]:
-    """Those over crank angles."""
-    return [load for load in loads if isinstance(load.law, ByAngle)]
-
-
-def _mean(load: TorqueOnShaft) -> Array:
-    """Mean of one over crank angles, positive where it resists, shape (design,). [N·m]"""
-    assert isinstance(load.law, ByAngle)
-    return -load.sense * np.array([polyline_mean(lines) for lines in load.law.polylines])
-
-
-def _power(load: TorqueOnShaft) -> Power:
-    """One that goes with a power of the speed, positive where it resists, shape (design, 1)."""
-    assert isinstance(load.law, BySpeed)
-    size, at, exponent = (part[..., 0] for part in load.law)
-    return Power(-load.sense * size / at**exponent, exponent)
-
-
-def _powers(loads: Sequence[TorqueOnShaft], n_designs: int) -> tuple[tuple[Power, ...], Array]:
-    """Those that depend on the speed, and the sum of those that are constant, shape (design,). [N·m]"""
-    every = [_power(load) for load in loads if isinstance(load.law, BySpeed)]
-    constant = sum((np.where(one.exponent == 0, one.coefficient, 0.0)[:, 0] for one in every), np.zeros(n_designs))
-    rising = (Power(np.where(one.exponent == 0, 0.0, one.coefficient), one.exponent) for one in every)
-    return tuple(one for one in rising if np.any(one.coefficient)), constant
 
 
 def _work(scaled: Sequence[tuple[TorqueOnShaft, Array]], crank_angle: CrankAngle) -> PeriodicCurve | None:

@@ -8,6 +8,7 @@ from cranktrain.language import _
 from cranktrain.questions.evenness.flywheel import FlywheelSize, RimSize
 from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.running_speed import RunningSpeed
+from cranktrain.questions.evenness.shaft_balance import ShaftBalance
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.rows import Amount, AnswerLine, Extent, valued, worded
 from cranktrain.wording import Names
@@ -39,7 +40,11 @@ def load_rows(labels: Names, design: int, load: LoadTorque) -> Iterator[AnswerLi
     else:
         said = _(", at most {most}")
     yield valued(_("load, on the mean"), load.mean_torque[design], "N*m", words=said, **pieces)
-    rest = load.undeclared(design)
+
+
+def balance_rows(labels: Names, design: int, balance: ShaftBalance) -> Iterator[AnswerLine]:
+    """What drives or loads the shaft besides all that the file gives, where it is much."""
+    rest = balance.undeclared(design)
     if rest != 0:
         balances = (
             _("a further {rest} drives the shaft, which stands nowhere in the file")

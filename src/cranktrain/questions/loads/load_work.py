@@ -18,6 +18,7 @@ from cranktrain.numerics import Peak, points_together
 from cranktrain.questions.forces.events import ForceEvents, with_shafts
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.peaks import largest_of_machine, one_sided
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.declared import DeclaredGas
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
@@ -78,6 +79,7 @@ def are_asked_for(loads: Loads | None, on_shafts: LoadsOnShafts | None, gas: Dec
 
 def load_work(
     loaded: LoadedMachine,
+    solved: SolvedCycle,
     loads: Loads | None,
     on_shafts: LoadsOnShafts | None,
     events: ForceEvents,
@@ -100,10 +102,12 @@ def load_work(
         return np.abs(acting(angle)[1])
 
     grid = crank_angle.angle
-    torque, sizes = acting(grid)
+    closes = _closes(loaded, solved)
+    # A shaft's own torque would go on where the machine does not get to.
+    torque, sizes = (np.where(closes, part, np.nan) for part in acting(grid))
     power = torque * loaded.speed.drive(grid).speed
     whole = with_shafts(events, shafts, crank_angle)
-    work = _works(lambda angle: acting(angle)[0], whole, crank_angle)
+    work = np.where(np.all(closes, axis=-1), _works(lambda angle: acting(angle)[0], whole, crank_angle), np.nan)
     most = largest_of_machine(size_of_power, np.abs(power), whole, crank_angle)
     largest = largest_of_machine(size, np.abs(sizes), whole, crank_angle)
     is_torque = np.array([*(load.is_torque for load in links), *(True for _load in shafts)])
@@ -125,6 +129,18 @@ def load_work(
             *one_sided([(_("largest power"), most), (_("largest size"), largest)], names),
         ),
     )
+
+
+def _closes(loaded: LoadedMachine, solved: SolvedCycle) -> NDArray[np.bool_]:
+    """Where on the grid the links of all mechanisms close, shape (design, 1, n)."""
+    found = np.ones((1, 1, 1), dtype=np.bool_)
+    for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True):
+        shape = one.forces.driving_torque.shape
+        for link in batch.kind.dynamics.links(one.motion, batch.members.geometry):
+            for series in (link.origin.x, link.origin.y, link.angle):
+                each = np.broadcast_to(np.isfinite(series.first), shape)
+                found = found & np.all(each, axis=1, keepdims=True)
+    return found
 
 
 def _acting(

@@ -73,3 +73,20 @@ def test_a_load_far_beyond_its_engine():
 
 def test_a_motor_takes_what_is_left():
     assert said(pump(0.5 * MEAN, drive={"motor": {"kind": "cage", "size": "1.5 kW"}})) == []
+
+
+@pytest.mark.parametrize(("share", "verb"), [(0.5, "drives"), (1.0, ""), (15, "loads")])
+def test_it_is_said_of_machines_whose_evenness_nobody_asks_for(share, verb):
+    """The same words and the same torque as with `[evenness]`."""
+    declared = pump(share * MEAN).declared
+    assert said(ct.Machine(**{key: table for key, table in declared.items() if key != "evenness"})) == said(
+        ct.Machine(**declared)
+    )
+    assert bool(said(ct.Machine(**declared))) == bool(verb)
+
+
+def test_at_one_moment_what_is_left_accelerates_the_machine():
+    declared = pump(0.5 * MEAN).declared
+    declared["shaft"]["main"]["acceleration"] = "3 rad/s^2"
+    del declared["evenness"]
+    assert said(ct.Machine(**declared)) == []
