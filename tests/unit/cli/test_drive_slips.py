@@ -166,7 +166,9 @@ def test_a_press_is_started_with_its_clutch_let_go(typed):
     assert "Used: start, clutch let go" in output
     assert "worst angle" not in output
     assert "[drive.stroke] is not counted: it runs through, stroke after stroke." in " ".join(output.split())
-    assert "largest torque; clutch locked" in typed("run", PRESS).output
+    said = " ".join(typed("run", PRESS).output.split())
+    assert "start, clutch let go 0 %" in said
+    assert "worst angle" not in said
 
 
 def test_rounding_in_a_column_is_0(typed):

@@ -63,12 +63,25 @@ def test_many_half_periods_do_not_overlap(n):
 def test_curves_are_the_results():
     result = ct.run(ct.load("jaw_crusher"))
     shown = OneDesign(result, 0)
-    static, moment, torque, speed = *drive_panels(shown), *steady_panels(shown)
+    static, inertia, torque, speed = *drive_panels(shown), *steady_panels(shown)
     np.testing.assert_array_equal(static.values[0, :-1], result.static_motor_torque[0])
-    np.testing.assert_array_equal(moment.values[0, :-1], result.driven_flywheel_moment[0])
-    assert np.all(moment.values[1] == result.gear_flywheel_moment[0])
+    np.testing.assert_array_equal(inertia.values[0, :-1], result.driven_inertia[0])
+    assert np.all(inertia.values[1] == result.gear_flywheel_moment[0] / 4)
     np.testing.assert_array_equal(torque.values[0, :-1], result.motor_torque)
     np.testing.assert_array_equal(speed.values[0, :-1], result.motor_speed)
+
+
+@pytest.mark.parametrize("name", DRIVEN)
+def test_titles_end_before_their_keys(name):
+    """The sample of a curve's line stands to the right of the panel's title."""
+    figure = sheet_drive(ct.run(name))
+    boxes = [(text, box) for text, box in words_of(figure) if "shaft, " in text or "running, " in text]
+    assert boxes
+    (paper, *_panels) = figure.axes
+    for line in paper.lines:
+        start, low = paper.transData.transform(line.get_xydata()).min(axis=0)
+        for text, box in boxes:
+            assert not (start < box.x1 and box.y0 < low < box.y1), text
 
 
 def test_without_a_motor_there_is_what_the_load_asks():

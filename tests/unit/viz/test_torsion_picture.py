@@ -58,6 +58,21 @@ def test_sheet_is_readable(result, size):
         assert f"{frequency:#.4g} Hz".replace(". ", " ") in said
 
 
+def test_no_line_runs_through_the_name_of_a_frequency(result):
+    """Levels are named as frequencies, as their axis is; a dense row of points on each line finds it."""
+    figure = sheet_torsion(result)
+    names = [(text, box) for text, box in words_of(figure) if text.startswith("$f_")]
+    assert names[0][0] == "$f_{1}$"
+    share = np.linspace(0.0, 1.0, 2001)
+    for axes in figure.axes[1:]:
+        for line in axes.lines:
+            points = line.get_transform().transform(line.get_xydata())
+            along = np.stack([np.interp(share, [0.0, 1.0], ends) for ends in points[[0, -1]].T])
+            for text, box in names:
+                inside = (along[0] > box.x0) & (along[0] < box.x1) & (along[1] > box.y0) & (along[1] < box.y1)
+                assert not np.any(inside), text
+
+
 def test_table_has_the_critical_speeds_in_sight():
     result = ct.run(ct.load("inline_six"), step_degrees=90)
     words = [text for text, _box in words_of(sheet_torsion(result))]

@@ -307,8 +307,8 @@ def _beyond(own: CheckedMotor, names: tuple[str, ...], *, has_valves: bool) -> I
             said = _("The motor is too small: {check} {share} of what it can.")
             if is_with_load(name):
                 said = _(
-                    "A start with its load at the worst angle asks {share} of what the motor can. If it need not:"
-                    " {helps}, or a flywheel and another angle."
+                    "A start with its load at the worst angle asks {share} of the motor: if it need not, {helps};"
+                    " or another [drive.start] angle, from which a flywheel carries it past the worst."
                 )
             yield said.format(check=name, share=number(share, "%"), helps=_what_helps(has_valves=has_valves))
 
@@ -317,4 +317,4 @@ def _what_helps(*, has_valves: bool) -> str:
     """What in the file lets a motor start with less."""
     unloaded = _('[drive.duty] start = "unloaded"')
     valves = _("[drive.start] unloaded_until")
-    return f"{unloaded}, {valves}" if has_valves else unloaded
+    return f"{unloaded}; {valves}" if has_valves else unloaded

@@ -31,8 +31,8 @@ def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[An
     )
     inertia = found.driven_inertia[design, 0]
     yield worded(
-        _("J at {shaft}").format(shaft=labels["drive_shaft"][0]),
-        _("{range}, alone {own}; GD² = 4 J"),
+        _("J at {shaft}, GD² = 4 J").format(shaft=labels["drive_shaft"][0]),
+        _("{range}, alone {own}"),
         range=Extent(float(np.min(inertia)), float(np.max(inertia)), "kg*m^2"),
         own=Amount(float(found.gear_flywheel_moment[design, 0]) / 4, "kg*m^2"),
     )
@@ -76,7 +76,7 @@ def sizing_rows(labels: Names, design: int, found: MotorSizing) -> Iterator[Answ
     if np.isfinite(chosen):
         words = _("typical {power}, used to {share}")
         if is_with_load(found.governing(design, 1)):
-            words += _(" if it must start with its load at the worst angle")
+            words += _(" if it starts loaded")
         if np.isfinite(smaller):
             words += _("; {less} misses by {by}: {missed}")
         yield worded(
@@ -96,7 +96,7 @@ def _used(found: MotorSizing, design: int) -> Iterator[AnswerLine]:
         if np.isfinite(share):
             piece = f"share_{len(shares)}"
             shares[piece] = Amount(share, "%")
-            said = _("{share} if it must start with its load at the worst angle") if is_with_load(name) else ""
+            said = _("{share} if it must start with load at the worst angle") if is_with_load(name) else ""
             words.append((said or _("{check} {share}")).format(check=name, share=f"{{{piece}}}"))
     if shares:
         yield worded(_("motor is used to"), ", ".join(words), **shares)

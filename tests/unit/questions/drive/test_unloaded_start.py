@@ -76,7 +76,7 @@ def test_time_of_the_start(started):
 def test_it_is_said_where_the_number_stands(started):
     own = ct.run(press({**STARTED, "start": "loaded"}))
     loaded, unloaded = (next(iter(sizing_rows({}, 0, each[MotorSizing]))) for each in (own, started))
-    assert loaded.words.endswith("if it must start with its load at the worst angle, time of a start {share_3}")
+    assert loaded.words.endswith("if it must start with load at the worst angle, time of a start {share_3}")
     assert "start, unloaded {share_2}" in unloaded.words
     for row, sized in ((loaded, own), (unloaded, started)):
         np.testing.assert_array_equal([piece.value for piece in row.pieces.values()], sized.sizing_share[0, :4])

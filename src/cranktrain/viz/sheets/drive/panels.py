@@ -1,4 +1,4 @@
-"""Curves of a drive over the crank angle: torque and flywheel moment at the motor, how it runs."""
+"""Curves of a drive over the crank angle: torque and inertia at the motor, how it runs."""
 
 from collections.abc import Iterator
 
@@ -9,20 +9,20 @@ from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 
 
 def drive_panels(shown: OneDesign) -> Iterator[Panel]:
-    """Collect the curves: static torque by where losses go, and flywheel moment."""
+    """Collect the curves: static torque by where losses go, and inertia."""
     angle = shown.cycle
     right, dividing = (closed(values) for values in shown("static_motor_torque"))
     curves = [Curve(right, "whole", "T", "M_{st}")]
     if not np.allclose(right, dividing):
         curves.append(Curve(dividing, "formula", "F", r"M_{st}^{1/\eta}"))
     yield Panel(_("Static torque at the motor's shaft"), "N*m", angle, tuple(curves))
-    own = np.full(angle.size, float(shown("gear_flywheel_moment")[0]))
-    moment = closed(shown("driven_flywheel_moment")[0])
+    own = np.full(angle.size, float(shown("gear_flywheel_moment")[0]) / 4)
+    inertia = closed(shown("driven_inertia")[0])
     yield Panel(
-        _("Flywheel moment GD² = 4 J at the motor's shaft"),
+        _("Inertia J at the motor's shaft, GD² = 4 J"),
         "kg*m^2",
         angle,
-        (Curve(moment, "whole", "s", "GD^2"), Curve(own, "mean", "F", "(GD^2)_0")),
+        (Curve(inertia, "whole", "s", "J"), Curve(own, "mean", "F", "J_0")),
     )
 
 

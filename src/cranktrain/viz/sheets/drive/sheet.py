@@ -27,7 +27,7 @@ _LOOP = 0.5
 _NOTHING = 1e-9
 """Of what stands beside it: less is rounding."""
 _LOOK = FORCES._replace(has_zero=False)
-"""Flywheel moment and speed change by little."""
+"""Inertia and speed change by little."""
 
 
 @drawing_settings()

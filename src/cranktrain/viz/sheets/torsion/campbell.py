@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.language import _
-from cranktrain.numerics.ties import largest_first
+from cranktrain.numerics.ties import first_largest, largest_first
 from cranktrain.scales import Scale, scale_for
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.page import Axes, Box, Page, formula, set_words
@@ -66,17 +66,27 @@ def _draw_levels(axes: Axes, of: Campbell, room: Box) -> None:
             continue
         below = height
         axes.annotate(
-            set_words(formula(rf"\omega_{{{mode}}}"))["s"],
-            xy=(axes.get_xlim()[1], _hertz(frequency)),
-            xytext=(-2.0, 2.0),
+            set_words(formula(f"f_{{{mode}}}"))["s"],
+            xy=(float(_speed(of).of(_free_speed(of, frequency, room))), _hertz(frequency)),
+            xytext=(0.0, 2.0),
             textcoords="offset points",
-            ha="right",
+            ha="center",
             va="bottom",
             fontsize=SYMBOL,
             color=COLOURS["s"],
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4},
             zorder=5,
         )
+
+
+def _free_speed(of: Campbell, frequency: float, room: Box) -> float:
+    """Speed in the middle of the widest room over a level, between rays and the declared speed. [rad/s]"""
+    above = frequency + _APART * of.highest_frequency / room.height
+    speeds = np.zeros(0) if of.speed is None else np.array([of.speed])
+    starts = np.concatenate([[0.0], above / of.order, speeds])
+    ends = np.concatenate([frequency / of.order, speeds, [of.largest_speed]])
+    starts, ends = np.sort(starts), np.sort(np.minimum(ends, of.largest_speed))
+    widest = first_largest(ends - starts)
+    return float(starts[widest] + ends[widest]) / 2
 
 
 def _number_rays(page: Page, of: Campbell, room: Box) -> None:
@@ -143,4 +153,4 @@ def _write_speeds(page: Page, of: Campbell, left: float, top: float, width: floa
             _("Vector sums are those of amplitude 1 at the free end; the marks' areas are"),
             _("as those of amplitude 1 where the mode has its largest."),
         )
-        page.notes(left, below + 1.0, notes)
+        page.notes(left, below - 1.0, notes)
