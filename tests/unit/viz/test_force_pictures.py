@@ -151,7 +151,11 @@ def slider_with(**tables):
 @pytest.mark.parametrize(
     ("load", "alone", "are_none"),
     [
-        ({"on": "main", "torque": "5 N·m"}, "and neither gas nor a load acts on a part: forces and torque are 0.", True),
+        (
+            {"on": "main", "torque": "5 N·m"},
+            "and neither gas nor a load acts on a part: forces and torque are 0.",
+            True,
+        ),
         ({"on": "piston", "force": "5 N"}, "forces and torque are of the loads alone.", False),
     ],
 )
