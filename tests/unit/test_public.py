@@ -9,7 +9,7 @@ import tomllib
 import numpy as np
 import pytest
 from tests.machines import slider
-from tests.sentences import A_ROD, NO_FILE, NOT_A_KEY, SET_TWICE
+from tests.sentences import A_ROD, LOOKED_FOR, NO_FILE, NOT_A_KEY, SET_TWICE
 
 import cranktrain as ct
 from cranktrain.catalogue import entries
@@ -180,7 +180,7 @@ class TestCards:
     def test_one_that_is_not_there(self, folder):
         machine = ct.load(folder / "carded.toml")
         (problem,) = problems(lambda: machine.with_({"gas.file": "othr.csv"}))
-        assert (problem.path, problem.repair) == ("gas.file", "is it other.csv?")
+        assert (problem.path, problem.repair) == ("gas.file", f"is it other.csv? It {LOOKED_FOR} {folder.resolve()}")
         (problem,) = problems(lambda: ct.load(folder / "carded.toml", set={"gas.file": "othr.csv"}))
         assert (str(problem.position), problem.path) == ("set", "gas.file")
 

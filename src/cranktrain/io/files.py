@@ -23,7 +23,7 @@ def content_of(
     largest : int
         So many bytes at most.
     suffix : str
-        Of the files that may have been meant, where a folder is named.
+        Of the files that may have been meant, where a folder or no file is named.
     too_large, folder : str
         What is said of a larger file, and of a folder.
     says_where : bool
@@ -50,7 +50,7 @@ def content_of(
             with path.open("rb") as file:
                 content = file.read(largest + 1)  # a device does not tell its size
     except OSError as error:
-        raise _unreadable(path, name, error, says_where=says_where) from None
+        raise _unreadable(path, name, error, suffix=suffix, says_where=says_where) from None
     except InputError:
         raise
     except ValueError:  # a NUL or half a character in the name
@@ -92,17 +92,26 @@ def refusal(name: str, allowed: str, repair: str | None = None, position: Positi
     return InputError([Problem("", None, allowed, repair, position or Position(name))])
 
 
-def _unreadable(path: Path, name: str, error: OSError, *, says_where: bool) -> InputError:
+def _unreadable(path: Path, name: str, error: OSError, *, suffix: str, says_where: bool) -> InputError:
     """Say why a file could not be read."""
     if error.errno == errno.ENOENT:
         if not path.parent.is_dir():
             return refusal(name, _("there is no folder {folder}").format(folder=path.parent))
-        near = difflib.get_close_matches(path.name, _files(path.parent), n=1)
-        looked = _("it was looked for in {folder}").format(folder=path.parent.resolve()) if says_where else None
-        return refusal(name, _("there is no such file"), _("is it {name}?").format(name=near[0]) if near else looked)
+        return refusal(name, _("there is no such file"), _meant(path, suffix, says_where=says_where))
     if error.errno in (errno.EACCES, errno.EPERM):
         return refusal(name, _("may not be read"), _("change its permissions (or its folder's), or copy it"))
     return refusal(name, _("cannot be read: {reason}").format(reason=error.strerror))
+
+
+def _meant(path: Path, suffix: str, *, says_where: bool) -> str | None:
+    """Say which file may have been meant, one of its kind with nearly its name, and where it was looked for."""
+    kinds = {path.suffix.casefold(), suffix}
+    beside = [name for name in _files(path.parent) if Path(name).suffix.casefold() in kinds]
+    near = next(iter(difflib.get_close_matches(path.name, beside, n=1)), None)
+    if not says_where:
+        return _("is it {name}?").format(name=near) if near else None
+    said = _("is it {name}? It was looked for in {folder}") if near else _("it was looked for in {folder}")
+    return said.format(name=near, folder=path.parent.resolve())
 
 
 def _files(folder: Path) -> list[str]:

@@ -75,6 +75,8 @@ class Masses:
     def without_mass(self, *, has_gas: bool = True, has_loads: bool = False) -> str | None:
         """Say what has no mass, and what alone acts then; None where all has."""
         if all(not np.any(body.mass) for batch in self.batches for body in batch.bodies):
+            if not has_gas and not has_loads:
+                return _("No masses are given, and neither gas nor a load acts on a part: forces and torque are 0.")
             if not has_loads:
                 return _("No masses are given: forces and torque are of the gas alone.")
             if not has_gas:

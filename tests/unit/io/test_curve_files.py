@@ -4,7 +4,7 @@ import codecs
 import os
 
 import pytest
-from tests.sentences import NO_FILE
+from tests.sentences import LOOKED_FOR, NO_FILE
 
 from cranktrain.fluids.indicator.reading import read_trace
 from cranktrain.io.curve_files import LARGEST_FILE, curve_text, with_curves
@@ -17,6 +17,7 @@ ENCODED = {
     "UTF-16, big end first": codecs.BOM_UTF16_BE + TEXT.encode("utf-16-be"),
     "Windows-1251": TEXT.encode("cp1251"),
 }
+WHERE = "…"
 GAS = {"kind": "indicator", "file": "traces/a.csv"}
 
 
@@ -76,7 +77,7 @@ def test_nothing_else_is_read(data, tmp_path):
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        (None, f"gas.file = traces/a.csv: {NO_FILE}; is it b.csv?"),
+        (None, f"gas.file = traces/a.csv: {NO_FILE}; is it b.csv? {WHERE}"),
         (b"\x89PNG\r\n\x1a\n\0\0", "gas.file = traces/a.csv: is no text: it has NUL bytes; save it as CSV"),
         (
             b"1" * (LARGEST_FILE + 1),
@@ -90,7 +91,24 @@ def test_refused(content, message, tmp_path):
         written(tmp_path, content)
     data, problems = with_curves({"gas": GAS}, tmp_path)
     assert data == {"gas": GAS}
-    assert [str(problem) for problem in problems] == [message]
+    assert [str(problem) for problem in problems] == [message.replace(WHERE, f"It {LOOKED_FOR} {tmp_path / 'traces'}")]
+
+
+@pytest.mark.parametrize(
+    ("missing", "beside", "guess"),
+    [
+        ("pumping.csv", ("pumping.toml",), None),
+        ("pumping.csv", ("pumping.toml", "pumpnig.CSV"), "pumpnig.CSV"),
+        ("pumping.txt", ("pumping.toml", "pumping1.csv", "pumping.md"), "pumping1.csv"),
+        ("pumping", ("pumping.toml", "pumping.csv"), "pumping.csv"),
+    ],
+)
+def test_a_file_that_is_missing_is_taken_for_no_file_of_another_kind(missing, beside, guess, tmp_path):
+    for name in beside:
+        written(tmp_path, b"", name)
+    _data, (problem,) = with_curves({"gas": GAS | {"file": missing}}, tmp_path)
+    looked = f"t {LOOKED_FOR} {tmp_path}"
+    assert problem.repair == (f"i{looked}" if guess is None else f"is it {guess}? I{looked}")
 
 
 def test_a_folder_is_no_diagram(tmp_path):

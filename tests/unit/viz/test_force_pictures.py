@@ -142,6 +142,34 @@ def test_orders_reach_as_far_as_eighteen_cylinders_need(results):
     assert "The orders of the torque up to 24 cancel" not in words
 
 
+def slider_with(**tables):
+    """A slider-crank without masses."""
+    mechanism = {"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "200 mm"}
+    return ct.Machine(mechanism=mechanism, shaft={"main": {"speed": "300 rpm"}}, **tables)
+
+
+@pytest.mark.parametrize(
+    ("load", "alone", "are_none"),
+    [
+        (
+            {"on": "main", "torque": "5 N·m"},
+            "and neither gas nor a load acts on a part: forces and torque are 0.",
+            True,
+        ),
+        ({"on": "piston", "force": "5 N"}, "forces and torque are of the loads alone.", False),
+    ],
+)
+def test_what_acts_without_masses_is_said(load, alone, are_none):
+    """A torque on the shaft beside the machine goes through none of its parts; nor is it gas."""
+    result = ct.run(slider_with(load={"x": load}))
+    said = next(flag for flag in result.flags if flag.startswith("No masses are given"))
+    assert said.endswith(alone)
+    words = " ".join(text for text, _box in words_of(sheet_forces(result)))
+    assert said in words
+    assert ("The torque is the same at every angle: it has no orders" in words) == are_none
+    assert "cancel" not in words
+
+
 def test_curves_are_the_results(results):
     result = results["3d12"]
     pressure, at_piston, at_pin, torque = force_panels(result, "2L")

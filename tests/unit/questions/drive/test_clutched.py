@@ -262,7 +262,7 @@ class TestEnds:
         assert (found.reason, found.end.time) == (NOTHING_MOVES, 0.0)
 
     def test_every_reason_has_a_sentence(self):
-        assert sorted(PRESS_REASONS) == list(range(11))
+        assert sorted(PRESS_REASONS) == list(range(12))
 
 
 class TestStroke:

@@ -164,3 +164,17 @@ def test_implicit_runs_rest_and_stop_alike():
     found = run_implicitly(machine, DriveTrain((1.8, 0.0, 4.0), (), 0.0, DIRECT), wanted(50.0, speed=30.0))
     assert found.reason == endings.AT_REST
     assert found.end_time == pytest.approx(15.0, abs=1e-6)
+
+
+def falling_away(angle, _speed, _sense, numbers):
+    """A wheel that the crank turns ever faster the nearer it comes to the angle 1: load −J/(1 − φ)³."""
+    return numbers[0], 0.0, -numbers[0] / (1.0 - angle) ** 3 if angle < 1.0 else -np.inf, 1.0
+
+
+def test_a_run_without_a_step_short_enough_says_so():
+    """φ′ = 1/(1 − φ) from φ = 0: at t = 1/2 the crank is at 1, and faster than any step can follow."""
+    machine = Kernels(falling_away, no_motor, no_heat, no_brake)
+    asked = machine, DriveTrain((1.0,), (), 0.0, stages(0.0)), wanted(5.0, speed=1.0)
+    found = plain(*asked)
+    assert (found.reason, found.end_time) == (endings.NO_STEP_SHORT_ENOUGH, pytest.approx(0.5, abs=1e-6))
+    assert run_implicitly(*asked).reason == endings.NO_STEP_SHORT_ENOUGH

@@ -13,12 +13,13 @@ from cranktrain.questions.drive.clutched.courses import PRESSED, RELEASED, GripC
 from cranktrain.questions.drive.clutched.equation import ANGLE, N_PRESS_STATE, SPEED, WHEEL, Press, kinetic_energy
 from cranktrain.questions.drive.clutched.step import INTERPOLANT
 from cranktrain.questions.drive.running.equation import Kernels
+from cranktrain.questions.drive.running.runs import TOO_FAST
 from cranktrain.record import record
 
 (
     RESTS, WHEEL_STALLS, SLIPS_ON, SLIDES, NOTHING_MOVES, WHEEL_RECOVERED, TIME_IS_OVER, STEPS_EXHAUSTED,
-    LINKS_BREAK_OPEN, GEAR_STUCK, ALL_PASSED,
-) = range(11)  # fmt: skip
+    LINKS_BREAK_OPEN, GEAR_STUCK, ALL_PASSED, STEPS_VANISH,
+) = range(12)  # fmt: skip
 """Why a run of a press ended."""
 PRESS_REASONS = {
     RESTS: N_("the crank rests, held by the brake or by the load itself"),
@@ -29,6 +30,7 @@ PRESS_REASONS = {
     WHEEL_RECOVERED: N_("the flywheel has its speed again"),
     TIME_IS_OVER: N_("the time asked for is over"),
     STEPS_EXHAUSTED: N_("it takes more steps than allowed"),
+    STEPS_VANISH: TOO_FAST,
     LINKS_BREAK_OPEN: N_("the links do not close"),
     ALL_PASSED: N_("it has passed all angles that are asked for"),
     GEAR_STUCK: N_("no acceleration or several satisfy the irreversible gear: it jams"),

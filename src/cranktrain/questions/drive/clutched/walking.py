@@ -31,6 +31,7 @@ from cranktrain.questions.drive.clutched.runs import (
     LOCKED,
     LOOSE,
     STEPS_EXHAUSTED,
+    STEPS_VANISH,
     WHEEL_RECOVERED,
     WHEEL_STALLS,
     Moment,
@@ -257,7 +258,7 @@ class _Walk:
 def _reason_of(trouble: int) -> int:
     """Why no step is possible."""
     if trouble == 0:
-        return STEPS_EXHAUSTED
+        return STEPS_VANISH
     return LINKS_BREAK_OPEN if trouble == LINKS_DO_NOT_CLOSE else GEAR_STUCK
 
 

@@ -2,9 +2,10 @@
 
 from typing import NamedTuple
 
-TIME_OUT, SPEED_REACHED, AT_REST, STALLED, OVERSPEED, SWINGS, TOO_MANY_STEPS, LINKS_OPEN, GEARING_JAMS, STOPPED = range(
-    10
-)
+(
+    TIME_OUT, SPEED_REACHED, AT_REST, STALLED, OVERSPEED, SWINGS, TOO_MANY_STEPS, NO_STEP_SHORT_ENOUGH, LINKS_OPEN,
+    GEARING_JAMS, STOPPED,
+) = range(11)  # fmt: skip
 """Why a run ended."""
 GOING = -1
 """That it has not."""

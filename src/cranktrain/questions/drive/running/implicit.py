@@ -252,8 +252,8 @@ def _phase(going: _Going, time: float, state: Array, sense: float) -> tuple[floa
     later = asked.breaks[asked.breaks > time]
     until = min(asked.limits.end_time, float(later[0]) if len(later) else np.inf, time + _AT_ONCE * going.longest_step)
     found = _solved(going, sense, (time, until), state)
-    if found.t.size < 2:  # not one step was short enough
-        return time, state, endings.TOO_MANY_STEPS, 0
+    if found.t.size < 2:
+        return time, state, endings.NO_STEP_SHORT_ENOUGH, 0
     stopped, passed, over, _, corner = found.t_events[:5]
     for kind, which in ((endings.REVERSAL, 0), (endings.SPEED_PASSED, 1), (endings.DEAD_POSITION, 3)):
         for when, y in zip(found.t_events[which], found.y_events[which], strict=True):
@@ -262,7 +262,7 @@ def _phase(going: _Going, time: float, state: Array, sense: float) -> tuple[floa
     _fill(table, asked.samples, time, found.t[-1], found.sol)
     going.ends.extend(zip(found.t.tolist(), found.y[1].tolist(), strict=True))
     end = float(found.t[-1])
-    ending = endings.TOO_MANY_STEPS
+    ending = endings.NO_STEP_SHORT_ENOUGH
     if len(over):
         ending = endings.OVERSPEED
     elif len(passed) and asked.limits.stops_at_target:
@@ -286,8 +286,10 @@ def _solved(going: _Going, sense: float, span: tuple[float, float], state: Array
 
     def slope(time: float, state: Array) -> Array:
         going.calls[0] += 1
-        if going.calls[0] > most_calls or _treads(going, time):
+        if going.calls[0] > most_calls:
             raise _StuckError(endings.TOO_MANY_STEPS)
+        if _treads(going, time):
+            raise _StuckError(endings.NO_STEP_SHORT_ENOUGH)
         _, grown = derive(time, float(state[0]), float(state[1]), sense, bound, slopes, 0, train)
         if grown != grown:
             raise _StuckError(_why_not(slopes))

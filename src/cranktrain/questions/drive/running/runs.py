@@ -34,6 +34,12 @@ from cranktrain.record import record
 Progress: TypeAlias = Callable[[float, float, float], object]
 """(time, crank angle, speed) → anything. [s, rad, rad/s]"""
 
+TOO_FAST = N_(
+    "no step is short enough, as the speed changes too fast: next to nothing has inertia there;"
+    " the inertia of motor or flywheel helps"
+)
+"""Sentence, not yet translated, of a run whose steps become too short."""
+
 REASONS = {
     endings.TIME_OUT: N_("the time asked for is over"),
     endings.SPEED_REACHED: N_("the speed asked for is reached"),
@@ -42,6 +48,7 @@ REASONS = {
     endings.OVERSPEED: N_("the load drives it over the speed allowed"),
     endings.SWINGS: N_("it swings to and fro and does not get over"),
     endings.TOO_MANY_STEPS: N_("it takes more steps than allowed"),
+    endings.NO_STEP_SHORT_ENOUGH: TOO_FAST,
     endings.LINKS_OPEN: N_("the links do not close"),
     endings.GEARING_JAMS: N_("no acceleration or several satisfy the irreversible gearing: it jams"),
     endings.STOPPED: N_("it was stopped"),

@@ -30,6 +30,7 @@ from cranktrain.questions.drive.running.endings import (
     GEARING_JAMS,
     GOING,
     LINKS_OPEN,
+    NO_STEP_SHORT_ENOUGH,
     OVERSPEED,
     REVERSAL,
     SPEED_PASSED,
@@ -234,7 +235,7 @@ def try_shorter(course: Any, width: float, factor: float, end_time: float) -> in
     for stage in range(1, 7):
         if course.slopes[stage * ROW + 1] != course.slopes[stage * ROW + 1]:
             return LINKS_OPEN if is_open(course.slopes, stage * ROW) else GEARING_JAMS
-    return TOO_MANY_STEPS
+    return NO_STEP_SHORT_ENOUGH
 
 
 def _first_event(limits: Any, course: Any, width: float) -> tuple[float, int, float]:

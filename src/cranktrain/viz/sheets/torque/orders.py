@@ -10,7 +10,7 @@ from cranktrain.viz.paper.labels import together
 from cranktrain.viz.paper.page import Box, Page
 from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED
-from cranktrain.viz.sheets.torque.panels import STARS, largest_stars, order_bars
+from cranktrain.viz.sheets.torque.panels import STARS, is_constant, largest_stars, order_bars
 
 ORDERS = 0.16
 """Share of the torque's orders in the height."""
@@ -45,7 +45,7 @@ def draw_orders(page: Page, shown: OneDesign, left: float, right: float, top: fl
     order, amplitude, is_major = order_bars(shown)
     last = float(order[-1])
     if not np.any(amplitude):
-        page.heading(left, top - 3.0, _("The orders of the torque up to {most:g} cancel").format(most=last))
+        page.heading(left, top - 3.0, _without_orders(shown).format(most=last))
         return top - 7.0
     height = ORDERS * page.height
     axes = axes_in(page, Box(left, top - 5.0 - height, right - left, height))
@@ -58,6 +58,13 @@ def draw_orders(page: Page, shown: OneDesign, left: float, right: float, top: fl
     heading = _("Amplitude of the torque's orders, {unit}, over the order").format(unit=scale.label)
     page.heading(left, top - 3.0, heading)
     return top - 5.0 - height - 7.0
+
+
+def _without_orders(shown: OneDesign) -> str:
+    """Say why the torque has no orders: those of the mechanisms cancel, or none of them has any."""
+    if is_constant(shown):
+        return _("The torque is the same at every angle: it has no orders")
+    return _("The orders of the torque up to {most:g} cancel")
 
 
 def draw_stars(page: Page, shown: OneDesign, left: float, right: float, top: float) -> float:

@@ -52,6 +52,12 @@ def order_bars(shown: OneDesign) -> OrderBars:
     return OrderBars(order, np.where(amplitude > _NOTHING * largest, amplitude, 0.0), is_major)
 
 
+def is_constant(shown: OneDesign) -> bool:
+    """Whether the torque of every mechanism is the same all round."""
+    torque = shown("mechanism_torque")
+    return bool(np.max(np.ptp(torque, axis=-1)) <= _NOTHING * np.max(np.abs(torque)))
+
+
 def largest_stars(shown: OneDesign) -> PhaseStars | None:
     """Phase stars of the largest orders, by nominal firing; none without a firing order, or of one cylinder."""
     if not shown.has("phase_star_sum") or len(shown("firing_angle")) < 2:
