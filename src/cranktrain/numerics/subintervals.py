@@ -185,7 +185,7 @@ def _beside(of: Subintervals, values: Array, placed: _Placed) -> Coefficient:
     total = _whole_panels(of, values, panel, turns)
     first, second = (np.empty_like(total) for _derivative in range(2))
     for chosen, place, n_nodes in _by_size(of, panel):
-        half, legendre = of.width[panel[chosen]] / 2, np.polynomial.legendre.legvander(way[chosen], n_nodes)
+        half, legendre = of.width[panel[chosen]] / 2, _legendre(way[chosen], n_nodes)
         orders = values[..., place] @ _to_series(n_nodes).T
         total[..., chosen] += half * np.sum(orders * _legendre_integrals(way[chosen], legendre), axis=-1)
         first[..., chosen] = np.sum(orders * legendre[:, :-1], axis=-1)
@@ -231,7 +231,7 @@ def interpolation(way: Array, n_nodes: int) -> Array:
 
 def partial_integrals(way: Array, n_nodes: int) -> Array:
     """Weights of values at Gauss's points for the integral from −1 to some ways, shape (k, n)."""
-    return _legendre_integrals(way, np.polynomial.legendre.legvander(way, n_nodes)) @ _to_series(n_nodes)
+    return _legendre_integrals(way, _legendre(way, n_nodes)) @ _to_series(n_nodes)
 
 
 @cache
@@ -245,7 +245,12 @@ def _to_series(n_nodes: int) -> Array:
 @cache
 def _derived(n_nodes: int) -> Array:
     """From coefficients of Legendre's polynomials to those of the slope, shape (n − 1, n)."""
-    return np.polynomial.legendre.legder(np.eye(n_nodes))
+    return np.asarray(np.polynomial.legendre.legder(np.eye(n_nodes)), dtype=np.float64)
+
+
+def _legendre(way: Array, degree: int) -> Array:
+    """Legendre's polynomials up to a degree at some ways, shape (k, degree + 1)."""
+    return np.asarray(np.polynomial.legendre.legvander(way, degree), dtype=np.float64)
 
 
 def _legendre_integrals(way: Array, values: Array) -> Array:
