@@ -6,6 +6,7 @@ here with the command that does; or with the reason why nothing computes it.
 
 import re
 import shlex
+from itertools import takewhile
 from pathlib import Path
 
 import pytest
@@ -108,6 +109,33 @@ def stands(number, unit, shown):
     each = [float(found.replace("−", "-")) for found in NUMBER.findall(shown.replace("_", ""))]
     scales = (1.0, IN_SI.get(unit, 1.0))
     return any(abs(abs(one) / scale - float(number)) <= last * 1.001 for one in each for scale in scales)
+
+
+EXAMPLES = ROOT / "src" / "cranktrain" / "examples"
+SET = re.compile(r"--set (?:\"[^\"]*\"|\S+)")
+
+
+def head_of(example: str) -> str:
+    """The comment with which an example begins, in one line."""
+    lines = (EXAMPLES / f"{example}.toml").read_text(encoding="utf-8").splitlines()
+    return " ".join(line.lstrip("# ") for line in takewhile(lambda line: line.startswith("#"), lines))
+
+
+@pytest.mark.parametrize(
+    "example", [path.stem for path in sorted(EXAMPLES.glob("*.toml")) if "cranktrain start" in head_of(path.stem)]
+)
+def test_how_long_starts_take_in_heads_of_examples(example, capsys):
+    """Seconds of a head are when the start, or it with one of the settings there, has 98 % of its speed, or ends."""
+    head = head_of(example)
+    lacking = re.findall(r"(?<![\w.])\d+(?:\.\d+)?(?= s\b)", SET.sub("", head))
+    for setting in ("", *SET.findall(head)):
+        if not lacking:
+            break
+        main(shlex.split(f"start {example} {setting}"))
+        times = re.findall(r"([\d.]+) s +98 %|ends after +([\d.]+) s", capsys.readouterr().out)
+        there = [" ".join(time) for time in times[-1:]]
+        lacking = [one for one in lacking if not any(stands(one, "s", time) for time in there)]
+    assert not lacking, f"{example}: no start there takes so many seconds"
 
 
 @pytest.mark.parametrize("page", PAGES)

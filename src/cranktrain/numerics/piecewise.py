@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics.extremes import Extremes
@@ -17,6 +18,8 @@ from cranktrain.numerics.tops import Extreme
 _NARROWEST = 1e-9
 """In narrower pieces nothing is looked for but their ends. [rad]"""
 _STEPS = 5
+_STOOD = 1e-9
+"""Of a piece: after such a step of Newton's method the next one is less than rounding."""
 _ALIKE = 1e-9
 """Extremes that differ by less, in parts of the curve's, are one height, of which the first counts."""
 _N_MEAN = 4
@@ -91,12 +94,13 @@ def piece_extremes(each: Each, pieces: PiecePlaces) -> Extremes:
     """
     starts, width = pieces
     start, end = each(np.zeros(())), each(np.ones(()))
+    rises = np.sign(start.first)
+    turns = (rises * end.first < 0) & (width > _NARROWEST)
+    share = _level(each, (start, end), turns, width)
+    inside = np.where(turns, each(share).value, start.value)
     found: list[Extreme] = []
     for sign in (-1.0, 1.0):
-        turns = (sign * start.first > 0) & (sign * end.first < 0) & (width > _NARROWEST)
-        share = _level(each, sign, (start, end), width)
-        inside = np.where(turns, each(share).value, start.value)
-        own = np.where(turns & (sign * (inside - start.value) > 0), share, 0.0)
+        own = np.where(turns & (rises == sign) & (sign * (inside - start.value) > 0), share, 0.0)
         value = sign * np.where(own > 0, inside, start.value)
         best = np.max(value, axis=-1, keepdims=True)
         scale = np.max(np.abs(start.value), axis=-1, keepdims=True)
@@ -106,21 +110,24 @@ def piece_extremes(each: Each, pieces: PiecePlaces) -> Extremes:
     return Extremes(*found)
 
 
-def _level(each: Each, sign: float, ends: tuple[Coefficient, Coefficient], width: Array) -> Array:
-    """Share of each piece at which the slope passes through 0, by Newton's method between bounds; else any.
+def _level(each: Each, ends: tuple[Coefficient, Coefficient], turns: NDArray[np.bool_], width: Array) -> Array:
+    """Share at which the slope passes through 0 of each piece where it does, by Newton's method between bounds.
 
     The secant's step is the first.
     """
     start, end = (one.first for one in ends)
-    low, high = np.zeros_like(start), np.ones_like(start)
+    low, high, rises = np.zeros_like(start), np.ones_like(start), np.sign(start)
     with np.errstate(all="ignore"):
         share = np.clip(np.nan_to_num(start / (start - end), nan=0.5), 0.0, 1.0)
         for _step in range(_STEPS):
             found = each(share)
-            rises = sign * found.first > 0
-            low, high = np.where(rises, share, low), np.where(rises, high, share)
-            better = share - found.first / (found.second * width)
-            share = np.where((better >= low) & (better <= high), better, (low + high) / 2)
+            is_before = rises * found.first > 0
+            low, high = np.where(is_before, share, low), np.where(is_before, high, share)
+            newton = share - found.first / (found.second * width)
+            better = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
+            move, share = np.where(turns, np.abs(better - share), 0.0), better
+            if np.max(move, initial=0.0) < _STOOD:
+                break
     return share
 
 

@@ -248,13 +248,13 @@ def _derived(n_nodes: int) -> Array:
     return np.asarray(np.polynomial.legendre.legder(np.eye(n_nodes)), dtype=np.float64)
 
 
-def _legendre(way: Array, order: int) -> Array:
-    """Legendre's polynomials up to some order at some ways, shape (k, order + 1)."""
-    return np.asarray(np.polynomial.legendre.legvander(way, order), dtype=np.float64)
+def _legendre(way: Array, degree: int) -> Array:
+    """Legendre's polynomials up to a degree at some ways, shape (k, degree + 1)."""
+    return np.asarray(np.polynomial.legendre.legvander(way, degree), dtype=np.float64)
 
 
 def _legendre_integrals(way: Array, values: Array) -> Array:
     """Integrals of Legendre's polynomials from −1 to some ways, by the values there, one more, shape (k, n)."""
-    order: Array = np.arange(1.0, values.shape[-1] - 1)
+    order = np.arange(1, values.shape[-1] - 1)
     rest = (values[:, 2:] - values[:, :-2]) / (2 * order + 1)
     return np.concatenate([(1 + way)[:, np.newaxis], rest], axis=1)
