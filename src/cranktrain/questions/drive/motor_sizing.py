@@ -308,7 +308,7 @@ def _beyond(own: CheckedMotor, names: tuple[str, ...], *, has_valves: bool) -> I
             if is_with_load(name):
                 said = _(
                     "A start with its load at the worst angle asks {share} of what the motor can. If it need not:"
-                    " {helps}, or a flywheel and another angle."
+                    " {helps}, or stop it at another crank angle to start from."
                 )
             yield said.format(check=name, share=number(share, "%"), helps=_what_helps(has_valves=has_valves))
 
