@@ -71,6 +71,8 @@ def figure(value: float, unit: str) -> str:
         return signless(f"{size:.{max(decimals_for(abs(size), 4), 0)}f}")
     size = value * _PLAIN[unit] if unit in _PLAIN else of_result(value, unit, unit)
     decimals = _DECIMALS.get(unit, 3)
+    if unit == "%":
+        decimals = min(decimals, max(decimals_for(abs(size), 4), 0))
     if unit in _SLOW_TOO and 1e-6 < abs(size) < 100:
         decimals = max(decimals, 2 - floor(log10(abs(size))))
     return signless(f"{size:.{decimals}f}")

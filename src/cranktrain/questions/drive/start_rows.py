@@ -13,6 +13,10 @@ from cranktrain.questions.drive.starting import EVENTS, StartRun
 from cranktrain.rows import Amount, AnswerLine, Extent, worded
 
 _ROUNDING = 1e-9
+_SAME = 8
+"""Times that so many of the least differences of floats part are one."""
+_LIKE_ITS_NEIGHBOURS = 10.0
+"""A step longer than so many of those beside it, such as a pause, has other slopes than these tell."""
 
 
 def start_rows(run: StartRun) -> Iterator[AnswerLine]:
@@ -32,7 +36,7 @@ def start_rows(run: StartRun) -> Iterator[AnswerLine]:
         _("torque of the motor"),
         _("{range}; effective {rms}"),
         range=Extent(float(np.min(torque)), float(np.max(torque)), "N*m"),
-        rms=Amount(_effective(torque, time), "N*m"),
+        rms=Amount(effective_torque(torque, time), "N*m"),
     )
     yield worded(
         _("power of the motor"),
@@ -106,12 +110,27 @@ def _last(curve: Array) -> float:
     return float(curve[-1]) if abs(curve[-1]) > _ROUNDING * np.max(np.abs(curve)) else 0.0
 
 
-def _effective(torque: Array, time: Array) -> float:
-    """Root mean square over the time; of a run that ends as it begins, its only value."""
+def effective_torque(torque: Array, time: Array) -> float:
+    """Root mean square of a torque over the time; of a run that ends as it begins, its only value.
+
+    Parameters
+    ----------
+    torque, time : Array, shape (n,)
+        Samples, in steps of any length. [N·m, s]
+
+    Returns
+    -------
+    float
+        [N·m]
+    """
     if time[-1] <= time[0]:
         return abs(float(torque[-1]))
-    last = np.append(np.diff(time) > 0, True)  # of those at one time, where a part of the run follows another
+    last = np.append(
+        np.diff(time) > _SAME * np.spacing(time[1:]), True
+    )  # of those at one time, where a part of the run follows another
     torque, time = torque[last], time[last]
     squares, steps = torque**2, np.diff(time)
-    bent = np.sum(steps**2 * np.diff(np.gradient(squares, time))) / 12  # what chords leave out
+    beside = np.minimum(np.append(np.inf, steps[:-1]), np.append(steps[1:], np.inf))
+    left_out = steps**2 * np.diff(np.gradient(squares, time)) / 12  # by chords
+    bent = np.sum(left_out[steps <= _LIKE_ITS_NEIGHBOURS * beside])
     return float(np.sqrt(max(0.0, np.trapezoid(squares, time) - bent) / (time[-1] - time[0])))
