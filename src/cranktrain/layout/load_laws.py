@@ -85,6 +85,11 @@ class ByTravel(NamedTuple):
         return np.where(state.speed >= 0, np.stack([out for out, _ in ways]), np.stack([back for _, back in ways]))
 
     @property
+    def most(self) -> float:
+        """Largest size of all."""
+        return float(np.max(np.abs(np.concatenate([self.out, self.back], axis=-1))))
+
+    @property
     def misses(self) -> Array:
         """By how much the lines may miss a smooth curve at each place, in parts of the largest size, on either way."""
         ends = ((0, 0), (1, 1))

@@ -242,6 +242,7 @@ STROKES = [
     stroke_of_work(300, [(0, 12), (1, 12)], ratio=0.2),  # a plunger pump presses over all of its stroke
     stroke_of_work(80, [(0, 5), (1, 5)], ratio=0.25, speed="300 rpm"),
     stroke_of_work(450, [(0, 90), (0.03, 110), (1, 110)], ratio=0.2),
+    stroke_of_work(150, [(0, 0), (1, 0)], back=[12, 12], ratio=0.2),  # a pump that delivers as it comes back
     stroke_of_work(700, [(0, 0.5), (0.5, 15), (1, 120)]),  # a baler, denser and denser
     stroke_of_work(150, [(0, 0.3), (1, 0.3)], back=[0.3, 0.3], ratio=0.1),  # a saw that cuts both ways
     stroke_of_work(250, [(0, 2), (0.3, 0), (1, 0)], back=[2, 0.5, 0.5], ratio=0.1),  # wire both ways
@@ -492,6 +493,14 @@ def test_loads_that_an_engine_turns_are_not_asked_about(torque):
     """This one has a mean torque of some hundred N·m."""
     load = {"mill": {"on": "main", "torque": f"{torque} N·m"}}
     assert asked({**ONE, "evenness": {"flywheel": "80 kg·m²"}, "load": load}) == ()
+
+
+def test_of_what_acts_nowhere_to_speak_of_no_way_is_doubted():
+    """Its force begins 10 nm before the end of the stroke, where rounding turns the ram about."""
+    machine = changed(STROKES[3], {"load.tool.travel": ["0 mm", "129.99999 mm", "130 mm", "131 mm"]})
+    machine["load"]["tool"]["force"] = ["0 kN", "0 kN", "1000 kN", "1000 kN"]
+    machine["load"]["tool"]["force_back"] = ["0 kN"] * 4
+    assert asked(machine) == ()
 
 
 @pytest.mark.parametrize("size", [1, 0.1, 7.3])

@@ -51,30 +51,39 @@ def _of_slider(loaded: LoadedMachine, loads: Sequence[LinkLoad]) -> Iterator[str
     size = np.sum(np.abs(np.concatenate(np.broadcast_arrays(*rows), axis=1)), axis=1)
     out, place = (loads[0].counts * (part + 0 * angle)[:, 0] for part in (ways[0].rate, ways[0].place))
     name = " + ".join(load.name for load in loads)
+    is_counted = all(isinstance(load.law, ByTravel) for load in loads)
+    listed = max(load.law.most for load in loads if isinstance(load.law, ByTravel)) if is_counted else 0.0
     for own in zip(*np.broadcast_arrays(size, out, place), strict=True):
-        said = tuple(_of_design(name, *own, is_counted=all(isinstance(load.law, ByTravel) for load in loads)))
+        said = tuple(_of_design(name, *own, listed=listed, is_counted=is_counted))
         if said:
             yield from said
             return
 
 
-def _of_design(load: str, size: Array, out: Array, place: Array, *, is_counted: bool) -> Iterator[str]:
-    """Say what is unlikely of a size over the angles, by the speed and the place of what it acts on."""
+def _of_design(load: str, size: Array, out: Array, place: Array, *, listed: float, is_counted: bool) -> Iterator[str]:
+    """Say what is unlikely of a size over the angles, by the speed and the place of what it acts on.
+
+    listed is the largest size that the file has, of a load over its travel.
+    """
+    if np.max(size) <= _FREE * listed:
+        return  # it acts nowhere to speak of
     power = size * out
     work_out, work_back = float(np.sum(power[power > 0])), -float(np.sum(power[power < 0]))
     is_out = work_out > work_back
     if not min(work_out, work_back) <= _FREE * max(work_out, work_back):
         return  # both ways, or none that is known
-    if is_counted and not is_out:
-        yield _(
-            "{load} acts on the way back alone, with up to {most}: are force and force_back right? A machine that works"
-            ' as it comes back says so by counts = "against".'
-        ).format(load=load, most=number(float(np.max(size)), "kN"))
-        return
     acts = (size > _FREE * np.max(size)) & ((out > 0) == is_out)
     from_least = (place - np.min(place)) / np.ptp(place)
     gone = (from_least if is_out else 1 - from_least)[acts]
-    if not gone.size or np.min(gone) > _START or np.max(gone) > _END:
+    begins_late = not gone.size or np.min(gone) > _START
+    if is_counted and not is_out:
+        if begins_late or np.max(gone) <= _END:  # a pump delivers on all of it
+            yield _(
+                "{load} acts on the way back alone, with up to {most}: are force and force_back right? Of a machine"
+                ' that works as it comes back counts = "against" says so, and force and force_back change places.'
+            ).format(load=load, most=number(float(np.max(size)), "kN"))
+        return
+    if begins_late or np.max(gone) > _END:
         return
     yield _(
         "{load} begins at the start of its stroke and acts on {share} % of it, with the way back free: does its travel,"
