@@ -122,11 +122,14 @@ def _sheet(
     lower = Box(box.left, box.bottom + 7.0, wide, 0.68 * (box.height - 7.0))
     upper = Box(box.left, lower.bottom + lower.height, wide, box.height - 7.0 - lower.height)
     bore = _bore(machine, found)
-    small = fitted_scale(lambda one: scheme_sketch(found, one, bore), (upper.width - 4.0, upper.height - 12.0))
+    radius, rod = 1e3 * found.geometry.crank_radius, 1e3 * found.geometry.rod_length
+    room = upper.width - 4.0, upper.height - 12.0
+    small = fitted_scale(lambda one: scheme_sketch(found, one, bore), room, float(rod + radius))
     centre(page, scheme_sketch(found, small, bore), upper._replace(height=upper.height - 4.0))
     words = _("The mechanism, scale {scale}").format(scale=scale_words(small))
     page.text(upper.left, upper.bottom + upper.height - 4.0, words, color=MUTED)
-    least = fitted_scale(lambda one: construction_sketch(found, one), (lower.width - 8.0, lower.height - 8.0))
+    room = lower.width - 8.0, lower.height - 8.0
+    least = fitted_scale(lambda one: construction_sketch(found, one), room, float(2 * radius))
     metal = 1e3 * chosen_scale(1e-3 * least, scale)
     centre(page, construction_sketch(found, metal), lower)
     write_scales(page, box, [length_scale(1e-3 * metal)], metal)

@@ -85,7 +85,9 @@ def plan_scheme(
     foot = 8.0 if drive is None else 8.0 + drive.height
     left = Box(box.left, box.bottom + foot, wide, box.height - foot)
     marked = None if drive is None else shaft
-    scale = fitted_scale(lambda one: scheme_sketch(found, one, marked), (left.width - 6.0, left.height - 10.0))
+    pins = np.concatenate([pin[:, :1] for pin in found.drawing.scaled(1e3).positions.values()], axis=1)
+    room = left.width - 6.0, left.height - 10.0
+    scale = fitted_scale(lambda one: scheme_sketch(found, one, marked), room, float(np.max(np.ptp(pins, axis=1))))
     centre(page, scheme_sketch(found, scale, marked), left)
     write_scales(page, box, [length_scale(1e-3 * scale)], scale)
     page.heading(box.left, box.bottom + box.height - 4.0, f"φ = {found.angle:g}°")

@@ -143,9 +143,13 @@ def row_height(n_rows: Sequence[int], height: float) -> float:
     return max(LOWEST, min(ROW, free / sum(n_rows)))
 
 
-def fitted_scale(drawn: Callable[[float], Sketch], room: tuple[float, float]) -> float:
-    """Choose a round scale at which a sketch with its words fits a room: what has a size on paper keeps it."""
-    scale = 1.0
+def fitted_scale(drawn: Callable[[float], Sketch], room: tuple[float, float], metal: float) -> float:
+    """Choose a round scale at which a sketch with its words fits a room: what has a size on paper keeps it.
+
+    It begins with the scale at which some metal of it, so long [mm], fits the longer side: at another, what has a size
+    on paper would hide a small machine, and cover a large one with lines and dots without number.
+    """
+    scale = fitting_scale(metal, 0.0, (max(room), 1.0))
     for _pass in range(_PASSES):
         low, high = labelled_bounds(drawn(scale))
         scale = fitting_scale(*pair(high - low), room)
