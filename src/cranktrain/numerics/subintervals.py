@@ -255,6 +255,6 @@ def _legendre(way: Array, degree: int) -> Array:
 
 def _legendre_integrals(way: Array, values: Array) -> Array:
     """Integrals of Legendre's polynomials from −1 to some ways, by the values there, one more, shape (k, n)."""
-    order = np.arange(1, values.shape[-1] - 1)
+    order: Array = np.arange(1.0, values.shape[-1] - 1)
     rest = (values[:, 2:] - values[:, :-2]) / (2 * order + 1)
     return np.concatenate([(1 + way)[:, np.newaxis], rest], axis=1)
