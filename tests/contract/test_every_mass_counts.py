@@ -1,4 +1,4 @@
-"""Every body of every file is in the machine's inertia, or the file is told that it stands for no part."""
+"""Every body of every file is in the machine's inertia, or the file is told that none uses it."""
 
 import numpy as np
 import pytest
@@ -41,7 +41,7 @@ def idle_masses(machine):
     base, flags = inertia_of(machine) if tables else (np.zeros(1), ())
     found = []
     for path, body in tables.items():
-        is_told = any(f"[{path}]" in flag and "stands for no part" in flag for flag in flags)
+        is_told = any(f"[{path}]" in flag and "is used by none" in flag for flag in flags)
         if is_felt(machine, base, {path: heavier(body)}) == is_told:
             found.append(path)
     return found

@@ -54,6 +54,7 @@ OF_PINT = {
     "lbf·in/rad": "lbf*inch/rad",
     "°C": "degC",
     "Hz": "turn/s",
+    "kHz": "1000 turn/s",
     "1/h": "turn/h",
     "Ω": "ohm",
     "mΩ": "mohm",

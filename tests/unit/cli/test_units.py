@@ -133,7 +133,12 @@ def test_natural_frequencies_in_hertz(options, typed, tmp_path):
 def test_a_dataset_with_natural_frequencies_in_hertz():
     """Without a wish they are as the catalogue says, in rad/s."""
     result = ct.run("inline_six", quantities="natural_frequency")
-    for units, label, size in ((("Hz",), "Hz", 1.0), (("1/h",), "1/h", 3600.0), ((), "rad/s", 2 * np.pi)):
+    for units, label, size in (
+        (("Hz",), "Hz", 1.0),
+        (("kHz",), "kHz", 1e-3),
+        (("1/h",), "1/h", 3600.0),
+        ((), "rad/s", 2 * np.pi),
+    ):
         with ct.units(*units):
             found = result.dataset["natural_frequency"]
         assert found.attrs["units"] == label

@@ -213,7 +213,10 @@ def _no_cycle(turning: DriveInTurn, cycle: float) -> str:
     if np.any(np.isnan(turning.here.inertia)):
         return _("No steady running: the links do not close all round.")
     if np.any(np.isnan(turning.passed(np.full(turning.here.load.shape, 1.0)).acceleration)):
-        return _("No steady running: irreversible gearing jams, as no acceleration or several satisfy it.")
+        return _(
+            "No steady running: the gearing jams. It cannot be driven back (as below an efficiency of 50 %), and no one"
+            " acceleration fits its losses; a better efficiency, or more inertia at the motor, helps."
+        )
     found = balance(turning, cycle)
     if np.all(found.excess < 0):
         return _(

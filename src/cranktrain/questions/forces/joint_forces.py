@@ -105,7 +105,7 @@ def _flags(loaded: LoadedMachine) -> Iterator[str]:
     if (said := loaded.without_mass()) is not None:
         yield said
     if masses.unused:
-        yield _("{tables} stands for no part: every bank that has one gives its own.").format(
+        yield _("{tables} is used by none: every bank that has one gives its own.").format(
             tables=", ".join(f"[{path}]" for path in masses.unused)
         )
     if masses.doubtful:

@@ -44,7 +44,7 @@ JAMMED = {"ratio": 30, "efficiency": 0.3}
                 "drive.part.table": {"on": 1, "inertia": "4 kg*m^2"},
                 "load.work.torque": "0 N*m",
             },
-            "irreversible gearing jams",
+            "the gearing jams. It cannot be driven back",
         ),
     ],
     ids=["open", "weak", "peak", "driven", "jammed"],

@@ -33,7 +33,10 @@ PRESS_REASONS = {
     STEPS_VANISH: TOO_FAST,
     LINKS_BREAK_OPEN: N_("the links do not close"),
     ALL_PASSED: N_("it has passed all angles that are asked for"),
-    GEAR_STUCK: N_("no acceleration or several satisfy the irreversible gear: it jams"),
+    GEAR_STUCK: N_(
+        "the gear jams: it cannot be driven back (as below an efficiency of 50 %), and no one acceleration fits its"
+        " losses; a better efficiency, or more inertia before the gear, helps"
+    ),
 }
 """Sentences, not yet translated."""
 

@@ -50,7 +50,10 @@ REASONS = {
     endings.TOO_MANY_STEPS: N_("it takes more steps than allowed"),
     endings.NO_STEP_SHORT_ENOUGH: TOO_FAST,
     endings.LINKS_OPEN: N_("the links do not close"),
-    endings.GEARING_JAMS: N_("no acceleration or several satisfy the irreversible gearing: it jams"),
+    endings.GEARING_JAMS: N_(
+        "the gearing jams: it cannot be driven back (as below an efficiency of 50 %), and no one acceleration fits its"
+        " losses; a better efficiency, or more inertia at the motor, helps"
+    ),
     endings.STOPPED: N_("it was stopped"),
 }
 """Sentences, not yet translated, of why a run ended."""
