@@ -11,7 +11,6 @@ from cranktrain.numerics.ties import largest_of
 from cranktrain.plans.positions import fitting
 from cranktrain.scales import Scale
 from cranktrain.viz.figures import plain
-from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Box, Page, rounded_down
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED
 from cranktrain.viz.sheets.crankshaft.panels import PolarDiagram
@@ -22,8 +21,6 @@ _BESIDE, _HEAD = 3.5, 7.0
 """Room about a diagram, and over it for its title. [mm]"""
 _SLIMMEST = 0.45
 """Of the shape of rooms, width by height or height by width."""
-_RING = 0.9
-"""Radius of the ring about the largest load. [mm]"""
 _RINGS = 3.0
 """How many rings there are at least."""
 _SEEN = 20
@@ -119,40 +116,27 @@ def _draw(page: Page, one: PolarDiagram, outline: Array, cell: Box, ring: float)
             continue
         shown = np.where(inside, pole[:, np.newaxis] + points, np.nan)
         page.paper.plot(*shown, color=MUTED, linewidth=0.5, linestyle=(0, (1.0, 2.2)), zorder=1)
-    lines = [pole[:, np.newaxis] + scale * curve.points for curve in one.curves]
-    for place, (curve, line) in enumerate(zip(one.curves, lines, strict=True)):
-        page.paper.plot(*line, **line_of_method(curve.method, is_first=place == 0))
-    _mark_largest(page, one, pole + scale * one.largest, [*lines, _edge(cell)])
+    for place, curve in enumerate(one.curves):
+        style = line_of_method(curve.method, is_first=place == 0)
+        page.paper.plot(*(pole[:, np.newaxis] + scale * curve.points), **style)
+    _mark_largest(page, one, pole, pole + scale * one.largest)
 
 
 def _every(one: PolarDiagram) -> Array:
     return np.concatenate([curve.points for curve in one.curves], axis=1)
 
 
-def _edge(cell: Box) -> Array:
-    """Closed line about a room below its title, shape (2, 5). [mm]"""
-    low, high = (
-        np.array([cell.left, cell.bottom]),
-        np.array([cell.left + cell.width, cell.bottom + cell.height - _HEAD]),
-    )
-    return np.array([[low[0], high[0], high[0], low[0], low[0]], [low[1], low[1], high[1], high[1], low[1]]])
-
-
-def _mark_largest(page: Page, one: PolarDiagram, at: Array, lines: Sequence[Array]) -> None:
-    """Ring the first curve's largest load and write its crank angle beside it, away from the pole and off all lines."""
+def _mark_largest(page: Page, one: PolarDiagram, pole: Array, at: Array) -> None:
+    """Ring the first curve's largest load and write its crank angle beside it, away from the pole."""
     if not np.isfinite(one.largest_at):
         return
     page.paper.plot(*at, "o", ms=5.0, mfc="none", mec=INK, mew=0.8, zorder=7)
-    ring = at[:, np.newaxis] + _RING * np.stack([np.cos(_ROUND), np.sin(_ROUND)])
-    words = f"{round(one.largest_at) % one.cycle:.0f}°"
-    towards = float(np.arctan2(*np.flip(one.largest)))
-    (label,) = placed_labels([Wish(at, words, towards)], [*lines, ring], 1.0)
+    is_right = at[0] >= pole[0]
     page.text(
-        float(label.position[0]),
-        float(label.position[1]),
-        words,
-        ha="center",
-        va="center_baseline",
+        float(at[0]) + (1.8 if is_right else -1.8),
+        float(at[1]) - 1.0,
+        f"{round(one.largest_at) % one.cycle:.0f}°",
+        ha="left" if is_right else "right",
         zorder=8,
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4},
     )
