@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from tests.machines import ROCKER
-from tests.sentences import NO_FILE
+from tests.sentences import LOOKED_FOR, NO_FILE
 
 import cranktrain as ct
 from cranktrain.cli import main
@@ -235,7 +235,7 @@ class TestInPlaceOfLists:
     def test_where_it_was_looked_for_is_said(self, file, capsys):
         assert main(["run", str(file), "--set", "load.x.file=other.csv"]) == 2
         assert (
-            f"load.x.file = other.csv: {NO_FILE}; it was looked for in {file.parent.resolve()}"
+            f"load.x.file = other.csv: {NO_FILE}; it {LOOKED_FOR} {file.parent.resolve()}"
             in capsys.readouterr().err
         )
 
@@ -246,4 +246,4 @@ class TestInPlaceOfLists:
         assert main(["run", "pumping_unit_c57", "--set", "load.invented_card.file=well.csv"]) == 0
         assert "The card of invented_card goes over 49.52 in" in " ".join(capsys.readouterr().out.split())
         assert main(["run", "pumping_unit_c57", "--set", "load.invented_card.file=april_1998.csv"]) == 2
-        assert f"{NO_FILE}; it was looked for in {file.parent.resolve()}" in capsys.readouterr().err
+        assert f"{NO_FILE}; it {LOOKED_FOR} {file.parent.resolve()}" in capsys.readouterr().err
