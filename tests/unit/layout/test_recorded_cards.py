@@ -234,10 +234,7 @@ class TestInPlaceOfLists:
 
     def test_where_it_was_looked_for_is_said(self, file, capsys):
         assert main(["run", str(file), "--set", "load.x.file=other.csv"]) == 2
-        assert (
-            f"load.x.file = other.csv: {NO_FILE}; it {LOOKED_FOR} {file.parent.resolve()}"
-            in capsys.readouterr().err
-        )
+        assert f"load.x.file = other.csv: {NO_FILE}; it {LOOKED_FOR} {file.parent.resolve()}" in capsys.readouterr().err
 
     def test_beside_an_example_is_the_working_folder(self, file, monkeypatch, capsys):
         monkeypatch.chdir(file.parent)
