@@ -172,7 +172,7 @@ def _brake(found: DeclaredBrake | None) -> tuple[Braking, BrakePlace]:
 
 def _refuse_unknown_load(machine: ReducedMachine, grid: CrankAngle) -> None:
     """Refuse loads that are no number although the links close: gas can be beyond computing."""
-    there = reduced_at(machine, np.ravel(grid.angle[0, 0]))
+    there = reduced_at(machine, grid.angle[0, 0])
     if np.any(np.isfinite(there.inertia) & ~np.isfinite(there.load)):
         allowed = _("needs the load on the crank, which is no number here: see what `run` says of gas and loads")
         raise InputError([Problem("drive", None, allowed)])
