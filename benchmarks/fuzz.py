@@ -41,8 +41,8 @@ from cranktrain.viz import PICTURES  # noqa: E402 - below the path
 
 SHEETS = [one.name for one in PICTURES if one.kind == "sheet"]
 PLANS = [one.name for one in PICTURES if one.kind == "plan"]
-LONGEST = 40.0
-"""A command ends within this. [s]"""
+LONGEST = 60.0
+"""A command ends within this; a stroke of the most steps takes half of it. [s]"""
 MOST_MENDS = 15
 MOST_STEPS = 1000
 """Of a start."""
@@ -133,9 +133,11 @@ def many_commands():
         yield
 
 
-def signature(fault: str) -> str:
-    """A fault without its numbers, by which like ones are known."""
+def signature(fault: str, command: str) -> str:
+    """A fault without its numbers, by which like ones are known; of a wait with its command."""
     kind = fault.partition(": shows")[0]
+    if fault.startswith("not done"):
+        return f"{command}: {kind}"
     return re.sub(r"[-+\d.e]+(?=\b)", "#", kind) if fault.startswith("shows") else kind
 
 
@@ -151,8 +153,9 @@ def every_command() -> int:
             arguments = ["machine.toml" if one == "FILE" else one for one in command]
             fault = answered(arguments, longest=LONGEST).fault
             if fault:
-                found[signature(fault)] += 1
-                if found[signature(fault)] == 1:
+                kind = signature(fault, arguments[0])
+                found[kind] += 1
+                if found[kind] == 1:
                     print(f"{name}: {' '.join(arguments)}\n  {fault}", flush=True)
     print(f"{len(asked)} commands, {sum(found.values())} findings")
     return 1 if found else 0
@@ -194,14 +197,14 @@ def main() -> int:
                     print(answer.output, answer.errors, sep="\n")
                 if not answer.fault:
                     continue
-                name = signature(answer.fault)
+                name = signature(answer.fault, arguments[0])
                 found[name] += 1
                 if found[name] > 1:
                     continue
 
                 def still(trial, arguments=arguments, name=name):
                     path.write_text(toml(trial), encoding="utf-8")
-                    return signature(answered(arguments, longest=LONGEST).fault) == name
+                    return signature(answered(arguments, longest=LONGEST).fault, arguments[0]) == name
 
                 less = shrunk(tables, still, time.monotonic() + asked.shrink)
                 said = " ".join(part.replace(folder, "").lstrip("/") for part in arguments)

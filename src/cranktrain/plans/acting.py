@@ -86,11 +86,13 @@ def made_ready(machine: Machine, speed: SpeedWanted) -> LoadedMachine:
     Raises
     ------
     InputError
-        If its file says of nothing that acts, or no speed.
+        If its file says of nothing that acts, or no speed, or of gas less than its pressure needs.
     """
     refuse_idle(machine)
     curve = speed_over_cycle(machine, speed)  # not on the coarse grid
-    return run(machine, speed=curve or "constant", step_degrees=_STEP, quantities=("driving_torque",))[LoadedMachine]
+    found = run(machine, speed=curve or "constant", step_degrees=_STEP, quantities=("driving_torque",))
+    refuse_absent(found, ("driving_torque",))
+    return found[LoadedMachine]
 
 
 def refuse_idle(machine: Machine) -> None:

@@ -18,7 +18,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import short
-from cranktrain.questions.drive.at_angles import has_inertia
+from cranktrain.questions.drive.at_angles import has_inertia, reduced_at
 from cranktrain.questions.drive.clutched.declared import DeclaredBrake, DeclaredStroke
 from cranktrain.questions.drive.declared import DeclaredDrive, DeclaredStart
 from cranktrain.questions.drive.gentle_rows import corners_and_rows
@@ -27,6 +27,7 @@ from cranktrain.questions.drive.press_strokes import PressStrokes
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.equation import AT_MOTOR, BrakePlace
 from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
+from cranktrain.questions.drive.running.reduced import ReducedMachine
 from cranktrain.questions.drive.running.runs import Progress
 from cranktrain.questions.drive.start_case import StartCase
 from cranktrain.questions.drive.start_notes import start_notes
@@ -169,6 +170,14 @@ def _brake(found: DeclaredBrake | None) -> tuple[Braking, BrakePlace]:
     return Braking(grip.torque, grip.delay, grip.rise_time), place
 
 
+def _refuse_unknown_load(machine: ReducedMachine, grid: CrankAngle) -> None:
+    """Refuse loads that are no number although the links close: gas can be beyond computing."""
+    there = reduced_at(machine, grid.angle[0, 0])
+    if np.any(np.isfinite(there.inertia) & ~np.isfinite(there.load)):
+        allowed = _("needs the load on the crank, which is no number here: see what `run` says of gas and loads")
+        raise InputError([Problem("drive", None, allowed)])
+
+
 def start_case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCase:
     """The start of the only design."""
     drive, grid = parts[DeclaredDrive], parts[CrankAngle]
@@ -178,6 +187,7 @@ def start_case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCas
             "moves nothing that has inertia, and a start needs some: of the motor, [drive.part.NAME] or [masses]"
         )
         raise InputError([Problem("drive", None, allowed)])
+    _refuse_unknown_load(machines.each[0], grid)
     brake, place = _brake(parts.get(DeclaredBrake))
     corners, rows = corners_and_rows(
         machines.corners[0], machines.misses[0], machines.cycle, parts[DeclaredStart].spec.tolerance.si

@@ -79,9 +79,9 @@ def burning_chambers(numbers: WiebeNumbers, rooms: Rooms) -> BurningChambers:
         transfer = numbers.transfer / rooms.speed
     shape = (*rooms.alike.shape, 1)
     wiebe = Wiebe(*(np.broadcast_to(part, shape) for part in numbers._replace(transfer=transfer)[: len(Wiebe._fields)]))
-    walls = partial(_walls, rooms.area[..., np.newaxis])
+    around = partial(walls, rooms.area[..., np.newaxis])
     return BurningChambers(
-        curve=burning_curve(wiebe, Room(rooms.bottoms[..., :1], rooms.bottoms[..., 1:], rooms.volume, walls)),
+        curve=burning_curve(wiebe, Room(rooms.bottoms[..., :1], rooms.bottoms[..., 1:], rooms.volume, around)),
         burns=np.sort(np.mod(burning_edges(wiebe), rooms.cycle), axis=-1),
         area=rooms.area,
         heat=(wiebe.heat * -np.expm1(-wiebe.completeness))[..., 0],
@@ -90,7 +90,7 @@ def burning_chambers(numbers: WiebeNumbers, rooms: Rooms) -> BurningChambers:
     )
 
 
-def _walls(area: Array, volume: Array) -> Array:
+def walls(area: Array, volume: Array) -> Array:
     """Area of the walls about a volume in a cylinder that is closed at both ends. [m²]"""
     return 2 * area + 4 * volume / np.sqrt(4 * area / np.pi)
 
@@ -105,8 +105,8 @@ def chamber_pressure(state: ChamberState, chambers: BurningChambers) -> Array:
 def chamber_slope(state: ChamberState, volume_slope: Array, chambers: BurningChambers) -> Array:
     """Derivative of `chamber_pressure` by the crank angle, for that of the volume. [Pa/rad]"""
     volume = Coefficient(state.volume, volume_slope, np.zeros_like(volume_slope))
-    pressure, walls = chamber_pressure(state, chambers), _walls(chambers.area, state.volume)
-    return chosen(state.turn > 0, burning_slope(chambers.curve, _angle(state), volume, pressure, walls), 0.0)
+    pressure, wall = chamber_pressure(state, chambers), walls(chambers.area, state.volume)
+    return chosen(state.turn > 0, burning_slope(chambers.curve, _angle(state), volume, pressure, wall), 0.0)
 
 
 def _angle(state: ChamberState) -> Array:

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.fluids.compressor.pressure import Compressor
-from cranktrain.fluids.wiebe.chamber import BurningChambers
+from cranktrain.fluids.wiebe.chamber import BurningChambers, walls
 from cranktrain.language import N_
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.heat import HeatBalance
@@ -43,6 +43,16 @@ _COLDEST_WALL = Limit(
     "K",
     N_("Walls at {value} are colder than those of any engine: is the unit of wall_temperature right?"),
     250.0,
+)
+# An engine that idles needs some 150°, one that is turned by hand, once a second, 10°.
+_FASTEST_COOLING = Limit(
+    _NO_LIMIT,
+    "deg",
+    N_(
+        "At this speed the gas in {whose} becomes as warm as its walls within {value} of the crank angle, which leaves"
+        " few digits to its pressure: are heat_transfer and the speed right?"
+    ),
+    np.deg2rad(2.0),
 )
 # Air has 1.3 to 1.4, well cooled 1.1 to 1.3; heavy refrigerants 1.08 and more. 1 is isothermal, and no machine.
 _LEAST_EXPONENT = Limit(
@@ -103,6 +113,10 @@ def _burning(gas: GasInChambers) -> Iterator[str]:
         names = [gas.chambers.names[place] for place in places]
         yield from flagged(_LEAST_HEAT, (law.heat / (charge * _HEAT_OF_CHARGE))[..., 0], whose=names)
         yield from flagged(_COLDEST_WALL, np.where(is_known, law.wall_temperature, np.nan))
+        largest = gas_mass * law.start_temperature / law.start_pressure
+        cooled = (law.heat_ratio - 1) * law.transfer * walls(filling.ready.area[..., np.newaxis], largest)
+        with np.errstate(divide="ignore"):
+            yield from flagged(_FASTEST_COOLING, (gas_mass / cooled)[..., 0], whose=names)
 
 
 def _compressing(gas: GasInChambers) -> Iterator[str]:

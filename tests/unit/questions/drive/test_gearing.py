@@ -133,3 +133,13 @@ def test_lines_of_a_gearing_say_what_the_stages_say_one_by_one(n, is_irreversibl
         assert grown == pytest.approx(found, rel=1e-10, abs=1e-10)
         assert taken == pytest.approx(lost, rel=1e-10, abs=1e-9)
     assert (n_jammed > 0) == (is_irreversible and n > 0)
+
+
+def test_a_pattern_in_which_nothing_accelerates_fits_nowhere():
+    """One of i = 2, η = 1/3, J_m i² = J: pulled back, −J + J_m i² = 0. Driven, ε = (iM − 3Q)/(J_m i² + 3J)."""
+    gearing = stages(1.0, (2.0, 1 / 3, -1.0, 0.0, 0.0))
+    rows = lines_of(gearing).tolist()
+    grown, taken = accelerated(1.0, 1.0, 4.0, 3.0, in_one_stage(gearing), rows)
+    assert grown == pytest.approx(-7 / 16) and taken == pytest.approx(2 * (4 * grown + 3.0))
+    jammed = accelerated(1.0, 1.0, 4.0, -3.0, in_one_stage(gearing), rows)  # driven, ε = 11/16: Jε + Q is less than 0
+    assert np.isnan(jammed).all()

@@ -96,7 +96,10 @@ def accelerated(
         # a load that resists is mostly driven through all stages, one that drives drives all of them
         pattern = tried if load * sense > 0 else len(rows) - 1 - tried
         row = rows[pattern]
-        trial = (torque - row[_FACTOR] * load - row[_DRAG] * sense) / (row[_SLOPE] + row[_FACTOR] * inertia)
+        whole_at_motor = row[_SLOPE] + row[_FACTOR] * inertia
+        if whole_at_motor == 0.0:  # irreversible: no acceleration changes the torque that is left
+            continue
+        trial = (torque - row[_FACTOR] * load - row[_DRAG] * sense) / whole_at_motor
         fits, taken = True, row[_DRAG_AT_CRANK] * sense
         for stage in range((len(row) - _OF_STAGES) // _COLUMNS):
             at = _OF_STAGES + _COLUMNS * stage
