@@ -26,6 +26,7 @@ from cranktrain.questions.evenness.flywheel import FlywheelSize, flywheel_size
 from cranktrain.questions.evenness.flywheel_inertia import exact_flywheel, flywheels_by_method, textbook_inertia
 from cranktrain.questions.evenness.load_torque import load_torque
 from cranktrain.questions.evenness.running_speed import RunningSpeed, running_speed
+from cranktrain.questions.evenness.shaft_balance import shaft_balance
 from cranktrain.questions.evenness.shaft_work import shaft_work
 from cranktrain.questions.evenness.spec import Balancing, GivenFlywheel, WantedCoefficient
 from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, speed_under_law
@@ -138,7 +139,9 @@ def whole_machine(torque, speed, load: dict[str, Any] | None = None, **evenness:
     sources = TorqueSources((), rest, *np.zeros((2, *rest[:, 0].shape)), np.zeros(1))
     given = None
     if LoadsOnShafts in known:
-        given = load_torque(known[LoadsOnShafts], None, applied, sources, torques, known[Speed], angle)
+        loads = known[LoadsOnShafts]
+        balance = shaft_balance(loads, None, sources, torques, known[Speed], angle)
+        given = load_torque(loads, None, applied, balance, known[Speed], angle)
     work = shaft_work(applied, sources, given, known[ForceEvents], torques, known[Speed], angle)
     if WantedCoefficient in known:
         known[FlywheelSize] = flywheel_size(balancing, known[WantedCoefficient], None, None, work, known[Speed])

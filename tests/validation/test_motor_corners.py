@@ -2,8 +2,9 @@
 
 The machine is a slider-crank with a force on its piston, behind one stage without loss. What it takes at the crank
 besides goes with a power of the speed, so that it balances at any corner, on the rising part of a curve too. The
-integration is of the eighth order, with 1e-12, and stops at every corner that the motor says it has: that there are no
-others is tested of the laws, in `tests/contract/test_motors.py`.
+integration is of the eighth order, with 1e-12, in steps of a degree at most, since a corner is found between its steps
+by a polynomial of less order, and stops at every corner that the motor says it has: that there are no others is tested
+of the laws, in `tests/contract/test_motors.py`.
 """
 
 import math
@@ -67,6 +68,7 @@ SWINGS = {"stepped_rotor": 1.0, "table": 1.0}
 """Torque of the piston's force in parts of what is taken: as much as carries it over jumps and steep lines."""
 SMOOTH = 100.0
 """Speed about which a motor without corners runs. [rad/s]"""
+LONGEST_STEP = np.radians(1.0)
 AGREES = 1e-9
 
 
@@ -166,7 +168,7 @@ def integrated(motor, loads, first):
         low, high = corners[place - 1 : place + 1].tolist()
         found = solve_ivp(
             slopes, (angle, 2 * np.pi), state, method="DOP853", rtol=1e-12, atol=1e-12, dense_output=True,
-            events=(reaching(low, -1.0), reaching(high, 1.0)), args=(low, high), first_step=1e-6,
+            events=(reaching(low, -1.0), reaching(high, 1.0)), args=(low, high), first_step=1e-6, max_step=LONGEST_STEP,
         )  # fmt: skip
         assert found.success
         pieces.append((angle, float(found.t[-1]), found.sol))
