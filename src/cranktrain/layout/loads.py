@@ -68,6 +68,11 @@ class LinkLoad(NamedTuple):
     radius: Array | None
     direction: Array | None
 
+    @property
+    def distance(self) -> Array:
+        """Of its point, or of its rope, from the link's first pin, shape (design, 1, 1). [m]"""
+        return np.hypot(self.arm.x, self.arm.y) if self.radius is None else self.radius
+
     def way(self, link: Link) -> LoadWay:
         """What it goes along."""
         if self.is_torque:

@@ -365,6 +365,20 @@ def _with(table, path, value):
     return {name: one for name, one in table.items() if name != key} | ({} if value is None else {key: value})
 
 
+CRUSHER = {
+    "rotation": "clockwise",
+    "angle": "177 deg",
+    "shaft": {"main": {"speed": "290 rpm"}},
+    "mechanism": {
+        "kind": "crank_rocker",
+        "crank_radius": "15 mm",
+        "rod_length": "1085 mm",
+        "rocker_length": "455 mm",
+        "ground_length": "817 mm",
+    },
+    "masses": {"rod": {"mass": "1200 kg", "along": "500 mm", "inertia": "150 kg*m^2"}},
+    "load": {"stone": {"on": "rod", "along": "700 mm", "force": "400 kN"}},
+}
 FOUR, ONE, V8 = (BY_NAME[name] for name in ("car's four", "stationary diesel", "V8"))
 JOURNAL = 0.70 * 82
 ACTIVE = {"on": "main", "sense": "active", "torque": "5000 N·m"}
@@ -445,6 +459,15 @@ CARELESS = {
         },
         "tool begins at the start of its stroke and acts on 4.6",
     ),
+    "travel beyond the stroke": (
+        STROKES[3],
+        {
+            "load.tool.travel": ["0 mm", "1250 mm", "1270 mm", "1310 mm"],
+            "load.tool.force": ["0 kN", "0 kN", "1000 kN", "1000 kN"],
+        },
+        "tool acts nowhere",
+    ),
+    "cm as mm of a point": (CRUSHER, {"load.stone.along": "7000 mm"}, "stone acts 7000 mm from the first pin"),
     "crank angles from the bottom": (
         STROKES[3],
         {

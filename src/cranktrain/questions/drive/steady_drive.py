@@ -203,7 +203,7 @@ def _residual(turning: DriveInTurn, found: SpeedOverTurn) -> float:
     parts = np.stack([torque, turning.here.by_load(speed), lost_torque(turning.passed(speed).outputs, turning.gearing)])
     motor, load, lost = found.mesh.mean(parts).tolist()
     largest = max(float(np.max(found.mesh.mean(np.abs(parts)))), turning.least_torque(speed, _SLIP))
-    return abs(motor - load - lost) / largest
+    return abs(motor - load - lost) / largest if largest > 0 else 0.0  # nothing acts and nothing has inertia
 
 
 def _no_cycle(turning: DriveInTurn, cycle: float) -> str:

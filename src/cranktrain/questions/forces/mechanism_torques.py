@@ -1,6 +1,6 @@
 """Torque that each mechanism gives to its shaft, by virtual work and by reactions, and the reduced inertia."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shaft_loads import LoadsOnShafts
-from cranktrain.linkage.forces import torque_by_work
+from cranktrain.linkage.forces import Reduced, torque_by_work
 from cranktrain.motion import Array
 from cranktrain.questions.forces.forces_times_arms import forces_times_arms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
@@ -51,10 +51,8 @@ def mechanism_torques(
     shape = by_reactions.shape
     by_work = np.empty(shape)
     inertia, slope = np.zeros((2, shape[0], shape[-1]))
-    for place, (batch, one) in enumerate(zip(loaded.mechanisms.batches, solved.batches, strict=True)):
-        dynamics, size, made = batch.kind.dynamics, batch.members.geometry, loaded.masses.batches[place]
-        # What slaves hand over is their own work, which counts once: the mechanism's own loads.
-        equation = dynamics.reduced(one.motion, size, made.bodies, one.loads, made.gravity)
+    equations = reduced_batches(loaded, solved.batches)
+    for batch, one, equation in zip(loaded.mechanisms.batches, solved.batches, equations, strict=True):
         by_work[:, batch.index] = torque_by_work(equation, one.conditions.drive) - one.forces.friction_torque
         inertia = inertia + np.sum(equation.inertia.value, axis=1)
         slope = slope + np.sum(equation.inertia.first, axis=1)
@@ -80,6 +78,15 @@ def mechanism_torques(
             ),
         ),
     )
+
+
+def reduced_batches(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Iterator[Reduced]:
+    """Inertia of each batch's mechanisms, and the torque of their loads and weights, reduced to the crank.
+
+    What slaves hand over is their own work, which counts once: the mechanism's own loads.
+    """
+    for batch, made, one in zip(loaded.mechanisms.batches, loaded.masses.batches, solved, strict=True):
+        yield batch.kind.dynamics.reduced(one.motion, batch.members.geometry, made.bodies, one.loads, made.gravity)
 
 
 def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:

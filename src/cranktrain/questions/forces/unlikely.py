@@ -1,16 +1,19 @@
 """Masses, their centres and friction beyond what was ever built: computed with all the same, and flagged."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import reduce
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.language import N_
+from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.part_tables import SLIDER
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.volumes import Chambers
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.motion.dead_centres import DeadCentres
 from cranktrain.record import record
@@ -43,6 +46,15 @@ _CENTRE = Limit(
         " swapped?"
     ),
 )
+# A pumping unit's horse head is at twice its rear arm; levers of presses and crushers come to twice.
+_FAR_LOAD = Limit(
+    3.0,
+    "mm",
+    N_(
+        "{whose} acts {value} from the first pin of its link, over three times as far off as any pin of its mechanism"
+        " ever comes from the shaft: are along and across right?"
+    ),
+)
 
 
 @record
@@ -51,7 +63,11 @@ class UnlikelyLoads(StageResult):
 
 
 def unlikely_loads(
-    loaded: LoadedMachine | None, travel: DeadCentres | None, chambers: Chambers | None, gas: GasPressures | None
+    loaded: LoadedMachine | None,
+    solved: SolvedCycle | None,
+    travel: DeadCentres | None,
+    chambers: Chambers | None,
+    gas: GasPressures | None,
 ) -> UnlikelyLoads:
     """Flag what is beyond the limits, as far as it is known; of all designs the worst is named."""
     found: list[str] = []
@@ -61,6 +77,9 @@ def unlikely_loads(
         found += flagged(_CENTRE, _centres_of_rods(loaded), whose=loaded.mechanisms.names)
         if chambers is not None and travel is not None:
             found += _of_pistons(loaded, chambers, travel.stroke, None if gas is None else gas.indicated_work > 0)
+        loads = [] if loaded.loads is None else [load for load in loaded.loads.each if not load.is_torque]
+        if loads and solved is not None:
+            found += _far_loads(loaded, loads, solved)
     return UnlikelyLoads(unlikely=tuple(found))
 
 
@@ -87,6 +106,18 @@ def _centres_of_rods(loaded: LoadedMachine) -> Array:
             rod, length = batch.kind.dynamics.by_link(made.bodies)["rod"], batch.members.geometry.rod_length
             found[:, batch.index] = np.where(rod.mass > 0, rod.along / length, np.nan)[..., 0]
     return found
+
+
+def _far_loads(loaded: LoadedMachine, loads: Sequence[LinkLoad], solved: SolvedCycle) -> Iterator[str]:
+    """Flag loads that act far off all pins of their mechanism."""
+    farthest: list[Array] = []
+    for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True):
+        pins = [link.origin for link in batch.kind.dynamics.links(one.motion, batch.members.geometry)]
+        away = [np.fmax.reduce(np.hypot(pin.x.value, pin.y.value), axis=-1, keepdims=True) for pin in pins]
+        farthest.append(reduce(np.fmax, away))
+    reach = loaded.in_order(farthest)[:, [load.mechanism for load in loads], 0]
+    off = np.concatenate([load.distance[..., 0] + 0.0 * reach[:, :1] for load in loads], axis=-1)
+    yield from flagged(_FAR_LOAD, off / reach, off, [load.name for load in loads])
 
 
 def _piston_masses(loaded: LoadedMachine, shape: tuple[int, ...]) -> Array:

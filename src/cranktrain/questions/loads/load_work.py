@@ -1,6 +1,6 @@
 """Work and power of the loads of a machine file."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 import numpy as np
@@ -10,6 +10,7 @@ from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.load_laws import ByTravel
 from cranktrain.layout.load_stretch import stretch_flags
 from cranktrain.layout.loads import LinkLoad, Loads
 from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
@@ -128,7 +129,19 @@ def load_work(
             *stretch_flags({load.name: load.stretch for load in links if load.stretch is not None}),
             *one_sided([(_("largest power"), most), (_("largest size"), largest)], names),
         ),
+        unlikely=tuple(_acting_nowhere(links, largest)),
     )
+
+
+def _acting_nowhere(links: Sequence[LinkLoad], largest: Peak) -> Iterator[str]:
+    """Say of which loads the machine meets nothing, although their lists have something."""
+    for place, load in enumerate(links):
+        is_listed = isinstance(load.law, ByTravel) and load.law.most > 0
+        if is_listed and np.any(largest.value[:, place] == 0):
+            yield _(
+                "{load} acts nowhere: over the travel of what it acts on its list has 0 alone. Are the unit of the"
+                " travel, and where it counts from, right?"
+            ).format(load=load.name)
 
 
 def _closes(loaded: LoadedMachine, solved: SolvedCycle) -> NDArray[np.bool_]:

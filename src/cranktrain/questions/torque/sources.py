@@ -27,7 +27,7 @@ from cranktrain.numerics.harmonics import TURN, ComplexArray, harmonics, phasor
 from cranktrain.numerics.periodic import fourier_integral, quintic_curve
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.forces.mechanism_torques import MechanismTorques, driving_torques
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques, driving_torques, reduced_batches
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.chambers import AMBIENT, GasInChambers
 from cranktrain.questions.gas.events import GasEvents
@@ -96,6 +96,8 @@ class TorqueSources:
         What inertia takes in the sources from the first point on, ½Jω²; nothing where it is in the rest. [J]
     spent : Array, shape (design,)
         Work that inertia takes over a cycle: none, but for one moment of acceleration ∮Jε dφ. [J]
+    surplus : Array, shape (design,)
+        What the integral of the sources takes beyond that: where the crank comes to rest, ε goes like a root. [J]
     """
 
     sources: tuple[Source, ...]
@@ -103,11 +105,13 @@ class TorqueSources:
     inertia: Array
     kept: Array
     spent: Array
+    surplus: Array
 
     def mean(self, cycle: float) -> Array:
         """Mean torque on every shaft, shape (design, shaft). [N·m]"""
         # At a speed that varies equal steps see work in the inertia that it does not do.
         wrong = np.mean(self.inertia, axis=-1) - np.where(np.any(self.inertia, axis=-1), self.spent / cycle, 0.0)
+        wrong = wrong + self.surplus / cycle
         found = np.mean(self.rest, axis=-1) + wrong[:, np.newaxis] / self.rest.shape[1]
         for one in self.sources:
             own = np.broadcast_to(np.sum(one.values * one.subintervals.weight, axis=-1) / cycle, one.shafts.shape)
@@ -226,22 +230,23 @@ def torque_sources(
         spent = np.mean(each, axis=-1) * crank_angle.cycle
     if loaded.jumps:
         energy = torques.reduced_inertia * drive.speed**2 / 2
-        whole = tuple(_of_machines(loaded, shafts, crank_angle, events))
-        return TorqueSources(whole, np.zeros_like(by_shaft), nothing, energy - energy[..., :1], spent)
+        whole, seen = _of_machines(loaded, shafts, crank_angle, events)
+        kept = energy - energy[..., :1]
+        return TorqueSources(tuple(whole), np.zeros_like(by_shaft), nothing, kept, spent, seen - spent)
     equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), ZERO)
     inertia = torque_by_work(equation, drive)
     if loaded.gas is None or gas_events is None or gas is None or motion is None:
-        return TorqueSources((), by_shaft, inertia, nothing, spent)
+        return TorqueSources((), by_shaft, inertia, nothing, spent, np.zeros_like(spent))
     own = shafts.shaft[loaded.carriers.driven]
     rest = by_shaft - gathered(gas.gas_force * motion.piston_displacement.first, own, len(shafts.names))
     sources = _of_chambers(loaded.gas, gas_events, crank_angle, own)
-    return TorqueSources(tuple(sources), rest, inertia, nothing, spent)
+    return TorqueSources(tuple(sources), rest, inertia, nothing, spent, np.zeros_like(spent))
 
 
 def _of_machines(
     loaded: LoadedMachine, shafts: Shafts, crank_angle: CrankAngle, events: ForceEvents
-) -> Iterator[Source]:
-    """Torque on every shaft of each design, by the reactions."""
+) -> tuple[list[Source], Array]:
+    """Torque on every shaft of each design, by the reactions, and the work that its integral sees in inertia. [J]"""
     breaks = events.whole - crank_angle.zero[:, 0]
     if (curve := loaded.speed.curve) is not None:
         nodes = curve.square.angle + curve.zero[:, 0] - crank_angle.zero[:, 0]
@@ -249,11 +254,22 @@ def _of_machines(
     cuts = [subintervals(own, _WIDEST, crank_angle.cycle) for own in breaks]
     longest = max(cut.angle.size for cut in cuts)
     asked = np.stack([np.pad(cut.angle, (0, longest - cut.angle.size), mode="edge") for cut in cuts])
-    solved = loaded.solved(asked[:, np.newaxis] + crank_angle.zero)
+    angle = asked[:, np.newaxis] + crank_angle.zero
+    solved = loaded.solved(angle)
     torque = gathered(-driving_torques(loaded, solved), shafts.shaft, len(shafts.names))
     each = np.arange(len(shafts.names))[np.newaxis]
-    for design, (cut, own) in enumerate(zip(cuts, torque, strict=True)):
-        yield Source(design, cut, own[:, : cut.angle.size], np.zeros(1), each)
+    sources = [
+        Source(design, cut, own[:, : cut.angle.size], np.zeros(1), each)
+        for design, (cut, own) in enumerate(zip(cuts, torque, strict=True))
+    ]
+    if curve is None:
+        return sources, np.zeros(len(cuts))
+    equations = [equation.inertia for equation in reduced_batches(loaded, solved)]
+    inertia, slope = (sum(np.sum(part, axis=1) for part in parts) for parts in zip(*equations, strict=True))
+    drive = Drive(*(part[:, 0] for part in loaded.speed.drive(angle)))
+    taken = torque_by_work(Reduced(ReducedInertia(inertia, slope), ZERO), drive)
+    weights = np.stack([np.pad(cut.weight, (0, longest - cut.weight.size)) for cut in cuts])
+    return sources, np.sum(taken * weights, axis=-1)
 
 
 def _of_chambers(

@@ -16,9 +16,7 @@ from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 
-_EXACT_LIMIT = 1e-12
-_RESTING_LIMIT = 1e-6
-"""About a rest within a stroke the acceleration goes like a root of the crank angle, which quadrature meets to less."""
+_LIMIT = 1e-12
 _FAR = 1e-3
 """Of forces times the places where they act: 10⁻¹⁵ of those, a few times what rounding is, are within the limit."""
 _SHARE = 0.1
@@ -56,7 +54,7 @@ def load_balance(
     done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
     residual = np.abs(done - np.sum(works, axis=-1)) / _work_size(works, loaded, solved)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of loads and gas")
-    return LoadBalance(checks=(Check("load_work", sentence, residual, _limit(loaded)),))
+    return LoadBalance(checks=(Check("load_work", sentence, residual, _LIMIT),))
 
 
 def _work_size(works: Array, loaded: LoadedMachine, solved: SolvedCycle) -> Array:
@@ -69,12 +67,6 @@ def _work_size(works: Array, loaded: LoadedMachine, solved: SolvedCycle) -> Arra
     there = np.sum(forces_times_places(loaded, solved.batches), axis=1)
     size = np.maximum(np.sum(np.abs(works), axis=-1), np.maximum(_SHARE * on_the_way, _FAR * there))
     return np.where(size > 0, size, 1.0)
-
-
-def _limit(loaded: LoadedMachine) -> float:
-    """What quadrature explains: more where the crank comes to rest on its way."""
-    curve = loaded.speed.curve
-    return _EXACT_LIMIT if curve is None or curve.corners is None else _RESTING_LIMIT
 
 
 def work_balance(
@@ -100,4 +92,4 @@ def work_balance(
     done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
     residual = np.abs(done - total) / _work_size(works, loaded, solved)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas")
-    return WorkBalance(total, checks=(Check("work", sentence, residual, _limit(loaded)),))
+    return WorkBalance(total, checks=(Check("work", sentence, residual, _LIMIT),))

@@ -17,6 +17,8 @@ Those of loads and chambers come after them.
 """
 BY_SPEED, BY_ANGLE, BY_TRAVEL = range(3)
 """Laws of loads."""
+_LARGEST_POWER = math.log(1e300)
+"""Of the logarithm of a load's rise with its speed."""
 
 
 class ReducedLoad(NamedTuple):
@@ -237,7 +239,7 @@ def _load_torque(numbers: Any, load: int, row: int, x: float, angle: float, spee
 def _size_of(numbers: Any, load: int, row: int, x: float, angle: float, speed: float, sense: float) -> float:
     """Size of a load by its law, with the speed along its way, and the sense of that."""
     law, exponent = numbers[load + LAW], numbers[load + EXPONENT]
-    by_speed = 1.0 if exponent == 0 else (abs(speed) / numbers[load + AT]) ** exponent
+    by_speed = 1.0 if exponent == 0 else _power(abs(speed) / numbers[load + AT], exponent)
     if law == BY_SPEED:
         return numbers[load + SIZE] * by_speed
     if law == BY_ANGLE:
@@ -246,6 +248,13 @@ def _size_of(numbers: Any, load: int, row: int, x: float, angle: float, speed: f
     place = value_of(numbers, row + int(numbers[load + PLACE]) * (DEGREE + 1), x)
     travel = numbers[load + COUNTS] * place - numbers[load + ORIGIN]
     return _between(numbers, load, travel, 1 if sense >= 0 else 2)
+
+
+def _power(base: float, exponent: float) -> float:
+    """base ** exponent of a speed's ratio, infinite where no number is as large, which interpreted Python refuses."""
+    if base > 1.0 and exponent * math.log(base) > _LARGEST_POWER:
+        return math.inf
+    return base**exponent
 
 
 def _between(numbers: Any, load: int, at: float, column: int) -> float:
