@@ -78,7 +78,7 @@ def test_a_raw_trace_pegged_by_a_pressure_and_smoothed():
     assert at(diagram, -90) == pytest.approx(2.98, abs=0.1)
     assert crest(diagram.curve)[1] / BAR == pytest.approx(109.7, abs=1.5)
     (told,) = (finding for finding in diagram.findings if "are moved by" in finding)
-    assert told == "All pressures are moved by +149 kPa, to the level that is known; noise leaves ±30 kPa."
+    assert told == "All pressures are moved by +149 kPa, to the pressure that is known at -180°; noise leaves ±30 kPa."
 
 
 def test_a_raw_trace_pegged_by_its_compression_and_smoothed():

@@ -60,11 +60,14 @@ def pegged(samples: Samples, diagram: Diagram, peg: Peg, chamber: Chamber, smoot
     else:
         assert peg.exponent is not None  # the spec asks for one of the two
         level = _by_compression(samples, peg, peg.exponent, chamber, noise)
-    moved = f"{shown(level.offset, 'kPa'):+.4g}"
-    sentence = _("All pressures are moved by {offset} kPa, to the level that is known.").format(offset=moved)
+    known = _("the level that is known")
+    if peg.pressure is not None:
+        known = _("the pressure that is known at {angle}").format(angle=f"{shown(peg.angle, 'deg'):g}°")
+    sentence = _("All pressures are moved by {offset} kPa, to {known}.")
     if level.uncertain > _TOLD:
-        sentence = _("All pressures are moved by {offset} kPa, to the level that is known; noise leaves ±{doubt} kPa.")
-        sentence = sentence.format(offset=moved, doubt=f"{shown(level.uncertain, 'kPa'):.2g}")
+        sentence = _("All pressures are moved by {offset} kPa, to {known}; noise leaves ±{doubt} kPa.")
+    told = {"offset": f"{shown(level.offset, 'kPa'):+.4g}", "doubt": f"{shown(level.uncertain, 'kPa'):.2g}"}
+    sentence = sentence.format(known=known, **told)
     return samples._replace(pressures=samples.pressures + level.offset, findings=(*samples.findings, sentence))
 
 

@@ -70,7 +70,7 @@ def through_stages(torque: Array, inertia: Array, load: Array, gearing: Gearing)
     left, fits_alone = np.arange(load.size), bool(np.all(gearing.backward > 0))
     for signs in product((True, False), repeat=len(gearing.ratio)):
         acceleration, passed = _of_pattern(signs, torque[left], inertia[left], load[left], gearing)
-        fits = np.all((passed > 0) == np.array(signs, dtype=bool)[:, np.newaxis], axis=0)
+        fits = np.all((passed > 0) == np.array(signs, dtype=bool)[:, np.newaxis], axis=0) & np.isfinite(acceleration)
         here = left[fits]
         found[here], outputs[:, here] = acceleration[fits], passed[:, fits]
         n_fits[here] += 1
@@ -97,7 +97,9 @@ def _of_pattern(
     """Acceleration where every stage passes on torque of a given sign, and these torques."""
     lines = list(_lines(signs, inertia, load, gearing))
     by_acceleration, constant = lines[-1]
-    acceleration = (torque - constant) / by_acceleration
+    # Of irreversible gearing behind a motor without inertia no acceleration changes the torque that is left.
+    nothing = np.full(np.shape(load), np.nan)
+    acceleration = np.divide(torque - constant, by_acceleration, out=nothing, where=by_acceleration != 0)
     passed = [slope * acceleration + at for slope, at in reversed(lines[:-1])]
     return acceleration, np.array(passed).reshape(-1, *np.shape(load))
 

@@ -182,12 +182,8 @@ def place_of(angle: float, numbers: Any) -> Any:
     return row, 2 * (along - piece) - 1, n_pieces / math.pi
 
 
-def gas_in(chamber: Any, constant: float, exponent: float, volume: float) -> Any:
-    """Pressure [Pa] in a chamber that remembers p·Vⁿ and n, and what it then remembers. Eq. (31.5)"""
-    return _gas_in(chamber, 0, constant, exponent, volume)
-
-
 def _gas_in(numbers: Any, chamber: int, constant: float, exponent: float, volume: float) -> Any:
+    """Pressure [Pa] in a chamber that remembers p·Vⁿ and n, and what it then remembers. Eq. (31.5)"""
     pressure = constant * volume**-exponent
     if pressure < numbers[chamber + SUCTION]:
         pressure, exponent = numbers[chamber + SUCTION], numbers[chamber + COMPRESSION]
