@@ -247,7 +247,7 @@ def _size_of(numbers: Any, load: int, row: int, x: float, angle: float, speed: f
 
 
 def _power(base: float, exponent: float) -> float:
-    """base ** exponent of a speed's ratio, infinite where no number is as large, which interpreted Python refuses."""
+    """Power of a ratio of speeds, infinite where no number is as large, which interpreted Python refuses."""
     if base > 1.0 and exponent * math.log(base) > _LARGEST_POWER:
         return math.inf
     return base**exponent
