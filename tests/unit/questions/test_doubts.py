@@ -182,6 +182,12 @@ def by_exponent(value):
     return machine(cylinder={"clearance": "6 %"}, gas={**gas, "compression_exponent": value})
 
 
+def by_arm(value):
+    """In parts of 230 mm, as far as the wrist pin of 50 and 180 mm comes."""
+    load = {"on": "rod", "along": f"{230 * value!r} mm", "force": "1 N"}
+    return alone({"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "180 mm"}, load={"push": load})
+
+
 def by_efficiency(value):
     return machine(cylinder={"compression_ratio": 9, "mechanical_efficiency": value, **FIRED}, gas=DUAL_CYCLE)
 
@@ -195,8 +201,8 @@ def by_centre(value):
     return machine(masses={"piston": {"mass": "1 kg"}, "rod": rod})
 
 
-def alone(mechanism, speed="1 rpm"):
-    return ct.Machine(mechanism=mechanism, shaft={"main": {"speed": speed}})
+def alone(mechanism, speed="1 rpm", **tables):
+    return ct.Machine(mechanism=mechanism, shaft={"main": {"speed": speed}}, **tables)
 
 
 MACHINES = {
@@ -223,9 +229,12 @@ MACHINES = {
     "pin_stress": by_pin_stress,
     "journal_stress": by_journal_stress,
     "stage_efficiency": by_stage,
+    "far_load": by_arm,
 }
 BELOW_NOTHING = {"least_share"}
 """Limits of 0, about which nothing lies within a part of them."""
+NEVER_ALONE = {"fastest_cooling"}
+"""What is so cooled does no work either; it is tried in `gas/test_fast_cooling.py`."""
 ENDS = [
     (name, end, side)
     for name in MACHINES
@@ -235,7 +244,7 @@ ENDS = [
 
 
 def test_every_limit_is_tried():
-    assert set(MACHINES) | BELOW_NOTHING == set(LIMITS)
+    assert set(MACHINES) | BELOW_NOTHING | NEVER_ALONE == set(LIMITS)
 
 
 @pytest.mark.parametrize(("name", "end", "side"), ENDS)

@@ -467,7 +467,7 @@ CARELESS = {
         },
         "tool acts nowhere",
     ),
-    "cm as mm of a point": (CRUSHER, {"load.stone.along": "7000 mm"}, "stone acts 7000 mm from the first pin"),
+    "cm as mm of a point": (CRUSHER, {"load.stone.along": "7000 mm"}, "A load acts 7000 mm from the first pin"),
     "crank angles from the bottom": (
         STROKES[3],
         {

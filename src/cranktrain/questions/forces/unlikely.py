@@ -51,8 +51,8 @@ _FAR_LOAD = Limit(
     3.0,
     "mm",
     N_(
-        "{whose} acts {value} from the first pin of its link, over three times as far off as any pin of its mechanism"
-        " ever comes from the shaft: are along and across right?"
+        "A load acts {value} from the first pin of its link, over three times as far off as any pin of its mechanism"
+        " ever comes from the shaft: are along and across of {whose} right?"
     ),
 )
 

@@ -264,10 +264,9 @@ def _of_machines(
     ]
     if curve is None:
         return sources, np.zeros(len(cuts))
-    equations = [equation.inertia for equation in reduced_batches(loaded, solved)]
-    inertia, slope = (sum(np.sum(part, axis=1) for part in parts) for parts in zip(*equations, strict=True))
-    drive = Drive(*(part[:, 0] for part in loaded.speed.drive(angle)))
-    taken = torque_by_work(Reduced(ReducedInertia(inertia, slope), ZERO), drive)
+    drive = loaded.speed.drive(angle)
+    inertias = [equation.inertia for equation in reduced_batches(loaded, solved)]
+    taken: Array = sum((np.sum(torque_by_work(Reduced(one, ZERO), drive), axis=1) for one in inertias), ZERO)
     weights = np.stack([np.pad(cut.weight, (0, longest - cut.weight.size)) for cut in cuts])
     return sources, np.sum(taken * weights, axis=-1)
 
