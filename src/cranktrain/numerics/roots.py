@@ -15,7 +15,7 @@ SlopedCurve = Callable[[Array], tuple[Array, Array]]
 _MOST_STEPS = 60
 _MOST_NEWTON_STEPS = 10
 _MOST_SAFE_STEPS = 30
-_NEAR = 1e-7
+_NEAR = 1e-6
 """A step of Newton's method after which the next one is less than rounding, in parts of the brackets' unit."""
 _SETTLED = 1e-13
 """A step of Newton's method after which the next one is less than rounding. [rad, or in parts of the root]"""
@@ -118,7 +118,7 @@ def newton_roots(curve: SlopedCurve, low: Array, high: Array, before: Array, aft
     Returns
     -------
     Array, shape (n,)
-        To rounding where the slope there is not small, else to 1e-7.
+        To rounding where the slope there is not small, else to 1e-6.
 
     Notes
     -----

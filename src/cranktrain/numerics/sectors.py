@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.numerics.polynomials import polynomial
-from cranktrain.numerics.products import product
+from cranktrain.numerics.one_way_steps import OneWaySteps, cross, dot, one_way_steps, stretches
+from cranktrain.numerics.polynomials import polynomial_value
 from cranktrain.numerics.roots import newton_roots
-from cranktrain.numerics.short_pieces import N_POWERS, ShortPieces, short_pieces
+from cranktrain.numerics.short_pieces import ShortPieces, short_pieces
 from cranktrain.numerics.subintervals import Subintervals, leggauss
 
 _ON_EDGE = 1e-12
@@ -21,20 +21,10 @@ _ON_EDGE = 1e-12
 no direction."""
 _ASIDE = 1e-3
 """How far into a step the direction is looked at where the vector is nothing, in parts of the step."""
-_AT_ONCE = 16384
+_AT_ONCE = 24576
 """Points of curves at once: many more of them take longer one by one, as their pieces fit no cache."""
 _FEW = 4
 """Gauss's points from mark to mark, for the size, which is no polynomial."""
-_TURNING = 1e-9
-"""Directions that turn by less along a piece do not turn. [rad]"""
-_TRIED = np.linspace(-1.0, 1.0, 5)
-"""Where on a piece it is looked at which way the direction turns."""
-_ORDER = np.arange(N_POWERS)
-_AT_TRIED = (
-    _TRIED[:, np.newaxis] ** _ORDER,
-    _ORDER * _TRIED[:, np.newaxis] ** np.maximum(_ORDER - 1, 0),
-)
-"""From powers to values there, and to slopes."""
 
 
 class Sectors(NamedTuple):
@@ -50,19 +40,6 @@ class Sectors(NamedTuple):
 
     within: Array
     along: Array
-
-
-class _Steps(NamedTuple):
-    """Steps along pieces, on which a direction turns one way: which piece, from which way to which, shape (step,).
-
-    at_start, at_end: the vector there, shape (2, step).
-    """
-
-    piece: NDArray[np.intp]
-    start: Array
-    end: Array
-    at_start: Array
-    at_end: Array
 
 
 def size_by_sector(of: Subintervals, x: Array, y: Array, n_sectors: int) -> Sectors:
@@ -100,53 +77,14 @@ def size_by_sector(of: Subintervals, x: Array, y: Array, n_sectors: int) -> Sect
     n_at_once = max(1, _AT_ONCE // of.angle.size)
     for own in (known[first : first + n_at_once] for first in range(0, known.size, n_at_once)):
         pieces = short_pieces(of, (x[own], y[own]))
-        place, value = _by_direction(pieces, _steps(pieces), _ON_EDGE * largest[own], n_sectors)
+        place, value = _by_direction(pieces, one_way_steps(pieces), _ON_EDGE * largest[own], n_sectors)
         found[own] = np.bincount(place, value, own.size * 2 * n_sectors).reshape(own.size, -1)
     return Sectors(within=found[:, 1::2], along=found[:, 0::2])
 
 
-def _steps(pieces: ShortPieces) -> _Steps:
-    """Cut pieces where the direction turns back, and where the vector is least."""
-    powers, n_pieces = pieces.powers, pieces.half.size
-    value, slope = (
-        product(matrix, powers.reshape(N_POWERS, -1)).reshape(_TRIED.size, 2, n_pieces) for matrix in _AT_TRIED
-    )
-    turning, receding, square = _cross(value, slope), _dot(value, slope), _dot(value, value)
-    still = -(_TURNING**2) * square[:-1] * square[1:]
-    is_back = turning[:-1] * turning[1:] < still
-    is_least = (receding[:-1] * receding[1:] < still) & (receding[1:] > 0)
-    kind, place, piece = np.nonzero(np.stack([is_back, is_least]))
-    way = _marks(powers[..., piece], kind == 0, _TRIED[place], _TRIED[place + 1])
-    order = np.lexsort((way, piece))
-    owner, later = _stretches(np.bincount(piece, minlength=n_pieces))
-    steps = _Steps(owner, np.full(owner.size, -1.0), np.ones(owner.size), value[0][:, owner], value[-1][:, owner])
-    there = polynomial(powers[..., piece[order]], way[order]).value
-    steps.start[later], steps.at_start[:, later] = way[order], there
-    steps.end[later - 1], steps.at_end[:, later - 1] = way[order], there
-    return steps
-
-
-def _marks(powers: Array, is_back: NDArray[np.bool_], low: Array, high: Array) -> Array:
-    """Where between two ways some vectors turn back, and the others are least."""
-
-    def rate(way: Array) -> tuple[Array, Array]:
-        at = polynomial(powers, way)
-        turning, receding = _cross(at.value, at.first), _dot(at.value, at.first)
-        return (
-            np.where(is_back, turning, receding),
-            np.where(is_back, _cross(at.value, at.second), _dot(at.first, at.first) + _dot(at.value, at.second)),
-        )
-
-    return newton_roots(rate, low, high, rate(low)[0], rate(high)[0])
-
-
-def _stretches(n_cuts: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Of the stretches that each is cut into: whose they are; and which of them follow a cut."""
-    owner = np.repeat(np.arange(n_cuts.size, dtype=np.intp), n_cuts + 1)
-    return owner, np.flatnonzero(owner[1:] == owner[:-1]) + 1
-
-
-def _by_direction(pieces: ShortPieces, steps: _Steps, nothing: Array, n_sectors: int) -> tuple[NDArray[np.intp], Array]:
+def _by_direction(
+    pieces: ShortPieces, steps: OneWaySteps, nothing: Array, n_sectors: int
+) -> tuple[NDArray[np.intp], Array]:
     """Parts of the integral of the size, and where they belong: curve by curve, by code of the direction.
 
     A code is 2k along edge k, 2k + 1 between edge k and the next.
@@ -158,7 +96,7 @@ def _by_direction(pieces: ShortPieces, steps: _Steps, nothing: Array, n_sectors:
     # On a step that turns only sectors count: an edge is where the vector stays.
     first = np.where((ahead != 0) & (start % 2 == 0), start + sense, start)
     last = start + ahead - np.where((ahead != 0) & ((start + ahead) % 2 == 0), sense, 0)
-    step, later = _stretches(np.abs(last - first) // 2)
+    step, later = stretches(np.abs(last - first) // 2)
     piece, low, high, code = steps.piece[step], steps.start[step], steps.end[step], first[step]
     own = step[later]
     n_before = later - np.searchsorted(step, own)
@@ -170,54 +108,42 @@ def _by_direction(pieces: ShortPieces, steps: _Steps, nothing: Array, n_sectors:
     return pieces.curve[piece] * (2 * n_sectors) + code % (2 * n_sectors), value
 
 
-def _backward(steps: _Steps) -> _Steps:
+def _backward(steps: OneWaySteps) -> OneWaySteps:
     """The same steps from their ends."""
-    return _Steps(steps.piece, steps.end, steps.start, steps.at_end, steps.at_start)
+    return OneWaySteps(steps.piece, steps.end, steps.start, steps.at_end, steps.at_start)
 
 
-def _codes(pieces: ShortPieces, steps: _Steps, nothing: Array, n_sectors: int) -> NDArray[np.intp]:
+def _codes(pieces: ShortPieces, steps: OneWaySteps, nothing: Array, n_sectors: int) -> NDArray[np.intp]:
     """Codes of the directions in which steps start: where the vector is nothing there, of what is next to it."""
     x, y = steps.at_start
-    size, least = np.hypot(x, y), nothing[pieces.curve[steps.piece]]
+    size, least = np.sqrt(x * x + y * y), nothing[pieces.curve[steps.piece]]
     lost = np.flatnonzero(size <= least)
     if lost.size:
         aside = steps.start[lost] + _ASIDE * (steps.end - steps.start)[lost]
         x, y = steps.at_start.copy()
-        x[lost], y[lost] = polynomial(pieces.powers[..., steps.piece[lost]], aside).value
-        size[lost] = np.hypot(x[lost], y[lost])
+        x[lost], y[lost] = polynomial_value(pieces.powers[..., steps.piece[lost]], aside)
+        size[lost] = np.sqrt(x[lost] ** 2 + y[lost] ** 2)
     part = np.arctan2(y, x) * (n_sectors / (2 * np.pi))
     nearest = np.rint(part)
     is_along = size * np.abs(part - nearest) * (2 * np.pi / n_sectors) <= least
     return np.where(is_along, 2 * nearest, 2 * np.floor(part) + 1).astype(np.intp)
 
 
-def _crossing(pieces: ShortPieces, steps: _Steps, step: NDArray[np.intp], edge: Array) -> Array:
+def _crossing(pieces: ShortPieces, steps: OneWaySteps, step: NDArray[np.intp], edge: Array) -> Array:
     """Where vectors cross edges, each on a step of its own."""
     along = np.stack([np.cos(edge), np.sin(edge)])
-    powers, low, high = _cross(along, pieces.powers[..., steps.piece[step]]), steps.start[step], steps.end[step]
-    before, after = (_cross(along, at[:, step]) for at in (steps.at_start, steps.at_end))
-    return newton_roots(lambda way: polynomial(powers, way)[:2], low, high, before, after)
+    powers, low, high = cross(along, pieces.powers[..., steps.piece[step]]), steps.start[step], steps.end[step]
+    before, after = (cross(along, at[:, step]) for at in (steps.at_start, steps.at_end))
+    slopes = powers[1:] * np.arange(1.0, len(powers))[:, np.newaxis]
+    return newton_roots(
+        lambda way: (polynomial_value(powers, way), polynomial_value(slopes, way)), low, high, before, after
+    )
 
 
 def _size_between(powers: Array, low: Array, high: Array) -> Array:
     """Integral of the size from one way to another near to it."""
     half, total = (high - low) / 2, np.zeros(low.shape)
     for node, weight in zip(*leggauss(_FEW), strict=True):
-        way = low + half * (1 + node)
-        # In place, as most of the time would go into new memory.
-        vector = powers[-1].copy()
-        for part in powers[-2::-1]:
-            vector *= way
-            vector += part
-        total += weight * np.sqrt(_dot(vector, vector))
+        vector = polynomial_value(powers, low + half * (1 + node))
+        total += weight * np.sqrt(dot(vector, vector))
     return half * total
-
-
-def _cross(one: Array, other: Array) -> Array:
-    """Cross product of vectors of shape (..., 2, k)."""
-    return one[..., 0, :] * other[..., 1, :] - one[..., 1, :] * other[..., 0, :]
-
-
-def _dot(one: Array, other: Array) -> Array:
-    """Dot product of vectors of shape (..., 2, k)."""
-    return one[..., 0, :] * other[..., 0, :] + one[..., 1, :] * other[..., 1, :]
