@@ -104,7 +104,7 @@ def near_roots(curve: Curve, start: Array, low: Array, high: Array) -> Array:
         return root if np.all(is_found) else bracketed_roots(curve, low, high)
 
 
-def newton_roots(curve: SlopedCurve, low: Array, high: Array, before: Array, after: Array) -> Array:
+def newton_roots(curve: SlopedCurve, low: Array, high: Array, sense: Array, share: Array) -> Array:
     """Where curves that are cheap to compute, with their slopes, change sign once, each within its own bracket.
 
     Parameters
@@ -112,27 +112,29 @@ def newton_roots(curve: SlopedCurve, low: Array, high: Array, before: Array, aft
     curve : SlopedCurve
     low, high : Array, shape (n,)
         Ends of each bracket, some 1 apart.
-    before, after : Array, shape (n,)
-        The curves there.
+    sense : Array, shape (n,)
+        1 where a curve rises through 0, −1 where it falls.
+    share : Array, shape (n,)
+        Where to begin, in parts of the bracket.
 
     Returns
     -------
     Array, shape (n,)
-        To rounding where the slope there is not small, else to 1e-6.
+        To 1e-12 where the slope there is not small, else to 1e-6.
 
     Notes
     -----
-    Newton's method from where the secant crosses; it halves what is left of the bracket where it would leave that.
+    Newton's method, which halves what is left of the bracket where it would leave that.
 
     Examples
     --------
     >>> one = np.array([1.0])
-    >>> newton_roots(lambda x: (x * x - 0.25, 2 * x), 0 * one, one, -0.25 * one, 0.75 * one).tolist()
+    >>> newton_roots(lambda x: (x * x - 0.25, 2 * x), 0 * one, one, one, 0.4 * one).tolist()
     [0.5]
     """
-    low, high, sense = np.array(low), np.array(high), np.sign(after - before)
+    low, high = np.array(low), np.array(high)
+    way = low + share * (high - low)
     with np.errstate(divide="ignore", invalid="ignore"):
-        way = low + (high - low) * np.clip(np.nan_to_num(before / (before - after), nan=0.5), 0.0, 1.0)
         for _ in range(_MOST_SAFE_STEPS):
             value, slope = curve(way)
             is_before = value * sense < 0
@@ -144,3 +146,10 @@ def newton_roots(curve: SlopedCurve, low: Array, high: Array, before: Array, aft
             if np.all(is_near):
                 break
     return way
+
+
+def secant_share(before: Array, after: Array) -> Array:
+    """Where the secant is 0 between two values of opposite sign, in parts of the way from one to the other."""
+    size = np.abs(before)
+    both = size + np.abs(after)
+    return size / np.where(both > 0, both, 1.0)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array
 from cranktrain.numerics.one_way_steps import OneWaySteps, cross, dot, one_way_steps, stretches
 from cranktrain.numerics.polynomials import polynomial_value
-from cranktrain.numerics.roots import newton_roots
+from cranktrain.numerics.roots import newton_roots, secant_share
 from cranktrain.numerics.short_pieces import ShortPieces, short_pieces
 from cranktrain.numerics.subintervals import Subintervals, leggauss
 
@@ -21,7 +21,7 @@ _ON_EDGE = 1e-12
 no direction."""
 _ASIDE = 1e-3
 """How far into a step the direction is looked at where the vector is nothing, in parts of the step."""
-_AT_ONCE = 24576
+_AT_ONCE = 20000
 """Points of curves at once: many more of them take longer one by one, as their pieces fit no cache."""
 _FEW = 4
 """Gauss's points from mark to mark, for the size, which is no polynomial."""
@@ -59,7 +59,7 @@ def size_by_sector(of: Subintervals, x: Array, y: Array, n_sectors: int) -> Sect
 
     Notes
     -----
-    To some 1e-9 of the whole.
+    To some 1e-8 of the whole.
 
     Examples
     --------
@@ -74,8 +74,8 @@ def size_by_sector(of: Subintervals, x: Array, y: Array, n_sectors: int) -> Sect
     largest = np.sqrt(np.max(x * x + y * y, axis=-1))
     known = np.flatnonzero(np.isfinite(largest))
     found = np.full((len(x), 2 * n_sectors), np.nan)
-    n_at_once = max(1, _AT_ONCE // of.angle.size)
-    for own in (known[first : first + n_at_once] for first in range(0, known.size, n_at_once)):
+    n_blocks = -(-known.size * of.angle.size // _AT_ONCE)
+    for own in np.array_split(known, n_blocks) if known.size else ():
         pieces = short_pieces(of, (x[own], y[own]))
         place, value = _by_direction(pieces, one_way_steps(pieces), _ON_EDGE * largest[own], n_sectors)
         found[own] = np.bincount(place, value, own.size * 2 * n_sectors).reshape(own.size, -1)
@@ -92,7 +92,7 @@ def _by_direction(
     start = _codes(pieces, steps, nothing, n_sectors)
     end = _codes(pieces, _backward(steps), nothing, n_sectors)
     ahead = (end - start + n_sectors) % (2 * n_sectors) - n_sectors
-    sense = np.where(ahead < 0, -1, 1)
+    sense: NDArray[np.intp] = np.where(ahead < 0, -1, 1)
     # On a step that turns only sectors count: an edge is where the vector stays.
     first = np.where((ahead != 0) & (start % 2 == 0), start + sense, start)
     last = start + ahead - np.where((ahead != 0) & ((start + ahead) % 2 == 0), sense, 0)
@@ -101,8 +101,8 @@ def _by_direction(
     own = step[later]
     n_before = later - np.searchsorted(step, own)
     code[later] += 2 * n_before * sense[own]
-    edge = (code[later] - sense[own]) * (np.pi / n_sectors)
-    crossing = _crossing(pieces, steps, own, edge)
+    edge = (code[later] - sense[own]).astype(np.float64) * (np.pi / n_sectors)
+    crossing = _crossing(pieces, steps, own, edge, sense[own].astype(np.float64))
     low[later], high[later - 1] = crossing, crossing
     value = pieces.half[piece] * _size_between(pieces.powers[..., piece], low, high)
     return pieces.curve[piece] * (2 * n_sectors) + code % (2 * n_sectors), value
@@ -126,17 +126,18 @@ def _codes(pieces: ShortPieces, steps: OneWaySteps, nothing: Array, n_sectors: i
     part = np.arctan2(y, x) * (n_sectors / (2 * np.pi))
     nearest = np.rint(part)
     is_along = size * np.abs(part - nearest) * (2 * np.pi / n_sectors) <= least
-    return np.where(is_along, 2 * nearest, 2 * np.floor(part) + 1).astype(np.intp)
+    code: Array = np.where(is_along, 2 * nearest, 2 * np.floor(part) + 1)
+    return code.astype(np.intp)
 
 
-def _crossing(pieces: ShortPieces, steps: OneWaySteps, step: NDArray[np.intp], edge: Array) -> Array:
-    """Where vectors cross edges, each on a step of its own."""
+def _crossing(pieces: ShortPieces, steps: OneWaySteps, step: NDArray[np.intp], edge: Array, sense: Array) -> Array:
+    """Where vectors cross edges in a sense, each on a step of its own."""
     along = np.stack([np.cos(edge), np.sin(edge)])
     powers, low, high = cross(along, pieces.powers[..., steps.piece[step]]), steps.start[step], steps.end[step]
-    before, after = (cross(along, at[:, step]) for at in (steps.at_start, steps.at_end))
     slopes = powers[1:] * np.arange(1.0, len(powers))[:, np.newaxis]
+    share = secant_share(*(cross(along, at[:, step]) for at in (steps.at_start, steps.at_end)))
     return newton_roots(
-        lambda way: (polynomial_value(powers, way), polynomial_value(slopes, way)), low, high, before, after
+        lambda way: (polynomial_value(powers, way), polynomial_value(slopes, way)), low, high, sense, share
     )
 
 

@@ -1,5 +1,6 @@
 """Curves between breaks as polynomials of few powers, each on a short piece of one of Gauss's panels."""
 
+from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
 
@@ -32,13 +33,14 @@ class ShortPieces(NamedTuple):
     curve: NDArray[np.intp]
 
 
-def short_pieces(of: Subintervals, values: Array) -> ShortPieces:
+def short_pieces(of: Subintervals, values: Sequence[Array]) -> ShortPieces:
     """Cut the polynomials through the points of panels into pieces that few powers describe.
 
     Parameters
     ----------
     of : Subintervals
-    values : Array, shape (part, curve, point)
+    values : sequence of Array, shape (curve, point)
+        Parts of vectors, or a curve alone.
 
     Returns
     -------
@@ -48,13 +50,14 @@ def short_pieces(of: Subintervals, values: Array) -> ShortPieces:
     --------
     >>> from cranktrain.numerics.subintervals import subintervals
     >>> cut = subintervals(np.array([0.0]), 1.0, 2.0)
-    >>> found = short_pieces(cut, (3.0 * cut.angle)[np.newaxis, np.newaxis])
+    >>> found = short_pieces(cut, [3.0 * cut.angle[np.newaxis]])
     >>> np.round(found.powers[:3, 0, 0], 9).tolist(), round(3 * found.half[0], 9)
     ([0.5, 0.5, 0.0], 0.5)
     """
     n_curves = len(values[0])
     by_point = [np.ascontiguousarray(part.T) for part in values]
-    powers, halves = [], []
+    powers: list[Array] = []
+    halves: list[Array] = []
     for n_nodes in np.unique(of.size).tolist():
         chosen = np.flatnonzero(of.size == n_nodes)
         place = of.first[chosen] + np.arange(n_nodes, dtype=np.intp)[:, np.newaxis]

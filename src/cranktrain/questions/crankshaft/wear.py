@@ -101,7 +101,8 @@ def _widths(is_least: NDArray[np.bool_]) -> NDArray[np.intp]:
     """How many rays follow each other from each that begins a sector, shape (..., ray); 0 for others."""
     n_rays = is_least.shape[-1]
     begins = is_least & ~np.roll(is_least, 1, axis=-1)
-    place = (np.arange(n_rays)[:, np.newaxis] + np.arange(n_rays)) % n_rays
+    ray = np.arange(n_rays, dtype=np.intp)
+    place: NDArray[np.intp] = (ray[:, np.newaxis] + ray) % n_rays
     return np.where(begins, np.argmin(is_least[..., place], axis=-1), 0)
 
 
