@@ -123,8 +123,8 @@ def _codes(pieces: ShortPieces, steps: OneWaySteps, nothing: Array, n_sectors: i
         x, y = steps.at_start.copy()
         x[lost], y[lost] = polynomial_value(pieces.powers[..., steps.piece[lost]], aside)
         size[lost] = np.sqrt(x[lost] ** 2 + y[lost] ** 2)
-    part = np.arctan2(y, x) * (n_sectors / (2 * np.pi))
-    nearest = np.rint(part)
+    part: Array = np.arctan2(y, x) * (n_sectors / (2 * np.pi))
+    nearest: Array = np.rint(part)
     is_along = size * np.abs(part - nearest) * (2 * np.pi / n_sectors) <= least
     code: Array = np.where(is_along, 2 * nearest, 2 * np.floor(part) + 1)
     return code.astype(np.intp)
