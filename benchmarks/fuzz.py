@@ -44,6 +44,8 @@ PLANS = [one.name for one in PICTURES if one.kind == "plan"]
 LONGEST = 60.0
 """A command ends within this; a stroke of the most steps takes half of it. [s]"""
 MOST_MENDS = 15
+FILES_A_LINE = 1000
+"""After so many files it is said how far it is."""
 MOST_STEPS = 1000
 """Of a start."""
 
@@ -181,6 +183,8 @@ def main() -> int:
         for seed in range(asked.first, asked.first + asked.files):
             if time.monotonic() - began > 60 * asked.minutes:
                 break
+            if n_files and n_files % FILES_A_LINE == 0:
+                print(f"{n_files} files, {sum(found.values())} findings so far", flush=True)
             n_files += 1
             raw = machine(seed)
             tables = possible(raw, path)
