@@ -57,7 +57,7 @@ def test_like_throws_are_alike():
 def test_v12_against_beam_elements(method, gives, bearings):
     whole = loaded(bearings=bearings, **GIVES)
     (acting,), shaft = whole.loads(np.radians([[10.0, 77.0, 301.0]])), whole.each[0].shaft
-    found = METHODS[method].loads(shaft, acting).load
+    found = METHODS[method].of(shaft.supports, acting).load
     beam = shaft._replace(straight=StraightSpans(of_spans(shaft), shaft.straight.shear))
     for angle in range(3):
         borne, _moved = beam_loads(beam, acting, 0, angle, gives=gives)
