@@ -57,34 +57,65 @@ class LoadsInSpans:
     loads : ShaftLoads
     """
 
-    def __init__(self, of: AlikeShafts, loads: ShaftLoads) -> None:
-        self.of, self.loads = of, loads
+    def __init__(self, of: AlikeShafts, loads: ShaftLoads, taken: "_Taken | None" = None) -> None:
+        self.of, self.loads, self._taken = of, loads, taken
 
-    @cached_property
-    def along(self) -> AxisLoads:
-        """The loads, carried over to the axis."""
-        return on_axis(self.loads)
+    def at(self, angles: NDArray[np.intp]) -> "LoadsInSpans":
+        """The same at some of the crank angles, which hand on what is found at all."""
+        return LoadsInSpans(self.of, loads_at(self.loads, angles), _Taken(self, angles))
 
     @cached_property
     def cut(self) -> CutShaft:
         """The shaft cut at its bearings."""
-        return cut_shaft(self.of.shaft.supports.place, self.of.alike.loads, self.along)
+        if self._taken is not None:
+            return CutShaft(*(part[..., self._taken.angles] for part in self._taken.whole.cut))
+        return cut_shaft(self.of.shaft.supports.place, self.of.alike.loads, self._along)
 
     @cached_property
     def turning_cut(self) -> CutShaft:
         """The same in axes that turn with the shaft."""
+        if self._taken is not None:
+            return CutShaft(*(part[..., self._taken.angles] for part in self._taken.whole.turning_cut))
         return CutShaft(*(turned_by(values, self.loads.turned) for values in self.cut))
 
     @cached_property
     def frame(self) -> SpanFlexibility:
         """Spans as crank frames, in axes that turn with the shaft."""
+        if self._taken is not None:
+            return _slopes_at(self._taken.whole.frame, self._taken.angles)
         return frame_spans(self.of.bent, self.of.shaft.supports.thrust, self.loads, self.of.alike.loads)
 
     @cached_property
     def straight(self) -> SpanFlexibility:
         """Spans as straight beams."""
+        if self._taken is not None:
+            return _slopes_at(self._taken.whole.straight, self._taken.angles)
         own = self.of.shaft
-        return straight_spans(own.supports.place, own.straight, self.of.alike.loads, self.along)
+        return straight_spans(own.supports.place, own.straight, self.of.alike.loads, self._along)
+
+    @cached_property
+    def _along(self) -> AxisLoads:
+        """The loads, carried over to the axis."""
+        return on_axis(self.loads)
+
+
+class _Taken(NamedTuple):
+    """Loads, and at which of their crank angles others are taken from them."""
+
+    whole: LoadsInSpans
+    angles: NDArray[np.intp]
+
+
+def loads_at(loads: ShaftLoads, angles: NDArray[np.intp]) -> ShaftLoads:
+    """Loads at some of their crank angles."""
+    over_angles = ("turned", "force", "couple", "torque", "thrust")
+    curves = {name: getattr(loads, name) for name in over_angles}
+    return loads._replace(**{name: part[..., angles] for name, part in curves.items() if part is not None})
+
+
+def _slopes_at(spans: SpanFlexibility, angles: NDArray[np.intp]) -> SpanFlexibility:
+    """What moments do is the same at all angles, in these axes."""
+    return spans._replace(first_slope=spans.first_slope[..., angles], last_slope=spans.last_slope[..., angles])
 
 
 class SpannedLoads(NamedTuple):
@@ -98,14 +129,9 @@ class SpannedLoads(NamedTuple):
         """Of the shaft."""
         return self.groups[0].of.shaft.supports.place.shape[1]
 
-    def at(self, angles: slice) -> "SpannedLoads":
+    def at(self, angles: NDArray[np.intp]) -> "SpannedLoads":
         """The same at some of the crank angles."""
-        curves = {
-            name: getattr(self.loads, name)[..., angles]
-            for name in ("turned", "force", "couple", "torque", "thrust")
-            if getattr(self.loads, name) is not None
-        }
-        return spanned_loads([one.of for one in self.groups], self.loads._replace(**curves))
+        return SpannedLoads(loads_at(self.loads, angles), tuple(own.at(angles) for own in self.groups))
 
 
 def spanned_loads(shafts: Sequence[AlikeShafts], loads: ShaftLoads) -> SpannedLoads:

@@ -23,13 +23,16 @@ from cranktrain.questions.crankshaft.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.methods import ELASTIC_FRAME
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft import Supports
+from cranktrain.questions.crankshaft.torque_along import TorqueOfLoads
 from cranktrain.questions.crankshaft.torque_of_shafts import torque_in_sections, torques_of_loads
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.peaks import counted
 from cranktrain.record import record
 
 _WIDE = 0.01
-"""How far from where panels show a top it is looked for at first. [rad]"""
+"""From window to window in which tops are looked for. [rad]"""
+_REACH = 1.2
+"""How far a window reaches from its middle, in parts of that."""
 _NOTHING = 1e-12
 """Of the largest of all like it, a curve of which is rounding."""
 HOUSINGS = (0.5, 2.0)
@@ -68,15 +71,15 @@ class _Curves(NamedTuple):
     supports: Sequence[Supports]
     sections: NDArray[np.bool_]
 
-    def values(self, loaded: LoadedShafts, acting: Sequence[SpannedLoads], borne: Array | None = None) -> Array:
+    def borne(self, acting: Sequence[SpannedLoads]) -> Array | None:
+        """Load of all bearings, shape (design, bearing, 2, n). [N]"""
+        return None if self.method is None else bearing_loads_of(self.supports, [self.method], acting)[:, 0]
+
+    def values(self, loaded: LoadedShafts, by_loads: Sequence[TorqueOfLoads], borne: Array | None) -> Array:
         """Sizes of the loads, the torques, and these against the rotation, shape (design, curve, n)."""
-        found: list[Array] = []
-        if self.method is not None:
-            if borne is None:
-                borne = bearing_loads_of(self.supports, [self.method], acting)[:, 0]
-            found.append(np.hypot(borne[:, :, 0], borne[:, :, 1]))
+        found = [] if borne is None else [np.hypot(borne[:, :, 0], borne[:, :, 1])]
         if np.any(self.sections):
-            torque = torque_in_sections(loaded, torques_of_loads(loaded, acting), borne)[:, self.sections]
+            torque = torque_in_sections(loaded, by_loads, borne)[:, self.sections]
             found += [torque, -torque]
         return np.concatenate(found, axis=1)
 
@@ -107,8 +110,10 @@ def shaft_peaks(
         _Curves(None, supports, is_journal),
     ]
     n_methods = len(methods)
-    given = [*(between.load[:, place] for place in range(n_methods)), *[None] * (len(each) - n_methods)]
-    samples = [one.values(loaded, between.acting, own) for one, own in zip(each, given, strict=True)]
+    by_loads = torques_of_loads(loaded, between.acting)
+    borne: list[Array | None] = [between.load[:, place] for place in range(n_methods)]
+    borne += [one.borne(between.acting) for one in each[n_methods:]]
+    samples = [one.values(loaded, by_loads, own) for one, own in zip(each, borne, strict=True)]
     kinds = [part for one, own in zip(each, samples, strict=True) for part in one.kinds(own.shape[1])]
     found = iter(_largest(loaded, each, samples, kinds, points, events, crank_angle))
     loads, torques = zip(*((next(found), next(found)) for _method in methods), strict=True)
@@ -149,30 +154,33 @@ def _largest(
     ]
     centre = np.full((*scale.shape, max(own.shape[-1] for own in tops)), np.nan)
     for design, own in enumerate(tops):
-        centre[design, :, : own.shape[-1]] = own
+        # On few places, so that curves which are largest near to each other are looked at in one window.
+        centre[design, :, : own.shape[-1]] = _WIDE * np.rint(own / _WIDE)
     breaks = np.repeat(events.whole - crank_angle.zero[:, 0], scale.shape[1], axis=0)
     first = np.cumsum([0, *(own.shape[1] for own in samples)])
 
     def curves(which: NDArray[np.intp], shown: Array) -> Array:
-        """The machine is solved at all angles together; each method has its own among them."""
+        """The machine is solved once for all curves that are looked at in one window; each method has its own."""
         design, row = np.divmod(which, scale.shape[1])
-        number = np.searchsorted(first, row, side="right") - 1
-        own_rows = [np.flatnonzero(number == one) for one in range(len(each))]
-        laid = [in_slots(design[own], shown[own], len(scale)) for own in own_rows]
-        asked = [angle.reshape(len(scale), 1, -1) for angle, _slot in laid]
-        ends = np.cumsum([0, *(angle.shape[-1] for angle in asked)]).tolist()
-        acting = loaded.loads(np.concatenate(asked, axis=-1) + crank_angle.zero)
-        found = np.empty_like(shown)
-        for place, (one, own, (angle, slot)) in enumerate(zip(each, own_rows, laid, strict=True)):
+        windows, number = np.unique(np.column_stack([design, shown]), axis=0, return_inverse=True)
+        asked, slots = in_slots(windows[:, 0].astype(np.intp), windows[:, 1:], len(scale))
+        acting = loaded.loads(asked.reshape(len(scale), 1, -1) + crank_angle.zero)
+        by_loads = torques_of_loads(loaded, acting)
+        slot, of_curves = slots[number], np.searchsorted(first, row, side="right") - 1
+        found, n_nodes = np.empty_like(shown), shown.shape[-1]
+        for place, one in enumerate(each):
+            own = np.flatnonzero(of_curves == place)
             if own.size:
-                here = slice(ends[place], ends[place + 1])
-                values = one.values(loaded, [shaft.at(here) for shaft in acting])
-                values = values.reshape(*values.shape[:2], *angle.shape[1:])
-                found[own] = values[design[own], row[own] - first[place], slot]
+                here = np.unique(slot[own])
+                angles = np.ravel(here[:, np.newaxis] * n_nodes + np.arange(n_nodes, dtype=np.intp))
+                borne = one.borne([shaft.at(angles) for shaft in acting])
+                values = one.values(loaded, [shaft.at(angles) for shaft in by_loads], borne)
+                values = values.reshape(*values.shape[:2], here.size, n_nodes)
+                found[own] = values[design[own], row[own] - first[place], np.searchsorted(here, slot[own])]
         return found
 
     best = largest_near(
-        curves, centre.reshape(-1, centre.shape[-1]), breaks, scale.reshape(-1), _WIDE, crank_angle.cycle
+        curves, centre.reshape(-1, centre.shape[-1]), breaks, scale.reshape(-1), _REACH * _WIDE, crank_angle.cycle
     )
     peak = Peak(*(part.reshape(scale.shape) for part in best))
     for own in of_kind:

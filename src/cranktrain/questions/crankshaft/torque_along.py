@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.shaft import Crankshaft
@@ -31,6 +32,10 @@ class TorqueOfLoads(NamedTuple):
 
     along: TorqueAlong
     axis: Array
+
+    def at(self, angles: NDArray[np.intp]) -> "TorqueOfLoads":
+        """The same at some of the crank angles."""
+        return TorqueOfLoads(TorqueAlong(*(part[..., angles] for part in self.along)), self.axis[..., angles])
 
 
 def torque_along(shaft: Crankshaft, loads: ShaftLoads, borne: Array) -> TorqueAlong:
