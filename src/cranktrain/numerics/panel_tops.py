@@ -14,8 +14,8 @@ _OVER = 0.25
 """Part of the range of a panel's points by which its polynomial may be higher than these."""
 _MARGIN = 1e-3
 """Part of the largest size by which a panel's polynomial may be off."""
-_LEVEL = 1e-9
-"""A curve whose range is a smaller part of its size has no tops."""
+_LEVEL = 1e-13
+"""A curve whose range is a smaller part of its size is level."""
 _MOST = 48
 """Tops of one curve that are looked at."""
 
@@ -34,30 +34,32 @@ def tops_in_panels(of: Subintervals, values: Array, nothing: Array) -> Array:
     Returns
     -------
     Array, shape (curve, top)
-        NaN for none: of a curve that is NaN all over. A curve that is level, or rounding, has one, at 0. [rad]
+        NaN for none: of a curve that is NaN all over, or level, or rounding. [rad]
     """
     known = np.where(np.isnan(values), -np.inf, values)
     best, scale = np.max(known, axis=-1), np.fmax.reduce(np.abs(values), axis=-1, initial=0.0)
-    level = np.ptp(values, axis=-1) <= np.maximum(_LEVEL * scale, nothing)
-    is_alive = (best > -np.inf) & ~level
-    rows, angles, heights = [np.flatnonzero(level)], [np.zeros(np.sum(level))], [best[level]]
+    has_tops = (best > -np.inf) & ~(np.ptp(values, axis=-1) <= np.maximum(_LEVEL * scale, nothing))
+    rows: list[NDArray[np.intp]] = []
+    angles: list[Array] = []
+    heights: list[Array] = []
     for n_nodes in np.unique(of.size).tolist():
         panel = np.flatnonzero(of.size == n_nodes)
         place: NDArray[np.intp] = of.first[panel, np.newaxis] + np.arange(n_nodes, dtype=np.intp)
         nodes = values[:, place]
         highest = np.max(nodes, axis=-1)
         may_be = highest + _OVER * (highest - np.min(nodes, axis=-1)) >= best[:, np.newaxis]
-        row, at = np.nonzero(may_be & is_alive[:, np.newaxis])
+        row, at = np.nonzero(may_be & has_tops[:, np.newaxis])
         tried = np.sum(nodes[row, at][:, :, np.newaxis] * _weights(n_nodes), axis=1)
         ends = np.full((len(tried), 1), -np.inf)
         before, after = (np.concatenate(pair, axis=1) for pair in ((ends, tried[:, :-1]), (tried[:, 1:], ends)))
         pair, way = np.nonzero((tried >= before) & (tried >= after))
         slope, bend = (after - before)[pair, way] / 2, (after + before - 2 * tried)[pair, way]
-        aside = np.where(np.isfinite(slope) & (bend < 0), np.clip(-slope / bend, -1.0, 1.0), 0.0)
+        is_inside = np.isfinite(slope) & (bend < 0)
+        aside = np.divide(-slope, bend, out=np.zeros_like(slope), where=is_inside)
         ahead = 1 + _TRIED[way] + (_TRIED[1] - _TRIED[0]) * aside
         rows.append(row[pair])
         angles.append(of.start[panel[at[pair]]] + of.width[panel[at[pair]]] / 2 * ahead)
-        heights.append(tried[pair, way] + np.where(aside != 0, slope * aside + bend / 2 * aside**2, 0.0))
+        heights.append(tried[pair, way] + np.where(is_inside, slope, 0.0) * aside / 2)
     row, angle, height = np.concatenate(rows), np.concatenate(angles), np.concatenate(heights)
     np.maximum.at(best, row, height)
     is_high = height >= (best - _MARGIN * scale)[row]
@@ -76,6 +78,6 @@ def _in_rows(row: NDArray[np.intp], angle: Array, height: Array, n_rows: int) ->
     row, angle = row[order], angle[order]
     rank = np.arange(row.size) - np.searchsorted(row, row)
     kept = rank < _MOST
-    found = np.full((n_rows, int(np.max(rank[kept], initial=-1)) + 1), np.nan)
+    found = np.full((n_rows, int(np.max(rank[kept], initial=0)) + 1), np.nan)
     found[row[kept], rank[kept]] = angle[kept]
     return found

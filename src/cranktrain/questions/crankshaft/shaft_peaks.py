@@ -183,5 +183,8 @@ def _largest(
         curves, centre.reshape(-1, centre.shape[-1]), breaks, scale.reshape(-1), _REACH * _WIDE, crank_angle.cycle
     )
     peak = Peak(*(part.reshape(scale.shape) for part in best))
+    # What has no tops is level, and largest from the beginning on.
+    is_level = np.all(np.isnan(centre), axis=-1)
+    peak.value[is_level], peak.angle[is_level], peak.side[is_level] = np.max(whole, axis=-1)[is_level], 0.0, 0.0
     for own in of_kind:
         yield counted(Peak(*(part[:, own] for part in peak)), crank_angle)
