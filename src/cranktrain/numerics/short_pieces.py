@@ -12,7 +12,7 @@ from cranktrain.numerics.products import product
 from cranktrain.numerics.subintervals import Subintervals, interpolation
 
 N_POWERS = 7
-"""Of a piece: what the panel's polynomial has beyond them is less than 1e-11 of it there."""
+"""Of a piece: what the panel's polynomial has beyond them there is less than some 1e-10 of it."""
 
 
 class ShortPieces(NamedTuple):
@@ -75,7 +75,7 @@ def short_pieces(of: Subintervals, values: Sequence[Array]) -> ShortPieces:
 
 
 def _n_pieces(n_nodes: int) -> int:
-    """Into how many pieces a panel is cut: as many as it has more points than powers describe, and then some."""
+    """Into how many pieces a panel is cut, for few powers to be enough on each."""
     return max(1, n_nodes // 3 - 1)
 
 
