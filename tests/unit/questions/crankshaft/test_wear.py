@@ -77,7 +77,7 @@ def test_turning_axes():
     ("name", "n_stages"), [("3d12", 2), ("kamaz_740", 2), ("mill_engine", 2), ("burning_cylinder", 1)]
 )
 def test_wear_takes_few_points_beside_those_that_means_take(monkeypatch, name, n_stages):
-    """Pins and shells at once, journals and bearings at once; four times as many points as the loads have, roots and all."""
+    """Pins with shells, journals with bearings; at most four times as many points as the loads have, roots and all."""
     cycle_points, given, tried = sys.modules[CyclePoints.__module__], [], []
 
     def counted_sectors(of, x, y, n):
