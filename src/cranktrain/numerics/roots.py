@@ -129,7 +129,7 @@ def newton_roots(curve: SlopedCurve, low: Array, high: Array, sense: Array, shar
     Examples
     --------
     >>> one = np.array([1.0])
-    >>> newton_roots(lambda x: (x * x - 0.25, 2 * x), 0 * one, one, one, 0.4 * one).tolist()
+    >>> np.round(newton_roots(lambda x: (x * x - 0.25, 2 * x), 0 * one, one, one, 0.4 * one), 9).tolist()
     [0.5]
     """
     low, high = np.array(low), np.array(high)

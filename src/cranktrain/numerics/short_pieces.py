@@ -51,7 +51,7 @@ def short_pieces(of: Subintervals, values: Sequence[Array]) -> ShortPieces:
     >>> from cranktrain.numerics.subintervals import subintervals
     >>> cut = subintervals(np.array([0.0]), 1.0, 2.0)
     >>> found = short_pieces(cut, [3.0 * cut.angle[np.newaxis]])
-    >>> np.round(found.powers[:3, 0, 0], 9).tolist(), round(3 * found.half[0], 9)
+    >>> np.round(found.powers[:3, 0, 0], 9).tolist(), float(3 * found.half[0])
     ([0.5, 0.5, 0.0], 0.5)
     """
     n_curves = len(values[0])
