@@ -4,13 +4,11 @@ import math
 from typing import Any
 
 from cranktrain.questions.drive.clutched.equation import (
-    ANGLE,
-    N_PRESS_STATE,
-    SPEED,
+    HANDED_ON,
+    N_PRESS_ROW,
     ActingPress,
     PressPhase,
     firm_acceleration,
-    needed_torque,
 )
 from cranktrain.questions.drive.clutched.step import Derive
 from cranktrain.questions.drive.running.equation import Kernels
@@ -19,29 +17,18 @@ _LOOKS = 64
 _HALVINGS = 80
 
 
-def transmitted(derive: Derive, kernels: Kernels, time: float, state: Any, sense: float, acting: ActingPress) -> float:
-    """Torque that a locked clutch hands on to what it drives. [N·m] docs/theory/clutched-drive, eq. (30.4)."""
-    press, phase, slopes = acting.press, acting.phase, [0.0] * N_PRESS_STATE
-    derive(time, state, slopes, sense, acting)
-    angle, speed = min(max(float(state[ANGLE]), phase.low), phase.high), float(state[SPEED])
-    inertia, first, load, _ = kernels.machine(angle, speed, sense, press.machine)
-    drag = press.brake.torque * (phase.brake_level + phase.brake_slope * (time - phase.start)) * sense
-    on_crank = drag * press.brake_on_crank
-    facing = load + 0.5 * first * speed * speed + on_crank
-    return float(needed_torque(slopes[SPEED], sense, inertia, facing, press.behind)) + drag - on_crank
+def static_margin(time: float, handed_on: float, acting: ActingPress) -> float:
+    """By how much a locked clutch could hand on more than it does; below 0 it breaks loose. [N·m]
 
-
-def static_margin(
-    derive: Derive, kernels: Kernels, time: float, state: Any, sense: float, acting: ActingPress
-) -> float:
-    """By how much a locked clutch could hand on more than it does; below 0 it breaks loose. [N·m]"""
+    docs/theory/clutched-drive, eq. (30.4).
+    """
     phase = acting.phase
     level = phase.clutch_level + phase.clutch_slope * (time - phase.start)
-    return acting.press.clutch.static_torque * level - abs(transmitted(derive, kernels, time, state, sense, acting))
+    return acting.press.clutch.static_torque * level - abs(handed_on)
 
 
 def locked_or_slipping(
-    derive: Derive, kernels: Kernels, time: float, state: Any, sense: float, acting: ActingPress, *, must_slip: bool
+    derive: Derive, time: float, state: Any, sense: float, acting: ActingPress, *, must_slip: bool
 ) -> PressPhase:
     """Phase of a clutch whose sides turn alike: locked, or slipping the way that it is driven beyond what it holds.
 
@@ -49,11 +36,11 @@ def locked_or_slipping(
     """
     press, phase = acting.press, acting.phase
     locked = phase._replace(is_locked=True)
-    trial = ActingPress(press, locked)
-    if not must_slip and static_margin(derive, kernels, time, state, sense, trial) >= 0:
+    trial, slopes = ActingPress(press, locked), [0.0] * N_PRESS_ROW
+    derive(time, state, slopes, sense, trial)
+    if not must_slip and static_margin(time, slopes[HANDED_ON], trial) >= 0:
         return locked
-    way = math.copysign(1.0, transmitted(derive, kernels, time, state, sense, trial))
-    return phase._replace(is_locked=False, way=way)
+    return phase._replace(is_locked=False, way=math.copysign(1.0, slopes[HANDED_ON]))
 
 
 def urge(kernels: Kernels, time: float, angle: float, sense: float, acting: ActingPress) -> float:

@@ -65,9 +65,8 @@ def first_fall(
     return float(parts[above[-1]] if len(above) else 0.0), float(parts[last])
 
 
-def least_within(curve: Callable[[Array], Array]) -> float:
+def least_within(values: Array) -> float:
     """Least value of a smooth curve over a step, by a parabola about the least of its looks."""
-    values = curve(LOOKS)
     at = int(np.argmin(values))
     if at in (0, len(values) - 1):
         return float(values[at])
@@ -76,10 +75,10 @@ def least_within(curve: Callable[[Array], Array]) -> float:
     return float(middle - 0.125 * (left - right) ** 2 / bend) if bend > 0 else float(middle)
 
 
-def fallen_at(curve: Callable[[float], float], low: float, high: float) -> float:
+def fallen_at(curve: Callable[[float], float], low: float, high: float, rounding: float = 0.0) -> float:
     """Where a curve, above 0 at `low` and below at `high`, passes 0: where it is not above any more, to rounding.
 
-    By false position with the weight of the end that stays halved (Illinois), and by halving where that is slow.
+    Of the place or of the curve: below 0 by no more than `rounding` will do. By false position with the weight of the end that stays halved (Illinois), and by halving where that is slow.
     """
     value_low, value_high = curve(low), curve(high)
     if not value_low > 0:
@@ -99,6 +98,6 @@ def fallen_at(curve: Callable[[float], float], low: float, high: float) -> float
             low, value_low, value_high = at, value, 0.5 * value_high
         else:
             high, value_high, value_low = at, value, 0.5 * value_low
-            if value == 0:
+            if value >= -rounding:
                 break
     return high

@@ -68,7 +68,7 @@ def ahead_of(derive: Derive, kernels: Kernels, press: Press, now: Moment, plan: 
         return Ahead(acting, sense, until, (), _reason_of_time(now, is_gripping))
     happened: tuple[int, ...] = ()
     if acting.phase.way == 0 and sense != 0 and is_gripping:
-        phase = locked_or_slipping(derive, kernels, now.time, now.state, sense, acting, must_slip=must_slip)
+        phase = locked_or_slipping(derive, now.time, now.state, sense, acting, must_slip=must_slip)
         acting = ActingPress(press, phase)
     if acting.phase.is_locked != now.is_locked:
         happened = (LOCKED if acting.phase.is_locked else LOOSE,)

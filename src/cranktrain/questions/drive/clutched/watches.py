@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -20,7 +20,7 @@ _MOST_STEPS = 8
 STANDS, STALLS, MEETS, LOOSENS, PASSES_JUMP, PASSES_COMMAND, PASSES_WANTED, RECOVERS = range(8)
 """The crank or the flywheel comes to a stand; clutch's sides meet or part; angles; the flywheel's speed."""
 
-Spare: TypeAlias = Callable[[float, Array], float]
+Spare: TypeAlias = Callable[[float, Any], float]
 """(time within the step, state) → what a locked clutch could hand on besides. [N·m]"""
 
 
@@ -37,11 +37,24 @@ class Watch(NamedTuple):
 
 
 class Stepped(NamedTuple):
-    """A step just made: the state at its beginning, the slopes of its stages, and its width. [s]"""
+    """A step just made.
+
+    Attributes
+    ----------
+    state : Array
+        At its beginning.
+    slopes : Array
+        Of its stages.
+    width : float
+        [s]
+    spares : tuple of float
+        What a locked clutch could hand on besides, at the beginning and at the end. [N·m]
+    """
 
     state: Array
     slopes: Array
     width: float
+    spares: tuple[float, float]
 
 
 def watches_of(ahead: Ahead, now: Moment, plan: PressPlan, wanted: list[float], scale: float) -> list[Watch]:
@@ -69,54 +82,71 @@ def watches_of(ahead: Ahead, now: Moment, plan: PressPlan, wanted: list[float], 
 
 
 def first_met(
-    watches: list[Watch], step: Stepped, again: Callable[[float], Array], spare: Spare
-) -> tuple[Watch, float, Array] | None:
-    """First event of a step, how far from its beginning it is, and the state there; None if there is none.
+    watches: list[Watch], step: Stepped, again: Callable[[float], list[float]], spare: Spare
+) -> tuple[Watch, float] | None:
+    """First event of a step, and how far from its beginning it is; None if there is none.
 
     Where one may be is seen on the step's interpolant; where it is, on steps of that length, `again`, which are of a
     higher order.
     """
-    found: tuple[Watch, float, Array] | None = None
-    seen = states_within(step.state, step.slopes, step.width, LOOKS)
-    for watch in watches:
-        bracket = _seen_fall(watch, step, seen, spare)
+    found: tuple[Watch, float] | None = None
+    for watch, values in zip(watches, _looks_at(watches, step, spare), strict=True):
+        bracket = None if values is None else _seen_fall(watch, step, values, spare)
         if bracket is None or (found is not None and bracket[0] * step.width > found[1]):
             continue
         at = _settled(watch, step, again, spare, bracket)
         if at is not None and (found is None or at < found[1]):
-            found = watch, at, again(at)
+            found = watch, at
     return found
 
 
-def margin(watch: Watch, time: float, state: Array, spare: Spare) -> float:
+def margin(watch: Watch, time: float, state: list[float], spare: Spare) -> float:
     """What is watched, at a state."""
     if watch.weights is None:
         return spare(time, state)
-    return float(np.dot(watch.weights, state[:N_PRESS_FED])) - watch.level
+    wheel, angle, speed = watch.weights
+    return wheel * state[0] + angle * state[1] + speed * state[2] - watch.level
 
 
-def _seen_fall(watch: Watch, step: Stepped, seen: Array, spare: Spare) -> tuple[float, float] | None:
+def _looks_at(watches: list[Watch], step: Stepped, spare: Spare) -> list[Array | None]:
+    """What is watched at all looks, of those alone which may fall below 0: they do so, or have a bottom between."""
+    weights = np.array([watch.weights or (0.0, 0.0, 0.0) for watch in watches])
+    levels, roundings = (np.array([getattr(watch, name) for watch in watches]) for name in ("level", "rounding"))
+    seen = weights @ states_within(step.state, step.slopes, step.width, LOOKS).T - levels[:, np.newaxis]
+    middle = seen[:, 1:-1]
+    may_fall = np.any((middle < seen[:, :-2]) & (middle <= seen[:, 2:]), axis=1) | (seen.min(axis=1) < -roundings)
+    return [
+        _spares(FEW_LOOKS, step, spare) if watch.weights is None else values if may else None
+        for watch, values, may in zip(watches, seen, may_fall.tolist(), strict=True)
+    ]
+
+
+def _spares(parts: Array, step: Stepped, spare: Spare) -> Array:
+    """What a locked clutch could hand on besides, at parts of a step. [N·m]"""
+    within = (parts > 0) & (parts < 1)
+    states = np.zeros((len(parts), N_PRESS_STATE))
+    states[:, :N_PRESS_FED] = states_within(step.state, step.slopes, step.width, parts)
+    values = np.where(parts > 0, step.spares[1], step.spares[0])
+    times = (parts[within] * step.width).tolist()
+    values[within] = [spare(time, state) for time, state in zip(times, states[within].tolist(), strict=True)]
+    return values
+
+
+def _seen_fall(watch: Watch, step: Stepped, values: Array, spare: Spare) -> tuple[float, float] | None:
     """Bracket of what falls below 0 in a step, by its interpolant."""
     if watch.weights is not None:
         weights = np.array(watch.weights)
-        values = seen @ weights - watch.level
 
         def curve(parts: Array) -> Array:
             return states_within(step.state, step.slopes, step.width, parts) @ weights - watch.level
 
         return first_fall(curve, LOOKS, values, watch.rounding)
 
-    def spares(parts: Array) -> Array:
-        states = np.zeros((len(parts), N_PRESS_STATE))
-        states[:, :N_PRESS_FED] = states_within(step.state, step.slopes, step.width, parts)
-        times = parts * step.width
-        return np.array([spare(float(time), state) for time, state in zip(times, states, strict=True)])
-
-    return first_fall(spares, FEW_LOOKS, spares(FEW_LOOKS), watch.rounding)
+    return first_fall(lambda parts: _spares(parts, step, spare), FEW_LOOKS, values, watch.rounding)
 
 
 def _settled(
-    watch: Watch, step: Stepped, again: Callable[[float], Array], spare: Spare, bracket: tuple[float, float]
+    watch: Watch, step: Stepped, again: Callable[[float], list[float]], spare: Spare, bracket: tuple[float, float]
 ) -> float | None:
     """How far into a step what is watched passes 0; None if the step itself does not see it."""
 
@@ -124,11 +154,11 @@ def _settled(
         return margin(watch, part, again(part), spare)
 
     near = _near(watch, step, bracket)
-    if near is not None and (found := _by_newton(at, *near)) is not None:
+    if near is not None and (found := _by_newton(at, *near, watch.rounding)) is not None:
         return found
     for end in (bracket[1] * step.width, step.width):
         if at(end) < 0:
-            return fallen_at(at, bracket[0] * step.width, end)
+            return fallen_at(at, bracket[0] * step.width, end, watch.rounding)
     return None
 
 
@@ -154,13 +184,13 @@ def _near(watch: Watch, step: Stepped, bracket: tuple[float, float]) -> tuple[fl
     return (step.width * part, slope) if is_within and slope < 0 else None
 
 
-def _by_newton(at: Callable[[float], float], near: float, slope: float) -> float | None:
+def _by_newton(at: Callable[[float], float], near: float, slope: float, rounding: float) -> float | None:
     """Where a curve passes 0, by steps with the slope of another that is next to it; None if they come to no end."""
     for _ in range(_MOST_STEPS):
-        off = at(near) / slope
-        near -= off
-        if not near > 0 or not abs(off) < 1:
-            return None
-        if abs(off) <= 4 * np.spacing(near):
+        value = at(near)
+        if abs(value) <= rounding:
             return near
+        near -= value / slope
+        if not near > 0 or not abs(value / slope) < 1:
+            return None
     return None
