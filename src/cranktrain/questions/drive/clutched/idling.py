@@ -41,9 +41,12 @@ def idle_slopes(derive: Derive, ahead: Ahead, time: float, state: Array, closene
     pull = slopes[WHEEL] - others[WHEEL]
     if not (pull > 0 and abs(slopes[WHEEL]) * aside <= closeness * pull):
         return None
-    off = slopes[WHEEL] * aside / pull
-    now[WHEEL] += off
+    # twice: what is left of the way there would count over a long pause
+    for _ in range(2):
+        now[WHEEL] += slopes[WHEEL] * aside / pull
+        if derive(time, now, slopes, 0.0, ahead.acting):
+            return None
     # what depends on the time, as a starter does, may pull elsewhere at the end
-    if derive(time, now, slopes, 0.0, ahead.acting) or derive(ahead.until, now, others, 0.0, ahead.acting):
+    if derive(ahead.until, now, others, 0.0, ahead.acting) or others != slopes:
         return None
-    return np.array([off / width, *slopes[1:N_PRESS_STATE]]) if others == slopes else None
+    return np.array([(now[WHEEL] - state[WHEEL]) / width, *slopes[1:N_PRESS_STATE]])

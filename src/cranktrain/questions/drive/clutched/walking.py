@@ -58,9 +58,10 @@ from cranktrain.questions.drive.clutched.watches import (
     watches_of,
 )
 from cranktrain.questions.drive.running.equation import Kernels
+from cranktrain.questions.drive.running.transient import LARGEST_TURN, time_over
 
-_LARGEST_TURN = 2 * math.pi / 50
-"""In a step: with more, a torque that is large for a moment would be overlooked. [rad]"""
+_BEYOND = 1e-3
+"""Of the way to an angle at which the load jumps: so far beyond it a step is to end, so that it is met."""
 _MOST_AT_ONCE = 50
 _LEAST_WIDTH = 1e-15
 
@@ -132,7 +133,7 @@ class _Walk:
         while self.n_steps < self.plan.most_steps:
             if self._waits_idling(ahead):
                 return None
-            width = min(width, self._largest_width())
+            width = min(width, self._largest_width(ahead))
             is_last = self.now.time + width * (1 + 1e-9) >= ahead.until
             width = ahead.until - self.now.time if is_last else width
             state, trouble = self._step(self.slopes, width, ahead)
@@ -158,7 +159,7 @@ class _Walk:
             if is_last:
                 return None
             self.slopes[0] = list(self.slopes[6])
-            width *= min(5.0, 0.9 * max(error, 1e-10) ** -0.2)
+            width *= min(10.0, 0.9 * max(error, 1e-10) ** -0.2)
         return STEPS_EXHAUSTED
 
     def _waits_idling(self, ahead: Ahead) -> bool:
@@ -174,13 +175,15 @@ class _Walk:
 
     def _first_width(self, until: float) -> float:
         grown = max(abs(self.slopes[0][WHEEL]), abs(self.slopes[0][SPEED]) * self.press.ratio)
-        return min(until - self.now.time, 1e-3 * self.scale / grown if grown > 0 else math.inf, 1e-2)
+        return min(until - self.now.time, 1e-2 * self.scale / grown if grown > 0 else math.inf, 1e-2)
 
-    def _largest_width(self) -> float:
-        """In which the crank turns by no more than it may in a step. [s]"""
-        speed, grown = abs(float(self.now.state[SPEED])), abs(self.slopes[0][SPEED])
-        reach = speed + math.sqrt(speed * speed + 2 * grown * _LARGEST_TURN)
-        return 2 * _LARGEST_TURN / reach if reach > 0 else math.inf
+    def _largest_width(self, ahead: Ahead) -> float:
+        """In which the crank turns by no more than it may in a step, and reaches the next angle of a jump. [s]"""
+        angle, speed = (float(self.now.state[part]) for part in (ANGLE, SPEED))
+        sense, grown, phase = ahead.sense, self.slopes[0][SPEED], ahead.acting.phase
+        until_jump = (phase.high - angle if sense > 0 else angle - phase.low) * (1 + _BEYOND) if sense else math.inf
+        most = time_over(LARGEST_TURN, abs(speed), abs(grown))
+        return min(most, time_over(until_jump, abs(speed), sense * grown)) if until_jump > 0 else most
 
     def _step(self, slopes: Slopes, width: float, ahead: Ahead) -> tuple[list[float], int]:
         now = self.now
@@ -200,7 +203,9 @@ class _Walk:
     def _spares_at_ends(self, width: float, ahead: Ahead) -> tuple[float, float]:
         """What a locked clutch could hand on besides, at both ends of a step. [N·m]"""
         start, end = self.slopes[0][HANDED_ON], self.slopes[-1][HANDED_ON]
-        return static_margin(self.now.time, start, ahead.acting), static_margin(self.now.time + width, end, ahead.acting)
+        return static_margin(self.now.time, start, ahead.acting), static_margin(
+            self.now.time + width, end, ahead.acting
+        )
 
     def _error(self, width: float, slopes: Array) -> float:
         errors = np.abs(width * (ERRORS @ slopes[:, :N_PRESS_FED]))

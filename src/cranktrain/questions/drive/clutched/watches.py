@@ -7,14 +7,14 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.drive.clutched.equation import N_PRESS_FED, N_PRESS_STATE
+from cranktrain.questions.drive.clutched.equation import N_PRESS_FED
 from cranktrain.questions.drive.clutched.passings import FEW_LOOKS, LOOKS, fallen_at, first_fall, states_within
 from cranktrain.questions.drive.clutched.phases import Ahead
 from cranktrain.questions.drive.clutched.runs import Moment, PressPlan, piece_ends
 from cranktrain.questions.drive.clutched.step import INTERPOLANT
 
 _BESIDE = 1e-6
-"""Of a step: an event within it is no nearer to its ends."""
+"""Of a step: an event within it is no nearer to its ends, and its slope is taken over so much."""
 _MOST_STEPS = 8
 
 STANDS, STALLS, MEETS, LOOSENS, PASSES_JUMP, PASSES_COMMAND, PASSES_WANTED, RECOVERS = range(8)
@@ -123,13 +123,14 @@ def _looks_at(watches: list[Watch], step: Stepped, spare: Spare) -> list[Array |
 
 def _spares(parts: Array, step: Stepped, spare: Spare) -> Array:
     """What a locked clutch could hand on besides, at parts of a step. [N·m]"""
-    within = (parts > 0) & (parts < 1)
-    states = np.zeros((len(parts), N_PRESS_STATE))
-    states[:, :N_PRESS_FED] = states_within(step.state, step.slopes, step.width, parts)
-    values = np.where(parts > 0, step.spares[1], step.spares[0])
-    times = (parts[within] * step.width).tolist()
-    values[within] = [spare(time, state) for time, state in zip(times, states[within].tolist(), strict=True)]
-    return values
+    states = states_within(step.state, step.slopes, step.width, parts).tolist()
+    at_ends = {0.0: step.spares[0], 1.0: step.spares[1]}
+    return np.array(
+        [
+            at_ends[part] if part in at_ends else spare(part * step.width, state)
+            for part, state in zip(parts.tolist(), states, strict=True)
+        ]
+    )
 
 
 def _seen_fall(watch: Watch, step: Stepped, values: Array, spare: Spare) -> tuple[float, float] | None:
@@ -153,8 +154,8 @@ def _settled(
     def at(part: float) -> float:
         return margin(watch, part, again(part), spare)
 
-    near = _near(watch, step, bracket)
-    if near is not None and (found := _by_newton(at, *near, watch.rounding)) is not None:
+    near = _near(watch, step, spare, bracket)
+    if near is not None and (found := _by_secants(at, *near, watch.rounding)) is not None:
         return found
     for end in (bracket[1] * step.width, step.width):
         if at(end) < 0:
@@ -162,35 +163,39 @@ def _settled(
     return None
 
 
-def _near(watch: Watch, step: Stepped, bracket: tuple[float, float]) -> tuple[float, float] | None:
-    """Where the step's interpolant sees what is watched pass 0, and its slope there; None of what is no sum of states.
+def _near(watch: Watch, step: Stepped, spare: Spare, bracket: tuple[float, float]) -> tuple[float, float] | None:
+    """Where the step's interpolant sees what is watched pass 0, and its slope there.
 
-    Nor where it only touches 0, or at an end of the step.
+    None where it only touches 0, or at an end of the step.
     """
-    if watch.weights is None:
-        return None
-    weights = np.array(watch.weights)
-    begun = float(weights @ step.state[:N_PRESS_FED]) - watch.level
-    a, b, c, d = (step.width * INTERPOLANT.T @ step.slopes[:, :N_PRESS_FED] @ weights).tolist()
+    begun = step.state[:N_PRESS_FED].tolist()
+    rates = (step.width * step.slopes[:, :N_PRESS_FED].T @ INTERPOLANT).tolist()
 
     def curve(part: float) -> float:
-        return begun + part * (a + part * (b + part * (c + part * d)))
+        there = [
+            y + part * (a + part * (b + part * (c + part * d))) for y, (a, b, c, d) in zip(begun, rates, strict=True)
+        ]
+        return margin(watch, part * step.width, there, spare)
 
     if not curve(bracket[1]) < 0:
         return None
-    part = fallen_at(curve, *bracket)
-    slope = (a + part * (2 * b + part * (3 * c + part * 4 * d))) / step.width
+    part = fallen_at(curve, *bracket, watch.rounding)
+    slope = (curve(part) - curve(part - _BESIDE)) / (_BESIDE * step.width)
     is_within = _BESIDE < part < 1 - _BESIDE
     return (step.width * part, slope) if is_within and slope < 0 else None
 
 
-def _by_newton(at: Callable[[float], float], near: float, slope: float, rounding: float) -> float | None:
-    """Where a curve passes 0, by steps with the slope of another that is next to it; None if they come to no end."""
+def _by_secants(at: Callable[[float], float], near: float, slope: float, rounding: float) -> float | None:
+    """Where a curve passes 0, by secants from the slope of another that is next to it; None if they come to no end."""
+    before = math.nan
     for _ in range(_MOST_STEPS):
         value = at(near)
         if abs(value) <= rounding:
             return near
-        near -= value / slope
-        if not near > 0 or not abs(value / slope) < 1:
+        slope = slope if math.isnan(before) else slope * (before - value) / before
+        if not slope < 0:
+            return None
+        before, near = value, near - value / slope
+        if not 0 < near < math.inf:
             return None
     return None
