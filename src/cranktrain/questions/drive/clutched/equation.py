@@ -19,6 +19,7 @@ N_PRESS_ROW = N_PRESS_STATE + 1
 LINKS_DO_NOT_CLOSE, GEAR_HAS_NO_ANSWER = 1, 2
 """Why there is no acceleration."""
 _ROUNDING = 1e-12
+_HELD = (0.0, 0.0, 0.0, 0.0)
 
 
 class Press(NamedTuple):
@@ -165,7 +166,8 @@ def press_form(kernels: Kernels) -> Derive:
         press, phase = acting.press, acting.phase
         wheel, speed, since = state[0], state[2], time - phase.start
         angle = min(max(state[1], phase.low), phase.high)
-        inertia, first, load, _ = machine(angle, speed, sense, press.machine)
+        # beside a crank that is held the machine does nothing
+        inertia, first, load, _ = machine(angle, speed, sense, press.machine) if sense else _HELD
         at_motor = wheel * press.motor_ratio
         driving = motor(at_motor, time, press.motor)
         grip = phase.way * press.clutch.torque * (phase.clutch_level + phase.clutch_slope * since)
@@ -175,7 +177,7 @@ def press_form(kernels: Kernels) -> Derive:
         facing = load + 0.5 * first * speed * speed + on_crank * sense
         grown, taken, lost, count = 0.0, 0.0, 0.0, 0
         if phase.is_locked:
-            gearing = _braked(press.locked, len(press.before.ratio), on_clutch)
+            gearing = _braked(press.locked, len(press.before.ratio), on_clutch) if on_clutch else press.locked
             grown, taken, count = firm_acceleration(driving, sense, inertia, facing, gearing)
             slopes[0] = press.ratio * grown
             # what the brake takes is not the gears' loss

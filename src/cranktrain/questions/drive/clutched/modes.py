@@ -1,7 +1,7 @@
 """Which way things go on from an instant: clutch locked or slipping, crank held or moving."""
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 from cranktrain.questions.drive.clutched.equation import (
     HANDED_ON,
@@ -14,7 +14,6 @@ from cranktrain.questions.drive.clutched.step import Derive
 from cranktrain.questions.drive.running.equation import Kernels
 
 _LOOKS = 64
-_HALVINGS = 80
 
 
 def static_margin(time: float, handed_on: float, acting: ActingPress) -> float:
@@ -43,12 +42,25 @@ def locked_or_slipping(
     return phase._replace(is_locked=False, way=math.copysign(1.0, slopes[HANDED_ON]))
 
 
-def urge(kernels: Kernels, time: float, angle: float, sense: float, acting: ActingPress) -> float:
+class AtRest(NamedTuple):
+    """What a crank at rest that is to set off in a sense would have to move: inertia and load. [kg·m², N·m]"""
+
+    sense: float
+    inertia: float
+    load: float
+
+
+def both_ways(kernels: Kernels, angle: float, acting: ActingPress) -> tuple[AtRest, AtRest]:
+    """Forward and back."""
+    at = min(max(angle, acting.phase.low), acting.phase.high)
+    forward, back = (kernels.machine(at, 0.0, sense, acting.press.machine) for sense in (1.0, -1.0))
+    return AtRest(1.0, forward[0], forward[2]), AtRest(-1.0, back[0], back[2])
+
+
+def urge(time: float, at_rest: AtRest, acting: ActingPress) -> float:
     """Acceleration in a sense of a crank at rest, against what the brake holds; below 0 it stays. [rad/s²]"""
-    press, phase = acting.press, acting.phase
+    press, phase, (sense, inertia, load) = *acting, at_rest
     since = time - phase.start
-    at = min(max(angle, phase.low), phase.high)
-    inertia, _, load, _ = kernels.machine(at, 0.0, sense, press.machine)
     grip = phase.way * press.clutch.torque * (phase.clutch_level + phase.clutch_slope * since)
     hold = press.brake.static_torque * (phase.brake_level + phase.brake_slope * since) * sense
     on_crank = hold * press.brake_on_crank
@@ -56,22 +68,21 @@ def urge(kernels: Kernels, time: float, angle: float, sense: float, acting: Acti
     return grown * sense if count == 0 else -math.inf
 
 
-def sense_from_rest(kernels: Kernels, time: float, angle: float, acting: ActingPress) -> float:
+def sense_from_rest(time: float, ways: tuple[AtRest, AtRest], acting: ActingPress) -> float:
     """Which way a crank at rest sets off: 1 forward, −1 back, 0 held. docs/theory/clutched-drive, eq. (30.5)."""
-    return next((sense for sense in (1.0, -1.0) if urge(kernels, time, angle, sense, acting) > 0), 0.0)
+    return next((way.sense for way in ways if urge(time, way, acting) > 0), 0.0)
 
 
-def set_off_at(kernels: Kernels, time: float, until: float, angle: float, acting: ActingPress) -> float:
+def set_off_at(time: float, until: float, ways: tuple[AtRest, AtRest], acting: ActingPress) -> float:
     """When a crank that is held sets off, infinite if not before `until`; the courses are lines up to there. [s]"""
-    if not math.isfinite(until):
+    if not math.isfinite(until) or acting.phase.clutch_slope == acting.phase.brake_slope == 0:
         return math.inf
     before = time
     for look in range(1, _LOOKS + 1):
         at = time + (until - time) * look / _LOOKS
-        if sense_from_rest(kernels, at, angle, acting) != 0:
-            for _ in range(_HALVINGS):
-                middle = 0.5 * (before + at)
-                if sense_from_rest(kernels, middle, angle, acting) != 0:
+        if sense_from_rest(at, ways, acting) != 0:
+            while before < (middle := 0.5 * (before + at)) < at:
+                if sense_from_rest(middle, ways, acting) != 0:
                     at = middle
                 else:
                     before = middle

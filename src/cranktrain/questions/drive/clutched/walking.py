@@ -250,8 +250,10 @@ class _Walk:
             self._note(COMMAND)
 
     def _watch_lowest(self, width: float, slopes: Array) -> None:
-        speeds = states_within(self.now.state, slopes, width, LOOKS)[:, WHEEL]
-        self.lowest = min(self.lowest, least_within(speeds))
+        begun, grown = float(self.now.state[WHEEL]), slopes[:, WHEEL]
+        if begun + 2 * width * float(grown.min()) < self.lowest:
+            speeds = states_within(self.now.state, slopes, width, LOOKS)[:, WHEEL]
+            self.lowest = min(self.lowest, least_within(speeds))
 
     def _move(self, time: float, state: Array, slopes: Array) -> None:
         self.n_at_once = self.n_at_once + 1 if time <= self.now.time else 0

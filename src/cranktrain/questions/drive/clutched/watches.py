@@ -109,16 +109,18 @@ def margin(watch: Watch, time: float, state: list[float], spare: Spare) -> float
 
 
 def _looks_at(watches: list[Watch], step: Stepped, spare: Spare) -> list[Array | None]:
-    """What is watched at all looks, of those alone which may fall below 0: they do so, or have a bottom between."""
+    """What is watched at all looks; none of what stays above 0 even if it falls twice as fast as at any stage."""
+    found: list[Array | None] = [_spares(FEW_LOOKS, step, spare) if one.weights is None else None for one in watches]
     weights = np.array([watch.weights or (0.0, 0.0, 0.0) for watch in watches])
-    levels, roundings = (np.array([getattr(watch, name) for watch in watches]) for name in ("level", "rounding"))
-    seen = weights @ states_within(step.state, step.slopes, step.width, LOOKS).T - levels[:, np.newaxis]
-    middle = seen[:, 1:-1]
-    may_fall = np.any((middle < seen[:, :-2]) & (middle <= seen[:, 2:]), axis=1) | (seen.min(axis=1) < -roundings)
-    return [
-        _spares(FEW_LOOKS, step, spare) if watch.weights is None else values if may else None
-        for watch, values, may in zip(watches, seen, may_fall.tolist(), strict=True)
-    ]
+    levels = np.array([watch.level for watch in watches])
+    fastest = np.min(step.slopes[:, :N_PRESS_FED] @ weights.T, axis=0, initial=0.0)
+    at_most = weights @ step.state[:N_PRESS_FED] - levels + 2 * step.width * fastest
+    near = np.flatnonzero(at_most <= 0).tolist()
+    if near:
+        seen = states_within(step.state, step.slopes, step.width, LOOKS)
+        for watch in near:
+            found[watch] = seen @ weights[watch] - levels[watch] if found[watch] is None else found[watch]
+    return found
 
 
 def _spares(parts: Array, step: Stepped, spare: Spare) -> Array:
