@@ -59,7 +59,8 @@ def both_ways(kernels: Kernels, angle: float, acting: ActingPress) -> tuple[AtRe
 
 def urge(time: float, at_rest: AtRest, acting: ActingPress) -> float:
     """Acceleration in a sense of a crank at rest, against what the brake holds; below 0 it stays. [rad/s²]"""
-    press, phase, (sense, inertia, load) = *acting, at_rest
+    press, phase = acting
+    sense, inertia, load = at_rest
     since = time - phase.start
     grip = phase.way * press.clutch.torque * (phase.clutch_level + phase.clutch_slope * since)
     hold = press.brake.static_torque * (phase.brake_level + phase.brake_slope * since) * sense
@@ -75,11 +76,13 @@ def sense_from_rest(time: float, ways: tuple[AtRest, AtRest], acting: ActingPres
 
 def set_off_at(time: float, until: float, ways: tuple[AtRest, AtRest], acting: ActingPress) -> float:
     """When a crank that is held sets off, infinite if not before `until`; the courses are lines up to there. [s]"""
-    if not math.isfinite(until) or acting.phase.clutch_slope == acting.phase.brake_slope == 0:
+    n_changing = (acting.phase.clutch_slope != 0) + (acting.phase.brake_slope != 0)
+    if not math.isfinite(until) or not n_changing:
         return math.inf
-    before = time
-    for look in range(1, _LOOKS + 1):
-        at = time + (until - time) * look / _LOOKS
+    # if one of them alone changes, what urges the crank either way only grows or only falls
+    n_looks, before = 1 if n_changing == 1 else _LOOKS, time
+    for look in range(1, n_looks + 1):
+        at = time + (until - time) * look / n_looks
         if sense_from_rest(at, ways, acting) != 0:
             while before < (middle := 0.5 * (before + at)) < at:
                 if sense_from_rest(middle, ways, acting) != 0:

@@ -15,7 +15,7 @@ from cranktrain.questions.drive.clutched.step import INTERPOLANT
 
 _BESIDE = 1e-6
 """Of a step: an event within it is no nearer to its ends, and its slope is taken over so much."""
-_MOST_STEPS = 8
+_MOST_STEPS = 16
 
 STANDS, STALLS, MEETS, LOOSENS, PASSES_JUMP, PASSES_COMMAND, PASSES_WANTED, RECOVERS = range(8)
 """The crank or the flywheel comes to a stand; clutch's sides meet or part; angles; the flywheel's speed."""
