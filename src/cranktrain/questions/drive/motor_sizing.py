@@ -152,7 +152,7 @@ def motor_sizing(
         own = UNCHECKED if motor is None else checked_motor(_declared(one, motor, design), *one[2:], held[design])
         reason = _other_pace(gearing, motor, design, held[design]) if is_asked_torque else ""
         places = (-1, -1) if reason or not is_asked_torque else None
-        found, places = ((UNCHECKED,) * 2, (-1, -1)) if places else _smallest(one)
+        found, places = ((UNCHECKED,) * 2, (-1, -1)) if places else _smallest(one, own)
         if duty.is_asked and reason:
             flags.append(reason)
         rows.append((own, *found))
@@ -265,8 +265,11 @@ def _rated(motor: DeclaredMotor | None, place: int) -> tuple[float, float]:
     return float(motor.rating.power[place]), float(motor.rating.torque[place])
 
 
-def _smallest(one: SizedDesign) -> tuple[tuple[CheckedMotor, CheckedMotor], tuple[int, int]]:
-    """Smallest typical motor that passes and the next smaller one; the largest as the latter where none is enough."""
+def _smallest(one: SizedDesign, own: CheckedMotor) -> tuple[tuple[CheckedMotor, CheckedMotor], tuple[int, int]]:
+    """Smallest typical motor that passes and the next smaller one; the largest as the latter where none is enough.
+
+    Looked for from the one that would do with the torques of the declared motor on.
+    """
     motors = typical_motors()
     n = motors.n_designs
 
@@ -276,7 +279,9 @@ def _smallest(one: SizedDesign) -> tuple[tuple[CheckedMotor, CheckedMotor], tupl
         return checked_motor(alone, one.asked, one.duty, one.design, None)
 
     worst = np.asarray(max(one.asked.worst_torque, 0.0))
-    first = motor_choice(TorqueDemand(worst / 2, worst, worst), four_pole_motors(), float(one.duty.reserve[one.design]))
+    rms = np.fmax(worst / 2, own.rms / one.duty.factor[one.design])
+    demand = TorqueDemand(rms, np.fmax(worst, own.peak), worst)
+    first = motor_choice(demand, four_pole_motors(), float(one.duty.reserve[one.design]))
     place = int(first.motor) if first.motor >= 0 else n - 1
     while place > 0 and not checked(place).largest > 1:
         place -= 1
