@@ -11,7 +11,6 @@ from cranktrain.questions.drive.clutched.equation import (
     ANGLE,
     HANDED_ON,
     LINKS_DO_NOT_CLOSE,
-    N_PRESS_FED,
     N_PRESS_ROW,
     N_PRESS_STATE,
     SPEED,
@@ -42,7 +41,7 @@ from cranktrain.questions.drive.clutched.runs import (
     PressRun,
     account,
 )
-from cranktrain.questions.drive.clutched.step import ERRORS, Slopes, no_slopes, take_step
+from cranktrain.questions.drive.clutched.step import Slopes, error_of, no_slopes, take_step
 from cranktrain.questions.drive.clutched.watches import (
     LOOSENS,
     MEETS,
@@ -106,7 +105,7 @@ class _Walk:
         self.times, self.states, self.stepped = [start.time], [start.state], list[Array]()
         self.lowest = float(start.state[WHEEL])
         self.scale = max(abs(self.lowest), abs(float(start.state[SPEED]) * press.ratio)) or 1.0
-        self.scales = np.array([self.scale, 1.0, self.scale / press.ratio])
+        self.scales = (self.scale, 1.0, self.scale / press.ratio)
         self.n_steps, self.n_at_once, self.is_loosened = 0, 0, False
         self.wanted = [angle for angle in plan.passed if angle > start.state[ANGLE]]
         self.slopes, self.trial, self.beside = no_slopes(N_PRESS_ROW), no_slopes(N_PRESS_ROW), [0.0] * N_PRESS_ROW
@@ -137,14 +136,14 @@ class _Walk:
             is_last = self.now.time + width * (1 + 1e-9) >= ahead.until
             width = ahead.until - self.now.time if is_last else width
             state, trouble = self._step(self.slopes, width, ahead)
-            slopes = np.array(self.slopes)[:, :N_PRESS_STATE]
-            error = self._error(width, slopes)
+            error = self._error(width)
             self.n_steps += 1
             if trouble or not error <= 1:
                 width *= max(0.1, 0.9 * error**-0.2) if trouble == 0 and error == error else 0.1
                 if width < _LEAST_WIDTH * max(self.now.time, 1e-3):
                     return _reason_of(trouble)
                 continue
+            slopes = np.array(self.slopes)[:, :N_PRESS_STATE]
             step = Stepped(self.now.state, slopes, width, self._spares_at_ends(width, ahead))
             met = first_met(
                 watches,
@@ -187,9 +186,7 @@ class _Walk:
 
     def _step(self, slopes: Slopes, width: float, ahead: Ahead) -> tuple[list[float], int]:
         now = self.now
-        return take_step(
-            self.derive, now.time, width, now.state.tolist(), slopes, N_PRESS_FED, ahead.sense, ahead.acting
-        )
+        return take_step(self.derive, now.time, width, now.state.tolist(), slopes, ahead.sense, ahead.acting)
 
     def _again(self, width: float, ahead: Ahead) -> list[float]:
         """State behind a shorter step from the same beginning."""
@@ -207,9 +204,10 @@ class _Walk:
             self.now.time + width, end, ahead.acting
         )
 
-    def _error(self, width: float, slopes: Array) -> float:
-        errors = np.abs(width * (ERRORS @ slopes[:, :N_PRESS_FED]))
-        return float(np.max(errors / self.scales)) / self.plan.tolerance
+    def _error(self, width: float) -> float:
+        """Of the step just made, in parts of what is allowed; NaN where one component has none."""
+        errors = [error_of(self.slopes, width, part) / scale for part, scale in enumerate(self.scales)]
+        return (max(errors) if sum(errors) < math.inf else math.nan) / self.plan.tolerance
 
     def _meet(self, watch: Watch, width: float, ahead: Ahead) -> int | None:
         """Go to an event, and do what it brings; a reason if it ends the run."""

@@ -56,6 +56,16 @@ class Stepped(NamedTuple):
     width: float
     spares: tuple[float, float]
 
+    @property
+    def begun(self) -> list[float]:
+        """Components that feed back, at the beginning."""
+        return self.state[:N_PRESS_FED].tolist()
+
+    @property
+    def fed(self) -> list[list[float]]:
+        """Their slopes of all stages."""
+        return self.slopes[:, :N_PRESS_FED].tolist()
+
 
 def watches_of(ahead: Ahead, now: Moment, plan: PressPlan, wanted: list[float], scale: float) -> list[Watch]:
     """What is to be watched in a phase; `wanted` are angles whose moments are, `scale` is of the flywheel's speed."""
@@ -90,8 +100,8 @@ def first_met(
     higher order.
     """
     found: tuple[Watch, float] | None = None
-    for watch, values in zip(watches, _looks_at(watches, step, spare), strict=True):
-        bracket = None if values is None else _seen_fall(watch, step, values, spare)
+    for watch in watches:
+        bracket = None if _stays(watch, step, spare) else _seen_fall(watch, step, spare)
         if bracket is None or (found is not None and bracket[0] * step.width > found[1]):
             continue
         at = _settled(watch, step, again, spare, bracket)
@@ -108,19 +118,13 @@ def margin(watch: Watch, time: float, state: list[float], spare: Spare) -> float
     return wheel * state[0] + angle * state[1] + speed * state[2] - watch.level
 
 
-def _looks_at(watches: list[Watch], step: Stepped, spare: Spare) -> list[Array | None]:
-    """What is watched at all looks; none of what stays above 0 even if it falls twice as fast as at any stage."""
-    found: list[Array | None] = [_spares(FEW_LOOKS, step, spare) if one.weights is None else None for one in watches]
-    weights = np.array([watch.weights or (0.0, 0.0, 0.0) for watch in watches])
-    levels = np.array([watch.level for watch in watches])
-    fastest = np.min(step.slopes[:, :N_PRESS_FED] @ weights.T, axis=0, initial=0.0)
-    at_most = weights @ step.state[:N_PRESS_FED] - levels + 2 * step.width * fastest
-    near = np.flatnonzero(at_most <= 0).tolist()
-    if near:
-        seen = states_within(step.state, step.slopes, step.width, LOOKS)
-        for watch in near:
-            found[watch] = seen @ weights[watch] - levels[watch] if found[watch] is None else found[watch]
-    return found
+def _stays(watch: Watch, step: Stepped, spare: Spare) -> bool:
+    """Whether what is watched stays above 0 even if it falls twice as fast as at the stage where it does so most."""
+    if watch.weights is None:
+        return False
+    wheel, angle, speed = watch.weights
+    fastest = min(wheel * a + angle * b + speed * c for a, b, c in step.fed)
+    return margin(watch, 0.0, step.begun, spare) + 2 * step.width * min(fastest, 0.0) > 0
 
 
 def _spares(parts: Array, step: Stepped, spare: Spare) -> Array:
@@ -135,17 +139,16 @@ def _spares(parts: Array, step: Stepped, spare: Spare) -> Array:
     )
 
 
-def _seen_fall(watch: Watch, step: Stepped, values: Array, spare: Spare) -> tuple[float, float] | None:
+def _seen_fall(watch: Watch, step: Stepped, spare: Spare) -> tuple[float, float] | None:
     """Bracket of what falls below 0 in a step, by its interpolant."""
-    if watch.weights is not None:
-        weights = np.array(watch.weights)
 
-        def curve(parts: Array) -> Array:
-            return states_within(step.state, step.slopes, step.width, parts) @ weights - watch.level
+    def curve(parts: Array) -> Array:
+        if watch.weights is None:
+            return _spares(parts, step, spare)
+        return states_within(step.state, step.slopes, step.width, parts) @ np.array(watch.weights) - watch.level
 
-        return first_fall(curve, LOOKS, values, watch.rounding)
-
-    return first_fall(lambda parts: _spares(parts, step, spare), FEW_LOOKS, values, watch.rounding)
+    looks = FEW_LOOKS if watch.weights is None else LOOKS
+    return first_fall(curve, looks, curve(looks), watch.rounding)
 
 
 def _settled(
@@ -170,7 +173,7 @@ def _near(watch: Watch, step: Stepped, spare: Spare, bracket: tuple[float, float
 
     None where it only touches 0, or at an end of the step.
     """
-    begun = step.state[:N_PRESS_FED].tolist()
+    begun = step.begun
     rates = (step.width * step.slopes[:, :N_PRESS_FED].T @ INTERPOLANT).tolist()
 
     def curve(part: float) -> float:
