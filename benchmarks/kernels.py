@@ -15,7 +15,6 @@ import gas
 import loops
 import numpy as np
 import peers
-import steps
 from comparison import SAME, Comparison, filled, is_kept
 
 from cranktrain.linkage import Pin, in_blocks
@@ -291,7 +290,6 @@ def main(arguments):
     kept += [is_kept("forces", n, each, n_repetitions) for n in (720, 100_000) for each in force_comparisons(n)]
     kept += [is_kept("forces", 720, each, n_repetitions) for each in force_peer_comparisons(720)]
     kept += [is_kept("gas", n, each, n_repetitions) for n in (720, 100_000) for each in gas.comparisons(n)]
-    kept += [is_kept(name, 720, each, n_repetitions) for name, each in steps.comparisons()]
     kept += [is_kept("chain", n, chain_comparison(n), n_repetitions) for n in (720, 100_000)]
     sys.exit(not all(kept))
 
