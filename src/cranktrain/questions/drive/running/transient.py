@@ -265,15 +265,27 @@ def _note_on_the_way(
         level = here[SENSE] * limits.target_speed
         reached = passed_level(course, width, level, here[SENSE])
         if reached <= theta:
-            part = step_to(derive, train, course, reached, width, 1, level)
+            part = _step_on_the_way(derive, train, course, reached, width, 1, level)
             note(course, marks, SPEED_PASSED, here[TIME] + part, trial[0], trial[1])
     start = 0.0
     while start < theta and may_pass_dead_position(course):
         start, dead = passed_dead_position(kernels.machine, train.machine, course, width, start)
         if start <= theta:
-            part = step_to(derive, train, course, start, width, 0, dead)
+            part = _step_on_the_way(derive, train, course, start, width, 0, dead)
             note(course, marks, DEAD_POSITION, here[TIME] + part, trial[0], trial[1])
             here[OUTPUT] = -here[OUTPUT]
+
+
+def _step_on_the_way(
+    derive: Any, train: Any, course: Any, theta: float, width: float, which: int, level: float
+) -> float:
+    """The same as `step_to`; by the interpolant where that step has no slopes although the whole one has."""
+    part = step_to(derive, train, course, theta, width, which, level)
+    if course.trial[1] != course.trial[1]:
+        for component in range(N_STATE):
+            course.trial[component] = state_at(course, width, theta, component)
+        return theta * width
+    return part
 
 
 def step_to(derive: Any, train: Any, course: Any, theta: float, width: float, which: int, level: float) -> float:
