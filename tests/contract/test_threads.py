@@ -18,7 +18,6 @@ PRODUCTS = {"dot", "matmul", "inner", "tensordot", "vdot", "multi_dot"}
 SMALL = {
     "fluids/wiebe/curve.py": "a stack of some forty panels of twelve points",
     "layout/standing.py": "two vectors of the plane",
-    "numerics/pieces.py": "made once; the pieces about a few peaks",
     "numerics/products.py": "the blocks",
     "numerics/sectors.py": "open",
     "numerics/subintervals.py": "open",
