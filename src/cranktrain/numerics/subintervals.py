@@ -235,6 +235,17 @@ def partial_integrals(way: Array, n_nodes: int) -> Array:
 
 
 @cache
+def series_of_motion(n_nodes: int) -> Array:
+    """From values at Gauss's points to the Legendre series of curve, slope and bend over the way, shape (3, n, n)."""
+    found = np.zeros((3, n_nodes, n_nodes))
+    found[0] = _to_series(n_nodes)
+    slope = _derived(n_nodes)
+    for order in (1, 2):
+        found[order, :-1] = slope @ found[order - 1]
+    return found
+
+
+@cache
 def _to_series(n_nodes: int) -> Array:
     """From values at Gauss's points to the coefficients of Legendre's polynomials, shape (n, n)."""
     node, weight = leggauss(n_nodes)
