@@ -12,6 +12,8 @@ Curve = Callable[[Array], Array]
 
 _MOST_STEPS = 60
 _MOST_NEWTON_STEPS = 10
+_FALLEN = 1e-3
+"""A curve that has not fallen to this part of its values at the bracket's ends jumps over its root."""
 _SETTLED = 1e-13
 """A step, in parts of the root, after which the next one is less than rounding."""
 
@@ -39,7 +41,7 @@ def bracketed_roots(curve: Curve, low: Array, high: Array) -> Array:
         newest, value_newest = np.array(low, dtype=float), curve(low)
         other, value_other = np.array(high, dtype=float), curve(high)
         bracketed = np.sign(value_newest) * np.sign(value_other) <= 0
-        is_found = ~bracketed
+        is_found, fallen = ~bracketed, _FALLEN * np.maximum(np.abs(value_newest), np.abs(value_other))
         third, value_third = other, value_other
         # Not at the ends themselves, which may be roots that the caller does not mean.
         share = np.clip(np.nan_to_num(value_newest / (value_newest - value_other), nan=0.5), 0.01, 0.99)
@@ -55,7 +57,7 @@ def bracketed_roots(curve: Curve, low: Array, high: Array) -> Array:
             newest, value_newest = trial, value
             best = np.where(np.abs(value_newest) < np.abs(value_other), newest, other)
             least = (np.spacing(np.abs(best)) + 1e-17) / np.abs(other - newest)
-            is_settled = np.maximum(move, left) <= _SETTLED * np.abs(best)
+            is_settled = (np.maximum(move, left) <= _SETTLED * np.abs(best)) & (np.abs(value) <= fallen)
             is_found |= (least > 0.5) | is_settled | (value_newest == 0) | (value_other == 0) | np.isnan(value_newest)
             if np.all(is_found):
                 break
