@@ -15,7 +15,7 @@ _WIDEST = np.pi / 18
 """Of a piece. [rad]"""
 _MORE = 4
 """Points of a piece beyond those that its integral needs."""
-_TRIED = np.linspace(-1.0, 1.0, 33)
+_TRIED = np.linspace(-1.0, 1.0, 17)
 _NEWTON_STEPS = 4
 _LEVEL = 1e-12
 """A curve that changes by less within a piece, in parts of its largest size, is level there: its top is the start."""
