@@ -166,31 +166,30 @@ def integral_motion(of: Subintervals, values: Array, angle: Array) -> tuple[Coef
         The integral, the curve, its slope: just before and just after the angles, which at a break differ.
     """
     after, before = _placed(of, angle, _ASIDE), _placed(of, angle, -_ASIDE)
-    found = _beside(of, values, after)
-    same = Coefficient(found.value.copy(), found.first.copy(), found.second.copy())
     differs = np.flatnonzero(before.panel != after.panel)
-    if differs.size:
-        for part, own in zip(
-            same,
-            _beside(of, values, _Placed(before.panel[differs], before.way[differs], before.turns[differs])),
-            strict=True,
-        ):
-            part[..., differs] = own
+    asked = _Placed(*(np.concatenate([part, own[differs]]) for part, own in zip(after, before, strict=True)))
+    both = _beside(of, values, asked)
+    found = Coefficient(*(part[..., : angle.size] for part in both))
+    same = Coefficient(*(part.copy() for part in found))
+    for part, own in zip(same, both, strict=True):
+        part[..., differs] = own[..., angle.size :]
     return same, found
 
 
 def _beside(of: Subintervals, values: Array, placed: _Placed) -> Coefficient:
     """Integral, curve and slope at places in panels, shape (..., k)."""
     panel, way, turns = placed
-    total = _whole_panels(of, values, panel, turns)
-    first, second = (np.empty_like(total) for _derivative in range(2))
-    for chosen, place, n_nodes in _by_size(of, panel):
-        half, legendre = of.width[panel[chosen]] / 2, _legendre(way[chosen], n_nodes)
-        orders = values[..., place] @ _to_series(n_nodes).T
-        total[..., chosen] += half * np.sum(orders * _legendre_integrals(way[chosen], legendre), axis=-1)
-        first[..., chosen] = np.sum(orders * legendre[:, :-1], axis=-1)
-        second[..., chosen] = np.sum(orders @ _derived(n_nodes).T * legendre[:, :-2], axis=-1) / half
-    return Coefficient(total, first, second)
+    found = np.empty((*values.shape[:-1], panel.size, 3))
+    size = of.size[panel]
+    for n_nodes in np.unique(size).tolist():
+        chosen, own = np.flatnonzero(size == n_nodes), np.flatnonzero(of.size == n_nodes)
+        # Panels are few beside the places in them.
+        series = series_of_motion(values[..., of.first[own, np.newaxis] + np.arange(n_nodes)])[..., :3, :]
+        at = np.searchsorted(own, panel[chosen])
+        found[..., chosen, :] = np.sum(series[..., at, :, :] * _legendre(way[chosen], n_nodes)[:, np.newaxis], axis=-1)
+    half = of.width[panel] / 2
+    integral, curve, slope = np.moveaxis(found, -1, 0)
+    return Coefficient(_whole_panels(of, values, panel, turns) + half * integral, curve, slope / half)
 
 
 def _placed(of: Subintervals, angle: Array, aside: float) -> _Placed:
@@ -234,14 +233,22 @@ def partial_integrals(way: Array, n_nodes: int) -> Array:
     return _legendre_integrals(way, _legendre(way, n_nodes)) @ _to_series(n_nodes)
 
 
+def series_of_motion(values: Array) -> Array:
+    """Legendre series, of curves by their values at Gauss's points, shape (..., n): (..., 4, n + 1).
+
+    Of the integral over the way from −1 on, of the curve, its slope and its bend.
+    """
+    return np.sum(values[..., np.newaxis, np.newaxis, :] * _to_motion(values.shape[-1]), axis=-1)
+
+
 @cache
-def series_of_motion(n_nodes: int) -> Array:
-    """From values at Gauss's points to the Legendre series of curve, slope and bend over the way, shape (3, n, n)."""
-    found = np.zeros((3, n_nodes, n_nodes))
-    found[0] = _to_series(n_nodes)
-    slope = _derived(n_nodes)
-    for order in (1, 2):
-        found[order, :-1] = slope @ found[order - 1]
+def _to_motion(n_nodes: int) -> Array:
+    """From values at Gauss's points to those series, shape (4, n + 1, n)."""
+    found = np.zeros((4, n_nodes + 1, n_nodes))
+    found[1, :-1] = _to_series(n_nodes)
+    found[0] = np.polynomial.legendre.legint(found[1, :-1], lbnd=-1)
+    for order in (2, 3):
+        found[order, :-2] = np.polynomial.legendre.legder(found[order - 1, :-1])
     return found
 
 
@@ -251,12 +258,6 @@ def _to_series(n_nodes: int) -> Array:
     node, weight = leggauss(n_nodes)
     order = np.arange(n_nodes)[:, np.newaxis]
     return (order + 0.5) * np.polynomial.legendre.legvander(node, n_nodes - 1).T * weight
-
-
-@cache
-def _derived(n_nodes: int) -> Array:
-    """From coefficients of Legendre's polynomials to those of the slope, shape (n − 1, n)."""
-    return np.asarray(np.polynomial.legendre.legder(np.eye(n_nodes)), dtype=np.float64)
 
 
 def _legendre(way: Array, degree: int) -> Array:

@@ -87,7 +87,7 @@ def _tops(values: Array, scale: Array) -> tuple[Array, Array]:
     tried = np.sum(values[..., np.newaxis, :] * _to_tried(size), axis=-1)
     start, apart = _TRIED[np.argmax(tried, axis=-1)], float(_TRIED[1] - _TRIED[0])
     low, high = np.maximum(start - apart, -1.0), np.minimum(start + apart, 1.0)
-    series = np.sum(values[..., np.newaxis, np.newaxis, :] * series_of_motion(size), axis=-1)
+    series = series_of_motion(values)[..., 1:, :-1]
 
     def motion(way: Array) -> Coefficient:
         """Curves with their derivatives by the way, shape (curve, piece)."""

@@ -193,19 +193,20 @@ class TorqueSources:
         sides = before, [part.copy() for part in before]
         step = float(shown[1] - shown[0])
         for one in self.sources:
-            values, begins = one.without_mean(cycle), 0.0
-            for aside, late in one.in_steps(step):
-                grid = integral_motion(one.subintervals, values, shown - aside * step)
-                for steps in late:
-                    begins += float(np.roll(grid[0].value, steps)[0])
-                    for found, laid in zip(sides, grid, strict=True):
-                        for part, own in zip(found, laid, strict=True):
-                            part[one.design, : shown.size] += np.roll(own, steps)
+            starts = list(one.in_steps(step))
             angle: Array = breaks[one.design] - one.starts[:, np.newaxis]
-            for found, each in zip(sides, integral_motion(one.subintervals, values, np.ravel(angle)), strict=True):
-                for part, own in zip(found, each, strict=True):
-                    part[one.design, shown.size :] += np.sum(own.reshape(angle.shape), axis=0)
-                found[0][one.design] -= begins
+            asked = np.concatenate([*(shown - aside * step for aside, _late in starts), np.ravel(angle)])
+            ends = shown.size * np.arange(1, len(starts) + 1)
+            for side, motion in zip(
+                sides, integral_motion(one.subintervals, one.without_mean(cycle), asked), strict=True
+            ):
+                for part, own in zip(side, motion, strict=True):
+                    *grids, between = np.split(own, ends)
+                    late = zip(grids, starts, strict=True)
+                    laid = np.sum([np.roll(grid, steps) for grid, (_aside, whole) in late for steps in whole], axis=0)
+                    part[one.design] += np.concatenate([laid, np.sum(between.reshape(angle.shape), axis=0)])
+        for side in sides:
+            side[0][...] -= side[0][:, :1]
         return Coefficient(*sides[0]), Coefficient(*sides[1])
 
 
