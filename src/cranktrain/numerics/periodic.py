@@ -51,12 +51,19 @@ class PeriodicCurve(NamedTuple):
         """Derivative at angles (k,) or (..., k)."""
         return self.motion(angle).first
 
-    def each(self, share: Array) -> Coefficient:
-        """Value and derivatives at a share of each of the pieces between nodes, shape (..., design, piece)."""
+    def each(self, share: Array, chosen: NDArray[np.bool_] | None = None) -> Coefficient:
+        """Value and derivatives at a share of each of the pieces between nodes, shape (..., design, piece).
+
+        Or of those that are chosen of that shape, or of one with more axes before it: shape (n_chosen,).
+        """
         assert self.pieces is not None
         assert self.between is not None
-        safe = np.where(self.between.width > 0, self.between.width, 1.0)
-        found = polynomial(self.pieces, share)
+        pieces, width = self.pieces, self.between.width
+        if chosen is not None:
+            *powers, width = (np.broadcast_to(part, chosen.shape)[chosen] for part in (*pieces, width))
+            pieces = np.stack(powers)
+        safe = np.where(width > 0, width, 1.0)
+        found = polynomial(pieces, share)
         return Coefficient(found.value, found.first / safe, found.second / safe**2)
 
 

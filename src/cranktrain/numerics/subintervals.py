@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics.products import product
 
 _NODES = ((0.04, 3), (0.2, 5), (0.6, 8), (np.inf, 12))
 """Panels up to a part of the widest, and how many points are enough there for 13 digits."""
@@ -179,16 +180,17 @@ def integral_motion(of: Subintervals, values: Array, angle: Array) -> tuple[Coef
 def _beside(of: Subintervals, values: Array, placed: _Placed) -> Coefficient:
     """Integral, curve and slope at places in panels, shape (..., k)."""
     panel, way, turns = placed
-    found = np.empty((*values.shape[:-1], panel.size, 3))
+    found = np.empty((3, *values.shape[:-1], panel.size))
     size = of.size[panel]
     for n_nodes in np.unique(size).tolist():
         chosen, own = np.flatnonzero(size == n_nodes), np.flatnonzero(of.size == n_nodes)
         # Panels are few beside the places in them.
-        series = series_of_motion(values[..., of.first[own, np.newaxis] + np.arange(n_nodes)])[..., :3, :]
-        at = np.searchsorted(own, panel[chosen])
-        found[..., chosen, :] = np.sum(series[..., at, :, :] * _legendre(way[chosen], n_nodes)[:, np.newaxis], axis=-1)
+        series = series_of_motion(values[..., of.first[own, np.newaxis] + np.arange(n_nodes)])[:3]
+        at = np.moveaxis(series, -1, 1)[..., np.searchsorted(own, panel[chosen])]
+        legendre = _legendre(way[chosen], n_nodes).T
+        found[..., chosen] = np.sum(at * legendre.reshape(-1, *(1,) * (values.ndim - 1), chosen.size), axis=1)
     half = of.width[panel] / 2
-    integral, curve, slope = np.moveaxis(found, -1, 0)
+    integral, curve, slope = found
     return Coefficient(_whole_panels(of, values, panel, turns) + half * integral, curve, slope / half)
 
 
@@ -234,22 +236,24 @@ def partial_integrals(way: Array, n_nodes: int) -> Array:
 
 
 def series_of_motion(values: Array) -> Array:
-    """Legendre series, of curves by their values at Gauss's points, shape (..., n): (..., 4, n + 1).
+    """Legendre series of curves by their values at Gauss's points, shape (..., n): (4, ..., n + 1).
 
     Of the integral over the way from −1 on, of the curve, its slope and its bend.
     """
-    return np.sum(values[..., np.newaxis, np.newaxis, :] * _to_motion(values.shape[-1]), axis=-1)
+    n_nodes = values.shape[-1]
+    series = product(values, _to_motion(n_nodes))
+    return np.moveaxis(series.reshape(*values.shape[:-1], 4, n_nodes + 1), -2, 0)
 
 
 @cache
 def _to_motion(n_nodes: int) -> Array:
-    """From values at Gauss's points to those series, shape (4, n + 1, n)."""
+    """From values at Gauss's points to those series one behind the other, shape (n, 4 · (n + 1))."""
     found = np.zeros((4, n_nodes + 1, n_nodes))
     found[1, :-1] = _to_series(n_nodes)
     found[0] = np.polynomial.legendre.legint(found[1, :-1], lbnd=-1)
     for order in (2, 3):
         found[order, :-2] = np.polynomial.legendre.legder(found[order - 1, :-1])
-    return found
+    return found.reshape(-1, n_nodes).T
 
 
 @cache

@@ -91,7 +91,7 @@ def speed_from_energy(energy: PeriodicCurve, inertia: PeriodicCurve) -> SpeedOve
 
     samples = 2 * energy.samples / inertia.samples
     if energy.between is not None and energy.between is inertia.between:
-        found = piece_extremes(lambda share: _square(energy.each(share), inertia.each(share)), energy.between)
+        found = piece_extremes(lambda *at: _square(energy.each(*at), inertia.each(*at)), energy.between)
     else:
         found = turning_points(lambda phi: _square(energy.motion(phi), inertia.motion(phi)), samples, angle)
     (stored, carried), weight = mean_samples(energy, inertia)

@@ -87,12 +87,12 @@ def _tops(values: Array, scale: Array) -> tuple[Array, Array]:
     tried = np.sum(values[..., np.newaxis, :] * _to_tried(size), axis=-1)
     start, apart = _TRIED[np.argmax(tried, axis=-1)], float(_TRIED[1] - _TRIED[0])
     low, high = np.maximum(start - apart, -1.0), np.minimum(start + apart, 1.0)
-    series = series_of_motion(values)[..., 1:, :-1]
+    series = series_of_motion(values)[1:, ..., :-1]
 
     def motion(way: Array) -> Coefficient:
         """Curves with their derivatives by the way, shape (curve, piece)."""
         legendre = np.polynomial.legendre.legvander(way, size - 1)
-        return Coefficient(*np.moveaxis(np.sum(series * legendre[..., np.newaxis, :], axis=-1), -1, 0))
+        return Coefficient(*np.sum(series * legendre, axis=-1))
 
     way, found = start, motion(start)
     with np.errstate(all="ignore"):
