@@ -25,8 +25,10 @@ _ALIKE = 1e-9
 _N_MEAN = 4
 """Gauss's points in each piece."""
 
-Each = Callable[[Array, NDArray[np.bool_] | None], Coefficient]
-"""Value and derivatives of a curve at a share of each of its pieces, (..., piece), or of those that are chosen."""
+ByShare = Callable[[Array], Coefficient]
+"""Value and derivatives of a curve at a share of each of its pieces, broadcastable to (..., piece)."""
+Among = Callable[[NDArray[np.bool_] | None], ByShare]
+"""That of those pieces that are chosen of that shape, or of all for None."""
 
 
 class PiecePlaces(NamedTuple):
@@ -79,12 +81,12 @@ def quintics(before: Coefficient, after: Coefficient, width: Array) -> Array:
     )
 
 
-def piece_extremes(each: Each, pieces: PiecePlaces) -> Extremes:
+def piece_extremes(among: Among, pieces: PiecePlaces) -> Extremes:
     """Smallest and largest value of a continuous curve of pieces.
 
     Parameters
     ----------
-    each : Each
+    among : Among
     pieces : PiecePlaces
 
     Returns
@@ -93,17 +95,14 @@ def piece_extremes(each: Each, pieces: PiecePlaces) -> Extremes:
         Angles in [0, cycle). NaN where the curve is NaN anywhere.
     """
     starts, width = pieces
-    start, end = each(np.zeros(()), None), each(np.ones(()), None)
-    turns = (np.sign(start.first) * end.first < 0) & (width > _NARROWEST)
+    start, end = map(among(None), (np.zeros(()), np.ones(())))
+    rises = np.sign(start.first)
+    turns = (rises * end.first < 0) & (width > _NARROWEST)
     # Most pieces rise or fall throughout.
-    share, inside, rises = np.zeros_like(start.value), np.array(start.value), np.sign(start.first)
-    share[turns] = level = _level(
-        lambda share: each(share, turns),
-        start.first[turns],
-        end.first[turns],
-        np.broadcast_to(width, turns.shape)[turns],
-    )
-    inside[turns] = each(level, turns).value
+    motion, own_width = among(turns), np.broadcast_to(width, turns.shape)[turns]
+    level = _level(motion, start.first[turns], end.first[turns], own_width)
+    share, inside = np.zeros_like(start.value), np.array(start.value)
+    share[turns], inside[turns] = level, motion(level).value
     found: list[Extreme] = []
     for sign in (-1.0, 1.0):
         own = np.where(turns & (rises == sign) & (sign * (inside - start.value) > 0), share, 0.0)
@@ -116,7 +115,7 @@ def piece_extremes(each: Each, pieces: PiecePlaces) -> Extremes:
     return Extremes(*found)
 
 
-def _level(motion: Callable[[Array], Coefficient], start: Array, end: Array, width: Array) -> Array:
+def _level(motion: ByShare, start: Array, end: Array, width: Array) -> Array:
     """Share at which the slope passes through 0 of pieces, by those at their ends; by Newton's method between bounds.
 
     The secant's step is the first.
