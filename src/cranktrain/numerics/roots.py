@@ -42,7 +42,7 @@ def bracketed_roots(curve: Curve, low: Array, high: Array) -> Array:
         other, value_other = np.array(high, dtype=float), curve(high)
         bracketed = np.sign(value_newest) * np.sign(value_other) <= 0
         is_found, fallen = ~bracketed, _FALLEN * np.maximum(np.abs(value_newest), np.abs(value_other))
-        third, value_third = other, value_other
+        third, value_third, slope = other, value_other, np.zeros_like(newest)
         # Not at the ends themselves, which may be roots that the caller does not mean.
         share = np.clip(np.nan_to_num(value_newest / (value_newest - value_other), nan=0.5), 0.01, 0.99)
         for _ in range(_MOST_STEPS):
@@ -51,13 +51,14 @@ def bracketed_roots(curve: Curve, low: Array, high: Array) -> Array:
             same = np.sign(value) == np.sign(value_newest)
             third, value_third = np.where(same, newest, other), np.where(same, value_newest, value_other)
             other, value_other = np.where(same, other, newest), np.where(same, value_other, value_newest)
-            # By the secant through the last two trials, which are close where the curve is smooth.
-            move = np.abs(trial - newest)
-            left = np.abs(value * move / (value - value_newest))
+            # By the last two trials that differ, which are close where the curve is smooth.
+            move = trial - newest
+            slope = np.where(value == value_newest, slope, (value - value_newest) / move)
+            left = np.maximum(np.abs(move), np.abs(value / slope))
             newest, value_newest = trial, value
             best = np.where(np.abs(value_newest) < np.abs(value_other), newest, other)
             least = (np.spacing(np.abs(best)) + 1e-17) / np.abs(other - newest)
-            is_settled = (np.maximum(move, left) <= _SETTLED * np.abs(best)) & (np.abs(value) <= fallen)
+            is_settled = (left <= _SETTLED * np.abs(best)) & (np.abs(value) <= fallen)
             is_found |= (least > 0.5) | is_settled | (value_newest == 0) | (value_other == 0) | np.isnan(value_newest)
             if np.all(is_found):
                 break
