@@ -4,7 +4,8 @@
     nice python benchmarks/fuzz.py --smallest
 
 Each file is made from its number, so that a finding comes again with `--first NUMBER --files 1`. What is no answer (a
-status other than 0 and 2, a warning of Python or NumPy, a NaN shown, a command that does not end in its time) is told
+status other than 0 and 2, a warning of Python or NumPy, a NaN shown, a command that does not end in its time or takes
+more memory than any should) is told
 once for each place, with a file that shows it made shorter, which is kept. Ends with status 1 if there is any. With
 `--smallest` the files are each table alone and each example without one of its parts, and every command is typed.
 """
@@ -14,6 +15,7 @@ import contextlib
 import gc
 import os
 import re
+import resource
 import sys
 import tempfile
 import time
@@ -44,6 +46,10 @@ PLANS = [one.name for one in PICTURES if one.kind == "plan"]
 LONGEST = 60.0
 """A command ends within this; a stroke of the most steps takes half of it. [s]"""
 MOST_MENDS = 15
+MOST_MEMORY = 4 * 1024**3
+"""No command takes as much. [byte]"""
+FILES_A_LINE = 1000
+"""After so many files it is said how far it is."""
 MOST_STEPS = 1000
 """Of a start."""
 
@@ -171,6 +177,7 @@ def main() -> int:
     parser.add_argument("--smallest", action="store_true", help="every command on every smallest file instead")
     parser.add_argument("--show", action="store_true", help="say what each command answers")
     asked = parser.parse_args()
+    resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
     if asked.smallest:
         return every_command()
     found, statuses = Counter(), Counter()
@@ -181,6 +188,8 @@ def main() -> int:
         for seed in range(asked.first, asked.first + asked.files):
             if time.monotonic() - began > 60 * asked.minutes:
                 break
+            if n_files and n_files % FILES_A_LINE == 0:
+                print(f"{n_files} files, {sum(found.values())} findings so far", flush=True)
             n_files += 1
             raw = machine(seed)
             tables = possible(raw, path)

@@ -56,8 +56,8 @@ def test_like_throws_are_alike():
 @pytest.mark.parametrize("bearings", [[1, 2, 3, 4, 5, 6, 7], [1, 3, 5, 7]])
 def test_v12_against_beam_elements(method, gives, bearings):
     whole = loaded(bearings=bearings, **GIVES)
-    (acting,), shaft = whole.loads(np.radians([[10.0, 77.0, 301.0]])), whole.each[0].shaft
-    found = METHODS[method].loads(shaft, acting).load
+    (spanned,), shaft = whole.loads(np.radians([[10.0, 77.0, 301.0]])), whole.each[0].shaft
+    found, acting = METHODS[method].of(shaft.supports, spanned).load, spanned.loads
     beam = shaft._replace(straight=StraightSpans(of_spans(shaft), shaft.straight.shear))
     for angle in range(3):
         borne, _moved = beam_loads(beam, acting, 0, angle, gives=gives)

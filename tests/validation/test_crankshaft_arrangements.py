@@ -158,7 +158,7 @@ def acting_on(table):
     declared = ct.Machine(**table)
     loaded = loaded_shafts(declared)
     angle = np.radians(np.arange(0.0, 360.0))[np.newaxis, np.newaxis]
-    return loaded, loaded.loads(angle), ct.run(declared)
+    return loaded, [own.loads for own in loaded.loads(angle)], ct.run(declared)
 
 
 @pytest.mark.parametrize("rotation", ["clockwise", "anticlockwise"])

@@ -5,6 +5,7 @@ every piece between breaks, so that nothing is smoothed across one, and an end o
 """
 
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -34,6 +35,8 @@ _AT_END = 1 - 1e-6
 """A top from there on stands at the end of its piece: where it is level there, rounding moves it so far."""
 _MOST = 48
 """Peaks of one curve that are looked at."""
+_MOST_MOVES = 8
+"""Windows in which one is gone after."""
 
 
 class Peak(NamedTuple):
@@ -74,14 +77,62 @@ def largest_between(curves: Curves, grid: Array, samples: Array, breaks: Array) 
     shape, n_points = samples.shape[:-1], samples.shape[-1]
     step = float(grid[1] - grid[0])
     known = np.fmax(samples.reshape(-1, n_points), -np.inf)
-    scale = np.fmax.reduce(np.abs(samples), axis=-1, initial=0.0).reshape(-1, 1)
+    scale = np.fmax.reduce(np.abs(samples), axis=-1, initial=0.0).reshape(-1)
     own_breaks = np.broadcast_to(breaks, (*shape, breaks.shape[-1])).reshape(len(known), breaks.shape[-1])
-    places = _places(known, scale, _near_breaks(own_breaks, grid, n_points))
-    edges = _edges(own_breaks, grid[places], step, n_points)
-    is_piece = (np.diff(edges, axis=-1) > 0.0) & (places >= 0)[..., np.newaxis]
-    found = _tops(curves, grid[places], edges, is_piece, scale[:, 0])
-    best = _first_of_the_best(*found, scale, step * n_points)
+    places = _places(known, scale[:, np.newaxis], _near_breaks(own_breaks, grid, n_points))
+    centre = np.where(places >= 0, grid[places], np.nan)
+    best = largest_about(curves, centre, own_breaks, scale, _ABOUT * step, step * n_points)
     return Peak(*(part.reshape(shape) for part in best))
+
+
+def largest_about(curves: Curves, centre: Array, breaks: Array, scale: Array, wide: float, period: float) -> Peak:
+    """Largest value of each curve near angles at which it may stand.
+
+    Parameters
+    ----------
+    curves : Curves
+    centre : Array, shape (curve, peak)
+        NaN for none. [rad]
+    breaks : Array, shape (curve, m)
+        Where each may jump or have kinks; NaN for none. [rad]
+    scale : Array, shape (curve,)
+        Largest size of each curve, about.
+    wide : float
+        How far from these angles the curve's own tops may be. [rad]
+    period : float
+        [rad]
+
+    Returns
+    -------
+    Peak, shapes (curve,)
+        As `largest_between` gives it.
+    """
+    edges = _edges(breaks, np.where(np.isnan(centre), 0.0, centre), wide, period)
+    is_piece = (np.diff(edges, axis=-1) > 0.0) & ~np.isnan(centre)[..., np.newaxis]
+    found = _tops(curves, centre, edges, is_piece, scale)
+    return _first_of_the_best(*found, scale[:, np.newaxis], period)
+
+
+def largest_near(curves: Curves, centre: Array, breaks: Array, scale: Array, wide: float, period: float) -> Peak:
+    """The same near angles that are not sure to be as near: where a top is not within reach, it is gone after."""
+    best = largest_about(curves, centre, breaks, scale, wide, period)
+    beyond = np.arange(len(scale))
+    for _move in range(_MOST_MOVES):
+        off = np.abs(around_zero(best.angle[beyond, np.newaxis] - centre, period))
+        is_beyond = np.any(np.abs(off - wide) < (1 - _AT_END) * wide, axis=-1)
+        if not np.any(is_beyond):
+            break
+        beyond = beyond[is_beyond]
+        centre = best.angle[beyond, np.newaxis]
+        moved = largest_about(partial(_some, curves, beyond), centre, breaks[beyond], scale[beyond], wide, period)
+        for whole, part in zip(best, moved, strict=True):
+            whole[beyond] = part
+    return best
+
+
+def _some(curves: Curves, rows: NDArray[np.intp], which: NDArray[np.intp], angle: Array) -> Array:
+    """Some rows of curves as curves."""
+    return curves(rows[which], angle)
 
 
 def _tops(curves: Curves, centre: Array, edges: Array, is_piece: NDArray[np.bool_], scale: Array) -> Peak:
@@ -168,9 +219,8 @@ def _places(known: Array, scale: Array, has_break: NDArray[np.bool_]) -> NDArray
     return places
 
 
-def _edges(breaks: Array, centre: Array, step: float, n_points: int) -> Array:
-    """Ends of the pieces about each peak, from its grid point, shape (curve, peak, piece + 1). [rad]"""
-    wide, period = _ABOUT * step, step * n_points
+def _edges(breaks: Array, centre: Array, wide: float, period: float) -> Array:
+    """Ends of the pieces about each peak, from where it may stand, shape (curve, peak, piece + 1). [rad]"""
     away = around_zero(breaks[:, np.newaxis, :] - centre[..., np.newaxis], period)
     inside = np.sort(np.where(np.abs(away) < wide - _ONE_BREAK, away, wide), axis=-1)
     if inside.shape[-1]:

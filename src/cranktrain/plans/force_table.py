@@ -116,6 +116,9 @@ def force_table(machine: Machine, *, step: float = 30.0, unit: str = "N", piston
     at_pin = _SHARES if sort == "slave" else _KNUCKLED | _AT_PIN if sort == "master" else _AT_PIN
     quantities = _AT_PISTON | at_pin
     refuse_absent(result, quantities.values())
+    if not np.any(np.isfinite(getattr(result, _AT_PISTON["P"]))):
+        allowed = _("must act with a force that is a number: see what `run` says of the gas and the motion")
+        raise InputError([Problem("gas", None, allowed)])
     curves = {symbol: _by_method(result, quantity, place.name) for symbol, quantity in quantities.items()}
     columns = [_column(symbol, name, per_unit * curve, kept) for symbol, curve in curves.items()]
     turning = "T_i" if sort == "slave" else "T"

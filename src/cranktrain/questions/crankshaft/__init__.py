@@ -28,6 +28,7 @@ from cranktrain.questions.crankshaft.pressures import (
 )
 from cranktrain.questions.crankshaft.problems import crankshaft_problems
 from cranktrain.questions.crankshaft.section_torques import section_torques
+from cranktrain.questions.crankshaft.shaft_peaks import shaft_peaks
 from cranktrain.questions.crankshaft.shaft_places import shaft_places
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
 from cranktrain.questions.crankshaft.stages import MainBearingLoads, main_bearing_loads
@@ -63,6 +64,7 @@ QUESTION = Question(
         Stage(loaded_shafts),
         Stage(loads_over_cycle),
         Stage(bearings_between_events),
+        Stage(shaft_peaks),
         Stage(main_bearing_loads),
         Stage(housing_spread, applies=in_elastic_bearings),
         Stage(journal_loads),

@@ -14,20 +14,11 @@ from cranktrain.numerics.harmonics import ComplexArray, phasor
 from cranktrain.questions.balance.rotating_weights import RotatingWeights
 from cranktrain.questions.crankshaft.gears import DeclaredGears, Gear, Mesh, tooth_load
 from cranktrain.questions.crankshaft.laid import LaidShaft, direction
-from cranktrain.questions.crankshaft.shaft import Crankshaft
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.loads_in_spans import AlikeShafts, SpannedLoads, spanned_loads
+from cranktrain.questions.crankshaft.shaft import Crankshaft, Supports
+from cranktrain.questions.crankshaft.shaft_loads import ActingPlaces, ShaftLoads
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.record import record
-
-
-class ActingPlaces(NamedTuple):
-    """Where loads act on the shaft, as `ShaftLoads` has it: pieces, webs; z and radius, shape (design, load)."""
-
-    piece: NDArray[np.intp]
-    on_web: NDArray[np.bool_]
-    z: Array
-    radius: Array
-    angle: Array
 
 
 class Shares(NamedTuple):
@@ -68,6 +59,8 @@ class LoadedShaft:
         Those that turn on it.
     places : ActingPlaces
         Of rods on pins, of cranks on webs, of weights, of pulls, and of gears, in that order.
+    spans : tuple of AlikeShafts
+        How its spans bend, with loads at these places.
     rods, cranks, held : Shares
         Of mechanisms on pins and on webs; of weights.
     meshes : tuple of (int, Gear, Mesh)
@@ -77,6 +70,7 @@ class LoadedShaft:
     laid: LaidShaft
     weights: RotatingWeights | None
     places: ActingPlaces
+    spans: tuple[AlikeShafts, ...]
     rods: Shares
     cranks: Shares
     held: Shares
@@ -116,12 +110,17 @@ class LoadedShafts:
     zero: Array
     turn: float
 
-    def loads(self, angle: Array, solved: Sequence[SolvedBatch] | None = None) -> tuple[ShaftLoads, ...]:
+    @property
+    def supports(self) -> tuple[Supports, ...]:
+        """Bearings of each."""
+        return tuple(one.shaft.supports for one in self.each)
+
+    def loads(self, angle: Array, solved: Sequence[SolvedBatch] | None = None) -> tuple[SpannedLoads, ...]:
         """What acts on each at φ, shape (design, 1, n) [rad]; solved, where the machine is solved there already."""
         found = self.loaded.solved(angle) if solved is None else solved
         own = of_mechanisms(self.loaded, self.frames, found)
         handed = [] if self.gears is None else self.gears.handed_on(self._torques(found, angle))
-        return tuple(self._on(one, own, angle, handed) for one in self.each)
+        return tuple(spanned_loads(one.spans, self._on(one, own, angle, handed)) for one in self.each)
 
     def _on(self, one: LoadedShaft, own: OfMechanisms, angle: Array, handed: Sequence[Array]) -> ShaftLoads:
         turned = direction(own.pin[:, one.laid.first], self.turn)

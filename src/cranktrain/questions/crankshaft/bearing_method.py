@@ -5,12 +5,13 @@ from collections.abc import Callable
 import numpy as np
 
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads
-from cranktrain.questions.crankshaft.designs_alike import Alike, designs_alike, of_designs
-from cranktrain.questions.crankshaft.shaft import Crankshaft
+from cranktrain.questions.crankshaft.designs_alike import of_designs
+from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans, SpannedLoads, alike_shafts, spanned_loads
+from cranktrain.questions.crankshaft.shaft import Crankshaft, Supports
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
 from cranktrain.record import record
 
-Kernel = Callable[[Crankshaft, ShaftLoads, Alike], BearingLoads]
+Kernel = Callable[[Supports, LoadsInSpans], BearingLoads]
 """Bearing loads of designs that are alike."""
 
 
@@ -24,7 +25,7 @@ class BearingMethod:
         How users call it.
     title : str
         How answers call it, not yet translated.
-    kernel : callable (Crankshaft, ShaftLoads, Alike) → BearingLoads
+    kernel : callable (Supports, LoadsInSpans) → BearingLoads
     source : str
         Where its equations stand.
     range : str
@@ -38,23 +39,25 @@ class BearingMethod:
     range: str
 
     def loads(self, shaft: Crankshaft, loads: ShaftLoads) -> BearingLoads:
-        """Bearing loads of any designs, each to the last bit what it gives alone.
+        """Bearing loads of any designs, each to the last bit what it gives alone."""
+        return self.of(shaft.supports, spanned_loads(alike_shafts(shaft, loads.places), loads))
+
+    def of(self, supports: Supports, loads: SpannedLoads) -> BearingLoads:
+        """The same of loads whose spans are known, in bearings that may give otherwise than the shaft's.
 
         NaN where the shaft floats on a single bearing, or has no stiffness where the method asks for it.
         """
-        if shaft.supports.place.shape[1] < 2:
-            nothing = np.full((*shaft.supports.place.shape, 2, loads.force.shape[-1]), np.nan)
+        n_designs, n_angles = loads.loads.turned.shape
+        shape = (n_designs, loads.n_bearings, 2, n_angles)
+        if loads.n_bearings < 2:
+            nothing = np.full(shape, np.nan)
             return BearingLoads(nothing, nothing, nothing)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            found = [
-                (designs, self.kernel(of_designs(shaft, designs), of_designs(loads, designs), alike))
-                for designs, alike in designs_alike(shaft, loads)
-            ]
+            found = [self.kernel(of_designs(supports, own.of.designs), own) for own in loads.groups]
         if len(found) == 1:
-            return found[0][1]
-        n_designs = shaft.supports.place.shape[0]
-        joined = [np.empty((n_designs, *values.shape[1:])) for values in found[0][1]]
-        for designs, values in found:
+            return found[0]
+        joined = [np.empty(shape) for _part in BearingLoads._fields]
+        for own, values in zip(loads.groups, found, strict=True):
             for whole, part in zip(joined, values, strict=True):
-                whole[designs] = part
+                whole[own.of.designs] = part
         return BearingLoads(*joined)

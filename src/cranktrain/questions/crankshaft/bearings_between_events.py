@@ -8,9 +8,10 @@ from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.cycle_points import CyclePoints
+from cranktrain.questions.crankshaft.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.shaft import Supports
 from cranktrain.record import record
 
 _ELASTIC, _LOOSE = ("frame_elastic", "five_moment"), "clearance"
@@ -22,13 +23,13 @@ class BearingsBetweenEvents:
 
     Attributes
     ----------
-    acting : sequence of ShaftLoads
+    acting : sequence of SpannedLoads
         On each shaft.
     load : Array, shape (design, method, bearing, 2, point)
         Of journals on all main bearings, toward X and Y. [N]
     """
 
-    acting: Sequence[ShaftLoads]
+    acting: Sequence[SpannedLoads]
     load: Array
 
 
@@ -37,15 +38,15 @@ def bearings_between_events(
 ) -> BearingsBetweenEvents:
     """Loads of all main bearings by all methods that the file has numbers for."""
     acting = loaded.loads(points.angle, points.solved)
-    return BearingsBetweenEvents(acting, bearing_loads_of(loaded, methods_for(declared), acting))
+    return BearingsBetweenEvents(acting, bearing_loads_of(loaded.supports, methods_for(declared), acting))
 
 
-def bearing_loads_of(loaded: LoadedShafts, methods: Sequence[BearingMethod], acting: Sequence[ShaftLoads]) -> Array:
+def bearing_loads_of(
+    supports: Sequence[Supports], methods: Sequence[BearingMethod], acting: Sequence[SpannedLoads]
+) -> Array:
     """Loads of all main bearings by some methods, shape (design, method, bearing, 2, n). [N]"""
     each = [
-        np.concatenate(
-            [method.loads(one.shaft, own).load for one, own in zip(loaded.each, acting, strict=True)], axis=1
-        )
+        np.concatenate([method.of(one, own).load for one, own in zip(supports, acting, strict=True)], axis=1)
         for method in methods
     ]
     return np.stack(each, axis=1)

@@ -10,7 +10,6 @@ from cranktrain.grouping import grouped
 from cranktrain.motion import Array
 from cranktrain.numerics.nested import Nested, mapped
 from cranktrain.questions.crankshaft.shaft import Crankshaft
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
 from cranktrain.questions.crankshaft.spans import spans_of
 
 
@@ -30,10 +29,10 @@ class Alike(NamedTuple):
     is_isotropic: bool
 
 
-def designs_alike(shaft: Crankshaft, loads: ShaftLoads) -> Iterator[tuple[NDArray[np.intp], Alike]]:
-    """Which designs go together, and what they have in common."""
+def designs_alike(shaft: Crankshaft, z: Array) -> Iterator[tuple[NDArray[np.intp], Alike]]:
+    """Which designs go together, and what they have in common, with loads at places z, shape (design, load)."""
     place, compliance = shaft.supports.place, shaft.supports.compliance
-    by_load = spans_of(place, loads.z)
+    by_load = spans_of(place, z)
     by_web = spans_of(place, shaft.pieces.bounds[:, 1:-1])
     even = (
         (compliance[..., 0, 0] == compliance[..., 1, 1]) & (compliance[..., 0, 1] == 0) & (compliance[..., 1, 0] == 0)

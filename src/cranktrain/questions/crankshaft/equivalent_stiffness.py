@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.bent_spans import Inner, along_piece, along_web, crank_line, polar, unbent
+from cranktrain.questions.crankshaft.bent_spans import Inner, along_piece, along_web, crank_line, unbent
 from cranktrain.questions.crankshaft.designs_alike import Alike
 from cranktrain.questions.crankshaft.frame_spans import bent_span
 from cranktrain.questions.crankshaft.shaft import Crankshaft
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.shaft_loads import ActingPlaces
 
 
 class EquivalentStiffness(NamedTuple):
@@ -146,7 +146,7 @@ class _EndSlopes(NamedTuple):
 def _by_end_moments(shaft: Crankshaft, span: int) -> _EndSlopes:
     alike = Alike(np.array([], dtype=np.intp), _spans_of_webs(shaft), is_isotropic=True)
     none = _no_loads(shaft.supports.place.shape[0])
-    bent = bent_span(shaft, crank_line(shaft), none, polar(none.radius, none.angle), alike, span)
+    bent = bent_span(shaft, crank_line(shaft), none, alike, span)
     return _EndSlopes(-bent.first.slope[:, 0], -bent.first.slope[:, 1], bent.last.slope[:, 1])
 
 
@@ -171,14 +171,6 @@ def _along(matrix: Array, axes: Array) -> Array:
     return np.sum(axes[:, :, :, np.newaxis] * matrix[:, np.newaxis] * axes[:, :, np.newaxis, :], axis=(-2, -1))
 
 
-def _no_loads(n_designs: int) -> ShaftLoads:
+def _no_loads(n_designs: int) -> ActingPlaces:
     nowhere = np.zeros((n_designs, 0))
-    return ShaftLoads(
-        np.array([], dtype=np.intp),
-        np.array([], dtype=np.bool_),
-        nowhere,
-        nowhere,
-        nowhere,
-        np.zeros((n_designs, 1)),
-        np.zeros((n_designs, 0, 2, 1)),
-    )
+    return ActingPlaces(np.array([], dtype=np.intp), np.array([], dtype=np.bool_), nowhere, nowhere, nowhere)

@@ -1,5 +1,6 @@
 """Spans as crank frames: what moments at their ends and loads on journals, webs and pins do to them."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -21,7 +22,7 @@ from cranktrain.questions.crankshaft.bent_spans import (
 from cranktrain.questions.crankshaft.blocks import applied, turned_by
 from cranktrain.questions.crankshaft.designs_alike import Alike
 from cranktrain.questions.crankshaft.shaft import Crankshaft
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, torques
+from cranktrain.questions.crankshaft.shaft_loads import ActingPlaces, ShaftLoads, torques
 from cranktrain.questions.crankshaft.support_moments import SpanFlexibility
 
 
@@ -41,14 +42,18 @@ class BentSpan(NamedTuple):
     points: dict[int, Bent]
 
 
-def frame_spans(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> SpanFlexibility:
+def frame_spans(bent: Sequence[BentSpan], thrust: int, loads: ShaftLoads, spans: NDArray[np.intp]) -> SpanFlexibility:
     """How crank frames bend, in axes that turn with the shaft.
 
     Parameters
     ----------
-    shaft : Crankshaft
+    bent : sequence of BentSpan
+        As `bent_spans` gives them.
+    thrust : int
+        Which bearing takes axial forces, as in `Supports`.
     loads : ShaftLoads
-    alike : Alike
+    spans : array of int, shape (load,)
+        As `spans_of` says.
 
     Returns
     -------
@@ -59,9 +64,7 @@ def frame_spans(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> SpanFlexi
     -----
     docs/theory/crankshaft, eqs. (24.14) to (24.19).
     """
-    line, places = crank_line(shaft), polar(loads.radius, loads.angle)
-    bent = [bent_span(shaft, line, loads, places, alike, span) for span in range(shaft.supports.place.shape[1] - 1)]
-    slopes = _slopes_by_loads(bent, shaft.supports.thrust % (len(bent) + 1), loads, alike.loads)
+    slopes = _slopes_by_loads(bent, thrust % (len(bent) + 1), loads, spans)
     return SpanFlexibility(
         np.stack([_by_moment(-one.first.slope[:, 0]) for one in bent], axis=1),
         np.stack([_by_moment(-one.first.slope[:, 1]) for one in bent], axis=1),
@@ -76,16 +79,21 @@ def _by_moment(slope: Array) -> Array:
     return np.swapaxes(slope, -1, -2)[..., np.newaxis]
 
 
-def bent_span(
-    shaft: Crankshaft, line: CrankLine, loads: ShaftLoads, places: Array, alike: Alike, span: int
-) -> BentSpan:
-    """Go along a span, from its first bearing to its last, with `places` where loads act as `polar` says.
+def bent_spans(shaft: Crankshaft, places: ActingPlaces, alike: Alike) -> list[BentSpan]:
+    """Every span under unit moments at its ends, whatever the loads are that act at some places."""
+    line = crank_line(shaft)
+    return [bent_span(shaft, line, places, alike, span) for span in range(shaft.supports.place.shape[1] - 1)]
+
+
+def bent_span(shaft: Crankshaft, line: CrankLine, loads: ActingPlaces, alike: Alike, span: int) -> BentSpan:
+    """Go along a span, from its first bearing to its last, by where loads act.
 
     Notes
     -----
     docs/theory/crankshaft, eqs. (24.15) to (24.18).
     """
     left, right = shaft.supports.place[:, span], shaft.supports.place[:, span + 1]
+    places = polar(loads.radius, loads.angle)
     inner, begin = of_unit_moments(left, right), int(np.sum(alike.webs <= span))
     end = int(np.sum(alike.webs <= span + 1))
     within = np.flatnonzero(alike.loads == span + 1).tolist()
@@ -144,7 +152,7 @@ def _held(
     )
 
 
-def _slopes_by_loads(bent: list[BentSpan], thrust: int, loads: ShaftLoads, spans: NDArray[np.intp]) -> list[Array]:
+def _slopes_by_loads(bent: Sequence[BentSpan], thrust: int, loads: ShaftLoads, spans: NDArray[np.intp]) -> list[Array]:
     """Rotations of both ends of every span by loads, each of shape (design, end, 2, angle)."""
     force = turned_by(loads.force, loads.turned)
     couple = None if loads.couple is None else turned_by(loads.couple, loads.turned)

@@ -4,11 +4,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.bent_spans import crank_line, polar, web_line
+from cranktrain.questions.crankshaft.bent_spans import crank_line, web_line
 from cranktrain.questions.crankshaft.designs_alike import Alike, designs_alike, of_designs
-from cranktrain.questions.crankshaft.frame_spans import BentSpan, bent_span
+from cranktrain.questions.crankshaft.frame_spans import BentSpan, bent_spans
 from cranktrain.questions.crankshaft.shaft import Crankshaft
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.shaft_loads import ActingPlaces
 
 
 def twist_when_free(shaft: Crankshaft, pins: NDArray[np.intp]) -> Array:
@@ -65,7 +65,7 @@ def twist_when_clamped(shaft: Crankshaft, pins: NDArray[np.intp]) -> Array:
     free, relief = twist_when_free(shaft, pins), np.full((shaft.pieces.radius.shape[0], pins.size), np.nan)
     if shaft.supports.place.shape[1] > 1:
         marks = _marks(shaft, pins)
-        for designs, alike in designs_alike(shaft, marks):
+        for designs, alike in designs_alike(shaft, marks.z):
             relief[designs] = _relief(of_designs(shaft, designs), of_designs(marks, designs), alike)
     return free + np.diff(relief, axis=1)
 
@@ -74,27 +74,22 @@ def _pairs(pins: NDArray[np.intp]) -> list[tuple[int, int]]:
     return list(zip(pins[:-1].tolist(), pins[1:].tolist(), strict=True))
 
 
-def _marks(shaft: Crankshaft, pins: NDArray[np.intp]) -> ShaftLoads:
-    """Loads of no force in the middles of the pins, where the twist is asked for."""
+def _marks(shaft: Crankshaft, pins: NDArray[np.intp]) -> ActingPlaces:
+    """The middles of the pins, where the twist is asked for."""
     bounds = shaft.pieces.bounds
-    n_designs = bounds.shape[0]
-    return ShaftLoads(
+    return ActingPlaces(
         pins,
         np.zeros(pins.size, dtype=np.bool_),
         (bounds[:, pins] + bounds[:, pins + 1]) / 2,
         shaft.pieces.radius[:, pins],
         shaft.pieces.angle[:, pins],
-        np.zeros((n_designs, 1)),
-        np.zeros((n_designs, pins.size, 2, 1)),
     )
 
 
-def _relief(shaft: Crankshaft, marks: ShaftLoads, alike: Alike) -> Array:
+def _relief(shaft: Crankshaft, marks: ActingPlaces, alike: Alike) -> Array:
     """By how much the moments in the bearings turn the pins back, against the last bearing, shape (design, throw)."""
-    line, places = crank_line(shaft), polar(marks.radius, marks.angle)
     found = np.zeros(marks.z.shape)
-    for span in range(shaft.supports.place.shape[1] - 1):
-        one = bent_span(shaft, line, marks, places, alike, span)
+    for span, one in enumerate(bent_spans(shaft, marks, alike)):
         held = _moments(one)
         found[:, alike.loads <= span] += _turned(one.first.twist, held)[:, np.newaxis]
         for mark, at in one.points.items():

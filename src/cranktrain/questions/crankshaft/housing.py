@@ -1,28 +1,12 @@
 """How much the main bearings' loads hang on the stiffness of their housing, which is mostly a guess."""
 
-from dataclasses import replace
-from functools import partial
-
-import numpy as np
-
 from cranktrain.catalogue import quantity
 from cranktrain.language import N_
-from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
-from cranktrain.questions.crankshaft.bearings_between_events import bearing_loads_of
-from cranktrain.questions.crankshaft.loads_over_cycle import LoadsOverCycle
-from cranktrain.questions.crankshaft.methods import BEARING_METHODS
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
-from cranktrain.questions.crankshaft.stages import bearing_load_sizes
-from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.peaks import largest_of_machine
+from cranktrain.questions.crankshaft.shaft_peaks import ShaftPeaks
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
-
-_FRAME = next(method for method in BEARING_METHODS if method.name == "frame_elastic")
-_SOFT, _STIFF = 0.5, 2.0
-"""Times the stiffness of the file: a guess may be out by so much."""
 
 
 @record
@@ -42,27 +26,11 @@ def in_elastic_bearings(declared: DeclaredCrankshafts | None) -> bool:
     return declared is not None and declared.is_elastic
 
 
-def housing_spread(
-    loaded: LoadedShafts, over_cycle: LoadsOverCycle, events: ForceEvents, crank_angle: CrankAngle
-) -> HousingSpread:
+def housing_spread(peaks: ShaftPeaks) -> HousingSpread:
     """Largest loads where the stiffness of all bearings is half and twice that of the file, refined.
 
     Notes
     -----
     docs/theory/crankshaft.
     """
-    largest: list[Array] = []
-    for factor in (_SOFT, _STIFF):
-        other = replace(loaded, each=tuple(_in_housing(one, factor) for one in loaded.each))
-        load = bearing_loads_of(other, [_FRAME], over_cycle.each)[:, 0]
-        sizes = partial(bearing_load_sizes, other, [_FRAME])
-        most = largest_of_machine(sizes, np.hypot(load[:, :, 0], load[:, :, 1]), events, crank_angle)
-        largest.append(most.value)
-    return HousingSpread(*largest)
-
-
-def _in_housing(loaded: LoadedShaft, factor: float) -> LoadedShaft:
-    """The same shaft in bearings of another stiffness."""
-    supports = loaded.shaft.supports
-    shaft = loaded.shaft._replace(supports=supports._replace(compliance=supports.compliance / factor))
-    return replace(loaded, laid=replace(loaded.laid, shaft=shaft))
+    return HousingSpread(*(one.value for one in peaks.housing_load))

@@ -12,6 +12,7 @@ from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
 from cranktrain.questions.crankshaft.bearings_between_events import BearingsBetweenEvents
 from cranktrain.questions.crankshaft.cycle_points import CyclePoints
+from cranktrain.questions.crankshaft.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.loads_over_cycle import LoadsOverCycle
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
 from cranktrain.questions.crankshaft.stages import MainBearingLoads
@@ -95,10 +96,10 @@ def journal_wear(loaded: LoadedShafts, between: BearingsBetweenEvents, points: C
     return JournalWear(*journal, *bearing)
 
 
-def _axes(loaded: LoadedShafts, acting: Sequence[ShaftLoads]) -> tuple[Array, Array]:
+def _axes(loaded: LoadedShafts, acting: Sequence[SpannedLoads]) -> tuple[Array, Array]:
     """Of every bearing's shaft the direction of throw 1's crank [rad], and its sense: (design, 1, bearing, n or 1)."""
     directions = [
-        np.repeat(first_throw(one, own)[:, np.newaxis], one.shaft.supports.place.shape[1], axis=1)
+        np.repeat(first_throw(one, own.loads)[:, np.newaxis], one.shaft.supports.place.shape[1], axis=1)
         for one, own in zip(loaded.each, acting, strict=True)
     ]
     senses = [np.full(one.shaft.supports.place.shape[1], one.laid.turn) for one in loaded.each]

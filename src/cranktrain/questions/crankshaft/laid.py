@@ -56,6 +56,13 @@ class LaidShaft:
     first: int
     turn: float
 
+    @property
+    def is_journal(self) -> NDArray[np.bool_]:
+        """Which pieces are journals, shape (piece,)."""
+        found = np.zeros(self.shaft.pieces.radius.shape[1], dtype=np.bool_)
+        found[self.journals[self.journals >= 0]] = True
+        return found
+
     def journal_at(self, z: float) -> int:
         """Which journal is at a place of the first design, by number from 0."""
         return int(np.sum(self.declared.centres[0] < z))

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.loads_in_spans import SpannedLoads
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 
@@ -13,7 +13,7 @@ from cranktrain.record import record
 class LoadsOverCycle:
     """Loads on each shaft at the crank angles of the grid."""
 
-    each: Sequence[ShaftLoads]
+    each: Sequence[SpannedLoads]
 
 
 def loads_over_cycle(loaded: LoadedShafts, solved: SolvedCycle, crank_angle: CrankAngle) -> LoadsOverCycle:

@@ -14,9 +14,11 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.balance.rotating_weights import RotatingWeights
 from cranktrain.questions.balance.weights import BalanceWeights
-from cranktrain.questions.crankshaft.acting import ActingPlaces, LoadedShaft, LoadedShafts, Shares
+from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts, Shares
 from cranktrain.questions.crankshaft.gears import DeclaredGears
 from cranktrain.questions.crankshaft.laid import LaidCrankshafts, LaidShaft
+from cranktrain.questions.crankshaft.loads_in_spans import alike_shafts
+from cranktrain.questions.crankshaft.shaft_loads import ActingPlaces
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 
 _ON_AXIS = (np.zeros(1), np.zeros(1))
@@ -54,7 +56,8 @@ def loaded_shafts(
         held = places.weights(weights)
         places.on_journals(one.declared.pulls.z)
         places.on_journals(np.stack([mesh.z for _n, _g, mesh in meshes], axis=1) if meshes else np.zeros((1, 0)))
-        each.append(LoadedShaft(one, weights, places.together(), rods, cranks, held, meshes))
+        together = places.together()
+        each.append(LoadedShaft(one, weights, together, alike_shafts(one.shaft, together), rods, cranks, held, meshes))
     return LoadedShafts(tuple(each), loaded, frames, shafts, gears, given, crank_angle.zero, turn)
 
 

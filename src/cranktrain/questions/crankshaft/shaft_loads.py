@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array
 
 
-class ShaftLoads(NamedTuple):
-    """Concentrated loads on a crankshaft, in the machine's axes: X to the right, Y up, z along the shaft.
+class ActingPlaces(NamedTuple):
+    """Where loads act on a crankshaft.
 
     Attributes
     ----------
@@ -22,6 +22,22 @@ class ShaftLoads(NamedTuple):
     radius, angle : Array, shape (design, load)
         Where it acts in axes that turn with the shaft: distance from its axis and its direction, as in `Pieces`.
         A force on a pin has the pin's own. [m, rad]
+    """
+
+    piece: NDArray[np.intp]
+    on_web: NDArray[np.bool_]
+    z: Array
+    radius: Array
+    angle: Array
+
+
+class ShaftLoads(NamedTuple):
+    """Concentrated loads on a crankshaft, in the machine's axes: X to the right, Y up, z along the shaft.
+
+    Attributes
+    ----------
+    piece, on_web, z, radius, angle
+        Where they act, as `ActingPlaces` has it.
     turned : Array, shape (design, angle)
         Direction of the turning axes' first one, from X toward Y: falling where the shaft turns clockwise. [rad]
     force : Array, shape (design, load, 2, angle)
@@ -44,6 +60,11 @@ class ShaftLoads(NamedTuple):
     couple: Array | None = None
     torque: Array | None = None
     thrust: Array | None = None
+
+    @property
+    def places(self) -> ActingPlaces:
+        """Where they act."""
+        return ActingPlaces(self.piece, self.on_web, self.z, self.radius, self.angle)
 
 
 class AxisLoads(NamedTuple):

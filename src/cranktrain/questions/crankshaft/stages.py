@@ -1,32 +1,29 @@
 """What the main bearings carry over the cycle, by every method that the file has numbers for."""
 
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
-from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, residuals
-from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.bearings_between_events import (
     BearingsBetweenEvents,
-    bearing_loads_of,
     methods_for,
 )
 from cranktrain.questions.crankshaft.cycle_points import CyclePoints
+from cranktrain.questions.crankshaft.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.loads_over_cycle import LoadsOverCycle
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, on_axis
-from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.peaks import largest_of_machine, one_sided
+from cranktrain.questions.crankshaft.shaft_loads import on_axis
+from cranktrain.questions.crankshaft.shaft_peaks import ShaftPeaks
+from cranktrain.questions.forces.peaks import one_sided
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.wording import Names, number
@@ -71,10 +68,9 @@ def main_bearing_loads(
     loaded: LoadedShafts,
     declared: DeclaredCrankshafts,
     over_cycle: LoadsOverCycle,
-    events: ForceEvents,
-    crank_angle: CrankAngle,
     between: BearingsBetweenEvents,
     points: CyclePoints,
+    peaks: ShaftPeaks,
 ) -> MainBearingLoads:
     """Bearing loads over the cycle, largest ones refined on the machine itself, means by quadrature between events.
 
@@ -84,31 +80,20 @@ def main_bearing_loads(
     """
     methods = methods_for(declared)
     acting = over_cycle.each
-    found = [[method.loads(one.shaft, own) for one, own in zip(loaded.each, acting, strict=True)] for method in methods]
-    curves = np.stack([np.concatenate([own.load for own in each], axis=1) for each in found], axis=1)
-    samples = np.hypot(curves[:, :, :, 0], curves[:, :, :, 1])
-    each_most = [
-        largest_of_machine(partial(bearing_load_sizes, loaded, [method]), samples[:, place], events, crank_angle)
-        for place, method in enumerate(methods)
+    found = [
+        [method.of(one.shaft.supports, own) for one, own in zip(loaded.each, acting, strict=True)] for method in methods
     ]
-    most = Peak(*(np.stack(parts, axis=1) for parts in zip(*each_most, strict=True)))
+    curves = np.stack([np.concatenate([own.load for own in each], axis=1) for each in found], axis=1)
     named = [f"{method.name} {bearing}" for method in methods for bearing in declared.bearings]
     return MainBearingLoads(
         main_bearing_load_x=curves[:, :, :, 0],
         main_bearing_load_y=curves[:, :, :, 1],
-        largest_bearing_load=most,
+        largest_bearing_load=peaks.load,
         mean_bearing_load=points.mean(np.hypot(between.load[:, :, :, 0], between.load[:, :, :, 1])),
         labels={"bearing_method": tuple(method.name for method in methods), "bearing": declared.bearings},
         checks=(_check(loaded, acting, found),),
-        flags=tuple(one_sided([(_("largest load of a main bearing"), most)], named)),
+        flags=tuple(one_sided([(_("largest load of a main bearing"), peaks.load)], named)),
     )
-
-
-def bearing_load_sizes(loaded: LoadedShafts, methods: Sequence[BearingMethod], angle: Array) -> Array:
-    """Sizes of the loads of every method's bearings at φ, shape (design, method · bearing, n). [N]"""
-    acting = loaded.loads(angle)
-    sizes = np.hypot(*np.moveaxis(bearing_loads_of(loaded, methods, acting), 3, 0))
-    return sizes.reshape(len(sizes), -1, sizes.shape[-1])
 
 
 def title_of(name: str) -> str:
@@ -116,12 +101,12 @@ def title_of(name: str) -> str:
     return next(_(method.title) for method in BEARING_METHODS if method.name == name)
 
 
-def _check(loaded: LoadedShafts, acting: Sequence[ShaftLoads], found: Sequence[Sequence[BearingLoads]]) -> Check:
+def _check(loaded: LoadedShafts, acting: Sequence[SpannedLoads], found: Sequence[Sequence[BearingLoads]]) -> Check:
     """Whether the bearings balance all that acts, in force and in moment, by every method."""
-    worst = np.zeros(len(acting[0].z))
+    worst = np.zeros(len(acting[0].loads.z))
     for each in found:
         for one, own, borne in zip(loaded.each, acting, each, strict=True):
-            left = residuals(one.shaft.supports, on_axis(own), borne)
+            left = residuals(one.shaft.supports, on_axis(own.loads), borne)
             for part, scale in ((left.force, left.largest_force), (left.moment, left.largest_moment)):
                 worst = np.maximum(worst, np.max(part / np.where(scale > 0, scale, 1.0), axis=-1))
     sentence = _("Sum of all bearing loads and their moments against all that acts on the shaft, by every method")

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.shaft import Crankshaft
@@ -17,6 +18,24 @@ class TorqueAlong(NamedTuple):
 
     begin: Array
     end: Array
+
+
+class TorqueOfLoads(NamedTuple):
+    """The same by all that acts but the bearings, and what their loads need to add to it.
+
+    Attributes
+    ----------
+    along : TorqueAlong
+    axis : Array, shape (design, piece, 2, angle)
+        Axis of each piece, from the shaft's toward X and Y. [m]
+    """
+
+    along: TorqueAlong
+    axis: Array
+
+    def at(self, angles: NDArray[np.intp]) -> "TorqueOfLoads":
+        """The same at some of the crank angles."""
+        return TorqueOfLoads(TorqueAlong(*(part[..., angles] for part in self.along)), self.axis[..., angles])
 
 
 def torque_along(shaft: Crankshaft, loads: ShaftLoads, borne: Array) -> TorqueAlong:
@@ -38,35 +57,47 @@ def torque_along(shaft: Crankshaft, loads: ShaftLoads, borne: Array) -> TorqueAl
     -----
     docs/theory/crankshaft, eqs. (24.37) and (24.38).
     """
+    by_loads, bounds = torque_of_loads(shaft, loads), shaft.pieces.bounds
+    return TorqueAlong(
+        by_loads.along.begin + torque_by_bearings(shaft, by_loads.axis, borne, bounds[:, :-1]),
+        by_loads.along.end + torque_by_bearings(shaft, by_loads.axis, borne, bounds[:, 1:]),
+    )
+
+
+def torque_of_loads(shaft: Crankshaft, loads: ShaftLoads) -> TorqueOfLoads:
+    """Torque by all that acts on a shaft but its bearings: the same by every method."""
     pieces, turned = shaft.pieces, loads.turned
     about_axis = torques(loads)
-    n_pieces = pieces.radius.shape[1]
-    begin, end = (np.empty((turned.shape[0], n_pieces, turned.shape[1])) for _place in range(2))
+    direction = pieces.angle[..., np.newaxis] + turned[:, np.newaxis]
+    radius = pieces.radius[..., np.newaxis]
+    axis = np.stack([radius * np.cos(direction), radius * np.sin(direction)], axis=2)
+    begin, end = (np.empty(direction.shape) for _place in range(2))
     torque, force = np.zeros_like(turned), np.zeros((turned.shape[0], 2, turned.shape[1]))
-    for piece in range(n_pieces):
-        axis = _axis(pieces.radius[:, piece], pieces.angle[:, piece], turned)
-        begin[:, piece] = torque - _moment(axis, force - _before(shaft, borne, pieces.bounds[:, piece]))
-        for load in np.flatnonzero((loads.piece == piece) & ~loads.on_web).tolist():
-            torque, force = torque + about_axis[:, load], force + loads.force[:, load]
-        end[:, piece] = torque - _moment(axis, force - _before(shaft, borne, pieces.bounds[:, piece + 1]))
-        for load in np.flatnonzero((loads.piece == piece) & loads.on_web).tolist():
-            torque, force = torque + about_axis[:, load], force + loads.force[:, load]
-    return TorqueAlong(begin, end)
+    for piece in range(pieces.radius.shape[1]):
+        for part, on_web in ((begin, False), (end, True)):
+            part[:, piece] = torque - _moment(axis[:, piece], force)
+            for load in np.flatnonzero((loads.piece == piece) & (loads.on_web == on_web)).tolist():
+                torque, force = torque + about_axis[:, load], force + loads.force[:, load]
+    return TorqueOfLoads(TorqueAlong(begin, end), axis)
 
 
-def _axis(radius: Array, angle: Array, turned: Array) -> Array:
-    direction = angle[:, np.newaxis] + turned
-    return np.stack([radius[:, np.newaxis] * np.cos(direction), radius[:, np.newaxis] * np.sin(direction)], axis=1)
+def torque_by_bearings(shaft: Crankshaft, axis: Array, borne: Array, z: Array) -> Array:
+    """What the bearings before places on pieces add about the pieces' axes, shape (design, piece, angle). [N·m]
+
+    Parameters
+    ----------
+    shaft : Crankshaft
+    axis : Array, shape (design, piece, 2, angle)
+        [m]
+    borne : Array, shape (design, bearing, 2, angle)
+        [N]
+    z : Array, shape (design, piece)
+        [m]
+    """
+    n_before = np.sum(shaft.supports.place[:, np.newaxis] < z[..., np.newaxis], axis=-1)
+    summed = np.cumsum(np.concatenate([np.zeros_like(borne[:, :1]), borne], axis=1), axis=1)
+    return _moment(axis, np.take_along_axis(summed, n_before[..., np.newaxis, np.newaxis], axis=1))
 
 
 def _moment(arm: Array, force: Array) -> Array:
-    return arm[:, 0] * force[:, 1] - arm[:, 1] * force[:, 0]
-
-
-def _before(shaft: Crankshaft, borne: Array, z: Array) -> Array:
-    """What the bearings before a place bear, shape (design, 2, angle)."""
-    total = np.zeros((len(borne), *borne.shape[2:]))
-    for bearing in range(borne.shape[1]):
-        before = (shaft.supports.place[:, bearing] < z)[:, np.newaxis, np.newaxis]
-        total = total + np.where(before, borne[:, bearing], 0.0)
-    return total
+    return arm[..., 0, :] * force[..., 1, :] - arm[..., 1, :] * force[..., 0, :]

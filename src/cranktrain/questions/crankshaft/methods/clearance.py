@@ -8,39 +8,34 @@ from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, bearing_
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.blocks import turned_by
 from cranktrain.questions.crankshaft.contact import TouchingShaft, displacements_in_clearance
-from cranktrain.questions.crankshaft.designs_alike import Alike
-from cranktrain.questions.crankshaft.frame_spans import frame_spans
+from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans
 from cranktrain.questions.crankshaft.methods.crank_frame import (
-    cut_in_turning_axes,
     in_turning_axes,
     settlements_in_turning_axes,
 )
-from cranktrain.questions.crankshaft.shaft import Crankshaft
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, on_axis
-from cranktrain.questions.crankshaft.spans import CutShaft, cut_shaft
+from cranktrain.questions.crankshaft.shaft import Supports
+from cranktrain.questions.crankshaft.spans import CutShaft
 from cranktrain.questions.crankshaft.support_moments import Bearings, SpanFlexibility, support_moments
 
 
-def clearance(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> BearingLoads:
+def clearance(supports: Supports, loads: LoadsInSpans) -> BearingLoads:
     """Bearing loads of a crank frame in bearings with clearance; docs/theory/crankshaft, eqs. (24.39) to (24.43)."""
-    supports, turned = shaft.supports, loads.turned
-    cut = cut_shaft(supports.place, alike.loads, on_axis(loads))
+    turned, is_isotropic = loads.loads.turned, loads.of.alike.is_isotropic
     even = _least(supports.compliance)
     rest = (supports.compliance - even[..., np.newaxis, np.newaxis] * np.eye(2))[..., np.newaxis]
     turning = Bearings(
         supports.place,
         settlements_in_turning_axes(supports.settlement[..., np.newaxis], turned),
-        None if alike.is_isotropic else in_turning_axes(rest, turned, is_isotropic=False),
+        None if is_isotropic else in_turning_axes(rest, turned, is_isotropic=False),
     )
-    own, spans = cut_in_turning_axes(cut, turned), frame_spans(shaft, loads, alike)
-    shifts = displacements(turning, spans, own, 1 / even, supports.clearance)
-    moment = support_moments(turning._replace(settlement=shifts), spans, own)
+    shifts = displacements(turning, loads.frame, loads.turning_cut, 1 / even, supports.clearance)
+    moment = support_moments(turning._replace(settlement=shifts), loads.frame, loads.turning_cut)
     return bearing_loads(
         supports.place,
-        cut,
+        loads.cut,
         turned_by(moment, -turned),
         settlement=turned_by(shifts, -turned),
-        compliance=None if alike.is_isotropic else rest,
+        compliance=None if is_isotropic else rest,
     )
 
 

@@ -7,44 +7,35 @@ from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, bearing_loads
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.blocks import product, transposed, turned_by
-from cranktrain.questions.crankshaft.designs_alike import Alike
-from cranktrain.questions.crankshaft.frame_spans import frame_spans
-from cranktrain.questions.crankshaft.shaft import Crankshaft
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, on_axis
-from cranktrain.questions.crankshaft.spans import CutShaft, cut_shaft
+from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans
+from cranktrain.questions.crankshaft.shaft import Supports
 from cranktrain.questions.crankshaft.support_moments import Bearings, support_moments
 
 
-def rigid_frame(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> BearingLoads:
+def rigid_frame(supports: Supports, loads: LoadsInSpans) -> BearingLoads:
     """Bearing loads of a crank frame on rigid bearings; docs/theory/crankshaft, eqs. (24.8) and (24.14) to (24.19)."""
-    return _frame(shaft, loads, alike, gives=False)
+    return _frame(supports, loads, gives=False)
 
 
-def elastic_frame(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> BearingLoads:
+def elastic_frame(supports: Supports, loads: LoadsInSpans) -> BearingLoads:
     """Bearing loads of a crank frame on elastic bearings; docs/theory/crankshaft, eqs. (24.8) to (24.20).
 
     Where bearings do not give alike in all directions, the shaft turns against them: a band system for every angle.
     """
-    return _frame(shaft, loads, alike, gives=True)
+    return _frame(supports, loads, gives=True)
 
 
-def _frame(shaft: Crankshaft, loads: ShaftLoads, alike: Alike, *, gives: bool) -> BearingLoads:
-    supports, turned = shaft.supports, loads.turned
-    cut = cut_shaft(supports.place, alike.loads, on_axis(loads))
+def _frame(supports: Supports, loads: LoadsInSpans, *, gives: bool) -> BearingLoads:
+    turned, is_isotropic = loads.loads.turned, loads.of.alike.is_isotropic
     settlement = supports.settlement[..., np.newaxis]
     compliance = supports.compliance[..., np.newaxis] if gives else None
     turning = Bearings(
         supports.place,
         settlements_in_turning_axes(settlement, turned),
-        None if compliance is None else in_turning_axes(compliance, turned, is_isotropic=alike.is_isotropic),
+        None if compliance is None else in_turning_axes(compliance, turned, is_isotropic=is_isotropic),
     )
-    moment = support_moments(turning, frame_spans(shaft, loads, alike), cut_in_turning_axes(cut, turned))
-    return bearing_loads(supports.place, cut, turned_by(moment, -turned), settlement=settlement, compliance=compliance)
-
-
-def cut_in_turning_axes(cut: CutShaft, turned: Array) -> CutShaft:
-    """A cut shaft in axes that turn with it."""
-    return CutShaft(*(turned_by(values, turned) for values in cut))
+    moment = turned_by(support_moments(turning, loads.frame, loads.turning_cut), -turned)
+    return bearing_loads(supports.place, loads.cut, moment, settlement=settlement, compliance=compliance)
 
 
 def settlements_in_turning_axes(settlement: Array, turned: Array) -> Array:

@@ -5,20 +5,18 @@ import numpy as np
 from cranktrain.language import N_
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, bearing_loads, end_moments
 from cranktrain.questions.crankshaft.bearing_method import BearingMethod
-from cranktrain.questions.crankshaft.designs_alike import Alike
-from cranktrain.questions.crankshaft.shaft import Crankshaft
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads, on_axis
-from cranktrain.questions.crankshaft.spans import cut_shaft
+from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans
+from cranktrain.questions.crankshaft.shaft import Supports
 
 
-def split(shaft: Crankshaft, loads: ShaftLoads, alike: Alike) -> BearingLoads:
+def split(supports: Supports, loads: LoadsInSpans) -> BearingLoads:
     """Bearing loads of a shaft with a hinge at every bearing; docs/theory/crankshaft, eqs. (24.4) to (24.6).
 
     Stiffness counts for nothing: the displacements of the journals are those of bearings that stand as they were set.
     """
-    place, settlement = shaft.supports.place, shaft.supports.settlement[..., np.newaxis]
-    cut = cut_shaft(place, alike.loads, on_axis(loads))
-    return bearing_loads(place, cut, end_moments(place.shape[1], cut), settlement=settlement, compliance=None)
+    place, settlement = supports.place, supports.settlement[..., np.newaxis]
+    moment = end_moments(place.shape[1], loads.cut)
+    return bearing_loads(place, loads.cut, moment, settlement=settlement, compliance=None)
 
 
 SPLIT = BearingMethod(
