@@ -168,7 +168,11 @@ def integral_motion(of: Subintervals, values: Array, angle: Array) -> tuple[Coef
     """
     after, before = _placed(of, angle, _ASIDE), _placed(of, angle, -_ASIDE)
     differs = np.flatnonzero(before.panel != after.panel)
-    asked = _Placed(*(np.concatenate([part, own[differs]]) for part, own in zip(after, before, strict=True)))
+    asked = _Placed(
+        np.concatenate([after.panel, before.panel[differs]]),
+        np.concatenate([after.way, before.way[differs]]),
+        np.concatenate([after.turns, before.turns[differs]]),
+    )
     both = _beside(of, values, asked)
     found = Coefficient(*(part[..., : angle.size] for part in both))
     same = Coefficient(*(part.copy() for part in found))
