@@ -29,7 +29,7 @@ EXEMPT = {
     "questions/drive/at_angles.py": "the value alone, about the largest sample",
     "questions/drive/clutched/passings.py": "the value alone, about the least sample",
     "questions/drive/steady_cycle.py": "the value alone, about the largest sample",
-    "questions/pumping/turn_pieces.py": "narrows one piece down about its largest sample, alike ones being beside it",
+    "questions/pumping/turn_pieces.py": "the sample of a piece about which its top is looked for",
     "synthesis/four_bars.py": "the sample about which a root is looked for",
     "textbook/drive_errata.py": "the value alone",
     "textbook/drive_verdicts.py": "the value alone",

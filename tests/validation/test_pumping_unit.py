@@ -6,6 +6,9 @@
 * Geometry of API 11E, written out here in its letters, for other units as well.
 """
 
+from functools import partial
+
+import mpmath
 import numpy as np
 import pytest
 from scipy.optimize import brentq, minimize_scalar
@@ -87,6 +90,27 @@ def test_peaks_to_rounding(declared, name, pull, low, high):
     )
     assert float(getattr(declared, f"{name}stroke_peak")) / POUND_INCH == pytest.approx(-found.fun, rel=1e-13)
     assert float(getattr(declared, f"{name}stroke_peak_at")) == pytest.approx(np.degrees(found.x), abs=1e-5)
+
+
+def exact_torque(theta, pull):
+    """Net torque [in·lbf] by the chain of API 11E, in as many digits as mpmath has."""
+    a, c, p, r, i, rise = (mpmath.mpf(length) for length in ("64", "56.05", "65.63", "21", "56", "68"))
+    k, u = mpmath.hypot(i, rise), theta - mpmath.atan2(i, rise)
+    j = mpmath.sqrt(k**2 + r**2 - 2 * k * r * mpmath.cos(u))
+    beta = mpmath.acos((c**2 + p**2 - j**2) / (2 * c * p))
+    psi = mpmath.acos((c**2 + j**2 - p**2) / (2 * c * j)) - mpmath.asin(r * mpmath.sin(u) / j)
+    factor = a * r / c * mpmath.sin(beta + psi - u) / mpmath.sin(beta)
+    return factor * (pull - 320) - 32 * mpmath.mpf("5392.002") * mpmath.sin(theta)
+
+
+@pytest.mark.parametrize(("name", "pull", "near"), [("up", 8500, 50), ("down", 5000, 249)])
+def test_angles_of_peaks_to_rounding(declared, name, pull, near):
+    with mpmath.workdps(40):
+        torque = partial(exact_torque, pull=pull)
+        theta = mpmath.findroot(lambda at: mpmath.diff(torque, at), mpmath.radians(near))
+        wanted, peak = float(mpmath.degrees(theta)), float(torque(theta))
+    assert float(getattr(declared, f"{name}stroke_peak_at")) == pytest.approx(wanted, abs=1e-10)
+    assert float(getattr(declared, f"{name}stroke_peak")) / POUND_INCH == pytest.approx(peak, rel=1e-13)
 
 
 def test_without_counterbalance():

@@ -102,7 +102,7 @@ def _openings(kind: Kind[Motion, Geometry], geometry: Geometry) -> Openings:
         tried.append(_least_gap(kind, changed(kind.lengths, opened, way, change)))
         return -tried[-1].value / fall
 
-    change = near_roots(least_gap, low + found.gap_low / fall, low, high)
+    change = near_roots(least_gap, low + found.gap_low / fall, low, high, found.row[:, np.newaxis])
     # The last change that was tried is the root but for rounding.
     angle = np.mod(tried[-1].angle, 2 * np.pi)
     return Openings(found.row, way.length[:, 0], change[:, 0], angle[:, 0])

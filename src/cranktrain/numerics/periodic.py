@@ -54,11 +54,26 @@ class PeriodicCurve(NamedTuple):
 
     def each(self, share: Array) -> Coefficient:
         """Value and derivatives at a share of each of the pieces between nodes, shape (..., design, piece)."""
+        return self.among(None)(share)
+
+    def among(self, chosen: NDArray[np.bool_] | None) -> Callable[[Array], Coefficient]:
+        """As `each`, of those pieces that are chosen of that shape, or of one with more axes before it; None for all.
+
+        Values of shape (n_chosen,).
+        """
         assert self.pieces is not None
         assert self.between is not None
-        safe = np.where(self.between.width > 0, self.between.width, 1.0)
-        found = polynomial(self.pieces, share)
-        return Coefficient(found.value, found.first / safe, found.second / safe**2)
+        pieces, width = self.pieces, self.between.width
+        if chosen is not None:
+            *powers, width = (np.broadcast_to(part, chosen.shape)[chosen] for part in (*pieces, width))
+            pieces = np.stack(powers)
+        safe = np.where(width > 0, width, 1.0)
+
+        def motion(share: Array) -> Coefficient:
+            found = polynomial(pieces, share)
+            return Coefficient(found.value, found.first / safe, found.second / safe**2)
+
+        return motion
 
 
 Interpolation = Callable[[Array, float], PeriodicCurve]
@@ -191,7 +206,7 @@ def side_by_side(curves: Sequence[PeriodicCurve]) -> PeriodicCurve:
 def curve_extremes(one: PeriodicCurve) -> Extremes:
     """Smallest and largest value over the cycle, refined between the samples, and at corners; shapes (..., 1)."""
     if one.between is not None:
-        return piece_extremes(one.each, one.between)
+        return piece_extremes(one.among, one.between)
     return turning_points(one.motion, one.samples, one.angle)
 
 

@@ -25,8 +25,10 @@ _ALIKE = 1e-9
 _N_MEAN = 4
 """Gauss's points in each piece."""
 
-Each = Callable[[Array], Coefficient]
+ByShare = Callable[[Array], Coefficient]
 """Value and derivatives of a curve at a share of each of its pieces, broadcastable to (..., piece)."""
+Among = Callable[[NDArray[np.bool_] | None], ByShare]
+"""That of those pieces that are chosen of that shape, or of all for None."""
 
 
 class PiecePlaces(NamedTuple):
@@ -79,12 +81,12 @@ def quintics(before: Coefficient, after: Coefficient, width: Array) -> Array:
     )
 
 
-def piece_extremes(each: Each, pieces: PiecePlaces) -> Extremes:
+def piece_extremes(among: Among, pieces: PiecePlaces) -> Extremes:
     """Smallest and largest value of a continuous curve of pieces.
 
     Parameters
     ----------
-    each : Each
+    among : Among
     pieces : PiecePlaces
 
     Returns
@@ -93,11 +95,14 @@ def piece_extremes(each: Each, pieces: PiecePlaces) -> Extremes:
         Angles in [0, cycle). NaN where the curve is NaN anywhere.
     """
     starts, width = pieces
-    start, end = each(np.zeros(())), each(np.ones(()))
+    start, end = map(among(None), (np.zeros(()), np.ones(())))
     rises = np.sign(start.first)
     turns = (rises * end.first < 0) & (width > _NARROWEST)
-    share = _level(each, (start, end), turns, width)
-    inside = np.where(turns, each(share).value, start.value)
+    # Most pieces rise or fall throughout.
+    motion, own_width = among(turns), np.broadcast_to(width, turns.shape)[turns]
+    level = _level(motion, start.first[turns], end.first[turns], own_width)
+    share, inside = np.zeros_like(start.value), np.array(start.value)
+    share[turns], inside[turns] = level, motion(level).value
     found: list[Extreme] = []
     for sign in (-1.0, 1.0):
         own = np.where(turns & (rises == sign) & (sign * (inside - start.value) > 0), share, 0.0)
@@ -110,22 +115,21 @@ def piece_extremes(each: Each, pieces: PiecePlaces) -> Extremes:
     return Extremes(*found)
 
 
-def _level(each: Each, ends: tuple[Coefficient, Coefficient], turns: NDArray[np.bool_], width: Array) -> Array:
-    """Share at which the slope passes through 0 of each piece where it does, by Newton's method between bounds.
+def _level(motion: ByShare, start: Array, end: Array, width: Array) -> Array:
+    """Share at which the slope passes through 0 of pieces, by those at their ends; by Newton's method between bounds.
 
     The secant's step is the first.
     """
-    start, end = (one.first for one in ends)
     low, high, rises = np.zeros_like(start), np.ones_like(start), np.sign(start)
     with np.errstate(all="ignore"):
         share = np.clip(np.nan_to_num(start / (start - end), nan=0.5), 0.0, 1.0)
         for _step in range(_STEPS):
-            found = each(share)
+            found = motion(share)
             is_before = rises * found.first > 0
             low, high = np.where(is_before, share, low), np.where(is_before, high, share)
             newton = share - found.first / (found.second * width)
             better = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
-            move, share = np.where(turns, np.abs(better - share), 0.0), better
+            move, share = np.abs(better - share), better
             if np.max(move, initial=0.0) < _STOOD:
                 break
     return share

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 
@@ -17,8 +18,10 @@ _MOST_NEWTON_STEPS = 10
 _MOST_SAFE_STEPS = 30
 _NEAR = 1e-6
 """A step of Newton's method after which the next one is less than rounding, in parts of the brackets' unit."""
+_FALLEN = 1e-3
+"""A curve that has not fallen to this part of its values at the bracket's ends jumps over its root."""
 _SETTLED = 1e-13
-"""A step of Newton's method after which the next one is less than rounding. [rad, or in parts of the root]"""
+"""A step, in parts of the root, after which the next one is less than rounding."""
 
 
 def bracketed_roots(curve: Curve, low: Array, high: Array) -> Array:
@@ -44,19 +47,26 @@ def bracketed_roots(curve: Curve, low: Array, high: Array) -> Array:
         newest, value_newest = np.array(low, dtype=float), curve(low)
         other, value_other = np.array(high, dtype=float), curve(high)
         bracketed = np.sign(value_newest) * np.sign(value_other) <= 0
-        third, value_third = other, value_other
+        is_found, fallen = ~bracketed, _FALLEN * np.maximum(np.abs(value_newest), np.abs(value_other))
+        third, value_third, slope = other, value_other, np.zeros_like(newest)
         # Not at the ends themselves, which may be roots that the caller does not mean.
         share = np.clip(np.nan_to_num(value_newest / (value_newest - value_other), nan=0.5), 0.01, 0.99)
         for _ in range(_MOST_STEPS):
-            trial = newest + share * (other - newest)
+            trial = np.where(is_found, newest, newest + share * (other - newest))
             value = curve(trial)
             same = np.sign(value) == np.sign(value_newest)
             third, value_third = np.where(same, newest, other), np.where(same, value_newest, value_other)
             other, value_other = np.where(same, other, newest), np.where(same, value_other, value_newest)
+            # By the last two trials that differ, which are close where the curve is smooth.
+            move = trial - newest
+            slope = np.where(value == value_newest, slope, (value - value_newest) / move)
+            left = np.maximum(np.abs(move), np.abs(value / slope))
             newest, value_newest = trial, value
             best = np.where(np.abs(value_newest) < np.abs(value_other), newest, other)
             least = (np.spacing(np.abs(best)) + 1e-17) / np.abs(other - newest)
-            if np.all((least > 0.5) | (value_newest == 0) | (value_other == 0) | ~bracketed | np.isnan(value_newest)):
+            is_settled = (left <= _SETTLED * np.abs(best)) & (np.abs(value) <= fallen)
+            is_found |= (least > 0.5) | is_settled | (value_newest == 0) | (value_other == 0) | np.isnan(value_newest)
+            if np.all(is_found):
                 break
             xi = (newest - other) / (third - other)
             phi = (value_newest - value_other) / (value_third - value_other)
@@ -71,37 +81,53 @@ def bracketed_roots(curve: Curve, low: Array, high: Array) -> Array:
         return np.where(bracketed & ~np.isnan(value_newest), best, np.nan)
 
 
-def near_roots(curve: Curve, start: Array, low: Array, high: Array) -> Array:
-    """Roots of curves that are dear to compute, whose slope is near 1 and whose roots are near a start.
+def near_roots(curve: Curve, start: Array, low: Array, high: Array, among: NDArray[np.intp] | None = None) -> Array:
+    """Roots of rising curves that are dear to compute, whose slope is near 1 and whose roots are near a start.
 
     Parameters
     ----------
     curve : Curve
     start, low, high : Array, shape (..., n)
         Where the root is thought to be, and between what it has to be.
+    among : array of int, shape (..., n), optional
+        Of curves with the same number only the least root is asked for; of each its own unless given.
 
     Returns
     -------
     Array, shape (..., n)
-        To rounding; NaN where there is no root.
+        To rounding; NaN where there is no root, or may be where another one among the same is less.
 
     Notes
     -----
-    The secant method; what it does not settle is searched for by `bracketed_roots`.
+    The secant method; what it does not settle is searched for by `bracketed_roots`. A curve that is still below 0 at
+    the least root that is known among the same has its own beyond.
     """
+    group = np.arange(start.size).reshape(start.shape) if among is None else among
     with np.errstate(all="ignore"):
         root, value, slope = start, curve(start), np.ones_like(start)
-        is_settled = np.zeros(start.shape, dtype=np.bool_)
+        is_settled, is_beyond = np.zeros((2, *start.shape), dtype=np.bool_)
         for _ in range(_MOST_NEWTON_STEPS):
             move = np.where(is_settled, 0.0, -value / slope)
+            is_settled |= np.abs(move) <= _SETTLED * np.abs(root + move)
+            is_root = is_settled & ~is_beyond & (low <= root + move) & (root + move <= high)
+            least = _least_among(np.where(is_root, root + move, np.inf), group)
+            move = np.where(is_settled, move, np.minimum(root + move, least) - root)
             root, before = root + move, value
-            is_settled = np.abs(move) <= _SETTLED * np.abs(root)
             if np.all(is_settled):
                 break
             value = curve(root)
-            slope = np.where(value == before, slope, (value - before) / move)
-        is_found = is_settled & (low <= root) & (root <= high)
-        return root if np.all(is_found) else bracketed_roots(curve, low, high)
+            slope = np.where((value == before) | is_settled, slope, (value - before) / move)
+            is_later = ~is_settled & (root >= least) & (value < 0)
+            is_settled, is_beyond = is_settled | is_later, is_beyond | is_later
+        is_found = is_beyond | (is_settled & (low <= root) & (root <= high))
+        return np.where(is_beyond, np.nan, root) if np.all(is_found) else bracketed_roots(curve, low, high)
+
+
+def _least_among(roots: Array, group: NDArray[np.intp]) -> Array:
+    """Least root of the group of each."""
+    least = np.full(int(np.max(group, initial=-1)) + 1, np.inf)
+    np.minimum.at(least, group, roots)
+    return least[group]
 
 
 def newton_roots(curve: SlopedCurve, low: Array, high: Array, sense: Array, share: Array) -> Array:

@@ -170,31 +170,35 @@ def integral_motion(of: Subintervals, values: Array, angle: Array) -> tuple[Coef
         The integral, the curve, its slope: just before and just after the angles, which at a break differ.
     """
     after, before = _placed(of, angle, _ASIDE), _placed(of, angle, -_ASIDE)
-    found = _beside(of, values, after)
-    same = Coefficient(found.value.copy(), found.first.copy(), found.second.copy())
     differs = np.flatnonzero(before.panel != after.panel)
-    if differs.size:
-        for part, own in zip(
-            same,
-            _beside(of, values, _Placed(before.panel[differs], before.way[differs], before.turns[differs])),
-            strict=True,
-        ):
-            part[..., differs] = own
+    asked = _Placed(
+        np.concatenate([after.panel, before.panel[differs]]),
+        np.concatenate([after.way, before.way[differs]]),
+        np.concatenate([after.turns, before.turns[differs]]),
+    )
+    both = _beside(of, values, asked)
+    found = Coefficient(*(part[..., : angle.size] for part in both))
+    same = Coefficient(*(part.copy() for part in found))
+    for part, own in zip(same, both, strict=True):
+        part[..., differs] = own[..., angle.size :]
     return same, found
 
 
 def _beside(of: Subintervals, values: Array, placed: _Placed) -> Coefficient:
     """Integral, curve and slope at places in panels, shape (..., k)."""
     panel, way, turns = placed
-    total = _whole_panels(of, values, panel, turns)
-    first, second = (np.empty_like(total) for _derivative in range(2))
-    for chosen, place, n_nodes in _by_size(of, panel):
-        half, legendre = of.width[panel[chosen]] / 2, _legendre(way[chosen], n_nodes)
-        orders = product(values[..., place], _to_series(n_nodes).T)
-        total[..., chosen] += half * np.sum(orders * _legendre_integrals(way[chosen], legendre), axis=-1)
-        first[..., chosen] = np.sum(orders * legendre[:, :-1], axis=-1)
-        second[..., chosen] = np.sum(product(orders, _derived(n_nodes).T) * legendre[:, :-2], axis=-1) / half
-    return Coefficient(total, first, second)
+    found = np.empty((3, *values.shape[:-1], panel.size))
+    size = of.size[panel]
+    for n_nodes in np.unique(size).tolist():
+        chosen, own = np.flatnonzero(size == n_nodes), np.flatnonzero(of.size == n_nodes)
+        # Panels are few beside the places in them.
+        series = series_of_motion(values[..., of.first[own, np.newaxis] + np.arange(n_nodes)])[:3]
+        at = np.moveaxis(series, -1, 1)[..., np.searchsorted(own, panel[chosen])]
+        legendre = _legendre(way[chosen], n_nodes).T
+        found[..., chosen] = np.sum(at * legendre.reshape(-1, *(1,) * (values.ndim - 1), chosen.size), axis=1)
+    half = of.width[panel] / 2
+    integral, curve, slope = found
+    return Coefficient(_whole_panels(of, values, panel, turns) + half * integral, curve, slope / half)
 
 
 def _placed(of: Subintervals, angle: Array, aside: float) -> _Placed:
@@ -247,18 +251,33 @@ def _barycentric(n_nodes: int) -> Array:
     return np.sqrt((1 - node * node) * weight) * np.where(np.arange(n_nodes) % 2, -1.0, 1.0)
 
 
+def series_of_motion(values: Array) -> Array:
+    """Legendre series of curves by their values at Gauss's points, shape (..., n): (4, ..., n + 1).
+
+    Of the integral over the way from −1 on, of the curve, its slope and its bend.
+    """
+    n_nodes = values.shape[-1]
+    series = product(values, _to_motion(n_nodes))
+    return np.moveaxis(series.reshape(*values.shape[:-1], 4, n_nodes + 1), -2, 0)
+
+
+@cache
+def _to_motion(n_nodes: int) -> Array:
+    """From values at Gauss's points to those series one behind the other, shape (n, 4 · (n + 1))."""
+    found = np.zeros((4, n_nodes + 1, n_nodes))
+    found[1, :-1] = _to_series(n_nodes)
+    found[0] = np.polynomial.legendre.legint(found[1, :-1], lbnd=-1)
+    for order in (2, 3):
+        found[order, :-2] = np.polynomial.legendre.legder(found[order - 1, :-1])
+    return found.reshape(-1, n_nodes).T
+
+
 @cache
 def _to_series(n_nodes: int) -> Array:
     """From values at Gauss's points to the coefficients of Legendre's polynomials, shape (n, n)."""
     node, weight = leggauss(n_nodes)
     order = np.arange(n_nodes)[:, np.newaxis]
     return (order + 0.5) * np.polynomial.legendre.legvander(node, n_nodes - 1).T * weight
-
-
-@cache
-def _derived(n_nodes: int) -> Array:
-    """From coefficients of Legendre's polynomials to those of the slope, shape (n − 1, n)."""
-    return np.asarray(np.polynomial.legendre.legder(np.eye(n_nodes)), dtype=np.float64)
 
 
 def _legendre(way: Array, degree: int) -> Array:

@@ -8,7 +8,7 @@ from tests.exact import geometries
 from tests.machines import ROCKER, slider
 
 import cranktrain as ct
-from cranktrain.mechanisms import articulated_rod, crank_rocker, eccentric, slider_crank
+from cranktrain.mechanisms import articulated_rod, closing, crank_rocker, eccentric, slider_crank
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.closing import closing_margin, open_ranges
 from cranktrain.mechanisms.crank_rocker import CrankRocker
@@ -264,3 +264,14 @@ def test_every_part_of_a_chain_has_its_own_angles():
         assert by_hand(inside) == closes
     for edge, part in ((78.25, 0), (270.39, 0), (281.36, 1), (67.28, 1)):
         assert bool(by_hand(edge - 0.02)[part]) != bool(by_hand(edge + 0.02)[part])
+
+
+def test_only_the_least_change_is_followed(monkeypatch):
+    """Three lengths of the shaper open it within one step of the scan; one look at the others there is enough."""
+    looks = []
+    least = closing._least_gap
+    monkeypatch.setattr(closing, "_least_gap", lambda *given: looks.append(1) or least(*given))
+    found = ct.run("shaper", quantities="closing_margin")
+    # The lever, 500 mm up from 250 mm below the shaft: of 780 mm its end is a rod's 300 mm above the guide at 230 mm.
+    assert float(np.ravel(found.closing_margin)[0]) == pytest.approx(0.56, rel=1e-12)
+    assert len(looks) <= 6

@@ -9,6 +9,7 @@ from cranktrain.numerics import (
     derivatives_residual,
     extremes,
     largest,
+    near_roots,
     smallest,
     spectral_derivative,
     turn_grid,
@@ -65,6 +66,40 @@ def test_roots_of_many_curves_at_once():
     targets = np.geomspace(1e-9, 1e9, 19)
     found = bracketed_roots(lambda x: x**3 - targets, np.zeros(19), np.full(19, 2e3))
     np.testing.assert_allclose(found, np.cbrt(targets), rtol=1e-15)
+
+
+def counted(curve):
+    """The curve, and a list that grows with each call."""
+    calls = []
+
+    def each(x):
+        calls.append(x)
+        return curve(x)
+
+    return each, calls
+
+
+def test_roots_of_smooth_curves_take_few_trials():
+    """The values are sums that round to whole 1e-16, and are never 0."""
+    roots = np.linspace(0.01, 0.5, 30)
+    curve, calls = counted(lambda x: np.sin(x + 1) - np.sin(roots + 1) + 1e-17)
+    found = bracketed_roots(curve, roots - 0.013, roots - 0.013 + np.pi / 180)
+    np.testing.assert_allclose(found, roots, rtol=0, atol=1e-15)
+    assert len(calls) <= 8
+
+
+def test_least_roots_alone_are_followed():
+    """Of slopes 1, the second by far the least: what is still below 0 there is not looked for any farther."""
+    roots = np.array([[0.9], [0.5], [0.7], [0.6]])
+    bent = np.array([[30.0], [0.0], [0.0], [30.0]])
+    curve, calls = counted(lambda x: x - roots + bent * (x - roots) ** 3)
+    low, high = np.zeros((4, 1)), np.ones((4, 1))
+    found = near_roots(curve, np.full((4, 1), 0.45), low, high, np.array([[0], [0], [0], [1]]))
+    np.testing.assert_allclose(found[[1, 3]], roots[[1, 3]], rtol=1e-15)
+    assert np.isnan(found[0])
+    n_calls = len(calls)
+    np.testing.assert_allclose(near_roots(curve, np.full((4, 1), 0.45), low, high), roots, rtol=1e-15)
+    assert n_calls < len(calls) - n_calls
 
 
 def test_no_sign_change_and_nan_are_no_roots():

@@ -99,8 +99,8 @@ def exact_flywheel(
         return (mean_speed_of(2 * energy / total, mean, weight) - wanted)[..., np.newaxis]
 
     # The smallest speed is not negative: its square would be that of another.
-    ends = np.maximum(wanted - half, half), wanted + half
-    middle = near_roots(missing, *(part[..., np.newaxis] for part in (wanted, *ends)))[..., 0]
+    low, high = np.maximum(wanted - half, half), wanted + half
+    middle = near_roots(missing, wanted[..., np.newaxis], low[..., np.newaxis], high[..., np.newaxis])[..., 0]
     if np.any(np.isnan(middle)):
         return _between(excess, inertia, middle - half, middle + half)
     # The last one that was tried is the root but for rounding.

@@ -1,5 +1,6 @@
 """Speed over a cycle from energy and inertia, its three means and its fluctuation."""
 
+from functools import partial
 from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, near_roots, turning_points
 from cranktrain.numerics.periodic import PeriodicCurve, mean_samples, plus
-from cranktrain.numerics.piecewise import piece_extremes
+from cranktrain.numerics.piecewise import ByShare, piece_extremes
 from cranktrain.numerics.tops import chosen
 from cranktrain.questions.evenness.excess_work import ExcessWork
 from cranktrain.record import record
@@ -91,7 +92,7 @@ def speed_from_energy(energy: PeriodicCurve, inertia: PeriodicCurve) -> SpeedOve
 
     samples = 2 * energy.samples / inertia.samples
     if energy.between is not None and energy.between is inertia.between:
-        found = piece_extremes(lambda share: _square(energy.each(share), inertia.each(share)), energy.between)
+        found = piece_extremes(partial(_squares, energy, inertia), energy.between)
     else:
         found = turning_points(lambda phi: _square(energy.motion(phi), inertia.motion(phi)), samples, angle)
     (stored, carried), weight = mean_samples(energy, inertia)
@@ -101,6 +102,12 @@ def speed_from_energy(energy: PeriodicCurve, inertia: PeriodicCurve) -> SpeedOve
     time, over_angle = (mean_speed_of(2 * stored / carried, mean, weight) for mean in ("time", "angle"))
     means = MeanSpeeds(time, over_angle, (smallest.value + largest.value)[..., 0] / 2)
     return SpeedOverCycle(angle, speed, smallest, largest, means)
+
+
+def _squares(energy: PeriodicCurve, inertia: PeriodicCurve, which: NDArray[np.bool_] | None) -> ByShare:
+    """Square of the speed at shares of chosen pieces."""
+    stored, carried = energy.among(which), inertia.among(which)
+    return lambda share: _square(stored(share), carried(share))
 
 
 def _square(stored: Coefficient, carried: Coefficient) -> Coefficient:

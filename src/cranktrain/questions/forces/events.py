@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle, ByTravel
-from cranktrain.layout.loads import LinkLoad, of_member
+from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.shaft_loads import TorqueOnShaft
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots, in_slots
@@ -52,7 +52,9 @@ class _Signals(NamedTuple):
     ----------
     mechanisms : array of int, shape (member,)
         Whose they are.
-    of : callable (solved) → Array, shape (design, member · curve, n)
+    on_grid : Array, shape (design, member · curve, n)
+    at : callable (angle) → Array, of that shape
+        At φ of each mechanism. [rad]
     curve : array of int, shape (signal,)
         Of the signals that each member has: which of its curves each is of.
     levels, misses : Array, shape (design, signal)
@@ -60,7 +62,8 @@ class _Signals(NamedTuple):
     """
 
     mechanisms: NDArray[np.intp]
-    of: Callable[[Sequence[SolvedBatch]], Array]
+    on_grid: Array
+    at: Callable[[Array], Array]
     curve: NDArray[np.intp]
     levels: Array
     misses: Array
@@ -82,8 +85,8 @@ def force_events(
     if gas is not None and loaded.gas is not None:
         for chamber, mechanism in enumerate(loaded.carriers.driven[loaded.gas.chambers.leading].tolist()):
             own[mechanism].append(_beside_rows(gas.angle[:, chamber]))
-    for signals in (*_rubbing(loaded), *_loading(loaded)):
-        turns = _turns(loaded, solved, signals, crank_angle)
+    for signals in (*_rubbing(loaded, solved), *_loading(loaded, crank_angle)):
+        turns = _turns(loaded, signals, crank_angle)
         for member, mechanism in enumerate(signals.mechanisms.tolist()):
             own[mechanism].append(_Found(turns.angle[:, member], turns.misses[:, member]))
     for load in () if loaded.loads is None else loaded.loads.each:
@@ -124,47 +127,54 @@ def _rows_by_angle(law: ByAngle, crank_angle: CrankAngle) -> _Found:
     return _Found(angle, np.broadcast_to(law.misses(crank_angle.cycle), angle.shape))
 
 
-def _rubbing(loaded: LoadedMachine) -> Iterator[_Signals]:
+def _rubbing(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[_Signals]:
     """Find what rubs."""
     for place, (batch, made) in enumerate(zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True)):
         for sliding, coefficient in enumerate(made.friction):
             if np.any(coefficient != 0.0):
-                yield _of_no_rows(batch.index, partial(_pressing, loaded, place, sliding), 3)
+                pressing = partial(_pressing, loaded, place, sliding)
+                yield _of_no_rows(batch.index, pressing(solved.batches), partial(_solved, loaded, pressing))
 
 
-def _loading(loaded: LoadedMachine) -> Iterator[_Signals]:
+def _solved(loaded: LoadedMachine, pick: Callable[[Sequence[SolvedBatch]], Array], angle: Array) -> Array:
+    """Pick curves of forces, at φ of each mechanism."""
+    return pick(loaded.solved(angle))
+
+
+def _loading(loaded: LoadedMachine, crank_angle: CrankAngle) -> Iterator[_Signals]:
     """Find loads that jump where their point turns back, or have kinks along its travel."""
     for load in () if loaded.loads is None else loaded.loads.each:
         if load.resists or isinstance(load.law, ByTravel):
             own, along = np.array([load.mechanism]), partial(_along, loaded, load)
+            shape = len(crank_angle.zero), loaded.sharing.size, crank_angle.shown.size
+            on_grid = along(np.broadcast_to(crank_angle.angle, shape))
             if not isinstance(load.law, ByTravel):
-                yield _of_no_rows(own, along, 1)
+                yield _of_no_rows(own, on_grid, along)
                 continue
             curve = np.array([0, *[1] * load.law.places.shape[1]])
             first = ((0, 0), (1, 0))
             levels, misses = np.pad(load.law.places, first), np.pad(load.law.misses, first, constant_values=np.inf)
-            yield _Signals(own, along, curve, levels, misses)
+            yield _Signals(own, on_grid, along, curve, levels, misses)
 
 
-def _of_no_rows(mechanisms: NDArray[np.intp], of: Callable[[Sequence[SolvedBatch]], Array], n_curves: int) -> _Signals:
+def _of_no_rows(mechanisms: NDArray[np.intp], on_grid: Array, at: Callable[[Array], Array]) -> _Signals:
     """Curves whose own signs tell, and which are of no rows."""
-    return _Signals(mechanisms, of, np.arange(n_curves), np.zeros((1, n_curves)), np.full((1, n_curves), np.inf))
+    n_curves = on_grid.shape[1] // mechanisms.size
+    none = np.full((1, n_curves), np.inf)
+    return _Signals(mechanisms, on_grid, at, np.arange(n_curves), np.zeros((1, n_curves)), none)
 
 
-def _along(loaded: LoadedMachine, load: LinkLoad, solved: Sequence[SolvedBatch]) -> Array:
+def _along(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> Array:
     """Speed along a load's way, and its travel where its size goes by that, shape (design, curve, n)."""
-    for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
-        member = np.flatnonzero(batch.index == load.mechanism)
-        if member.size:
-            link = batch.kind.dynamics.links(one.motion, batch.members.geometry)[load.link]
-            way = load.way(of_member(link, int(member[0])))
-            turns = load.turns_back(of_member(link, int(member[0])), way)
-            rate = np.broadcast_to(turns, one.forces.driving_torque[:, :1].shape)
-            if not isinstance(load.law, ByTravel):
-                return rate
-            travel = load.counts * way.place - loaded.travel_starts[load.name]
-            return np.concatenate([rate, np.broadcast_to(travel, rate.shape)], axis=1)
-    raise IndexError(load.mechanism)
+    # Of the motion alone: what the load does to the forces comes after.
+    own = angle[:, load.mechanism : load.mechanism + 1]
+    link = loaded.loaded_link(load, own)
+    way = load.way(link)
+    curves = [load.turns_back(link, way)]
+    if isinstance(load.law, ByTravel):
+        curves.append(load.counts * way.place - loaded.travel_starts[load.name])
+    shape = len(loaded.speed.value), 1, angle.shape[-1]
+    return np.concatenate([np.broadcast_to(curve, shape) for curve in curves], axis=1)
 
 
 def _pressing(loaded: LoadedMachine, place: int, sliding: int, solved: Sequence[SolvedBatch]) -> Array:
@@ -185,11 +195,10 @@ def _pressing(loaded: LoadedMachine, place: int, sliding: int, solved: Sequence[
     return np.stack(parts, axis=2).reshape(shape[0], -1, shape[-1])
 
 
-def _turns(loaded: LoadedMachine, solved: SolvedCycle, signals: _Signals, crank_angle: CrankAngle) -> _Found:
+def _turns(loaded: LoadedMachine, signals: _Signals, crank_angle: CrankAngle) -> _Found:
     """φ at which one of the signals changes its sign, shape (design, member, event)."""
-    curves = signals.of(solved.batches)
-    n_designs, n_members, n_signals = len(curves), len(signals.mechanisms), signals.curve.size
-    each = curves.reshape(n_designs, n_members, -1, curves.shape[-1])
+    n_designs, n_members, n_signals = len(signals.on_grid), len(signals.mechanisms), signals.curve.size
+    each = signals.on_grid.reshape(n_designs, n_members, -1, signals.on_grid.shape[-1])
     n_curves = each.shape[2]
     samples = each[:, :, signals.curve] - signals.levels[:, np.newaxis, :, np.newaxis]
     is_clear = np.abs(samples) > _ROUNDING * np.max(np.abs(samples), axis=-1, keepdims=True)
@@ -198,12 +207,12 @@ def _turns(loaded: LoadedMachine, solved: SolvedCycle, signals: _Signals, crank_
     design, member, own, place = np.nonzero(changes)
     if design.size == 0:
         return _beside_rows(np.empty((n_designs, n_members, 0)))
-    levels, misses = (np.broadcast_to(of, (n_designs, n_signals))[design, own] for of in signals[3:])
+    levels, misses = (np.broadcast_to(of, (n_designs, n_signals))[design, own] for of in signals[-2:])
     rows = np.repeat(signals.mechanisms, n_curves)
     which = (design * n_members + member) * n_curves + signals.curve[own]
 
     def signal(angle: Array) -> Array:
-        return loaded.of_each(rows, which, angle, signals.of) - levels[:, np.newaxis]
+        return loaded.of_each(rows, which, angle, signals.at) - levels[:, np.newaxis]
 
     step = crank_angle.cycle / crank_angle.shown.size
     low = (crank_angle.shown[place] + crank_angle.zero[design, 0, 0])[:, np.newaxis]

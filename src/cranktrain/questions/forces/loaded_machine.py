@@ -1,6 +1,6 @@
 """A machine with all that acts on it: forces in every joint at any crank angle."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -159,9 +159,9 @@ class LoadedMachine:
         rows: NDArray[np.intp],
         which: NDArray[np.intp],
         angle: Array,
-        pick: Callable[[tuple[SolvedBatch, ...]], Array],
+        curves: Callable[[Array], Array],
     ) -> Array:
-        """Solve the machine where some of its curves are asked for, each at angles of its own.
+        """Values of some curves of the machine, each at angles of its own.
 
         Parameters
         ----------
@@ -171,8 +171,8 @@ class LoadedMachine:
             Which curves are asked for, counted design by design.
         angle : Array, shape (p, k)
             φ. [rad]
-        pick : callable
-            From what `solved` gives to all curves, shape (design, curve, …).
+        curves : callable
+            All of them, shape (design, curve, n), at φ of each mechanism, (design, mechanism, n).
 
         Returns
         -------
@@ -187,7 +187,7 @@ class LoadedMachine:
         label = self.sharing[rows]
         asked, slot = in_slots(design * n_mechanisms + label[row], angle, n_designs * n_mechanisms)
         each = asked.reshape(n_designs, n_mechanisms, -1)[:, self.sharing]
-        found = pick(self.solved(each))
+        found = curves(each)
         return found.reshape(n_designs, rows.size, *asked.shape[1:])[design, row, slot]
 
     def _gas_force(self, angle: Array, motions: Sequence[AnyMotion]) -> Array | None:
@@ -207,15 +207,24 @@ class LoadedMachine:
         """Along what a load goes, at φ [rad], shape (n,) or (design, 1, n); arrays of shape (design, 1, n)."""
         return load.way(self.loaded_link(load, angle))
 
+    def load_ways(self, loads: Sequence[LinkLoad], angle: Array) -> list[LoadWay]:
+        """Along what some loads go; as `load_way`, with the motion of each mechanism found once."""
+        return [load.way(link) for load, link in zip(loads, self._loaded_links(loads, angle), strict=True)]
+
     def loaded_link(self, load: LinkLoad, angle: Array) -> Link:
         """On what a load acts, in its mechanism's axes; angle and arrays as of `load_way`."""
-        for batch in self.mechanisms.batches:
-            member = np.flatnonzero(batch.index == load.mechanism)
-            if member.size:
+        return next(self._loaded_links([load], angle))
+
+    def _loaded_links(self, loads: Sequence[LinkLoad], angle: Array) -> Iterator[Link]:
+        """On what each of some loads acts."""
+        moving: dict[int, tuple[Link, ...]] = {}
+        for load in loads:
+            place = next(i for i, batch in enumerate(self.mechanisms.batches) if load.mechanism in batch.index)
+            batch = self.mechanisms.batches[place]
+            if place not in moving:
                 motion = batch.kind.motion(angle + batch.members.phase, batch.members.geometry)
-                link = batch.kind.dynamics.links(motion, batch.members.geometry)[load.link]
-                return of_member(link, int(member[0]))
-        raise IndexError(load.mechanism)
+                moving[place] = batch.kind.dynamics.links(motion, batch.members.geometry)
+            yield of_member(moving[place][load.link], int(np.flatnonzero(batch.index == load.mechanism)[0]))
 
     @cached_property
     def travel_starts(self) -> dict[str, Array]:

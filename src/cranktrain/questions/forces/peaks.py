@@ -48,7 +48,8 @@ def largest_of_each(
     """
 
     def curves(which: NDArray[np.intp], shown: Array) -> Array:
-        return loaded.of_each(rows, which, shown + crank_angle.zero[which // rows.size, 0], pick)
+        angle = shown + crank_angle.zero[which // rows.size, 0]
+        return loaded.of_each(rows, which, angle, lambda each: pick(loaded.solved(each)))
 
     breaks = events.angle[:, rows] - crank_angle.zero
     return counted(largest_between(curves, crank_angle.shown, samples, breaks), crank_angle)

@@ -166,12 +166,9 @@ def _acting(
     """Torque on the crank [N·m] and size [N or N·m] of every load at φ, each of shape (design, load, n)."""
     own = angle if angle.ndim == 3 else angle[np.newaxis, np.newaxis]
     speed = loaded.speed.drive(own).speed
-    on_crank: list[Array] = []
-    sizes: list[Array] = []
-    for load in links:
-        way = loaded.load_way(load, own)
-        sizes.append(loaded.load_value(load, way, own, speed))
-        on_crank.append(sizes[-1] * way.rate)
+    ways = loaded.load_ways(links, own)
+    sizes = [loaded.load_value(load, way, own, speed) for load, way in zip(links, ways, strict=True)]
+    on_crank = [size * way.rate for size, way in zip(sizes, ways, strict=True)]
     at_shafts = [load.value(own - crank_angle.zero, speed) for load in shafts]
     return np.concatenate([*on_crank, *at_shafts], axis=1), np.concatenate([*sizes, *at_shafts], axis=1)
 

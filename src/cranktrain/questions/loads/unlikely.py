@@ -46,7 +46,7 @@ def _of_slider(loaded: LoadedMachine, loads: Sequence[LinkLoad]) -> Iterator[str
     # Aside from dead centres, where none acts.
     turned = np.linspace(0.0, 2 * TURN, _N_ANGLES, endpoint=False) + TURN / _N_ANGLES
     angle = turned[np.newaxis, np.newaxis]
-    ways = [loaded.load_way(load, angle) for load in loads]
+    ways = loaded.load_ways(loads, angle)
     rows = [loaded.load_value(*row, angle, np.ones_like(angle)) for row in zip(loads, ways, strict=True)]
     size = np.sum(np.abs(np.concatenate(np.broadcast_arrays(*rows), axis=1)), axis=1)
     out, place = (loads[0].counts * (part + 0 * angle)[:, 0] for part in (ways[0].rate, ways[0].place))

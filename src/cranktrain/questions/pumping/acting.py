@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.layout.load_laws import ByTravel
 from cranktrain.layout.loads import LinkLoad
-from cranktrain.motion import Array
+from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import bracketed_roots, extremes
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
@@ -52,39 +52,45 @@ class PumpingUnit:
         """What acts at φ, shape (design, n). [rad]"""
         own = angle[:, np.newaxis]
         speed = self.loaded.speed.drive(own).speed
-        way = self.loaded.load_way(self.well, own)
-        pull = self.loaded.load_value(self.well, way, own, speed)
-        rod = -pull * way.rate
-        for load in self.beside:
-            rod = rod + self._torque(load, own, speed)
-        weights = 0.0 * rod if self.weights is None else self._torque(self.weights, own, speed)
-        parts = np.broadcast_arrays(-way.place, -way.rate, pull, rod, weights)
+        loads = (self.well, *self.beside, *(() if self.weights is None else (self.weights,)))
+        ways = self.loaded.load_ways(loads, own)
+        sizes = [self.loaded.load_value(load, way, own, speed) for load, way in zip(loads, ways, strict=True)]
+        torques = [-size * way.rate for size, way in zip(sizes, ways, strict=True)]
+        n_of_rod = 1 + len(self.beside)
+        rod: Array = sum(torques[:n_of_rod], ZERO)
+        weights: Array = sum(torques[n_of_rod:], ZERO)
+        parts = np.broadcast_arrays(-ways[0].place, -ways[0].rate, sizes[0], rod, weights)
         return ActingOnUnit(*(part[:, 0] for part in parts))
 
-    def _torque(self, load: LinkLoad, angle: Array, speed: Array) -> Array:
-        """Torque that the crank must be given for a load. [N·m]"""
-        way = self.loaded.load_way(load, angle)
-        return -self.loaded.load_value(load, way, angle, speed) * way.rate
+    def height(self, angle: Array) -> Array:
+        """Height of the polished rod at φ, shape (design, n), from anywhere. [rad, m]"""
+        place = -self.loaded.load_way(self.well, angle[:, np.newaxis]).place
+        return np.broadcast_to(place[:, 0], angle.shape)
 
-    def angles_at(self, share: Array, *, is_up: bool) -> Array:
-        """φ at which the rod is at shares of its stroke, shape (design, position), on the up- or downstroke. [rad]"""
-        start, end = (self.bottom, self.top) if is_up else (self.top, self.bottom)
-        end = start + np.mod(end - start, TURN)
-        lowest = self.at(self.bottom[:, np.newaxis]).height
-        highest = self.at(self.top[:, np.newaxis]).height
-        wanted = lowest + share * (highest - lowest)
-        low, high = (np.broadcast_to(one[:, np.newaxis], wanted.shape) for one in (start, end))
-        found = bracketed_roots(lambda angle: self.at(angle).height - wanted, low, high)
-        at_ends = np.where((share <= 0.0) == is_up, low, high)
-        return np.where((share <= 0.0) | (share >= 1.0), at_ends, found)
+    def angles_at(self, share: Array) -> tuple[Array, Array]:
+        """φ at which the rod is at shares of its stroke from 0 to 1, on the upstroke and on the downstroke.
+
+        Shape (design, position) each. [rad]
+        """
+        top = self.bottom + np.mod(self.top - self.bottom, TURN)
+        ends = np.stack([self.bottom, top, self.bottom + TURN], axis=-1)
+        lowest, highest, _lowest = np.moveaxis(self.height(ends)[..., np.newaxis], 1, 0)
+        wanted = lowest + share[1:-1] * (highest - lowest)
+        low, high = (np.repeat(one, share.size - 2, axis=-1) for one in (ends[:, :2], ends[:, 1:]))
+        both = np.tile(wanted, 2)
+        found = bracketed_roots(lambda angle: self.height(angle) - both, low, high)
+        up, down = np.split(found, 2, axis=-1)
+        return (
+            np.concatenate([ends[:, :1], up, ends[:, 1:2]], axis=-1),
+            np.concatenate([ends[:, 2:], down, ends[:, 1:2]], axis=-1),
+        )
 
     def card_area(self) -> Array:
         """Area within a card that goes by travel, from its corners alone, shape (design,); NaN of any other. [J]"""
         law = self.well.law
         if not isinstance(law, ByTravel):
             return np.full(self.bottom.shape, np.nan)
-        ends = (self.at(angle[:, np.newaxis]).height[:, 0] for angle in (self.top, self.bottom))
-        strokes = np.subtract(*ends)
+        strokes = np.subtract(*(self.height(angle[:, np.newaxis])[:, 0] for angle in (self.top, self.bottom)))
         rows = zip(law.places, law.out, law.back, np.broadcast_to(strokes, (len(law.places),)), strict=True)
         areas = [_area(places, out - back, float(stroke)) for places, out, back, stroke in rows]
         return -self.well.counts * np.array(areas)

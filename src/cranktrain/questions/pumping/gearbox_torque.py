@@ -16,8 +16,9 @@ from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.pumping.acting import ActingOnUnit, PumpingUnit, pumping_unit
+from cranktrain.questions.pumping.balanced import BalancedUnit, balanced
 from cranktrain.questions.pumping.declared import DeclaredPumping
-from cranktrain.questions.pumping.turn_pieces import BalancedUnit, TurnPieces, TurnTop, balanced, turn_pieces
+from cranktrain.questions.pumping.turn_pieces import highest, turn_pieces
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_PUMPING_UNITS as _THEORY
 from cranktrain.wording import Names, number
@@ -117,12 +118,16 @@ class GearboxTorque(StageResult):
         )
 
 
+_Top = tuple[float, float]
+"""Angle and value."""
+
+
 class _Facts(NamedTuple):
     """Of one design; angles φ [rad], torques [N·m], share of the counterbalance."""
 
-    up: TurnTop
-    down: TurnTop
-    least: TurnTop
+    up: _Top
+    down: _Top
+    least: _Top
     mean: float
     rms: float
     work: float
@@ -146,20 +151,20 @@ def gearbox_torque(
     n_designs = len(declared.moment)
     angle = np.broadcast_to(crank_angle.angle[:, 0], (n_designs, crank_angle.shown.size))
     on_grid = unit.at(angle)
-    lowest, highest = (unit.at(end[:, np.newaxis]).height for end in (unit.bottom, unit.top))
+    lowest, highest = (unit.height(end[:, np.newaxis]) for end in (unit.bottom, unit.top))
     facts = [
         _facts(unit, design, np.broadcast_to(events.whole, (n_designs, events.whole.shape[-1]))[design])
         for design in range(n_designs)
     ]
-    up, down = (unit.angles_at(_POSITIONS, is_up=is_up) for is_up in (True, False))
+    up, down = unit.angles_at(_POSITIONS)
     up_load, down_load = (_permissible(unit.at(angles), declared.rated_torque) for angles in (up, down))
 
     def each(name: str) -> Array:
         return np.array([getattr(one, name) for one in facts])
 
     def peak(name: str) -> Extreme:
-        tops = [getattr(one, name) for one in facts]
-        return Extreme(counted(np.array([top.angle for top in tops])), np.array([top.value for top in tops]))
+        angle, value = np.array([getattr(one, name) for one in facts]).T
+        return Extreme(counted(angle), value)
 
     def counted(of: Array) -> Array:
         zero = crank_angle.zero[:, 0, 0] if of.ndim == 1 else crank_angle.zero[:, 0]
@@ -218,25 +223,24 @@ def _facts(unit: PumpingUnit, design: int, events: Array) -> _Facts:
     at = ActingOnUnit(*own)
     torque = at.rod + at.weights
     best = balanced(pieces, at.rod, at.weights, (bottom, top))
-    least = pieces.largest(-torque)
+    of_best = [at.rod + share * at.weights for share in best]
+    tops = pieces.tops(np.stack([torque, -torque, at.load, *of_best]))
+    is_up = pieces.within(bottom, top)
+    up, down, whole = (highest(tops, chosen) for chosen in (is_up, ~is_up, is_up | ~is_up))
+    _torque, least, pull, equal_peaks, least_rms_peak = zip(*whole, strict=True)
     return _Facts(
-        up=pieces.largest(torque, bottom, top),
-        down=pieces.largest(torque, top, bottom + TURN),
-        least=TurnTop(least.angle, -least.value),
+        up=(up.angle[0], up.value[0]),
+        down=(down.angle[0], down.value[0]),
+        least=(least[0], -least[1]),
         mean=pieces.mean(torque),
         rms=float(np.sqrt(pieces.mean(torque**2))),
         work=pieces.mean(at.load * at.factor) * TURN,
-        pull=pieces.largest(at.load).value,
+        pull=pull[1],
         best=best,
-        equal_peaks=_largest(pieces, at, best.equal_peaks),
-        least_rms=float(np.sqrt(pieces.mean((at.rod + best.least_rms * at.weights) ** 2))),
-        least_rms_peak=_largest(pieces, at, best.least_rms),
+        equal_peaks=equal_peaks[1],
+        least_rms=float(np.sqrt(pieces.mean(of_best[1] ** 2))),
+        least_rms_peak=least_rms_peak[1],
     )
-
-
-def _largest(pieces: TurnPieces, at: ActingOnUnit, share: float) -> float:
-    """Largest torque with a share of the counterbalance; NaN with none. [N·m]"""
-    return pieces.largest(at.rod + share * at.weights).value if np.isfinite(share) else np.nan
 
 
 def _permissible(at: ActingOnUnit, rated: Array) -> Array:

@@ -1,27 +1,31 @@
-"""A turn of the crank cut where torques have kinks, with torques as polynomials between: peaks, means, best weights."""
+"""A turn of the crank cut where torques have kinks, with torques as polynomials between: peaks and means."""
 
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from cranktrain.motion import Array
-from cranktrain.numerics import Subintervals, bracketed_roots, subintervals
-from cranktrain.numerics.subintervals import interpolation
-from cranktrain.numerics.ties import first_largest
+from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics import Subintervals, subintervals
+from cranktrain.numerics.subintervals import interpolation, series_of_motion
+from cranktrain.numerics.ties import first_largest_along
 
 _WIDEST = np.pi / 18
 """Of a piece. [rad]"""
 _MORE = 4
 """Points of a piece beyond those that its integral needs."""
-_FIRST, _NEXT, _TIMES = 17, 9, 9
-"""Points at which a piece is looked at; and how often again, nine points between the neighbours of the best."""
+_TRIED = np.linspace(-1.0, 1.0, 17)
+_NEWTON_STEPS = 4
+_LEVEL = 1e-12
+"""A curve that changes by less within a piece, in parts of its largest size, is level there: its top is the start."""
 
 
-class TurnTop(NamedTuple):
-    """A largest value, and the angle at which it stands. [rad]"""
+class TurnTops(NamedTuple):
+    """Largest values of curves, and the angles at which they stand, of shape (curve,) or (curve, piece). [rad]"""
 
-    angle: float
-    value: float
+    angle: Array
+    value: Array
 
 
 class TurnPieces(NamedTuple):
@@ -41,26 +45,21 @@ class TurnPieces(NamedTuple):
         """Mean over the crank angle of values at the points of the pieces, exact as far as these are polynomials."""
         return float(np.sum(values * self.cut.weight) / self.cycle)
 
-    def largest(self, values: Array, low: float = -np.inf, high: float = np.inf) -> TurnTop:
-        """Largest value between the points; only of pieces from `low` to `high`, which are edges of such. [rad]"""
-        angles, tops = list[Array](), list[Array]()
-        middles = low + np.mod(self.cut.start + self.cut.width / 2 - low, self.cycle) if np.isfinite(low) else None
+    def within(self, low: float, high: float) -> NDArray[np.bool_]:
+        """Which pieces lie from `low` to `high`, which are edges of such. [rad]"""
+        middles = self.cut.start + self.cut.width / 2
+        return np.mod(middles - low, self.cycle) < high - low
+
+    def tops(self, curves: Array) -> TurnTops:
+        """Largest value of each curve in each piece, between the points; curves of shape (curve, point)."""
+        shape = len(curves), self.cut.width.size
+        way, value = np.empty(shape), np.empty(shape)
+        scale = np.max(np.abs(curves), axis=-1)[:, np.newaxis]
         for size in np.unique(self.cut.size).tolist():
-            chosen = self.cut.size == size
-            if middles is not None:
-                chosen = chosen & (middles < high)
-            own = np.flatnonzero(chosen)
-            if own.size == 0:
-                continue
-            at_points = values[self.cut.first[own, np.newaxis] + np.arange(size)]
-            way, value = _tops(at_points, size)
-            angles.append(np.mod(self.cut.start[own] + self.cut.width[own] * (1 + way) / 2, self.cycle))
-            tops.append(value)
-        if not tops:
-            return TurnTop(np.nan, -np.inf)
-        order = np.argsort(np.concatenate(angles), kind="stable")
-        angle, top = (np.concatenate(parts)[order] for parts in (angles, tops))
-        return TurnTop(float(angle[first_largest(top)]), float(np.max(top)))
+            own = np.flatnonzero(self.cut.size == size)
+            at_points = curves[:, self.cut.first[own, np.newaxis] + np.arange(size)]
+            way[:, own], value[:, own] = _tops(at_points, scale)
+        return TurnTops(np.mod(self.cut.start + self.cut.width * (1 + way) / 2, self.cycle), value)
 
 
 def turn_pieces(breaks: Array, cycle: float) -> TurnPieces:
@@ -68,55 +67,39 @@ def turn_pieces(breaks: Array, cycle: float) -> TurnPieces:
     return TurnPieces(subintervals(breaks, _WIDEST, cycle, _MORE), cycle)
 
 
-def _tops(values: Array, size: int) -> tuple[Array, Array]:
-    """Where, in (−1, 1), and how large polynomials through Gauss's points are at most, shape (piece,)."""
-    rows = np.arange(len(values))
-    low, high = -np.ones(len(values)), np.ones(len(values))
-    way, top = low, np.full(len(values), -np.inf)
-    for n_points in (_FIRST, *(_NEXT,) * _TIMES):
-        ways = low[:, np.newaxis] + (high - low)[:, np.newaxis] * np.linspace(0.0, 1.0, n_points)
-        found = np.sum(interpolation(ways, size) * values[:, np.newaxis], axis=-1)
-        best = np.argmax(found, axis=-1)
-        is_more = found[rows, best] > top
-        way, top = np.where(is_more, ways[rows, best], way), np.maximum(found[rows, best], top)
-        step = (high - low) / (n_points - 1)
-        low, high = np.maximum(way - step, -1.0), np.minimum(way + step, 1.0)
-    return way, top
+def highest(tops: TurnTops, chosen: NDArray[np.bool_]) -> TurnTops:
+    """Largest value of each curve in the chosen pieces; of alike ones the first round the turn."""
+    angle, value = tops.angle[:, chosen], tops.value[:, chosen]
+    row, order = np.arange(len(angle)), np.argsort(angle, axis=-1, kind="stable")
+    first = order[row, first_largest_along(np.take_along_axis(value, order, axis=-1))]
+    return TurnTops(angle[row, first], np.max(value, axis=-1))
 
 
-class BalancedUnit(NamedTuple):
-    """How much of the declared counterbalance is best: for equal peaks of up- and downstroke, and for the least rms."""
+@cache
+def _to_tried(size: int) -> Array:
+    """From values at Gauss's points of a piece to those at the ways that are tried."""
+    return interpolation(_TRIED, size)
 
-    equal_peaks: float
-    least_rms: float
 
+def _tops(values: Array, scale: Array) -> tuple[Array, Array]:
+    """Where, in [−1, 1], and how large polynomials through Gauss's points are at most, shape (curve, piece)."""
+    size = values.shape[-1]
+    tried = np.sum(values[..., np.newaxis, :] * _to_tried(size), axis=-1)
+    start, apart = _TRIED[np.argmax(tried, axis=-1)], float(_TRIED[1] - _TRIED[0])
+    low, high = np.maximum(start - apart, -1.0), np.minimum(start + apart, 1.0)
+    series = series_of_motion(values)[1:, ..., :-1]
 
-def balanced(pieces: TurnPieces, of_rod: Array, of_weights: Array, ends: tuple[float, float]) -> BalancedUnit:
-    """Find the best counterbalances, in parts of the declared one; NaN where none makes both peaks equal.
+    def motion(way: Array) -> Coefficient:
+        """Curves with their derivatives by the way, shape (curve, piece)."""
+        legendre = np.polynomial.legendre.legvander(way, size - 1)
+        return Coefficient(*np.sum(series * legendre, axis=-1))
 
-    Parameters
-    ----------
-    pieces : TurnPieces
-    of_rod, of_weights : Array, shape (point,)
-        Torques that the crank must be given for the rod with what hangs beside it, and for the weights. [N·m]
-    ends : (float, float)
-        Where the upstroke begins and ends. [rad]
-
-    Notes
-    -----
-    docs/theory/pumping-unit, eqs. (28.9) and (28.10).
-    """
-    bottom, top = ends
-    squares = pieces.mean(of_weights**2)
-    if not squares > 0:
-        return BalancedUnit(np.nan, np.nan)
-
-    def higher(shares: Array) -> Array:
-        torques = [of_rod + share * of_weights for share in shares]
-        up = [pieces.largest(torque, bottom, top).value for torque in torques]
-        down = [pieces.largest(torque, top, bottom + pieces.cycle).value for torque in torques]
-        return np.array(up) - np.array(down)
-
-    most = 4 * float(np.max(np.abs(of_rod)) / np.max(np.abs(of_weights)))
-    found = bracketed_roots(higher, np.zeros(1), np.full(1, most))
-    return BalancedUnit(float(found[0]), -pieces.mean(of_rod * of_weights) / squares)
+    way, found = start, motion(start)
+    with np.errstate(all="ignore"):
+        for _step in range(_NEWTON_STEPS):
+            # Where the curve bends the other way its top is at an end.
+            move = np.where(found.second < 0, -found.first / found.second, np.sign(found.first) * apart)
+            way = np.clip(way + move, low, high)
+            found = motion(way)
+    is_level = np.ptp(tried, axis=-1) <= _LEVEL * scale
+    return np.where(is_level, -1.0, way), np.where(is_level, np.max(tried, axis=-1), found.value)

@@ -189,24 +189,23 @@ class TorqueSources:
             fourier_integral(torque, cycle).samples, torque, spectral_derivative(torque) * (TURN / cycle)
         )
         between = quintic_curve(smooth, cycle).motion(breaks)
-        before = [np.concatenate(parts, axis=-1) for parts in zip(smooth, between, strict=True)]
-        sides = before, [part.copy() for part in before]
+        own = np.stack([np.concatenate(parts, axis=-1) for parts in zip(smooth, between, strict=True)])
+        # Before and after, with derivatives.
+        found = np.stack([own, own])
         step = float(shown[1] - shown[0])
         for one in self.sources:
-            values, begins = one.without_mean(cycle), 0.0
-            for aside, late in one.in_steps(step):
-                grid = integral_motion(one.subintervals, values, shown - aside * step)
-                for steps in late:
-                    begins += float(np.roll(grid[0].value, steps)[0])
-                    for found, laid in zip(sides, grid, strict=True):
-                        for part, own in zip(found, laid, strict=True):
-                            part[one.design, : shown.size] += np.roll(own, steps)
+            starts = list(one.in_steps(step))
             angle: Array = breaks[one.design] - one.starts[:, np.newaxis]
-            for found, each in zip(sides, integral_motion(one.subintervals, values, np.ravel(angle)), strict=True):
-                for part, own in zip(found, each, strict=True):
-                    part[one.design, shown.size :] += np.sum(own.reshape(angle.shape), axis=0)
-                found[0][one.design] -= begins
-        return Coefficient(*sides[0]), Coefficient(*sides[1])
+            asked = np.concatenate([*(shown - aside * step for aside, _late in starts), np.ravel(angle)])
+            sides = np.stack(integral_motion(one.subintervals, one.without_mean(cycle), asked))
+            *grids, between = np.split(sides, shown.size * np.arange(1, len(starts) + 1), axis=-1)
+            for grid, (_aside, late) in zip(grids, starts, strict=True):
+                for steps in late:
+                    found[:, :, one.design, : shown.size] += np.roll(grid, steps, axis=-1)
+            found[:, :, one.design, shown.size :] += np.sum(between.reshape(2, 3, *angle.shape), axis=2)
+        found[:, 0] -= found[:, 0, :, :1]
+        before, after = found
+        return Coefficient(*before), Coefficient(*after)
 
 
 def torque_sources(

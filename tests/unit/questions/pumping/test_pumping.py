@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
+from cranktrain.questions.pumping.turn_pieces import TurnPieces
 
 UNIT = "pumping_unit_c57"
 
@@ -100,3 +101,15 @@ def test_designs_are_as_each_alone():
         assert np.ravel(getattr(together, name)) == pytest.approx(
             [float(getattr(one, name)) for one in alone], rel=1e-12
         )
+
+
+@pytest.mark.parametrize("force", ["3000 lbf", "4853 lbf", "5392.002 lbf", "5931.2 lbf", "9000 lbf"])
+def test_equal_peaks_take_five_trials(monkeypatch, force):
+    trials = []
+    tops = TurnPieces.tops
+    monkeypatch.setattr(TurnPieces, "tops", lambda self, curves: trials.append(len(curves)) or tops(self, curves))
+    found = ct.run(UNIT, set={"load.counterbalance.force": force})
+    assert float(found.equal_peaks_moment) == pytest.approx(172544.0659585192 * 4.4482216152605 * 0.0254, rel=1e-6)
+    *own, last = trials
+    assert sum(own) <= 5
+    assert last == 5
