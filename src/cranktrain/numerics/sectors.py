@@ -21,8 +21,8 @@ _ON_EDGE = 1e-12
 no direction."""
 _ASIDE = 1e-3
 """How far into a step the direction is looked at where the vector is nothing, in parts of the step."""
-_AT_ONCE = 20000
-"""Points of curves at once: many more of them take longer one by one, as their pieces fit no cache."""
+_AT_ONCE = 32768
+"""Points of curves at once: with more, what is computed on them fits no cache."""
 _FEW = 4
 """Gauss's points from mark to mark, for the size, which is no polynomial."""
 

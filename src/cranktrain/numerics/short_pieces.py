@@ -54,24 +54,18 @@ def short_pieces(of: Subintervals, values: Sequence[Array]) -> ShortPieces:
     >>> np.round(found.powers[:3, 0, 0], 9).tolist(), float(3 * found.half[0])
     ([0.5, 0.5, 0.0], 0.5)
     """
-    n_curves = len(values[0])
-    by_point = [np.ascontiguousarray(part.T) for part in values]
-    powers: list[Array] = []
-    halves: list[Array] = []
-    for n_nodes in np.unique(of.size).tolist():
-        chosen = np.flatnonzero(of.size == n_nodes)
-        place = of.first[chosen] + np.arange(n_nodes, dtype=np.intp)[:, np.newaxis]
-        matrix = _to_powers(n_nodes)
-        found = [product(matrix, part[place].reshape(n_nodes, -1)).reshape(N_POWERS, -1) for part in by_point]
-        powers.append(np.stack(found, axis=1))
-        n_pieces = _n_pieces(n_nodes)
-        halves.append(np.tile(of.width[chosen] / (2 * n_pieces), n_pieces))
-    half = np.concatenate(halves)
-    return ShortPieces(
-        powers=np.concatenate(powers, axis=-1),
-        half=np.repeat(half, n_curves),
-        curve=np.tile(np.arange(n_curves, dtype=np.intp), half.size),
-    )
+    n_curves, by_point = len(values[0]), [np.ascontiguousarray(part.T) for part in values]
+    panels = [(size, np.flatnonzero(of.size == size)) for size in np.unique(of.size).tolist()]
+    half = np.concatenate([np.tile(of.width[own] / (2 * _n_pieces(size)), _n_pieces(size)) for size, own in panels])
+    powers, first = np.empty((N_POWERS, len(values), half.size * n_curves)), 0
+    for size, own in panels:
+        last = first + own.size * _n_pieces(size) * n_curves
+        place = of.first[own] + np.arange(size, dtype=np.intp)[:, np.newaxis]
+        for part, at_points in enumerate(by_point):
+            found = product(_to_powers(size), at_points[place].reshape(size, -1))
+            powers[:, part, first:last] = found.reshape(N_POWERS, -1)
+        first = last
+    return ShortPieces(powers, np.repeat(half, n_curves), np.tile(np.arange(n_curves, dtype=np.intp), half.size))
 
 
 def _n_pieces(n_nodes: int) -> int:
