@@ -49,7 +49,7 @@ NOWHERE, AT_TIME, AT_CORNER = range(3)
 STOP, OVER, REACHED = range(3)
 """What speeds may end a step."""
 
-_LARGEST_TURN = 2 * math.pi / 25
+LARGEST_TURN = 2 * math.pi / 25
 """In a step: with more, what happens twice between two of its stages would be overlooked."""
 _LEAST_WIDTH = 1e-14
 _SHORT_OF_BREAK = 1e-13
@@ -187,7 +187,7 @@ def _width_and_landing(asked: Any, course: Any) -> tuple[float, int]:
     """How wide a step is to be tried, and where it should end."""
     here, counts, end_time = course.here, course.counts, asked.limits.end_time
     speed, grown = abs(course.state[1]), here[SENSE] * course.slopes[1]
-    most = min(_LARGEST_TURN, few_ahead(course.state[0], here[SENSE], asked.rows, asked.period))
+    most = min(LARGEST_TURN, few_ahead(course.state[0], here[SENSE], asked.rows, asked.period))
     width, landing = min(here[WIDTH], time_over(most, speed, abs(grown))), NOWHERE
     until, short = end_time, 0.0
     if counts[BREAK] < len(asked.breaks) and asked.breaks[counts[BREAK]] < end_time:
