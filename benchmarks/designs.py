@@ -1,39 +1,11 @@
-"""Many designs: what one of two hundred takes in a run of all, against one of fifty."""
+"""Many designs of an example, each a little different."""
 
 import tomllib
 
 import numpy as np
-from comparison import Comparison
-from steps import nothing
 
-from cranktrain import Machine, run
+from cranktrain import Machine
 from cranktrain.io.examples import EXAMPLES_FOLDER
-
-FEW, TIMES, N_REPETITIONS = 50, 4, 3
-STEP = 30.0
-N_ANGLES = FEW * TIMES * 24
-"""Of all designs together, of a four-stroke cycle."""
-LIMIT = 1.3
-EXAMPLES = ("vaz_21213", "3d12")
-
-
-def comparisons():
-    """All designs in one run against a quarter of them in each of four."""
-    for example in EXAMPLES:
-        many = varied(example, FEW * TIMES)
-        parts = [many[i * FEW : (i + 1) * FEW] for i in range(TIMES)]
-        yield (
-            example,
-            Comparison(
-                f"{FEW * TIMES}",
-                f"{TIMES} × {FEW}",
-                lambda many=many: run(many, step_degrees=STEP),
-                lambda parts=parts: [run(part, step_degrees=STEP) for part in parts],
-                nothing,
-                nothing,
-                LIMIT,
-            ),
-        )
 
 
 def varied(example, n):

@@ -9,6 +9,8 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 CALLED = {"pillow": "PIL"}
 """Distributions whose package has another name."""
+EXTRAS = ("fast", "cad", "dataset", "xlsx")
+"""What a user may have besides, and the tests have."""
 
 
 def imported() -> set[str]:
@@ -27,7 +29,13 @@ def imported() -> set[str]:
 def test_declared_packages_are_those_imported():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     optional = project["optional-dependencies"]
-    needed = [*project["dependencies"], *optional["fast"], *optional["cad"], *optional["xlsx"]]
+    needed = [*project["dependencies"], *(each for extra in EXTRAS for each in optional[extra])]
     names = [re.match(r"[\w-]+", each)[0] for each in needed]
     installed_with_pydantic = {"pydantic_core"}
     assert {CALLED.get(name, name.replace("-", "_")) for name in names} == imported() - installed_with_pydantic
+
+
+def test_tests_have_what_a_user_may_have():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    first = project["optional-dependencies"]["test"][0]
+    assert set(EXTRAS) <= set(re.fullmatch(r"cranktrain\[(.*)\]", first)[1].split(","))

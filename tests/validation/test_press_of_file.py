@@ -11,6 +11,7 @@ import cranktrain as ct
 from cranktrain.errors import InputError
 from cranktrain.questions.drive.clutched.runs import PressPlan
 from cranktrain.questions.drive.clutched.settled import settled_stroke
+from cranktrain.questions.drive.press_strokes import PressStrokes
 from cranktrain.questions.drive.running.equation import Kernels, no_brake, no_heat
 
 FULL = 600e3
@@ -123,6 +124,14 @@ def test_stroke_against_closed_forms(period):
     if other.pace is not None:
         assert fact(found, "stroke_motor_power") == pytest.approx(other.pace.motor_power, rel=1e-7)
         assert fact(found, "clutch_heating") == pytest.approx(stroke.clutch_heat / 2, rel=1e-7)
+
+
+def test_steps_of_a_stroke():
+    """They end at angles where the load has corners; rejected ones and those that settle events are few."""
+    (settled,) = ct.run("high_slip_press")[PressStrokes].settled
+    assert settled.is_found
+    assert settled.stroke.run.n_steps < 90
+    assert settled.pace.waiting.n_steps < 16
 
 
 def test_what_heat_allows():

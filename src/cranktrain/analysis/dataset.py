@@ -1,12 +1,15 @@
 """A result as an xarray dataset, with units, symbols, sentences and sources as attributes."""
 
 from collections.abc import Sequence
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.unused import sentences
 from cranktrain.catalogue import Entry
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.scales import in_asked_unit
 
@@ -26,9 +29,13 @@ def dataset_of(result: Result) -> "xarray.Dataset":
     xarray.Dataset
         Of the quantities that were asked for, or of all; in SI and degrees unless a table [units], or `ct.units`, asks
         for other units. Members that are numbers are numbers there.
-    """
-    import xarray
 
+    Raises
+    ------
+    InputError
+        If xarray is not installed.
+    """
+    xarray = imported_xarray()
     design = ("design",) if result.has_designs else ()
     chosen = result.catalogue if result.asked is None else dict.fromkeys(result.asked)
     variables: dict[str, Any] = {
@@ -43,6 +50,15 @@ def dataset_of(result: Result) -> "xarray.Dataset":
     coordinates["crank_angle"] = ("crank_angle", result.crank_angle, {"units": "deg", "symbol": "φ"})
     about = {"name": result.machines[0].name, "unused": sentences(result.unused)}
     return xarray.Dataset(variables, coordinates, about)
+
+
+def imported_xarray() -> Any:
+    """Import what makes datasets, or say how to have it."""
+    try:
+        return import_module("xarray")
+    except ModuleNotFoundError:
+        repair = _("pip install 'cranktrain[dataset]', or take arrays by their names")
+        raise InputError([Problem("dataset", None, _("needs the package xarray"), repair)]) from None
 
 
 def with_attributes(entry: Entry, values: Array) -> tuple[Array, dict[str, str]]:

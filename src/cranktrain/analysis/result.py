@@ -237,7 +237,8 @@ class Result:
     def dataset(self) -> "xarray.Dataset":
         """Give the quantities that were asked for, or all, as an xarray dataset with units, symbols and sources.
 
-        In SI and degrees unless a table [units] of the machine, or `ct.units`, asks for other units.
+        In SI and degrees unless a table [units] of the machine, or `ct.units`, asks for other units. xarray comes with
+        `pip install 'cranktrain[dataset]'`.
         """
         with self._in_its_units():
             units = tuple(units_asked().items())

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.products import product
 
 ComplexArray = NDArray[np.complex128]
 
@@ -105,7 +106,7 @@ def curve(of: Harmonics, angle: Array) -> Array:
     """
     turned = np.asarray(angle)[..., np.newaxis] * of.order
     if turned.ndim == 2:
-        return of.cosine @ np.cos(turned).T + of.sine @ np.sin(turned).T
+        return product(of.cosine, np.cos(turned).T) + product(of.sine, np.sin(turned).T)
     parts = of.cosine[..., np.newaxis, :] * np.cos(turned) + of.sine[..., np.newaxis, :] * np.sin(turned)
     return np.sum(parts, axis=-1)
 

@@ -12,6 +12,7 @@ from cranktrain.numerics import Extremes, turning_points
 from cranktrain.numerics.harmonics import TURN, harmonics, phasor
 from cranktrain.numerics.piecewise import PiecePlaces, mean_shares, piece_extremes, quintics
 from cranktrain.numerics.polynomials import polynomial
+from cranktrain.numerics.products import product
 
 
 class PeriodicCurve(NamedTuple):
@@ -92,7 +93,7 @@ def fourier_curve(samples: Array, cycle: float = TURN) -> PeriodicCurve:
 
     def motion(angle: Array) -> Coefficient:
         waves = phasor(angle[..., np.newaxis] * series.order)
-        return Coefficient(*np.moveaxis((waves @ derivatives).real, -1, 0))
+        return Coefficient(*np.moveaxis(product(waves, derivatives).real, -1, 0))
 
     return PeriodicCurve(cycle, samples, motion)
 

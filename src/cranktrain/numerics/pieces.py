@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.numerics.polynomials import polynomial
+from cranktrain.numerics.products import product
 from cranktrain.numerics.series import around_zero
 from cranktrain.numerics.ties import ALIKE
 
@@ -143,7 +144,7 @@ def _tops(curves: Curves, centre: Array, edges: Array, is_piece: NDArray[np.bool
     with np.errstate(all="ignore"):
         values = curves(row, middle[:, np.newaxis] + half[:, np.newaxis] * _NODES)
         base = values[:, _N_NODES // 2]
-        powers = (values - base[:, np.newaxis]) @ _TO_POWERS.T
+        powers = product(values - base[:, np.newaxis], _TO_POWERS.T)
         # What is level from before its grid point on begins, for us, there.
         level = np.where((piece == 0) & (start * end < 0), -(end + start) / (end - start), -1.0)
         way = _top(powers, scale[row], level)
@@ -151,7 +152,7 @@ def _tops(curves: Curves, centre: Array, edges: Array, is_piece: NDArray[np.bool
     top, angle, at = np.full((3, *is_piece.shape), np.nan)
     top[is_piece], angle[is_piece], at[is_piece] = value, middle + half * way, way
     ends = np.full((2, *is_piece.shape), np.nan)
-    ends[0, is_piece], ends[1, is_piece] = base + powers @ _FROM_ENDS[0], base + powers @ _FROM_ENDS[1]
+    ends[0, is_piece], ends[1, is_piece] = base + product(powers, _FROM_ENDS.T).T
     return Peak(angle, np.where(np.isnan(top), -np.inf, top), _sides(at, ends, scale[:, np.newaxis, np.newaxis]))
 
 
@@ -233,7 +234,7 @@ def _edges(breaks: Array, centre: Array, wide: float, period: float) -> Array:
 
 def _top(powers: Array, scale: Array, level: Array) -> Array:
     """Where in [−1, 1] each polynomial is largest, shape (p,); where it is so from −1 on, at `level`."""
-    tried = powers @ _TRIED_POWERS.T
+    tried = product(powers, _TRIED_POWERS.T)
     # The first of what is level: rounding must not move an extreme along a level stretch.
     is_top = tried >= np.max(tried, axis=-1, keepdims=True) - _LEVEL * scale[:, np.newaxis]
     place = np.argmax(is_top, axis=-1)

@@ -6,6 +6,7 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN, ComplexArray, phasor
+from cranktrain.numerics.products import product
 
 
 class PlaneVectors(NamedTuple):
@@ -80,7 +81,7 @@ def vector_curve(of: PlaneVectors, angle: Array) -> ComplexArray:
     """Sum the orders at crank angles [rad], the same for all (k,) or each its own (..., k); gives (..., k)."""
     turning = phasor(np.asarray(angle)[..., np.newaxis] * of.order)
     if turning.ndim == 2:
-        return of.forward @ turning.T + of.backward @ np.conj(turning).T
+        return product(of.forward, turning.T) + product(of.backward, np.conj(turning).T)
     parts = of.forward[..., np.newaxis, :] * turning + of.backward[..., np.newaxis, :] * np.conj(turning)
     return np.sum(parts, axis=-1)
 

@@ -22,3 +22,23 @@ def polynomial(powers: Array, x: Array) -> Coefficient:
         first = first * x + value
         value = value * x + part
     return Coefficient(value, first, 2 * half_second)
+
+
+def polynomial_value(powers: Array, x: Array) -> Array:
+    """Value of `polynomial` alone.
+
+    Parameters
+    ----------
+    powers : Array, shape (power, ..., n)
+    x : Array, shape (n,)
+
+    Returns
+    -------
+    Array, shape (..., n)
+    """
+    value = powers[-1].copy()
+    # In place, as with many most of the time would go into new memory.
+    for part in powers[-2::-1]:
+        value *= x
+        value += part
+    return value

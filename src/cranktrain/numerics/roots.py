@@ -10,10 +10,16 @@ from cranktrain.motion import Array
 Curve = Callable[[Array], Array]
 """A curve of the crank angle: takes angles of shape (..., n), gives values of the same shape."""
 
+SlopedCurve = Callable[[Array], tuple[Array, Array]]
+"""A curve and its slope."""
+
 _MOST_STEPS = 60
 _MOST_NEWTON_STEPS = 10
 _FALLEN = 1e-3
 """A curve that has not fallen to this part of its values at the bracket's ends jumps over its root."""
+_MOST_SAFE_STEPS = 30
+_NEAR = 1e-6
+"""A step of Newton's method after which the next one is less than rounding, in parts of the brackets' unit."""
 _SETTLED = 1e-13
 """A step, in parts of the root, after which the next one is less than rounding."""
 
@@ -122,3 +128,54 @@ def _least_among(roots: Array, group: NDArray[np.intp]) -> Array:
     least = np.full(int(np.max(group, initial=-1)) + 1, np.inf)
     np.minimum.at(least, group, roots)
     return least[group]
+
+
+def newton_roots(curve: SlopedCurve, low: Array, high: Array, sense: Array, share: Array) -> Array:
+    """Where curves that are cheap to compute, with their slopes, change sign once, each within its own bracket.
+
+    Parameters
+    ----------
+    curve : SlopedCurve
+    low, high : Array, shape (n,)
+        Ends of each bracket, some 1 apart.
+    sense : Array, shape (n,)
+        1 where a curve rises through 0, −1 where it falls.
+    share : Array, shape (n,)
+        Where to begin, in parts of the bracket.
+
+    Returns
+    -------
+    Array, shape (n,)
+        To 1e-12 where the slope there is not small, else to 1e-6.
+
+    Notes
+    -----
+    Newton's method, which halves what is left of the bracket where it would leave that.
+
+    Examples
+    --------
+    >>> one = np.array([1.0])
+    >>> np.round(newton_roots(lambda x: (x * x - 0.25, 2 * x), 0 * one, one, one, 0.4 * one), 9).tolist()
+    [0.5]
+    """
+    low, high = np.array(low), np.array(high)
+    way = low + share * (high - low)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for _ in range(_MOST_SAFE_STEPS):
+            value, slope = curve(way)
+            is_before = value * sense < 0
+            low, high = np.where(is_before, way, low), np.where(is_before, high, way)
+            trial = way - value / slope
+            trial = np.where((low <= trial) & (trial <= high), trial, (low + high) / 2)
+            is_near = np.abs(trial - way) <= _NEAR
+            way = trial
+            if np.all(is_near):
+                break
+    return way
+
+
+def secant_share(before: Array, after: Array) -> Array:
+    """Where the secant is 0 between two values of opposite sign, in parts of the way from one to the other."""
+    size = np.abs(before)
+    both = size + np.abs(after)
+    return size / np.where(both > 0, both, 1.0)

@@ -19,6 +19,9 @@ _RESOLVED = 1e-10
 _ASIDE = 1e-11
 """How far beside an angle a side of it is, past what rounding leaves of a break there. [rad]"""
 
+_NO_WAY = 1e-300
+"""From one of Gauss's points to itself: what is so near to it has its value alone."""
+
 
 class Subintervals(NamedTuple):
     """One period cut at breaks, and further where that leaves wide pieces.
@@ -93,7 +96,7 @@ def shows(of: Subintervals, values: Array) -> bool:
     """Whether the points of the widest panels show a curve, shape (..., point): its last orders there are small."""
     most = int(np.max(of.size))
     place: NDArray[np.intp] = of.first[of.size == most, np.newaxis] + np.arange(most, dtype=np.intp)
-    last = np.abs(values[..., place] @ _to_series(most)[-2:].T)
+    last = np.abs(product(values[..., place], _to_series(most)[-2:].T))
     return not np.any(last > _RESOLVED * np.max(np.abs(values)))
 
 
@@ -231,12 +234,21 @@ def leggauss(n_nodes: int) -> tuple[Array, Array]:
 
 def interpolation(way: Array, n_nodes: int) -> Array:
     """Weights of values at Gauss's points for the value at some ways in [−1, 1], shape (..., n)."""
-    return np.polynomial.legendre.legvander(way, n_nodes - 1) @ _to_series(n_nodes)
+    apart = way[..., np.newaxis] - leggauss(n_nodes)[0]
+    shares = _barycentric(n_nodes) / np.where(apart == 0.0, _NO_WAY, apart)
+    return shares / np.sum(shares, axis=-1, keepdims=True)
 
 
 def partial_integrals(way: Array, n_nodes: int) -> Array:
     """Weights of values at Gauss's points for the integral from −1 to some ways, shape (k, n)."""
-    return _legendre_integrals(way, _legendre(way, n_nodes)) @ _to_series(n_nodes)
+    return product(_legendre_integrals(way, _legendre(way, n_nodes)), _to_series(n_nodes))
+
+
+@cache
+def _barycentric(n_nodes: int) -> Array:
+    """Weights of Gauss's points in the barycentric formula, of which only the ratios count."""
+    node, weight = leggauss(n_nodes)
+    return np.sqrt((1 - node * node) * weight) * np.where(np.arange(n_nodes) % 2, -1.0, 1.0)
 
 
 def series_of_motion(values: Array) -> Array:

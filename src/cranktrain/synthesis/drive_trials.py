@@ -324,7 +324,7 @@ def _checked(bench: Bench, place: int, ratio: float, inertia: float) -> Trial:
     """Check a motor behind a ratio, with an inertia of the flywheel that is sought."""
     asked = bench.asked
     one = design_of(bench, ratio, inertia)
-    found = checked_motor(one.with_motor(bench.motor(place), 0), one.asked, one.duty, one.design, None)
+    found = checked_motor(one.with_motor(bench.motor(place), 0), one.asked, one.duty, one.design)
     overall = ratio * asked.others
     speed = math.nan if found.cycle is None else float(np.sum(found.cycle.mesh.width)) / found.cycle.period
     slip = slip_of_size(place, asked.kept)

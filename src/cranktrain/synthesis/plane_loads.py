@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.numerics.products import summed_products
 from cranktrain.synthesis.centres import BarrierValue, outside
 
 _SMALL = 1e-6
@@ -41,7 +42,7 @@ class Vectors(NamedTuple):
         """Σ Bᵀ (p 1 + a q qᵀ) B, shape (unknown, unknown)."""
         flat = (np.sqrt(plain)[:, np.newaxis, np.newaxis] * self.change).reshape(-1, self.change.shape[-1])
         own = np.einsum("kiu,ki->ku", self.change, vector)
-        return flat.T @ flat + (along[:, np.newaxis] * own).T @ own
+        return summed_products(flat, flat) + summed_products(along[:, np.newaxis] * own, own)
 
     def bound(self, dual: Array, *, turns: bool) -> float:
         """What a dual solution, shape (point, 2), says that the aim does not go below for unknowns in their room."""

@@ -1,6 +1,7 @@
 """The result: units, read-only arrays, facts, what is missing, the dataset."""
 
 import inspect
+import sys
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from tests.machines import V12, slider, throws
 
 import cranktrain as ct
 from cranktrain.analysis.dimensions import DIMENSIONS
+from cranktrain.errors import InputError
 from cranktrain.questions.evenness.flywheel import FlywheelSize
 from cranktrain.questions.motion.pistons import PistonSpeeds
 from cranktrain.questions.motion.rockers import RockerMotion
@@ -99,6 +101,15 @@ def test_dataset(v12):
     }
     assert data["crank_angle"].attrs["units"] == "deg"
     assert "design" not in data.dims
+
+
+def test_dataset_without_its_package(monkeypatch):
+    monkeypatch.setitem(sys.modules, "xarray", None)
+    with pytest.raises(InputError) as found:
+        _ = ct.run("3d12", quantities="stroke").dataset
+    assert str(found.value) == (
+        "dataset: needs the package xarray; pip install 'cranktrain[dataset]', or take arrays by their names"
+    )
 
 
 def test_every_dimension_can_be_selected_by_its_name(v12):

@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import quad
 
 from cranktrain.numerics import integral_to, largest_between, subintervals
+from cranktrain.numerics.subintervals import interpolation
 
 CYCLE = 4 * np.pi
 GRID = np.arange(720) * (CYCLE / 720)
@@ -111,3 +112,13 @@ def test_integrals_between_breaks():
         ]
         expected = sum(parts) * (1.0 if end > cut.start[0] else -1.0)
         assert integral_to(cut, values, np.array([end]))[0] == pytest.approx(expected, abs=1e-11)
+
+
+@pytest.mark.parametrize("n_nodes", [3, 6, 15])
+def test_interpolation_is_that_of_the_polynomial_at_its_points_too(n_nodes):
+    node = np.polynomial.legendre.leggauss(n_nodes)[0]
+    ways = np.concatenate([node, [-1.0, -0.123, 1.0, np.nextafter(node[0], 1.0)]])
+    np.testing.assert_allclose(interpolation(node, n_nodes), np.eye(n_nodes), rtol=0, atol=1e-250)
+    powers = np.arange(n_nodes)
+    found = np.sum(interpolation(ways, n_nodes)[:, np.newaxis] * (node ** powers[:, np.newaxis]), axis=-1)
+    np.testing.assert_allclose(found, ways[:, np.newaxis] ** powers, rtol=0, atol=1e-14)

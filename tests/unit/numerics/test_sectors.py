@@ -1,5 +1,7 @@
 """A vector's size by its direction: closed forms, fine grids, and what points along an edge."""
 
+import itertools
+
 import numpy as np
 import pytest
 
@@ -61,7 +63,7 @@ def test_against_a_fine_grid(seed):
     # At every crossing the grid puts up to one of its steps on the wrong side.
     assert np.max(np.abs(within - expected)) <= 8 * np.max(np.hypot(x, y)) * 4 * np.pi / n
     # Where a vector comes near to nothing its size nearly has a kink.
-    np.testing.assert_allclose(np.sum(within + along), np.sum(expected), rtol=1e-7)
+    np.testing.assert_allclose(np.sum(within + along), np.sum(expected), rtol=1e-9)
 
 
 def test_what_turns_back_just_beyond_an_edge_is_found():
@@ -72,7 +74,7 @@ def test_what_turns_back_just_beyond_an_edge_is_found():
     for beyond in (0.2, 0.01, 1e-3, 1e-4):
         direction = 0.1 * (np.cos(CUT.angle - 1.0) - 1 + beyond)
         within, _along = of(np.cos(direction), np.sin(direction))
-        assert within[0] == pytest.approx(2 * np.arccos(1 - beyond), abs=1e-4)
+        assert within[0] == pytest.approx(2 * np.arccos(1 - beyond), abs=1e-7)
 
 
 def test_what_is_not_known_stays_so():
@@ -87,12 +89,43 @@ def test_what_is_nothing_is_on_no_ray():
     assert not np.any(within) and not np.any(along)
 
 
-def test_what_turns_round_through_nothing_points_nowhere_between():
-    """cos φ along one line: half the time one way, half the other; the integral of its size is 4 over a turn."""
+@pytest.mark.parametrize("start", [np.pi / 2, np.pi / 2 + np.pi / 18, np.pi / 2 + 0.123])
+def test_what_turns_round_through_nothing_points_nowhere_between(start):
+    """cos φ along one line: half the time one way, half the other; the integral of its size is 4 over a turn.
+
+    Where it is nothing is the end of a panel, its middle, and neither.
+    """
+    cut = subintervals(np.array([start]), np.pi / 9, 2 * np.pi)
     for direction in (0.0, np.pi / 2, np.pi / 18):
-        size = np.cos(CUT.angle)
-        within, along = of(size * np.cos(direction), size * np.sin(direction))
+        size = np.cos(cut.angle)
+        within, along = of(size * np.cos(direction), size * np.sin(direction), cut)
         edge = round(direction * 18 / np.pi)
         np.testing.assert_allclose(along[[edge, edge + 18]], 2.0, rtol=1e-9)
         np.testing.assert_allclose(np.delete(along, [edge, edge + 18]), 0.0, atol=1e-12)
         np.testing.assert_allclose(within, 0.0, atol=1e-12)
+
+
+def parabola(t, aside, bend, turned):
+    """Runs along x and passes nothing at t = 0 by some distance aside; turned about nothing."""
+    return (t + 1j * (aside + bend * t * t)) * np.exp(1j * turned)
+
+
+@pytest.mark.parametrize("aside", [0.0, *(sign * 10.0**n for n in (-13, -9, -6, -4, -2, -1, -0.3) for sign in (1, -1))])
+@pytest.mark.parametrize("place", [0.0, 0.05, 0.111])
+def test_what_passes_nothing_by_a_hair_turns_back_on_both_sides(aside, place):
+    """Where a parabola crosses an edge is a quadratic's root, and between them its size is integrated at 400 points."""
+    bend, turned, reach = 2.5, 0.3, 0.5
+    cut = subintervals(np.array([0.0]), np.pi / 9, 2 * reach)
+    vector = parabola(cut.angle - reach - place, aside, bend, turned)
+    within, _along = of(vector.real, vector.imag, cut)
+    lines = np.tan(np.arange(18) * np.pi / 18 - turned)
+    ends = [-reach - place, 0.0, reach - place]
+    marks = np.sort([*ends, *(t.real for slope in lines for t in np.roots([bend, -slope, aside]) if t.imag == 0)])
+    marks = marks[(marks >= ends[0]) & (marks <= ends[2])]
+    node, weight = np.polynomial.legendre.leggauss(400)
+    expected = np.zeros(36)
+    for low, high in itertools.pairwise(marks):
+        middle = np.angle(parabola((low + high) / 2, aside, bend, turned))
+        sizes = np.abs(parabola(low + (high - low) * (node + 1) / 2, aside, bend, turned))
+        expected[int(np.floor(middle * 18 / np.pi)) % 36] += (high - low) / 2 * np.sum(weight * sizes)
+    np.testing.assert_allclose(within, expected, rtol=0, atol=1e-8 * np.sum(expected))

@@ -10,6 +10,7 @@ from cranktrain.fluids.indicator.curve import CubicCurve, along, curve_at, splin
 from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.fluids.indicator.limited import limited_curve
 from cranktrain.motion import Array
+from cranktrain.numerics.products import product
 from cranktrain.record import record
 
 Interpolation: TypeAlias = Literal["limited", "spline"]
@@ -106,7 +107,7 @@ def diagram_work(diagram: Diagram, volume_slope: Callable[[Array], Array]) -> fl
         chosen = np.arange(first, min(first + _AT_ONCE, len(curve.places)))[:, np.newaxis]
         share = (1 + nodes) / 2
         power = along(curve, chosen, share) * volume_slope(curve.places[chosen] + share * curve.steps[chosen])
-        work += float(np.sum(power @ weights * curve.steps[chosen[:, 0]] / 2))
+        work += float(np.sum(product(power, weights) * curve.steps[chosen[:, 0]] / 2))
     return work
 
 

@@ -55,17 +55,17 @@ class CyclePoints:
         weight = np.reshape(self.weight, (len(values), *(1,) * (values.ndim - 2), -1))
         return np.sum(values * weight, axis=-1) / self.cycle
 
-    def wear(self, first: Array, second: Array) -> Wear:
-        """Wear by loads of which the points have both parts, shape (design, ..., point); rays count from the first."""
-        n_points = first.shape[-1]
-        x, y = (part.reshape(len(part), -1, n_points) for part in (first, second))
+    def wear(self, *loads: Sequence[Array]) -> list[Wear]:
+        """Wear by loads, by both parts at the points, (design, ..., point); rays count from the first part."""
+        first, second = (np.stack(parts, axis=1) for parts in zip(*loads, strict=True))
+        x, y = (part.reshape(len(part), -1, part.shape[-1]) for part in (first, second))
         found = [
             size_by_sector(cut, x[i, :, : cut.angle.size], y[i, :, : cut.angle.size], N_RAYS)
             for i, cut in enumerate(self.cuts)
         ]
         whole = Sectors(*(np.stack(part) for part in zip(*found, strict=True)))
         rays = wear_of(whole, self.cycle).reshape(*first.shape[:-1], N_RAYS)
-        return Wear(rays, oil_hole(rays))
+        return [Wear(own, oil_hole(own)) for own in np.moveaxis(rays, 1, 0)]
 
 
 def cycle_points(loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle) -> CyclePoints:

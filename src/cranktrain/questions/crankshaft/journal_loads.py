@@ -91,8 +91,7 @@ def journal_wear(loaded: LoadedShafts, between: BearingsBetweenEvents, points: C
     """
     x, y = np.moveaxis(between.load, 3, 0)
     directions, senses = _axes(loaded, between.acting)
-    journal = points.wear(*in_turning_axes(x, y, directions, senses))
-    bearing = points.wear(y, -senses * x)
+    journal, bearing = points.wear(in_turning_axes(x, y, directions, senses), (y, -senses * x))
     return JournalWear(*journal, *bearing)
 
 

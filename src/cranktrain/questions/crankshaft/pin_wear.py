@@ -67,7 +67,7 @@ def crank_pin_wear(loaded: LoadedMachine, points: CyclePoints) -> CrankPinWear:
             put(RodBearingLoad(*shells), batch.index, rod_bearing_load(on_rod, one.motion.rod))
     radial, tangential = pins
     # The rod presses the pin where its load comes from, and its own bearing where the pin's load on it goes to.
-    pin, shell = points.wear(radial, -tangential), points.wear(*shells)
+    pin, shell = points.wear((radial, -tangential), tuple(shells))
     return CrankPinWear(
         mean_crankpin_load=points.mean(np.hypot(radial, tangential)),
         crankpin_wear=pin.rays,

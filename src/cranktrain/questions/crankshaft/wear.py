@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.products import product
 from cranktrain.numerics.sectors import Sectors
 from cranktrain.numerics.ties import first_largest_along
 
@@ -18,8 +19,8 @@ _REACH = np.pi / 3
 """How far to either side of its line a load acts. [rad]"""
 _ON_EDGE = 1e-9
 """So near to the end of a load's reach a ray is still within. [rad]"""
-_ALIKE = 1e-9
-"""Sums that differ by less, in parts of the largest, are one."""
+_ALIKE = 1e-7
+"""Sums that differ by less, in parts of the largest, are one: they are exact to some 1e-8 of it."""
 
 
 def wear_sums(direction: Array, size: Array, rays: Array = RAYS) -> Array:
@@ -46,9 +47,7 @@ def wear_sums(direction: Array, size: Array, rays: Array = RAYS) -> Array:
     >>> wear_sums(np.radians([0.0, 90.0]), np.array([3.0, 4.0]), np.radians([0.0, 60.0, 75.0, 180.0])).tolist()
     [3.0, 7.0, 4.0, 0.0]
     """
-    apart = direction[:, np.newaxis] - rays
-    is_within = np.cos(apart) >= np.cos(_REACH + _ON_EDGE)
-    return size @ is_within.astype(float)
+    return product(size, _reach(direction, rays))
 
 
 def wear_of(sectors: Sectors, cycle: float) -> Array:
@@ -65,9 +64,7 @@ def wear_of(sectors: Sectors, cycle: float) -> Array:
     -----
     A load that points between two rays is on the same rays wherever between them: 60° is a multiple of their distance.
     """
-    middles = RAYS + np.pi / N_RAYS
-    directions = np.concatenate([middles, RAYS])
-    return wear_sums(directions, np.concatenate([sectors.within, sectors.along], axis=-1)) / cycle
+    return product(np.concatenate([sectors.within, sectors.along], axis=-1), _OF_SECTORS) / cycle
 
 
 def oil_hole(wear: Array) -> Array:
@@ -104,5 +101,15 @@ def _widths(is_least: NDArray[np.bool_]) -> NDArray[np.intp]:
     """How many rays follow each other from each that begins a sector, shape (..., ray); 0 for others."""
     n_rays = is_least.shape[-1]
     begins = is_least & ~np.roll(is_least, 1, axis=-1)
-    ahead = np.stack([np.roll(is_least, -k, axis=-1) for k in range(n_rays)])
-    return np.where(begins, np.sum(np.cumprod(ahead, axis=0), axis=0), 0)
+    ray = np.arange(n_rays, dtype=np.intp)
+    place: NDArray[np.intp] = (ray[:, np.newaxis] + ray) % n_rays
+    return np.where(begins, np.argmin(is_least[..., place], axis=-1), 0)
+
+
+def _reach(direction: Array, rays: Array) -> Array:
+    """1 for each ray on which a load of each direction is, else 0, shape (load, ray)."""
+    return (np.cos(direction[:, np.newaxis] - rays) >= np.cos(_REACH + _ON_EDGE)).astype(np.float64)
+
+
+_OF_SECTORS = _reach(np.concatenate([RAYS + np.pi / N_RAYS, RAYS]), RAYS)
+"""On which of `RAYS` a load is that points between two of them, and along one."""

@@ -6,6 +6,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.numerics.products import product
 from cranktrain.questions.drive.running.reduced import (
     AMBIENT,
     AT,
@@ -155,7 +156,7 @@ def _extreme_volume(machine: ReducedMachine, which: int, sign: float) -> float:
     """Largest (1) or smallest (−1) value of a coefficient over the turn."""
     own = _apart(machine)[:, which]
     places = np.linspace(-1.0, 1.0, 33)
-    samples = sign * own @ np.vander(places, DEGREE + 1, increasing=True).T
+    samples = sign * product(own, np.vander(places, DEGREE + 1, increasing=True).T)
     piece, place = np.unravel_index(np.argmax(samples), samples.shape)
     curve = np.polynomial.Polynomial(own[piece])
     slope, x = curve.deriv(), float(places[place])

@@ -10,7 +10,7 @@ from cranktrain.questions.drive.running.gearing import overall_ratio, turning_in
 from cranktrain.questions.drive.steady_turn import DriveInTurn
 from cranktrain.questions.evenness.speed_law import Power
 
-_N_SPEEDS = 400
+_N_SPEEDS, _AT_ONCE = 400, 40
 _N_ANGLES = 96
 """At which the first guess of the speed looks: the cycle itself does not hang on them."""
 _SLOWEST, _BEYOND = 0.02, 1.3
@@ -25,7 +25,7 @@ class SpeedBalance(NamedTuple):
     Attributes
     ----------
     speeds : Array, shape (n,)
-        Rising. [rad/s]
+        Rising; from below the highest balance on, or all that were looked at where there is none. [rad/s]
     excess : Array, shape (n,)
         [N·m]
     """
@@ -68,8 +68,15 @@ def balance(turning: DriveInTurn, cycle: float) -> SpeedBalance:
 
 
 def _up_to(turning: DriveInTurn, top: float) -> SpeedBalance:
+    """Look from the highest speed down, some speeds at once, as far as a balance."""
     speeds = np.linspace(_SLOWEST, _BEYOND, _N_SPEEDS) * top
-    return SpeedBalance(speeds, _mean_work(turning, speeds))
+    excess = np.empty(0)
+    for first in range(_N_SPEEDS - _AT_ONCE, -1, -_AT_ONCE):
+        excess = np.append(_mean_work(turning, speeds[first : first + _AT_ONCE]), excess)
+        found = SpeedBalance(speeds[first:], excess)
+        if found.speed is not None:
+            return found
+    return SpeedBalance(speeds, excess)
 
 
 def _end(turning: DriveInTurn, first: float) -> float:

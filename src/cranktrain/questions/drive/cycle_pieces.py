@@ -6,6 +6,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 from cranktrain.motion import Array
+from cranktrain.numerics.products import product
 
 N_NODES = 12
 _WIDEST = 2 * np.pi / 48
@@ -32,7 +33,8 @@ NODES, INTEGRALS, _FITTED = _rule()
 
 def to_integrals(places: Array) -> Array:
     """From what is known at the nodes of a piece to its integrals up to places in 0…1, in parts of its width."""
-    return np.asarray(legendre.legvander(2 * places - 1, N_NODES), dtype=np.float64) @ _GROWN @ _FITTED / 2
+    powers = np.asarray(legendre.legvander(2 * places - 1, N_NODES), dtype=np.float64)
+    return product(product(powers, _GROWN), _FITTED) / 2
 
 
 def to_places(places: Array) -> Array:

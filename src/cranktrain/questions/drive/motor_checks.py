@@ -131,7 +131,12 @@ def mean_inertia(machine: ReducedMachine, cycle: float) -> float:
 
 
 def checked_motor(
-    at: MotorAtMachine, asked: AskedOfMotor, duty: DeclaredDuty, machine_design: int, held: float | None
+    at: MotorAtMachine,
+    asked: AskedOfMotor,
+    duty: DeclaredDuty,
+    machine_design: int,
+    held: float | None = None,
+    cycle: SpeedOverTurn | None = None,
 ) -> CheckedMotor:
     """Check one motor.
 
@@ -142,8 +147,10 @@ def checked_motor(
     duty : DeclaredDuty
     machine_design : int
         Of the duty.
-    held : float or None
+    held : float, optional
         Speed of the crank that a servo motor holds. [rad/s]
+    cycle : SpeedOverTurn, optional
+        The steady cycle with this motor, where it is known.
 
     Notes
     -----
@@ -152,7 +159,10 @@ def checked_motor(
     """
     own = int(machine_design)
     limits = motor_limits(at.motor, at.design, float(duty.reserve[own]))
-    turning, found = settled(at.turning(), at.machines, held)
+    if cycle is None:
+        turning, found = settled(at.turning(), at.machines, held)
+    else:
+        turning, found = at.turning().at(cycle.mesh.nodes), cycle
     rms, peak, of_peak, of_speed = _cycle_shares(at, turning, found, limits)
     begun = line_start(at.motor, at.design, limits, _known(at.rotor) + asked.inertia, asked.running_torque)
     time, heat = float(begun.time), float(begun.rotor_heat)

@@ -37,6 +37,7 @@ from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.questions.drive.sizing.checks import TorqueDemand, motor_choice
 from cranktrain.questions.drive.static_torques import StaticTorques
+from cranktrain.questions.drive.steady_drive import SteadyDrive
 from cranktrain.questions.drive.unloaded import starting_torques, with_open_valves, without_loads
 from cranktrain.record import record
 from cranktrain.wording import Names, number
@@ -131,6 +132,7 @@ def motor_sizing(
     motor: DeclaredMotor | None,
     clutch: DeclaredClutch | None,
     speed: Speed | None,
+    steady: SteadyDrive | None,
 ) -> MotorSizing:
     """Check the declared motor, and find the smallest typical one that passes the same checks.
 
@@ -149,10 +151,13 @@ def motor_sizing(
     for design, gearing in enumerate(drive.gearings):
         is_asked_torque = float(static.mean_static_torque[design, 0]) > 0
         one = sized_design(design, gearing, machines, static, motor=motor, duty=duty, clutch=clutch)
-        own = UNCHECKED if motor is None else checked_motor(_declared(one, motor, design), *one[2:], held[design])
+        cycle = None if steady is None else steady.running[design]
+        own = (
+            UNCHECKED if motor is None else checked_motor(_declared(one, motor, design), *one[2:], held[design], cycle)
+        )
         reason = _other_pace(gearing, motor, design, held[design]) if is_asked_torque else ""
         places = (-1, -1) if reason or not is_asked_torque else None
-        found, places = ((UNCHECKED,) * 2, (-1, -1)) if places else _smallest(one)
+        found, places = ((UNCHECKED,) * 2, (-1, -1)) if places else _smallest(one, own)
         if duty.is_asked and reason:
             flags.append(reason)
         rows.append((own, *found))
@@ -265,18 +270,23 @@ def _rated(motor: DeclaredMotor | None, place: int) -> tuple[float, float]:
     return float(motor.rating.power[place]), float(motor.rating.torque[place])
 
 
-def _smallest(one: SizedDesign) -> tuple[tuple[CheckedMotor, CheckedMotor], tuple[int, int]]:
-    """Smallest typical motor that passes and the next smaller one; the largest as the latter where none is enough."""
+def _smallest(one: SizedDesign, own: CheckedMotor) -> tuple[tuple[CheckedMotor, CheckedMotor], tuple[int, int]]:
+    """Smallest typical motor that passes and the next smaller one; the largest as the latter where none is enough.
+
+    Looked for from the one that would do with the torques of the declared motor on.
+    """
     motors = typical_motors()
     n = motors.n_designs
 
     @cache
     def checked(place: int) -> CheckedMotor:
         alone = one.with_motor(motor_alone(motors, place), 0)
-        return checked_motor(alone, one.asked, one.duty, one.design, None)
+        return checked_motor(alone, one.asked, one.duty, one.design)
 
     worst = np.asarray(max(one.asked.worst_torque, 0.0))
-    first = motor_choice(TorqueDemand(worst / 2, worst, worst), four_pole_motors(), float(one.duty.reserve[one.design]))
+    rms = np.fmax(worst / 2, own.rms / one.duty.factor[one.design])
+    demand = TorqueDemand(rms, np.fmax(worst, own.peak), worst)
+    first = motor_choice(demand, four_pole_motors(), float(one.duty.reserve[one.design]))
     place = int(first.motor) if first.motor >= 0 else n - 1
     while place > 0 and not checked(place).largest > 1:
         place -= 1

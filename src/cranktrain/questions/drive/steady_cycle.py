@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.products import product
 from cranktrain.numerics.roots import bracketed_roots
 from cranktrain.questions.drive.cycle_pieces import N_NODES, CyclePieces, to_integrals
 from cranktrain.record import record
@@ -63,7 +64,7 @@ class SpeedOverTurn:
     def grown(self, integrals: Array) -> Array:
         """ω²/2 less the base at places of every piece, by `to_integrals`, shape (piece, place). [rad²/s²]"""
         slopes = self.acceleration.reshape(-1, N_NODES)
-        return self.at_start[:, np.newaxis] + self.mesh.width[:, np.newaxis] * (slopes @ integrals.T)
+        return self.at_start[:, np.newaxis] + self.mesh.width[:, np.newaxis] * product(slopes, integrals.T)
 
     def in_piece(self, piece: NDArray[np.intp], place: Array) -> Array:
         """ω²/2 less the base at a place 0…1 of a piece, shapes (n,). [rad²/s²]"""

@@ -1,10 +1,15 @@
 """The rule of ±60°, and where an oil hole goes."""
 
+import sys
+
 import numpy as np
 import pytest
 
+import cranktrain as ct
+from cranktrain.numerics import one_way_steps, sectors
 from cranktrain.numerics.sectors import size_by_sector
 from cranktrain.numerics.subintervals import subintervals
+from cranktrain.questions.crankshaft.cycle_points import CyclePoints
 from cranktrain.questions.crankshaft.turning_axes import in_turning_axes
 from cranktrain.questions.crankshaft.wear import RAYS, oil_hole, wear_of, wear_sums
 
@@ -66,3 +71,33 @@ def test_turning_axes():
     assert (along[0], across[0]) == (1.0, 2.0)
     along, across = in_turning_axes(np.array([-1.0]), np.array([-2.0]), np.array([np.pi]), 1.0)
     np.testing.assert_allclose([along[0], across[0]], [1.0, 2.0], atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("name", "n_stages"), [("3d12", 2), ("kamaz_740", 2), ("mill_engine", 2), ("burning_cylinder", 1)]
+)
+def test_wear_takes_few_points_beside_those_that_means_take(monkeypatch, name, n_stages):
+    """Pins with shells, journals with bearings; at most four times as many points as the loads have, roots and all."""
+    cycle_points, given, tried = sys.modules[CyclePoints.__module__], [], []
+
+    def counted_sectors(of, x, y, n):
+        given.append(np.count_nonzero(np.isfinite(x)))
+        return size_by_sector(of, x, y, n)
+
+    def counted(own):
+        def one_more(powers, way):
+            tried.append(way.size)
+            return own(powers, way)
+
+        return one_more
+
+    monkeypatch.setattr(cycle_points, "size_by_sector", counted_sectors)
+    for module, helper in (
+        (sectors, "polynomial_value"),
+        (one_way_steps, "polynomial_value"),
+        (one_way_steps, "polynomial"),
+    ):
+        monkeypatch.setattr(module, helper, counted(getattr(module, helper)))
+    ct.run(name)
+    assert len(given) == n_stages
+    assert sum(tried) <= 4 * sum(given)

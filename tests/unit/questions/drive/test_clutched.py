@@ -21,6 +21,7 @@ from cranktrain.questions.drive.clutched.equation import (
 from cranktrain.questions.drive.clutched.runs import (
     ANGLE_PASSED,
     AT_STAND,
+    COMMAND,
     LOCKED,
     LOOSE,
     NOTHING_MOVES,
@@ -280,6 +281,14 @@ class TestStroke:
     def test_speed_drops(self):
         assert 0 < self.found.pressing_drop < self.found.speed_drop < 0.15
 
+    def test_drop_in_pressing_is_of_all_times(self):
+        """Not of the ends of steps alone: as seen at a hundred thousand times between locking and the command."""
+        run = self.found.run
+        locked, command = (run.of_kind(kind)[0].moment.time for kind in (LOCKED, COMMAND))
+        speeds = run.at(np.linspace(locked, command, 100_000))[:, WHEEL]
+        drop = np.max(np.maximum.accumulate(speeds) - speeds)
+        assert self.found.pressing_drop * IDLE == pytest.approx(drop, rel=1e-5)
+
     def test_recovery_by_quadrature(self):
         """With the crank at rest: t = J ∫dω/M of the motor alone."""
         speeds = np.linspace(self.found.run.end.state[WHEEL], 0.99 * IDLE, 20001)
@@ -467,6 +476,25 @@ def stroke_of_speed(speed, end_time):
 
 def settled_at(period, press=PRESS, idle=IDLE):
     return settled_stroke(KERNELS, press, PLAN, period=period, idle_speed=idle)
+
+
+def test_how_often_machine_and_motor_are_asked():
+    """In six trials, each a stroke and a pause; by half as often again the search would have lost its way."""
+    asked = {"machine": 0, "motor": 0}
+
+    def machine(*given):
+        asked["machine"] += 1
+        return KERNELS.machine(*given)
+
+    def motor(*given):
+        asked["motor"] += 1
+        return KERNELS.motor(*given)
+
+    plan = PLAN._replace(command_angle=math.inf)
+    counting = Kernels(machine, motor, no_heat, no_brake)
+    assert settled_stroke(counting, PRESS, plan, period=2.0, idle_speed=IDLE).is_found
+    assert asked["machine"] < 8000
+    assert asked["motor"] < 10_000
 
 
 @pytest.mark.parametrize("period", [600.0, 6e6, 6e10])

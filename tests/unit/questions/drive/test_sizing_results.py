@@ -7,6 +7,7 @@ from scipy.optimize import brentq
 
 import cranktrain as ct
 from cranktrain.questions.drive.flywheel_sizing import DriveFlywheel, least_inertia
+from cranktrain.questions.drive.motor_sizing import MotorSizing, SizedDesign
 from cranktrain.questions.drive.rows import flywheel_rows
 
 STAGE = [{"ratio": 40, "efficiency": 0.846}]
@@ -124,6 +125,22 @@ def test_flywheel_of_a_motor_that_stalls_without(wanted, closeness):
 
     assert largest(1 + closeness) <= wanted
     assert not largest(1 - closeness) <= wanted
+
+
+@pytest.mark.parametrize(("name", "n_motors"), [("high_slip_press", 3), ("jaw_crusher", 3), ("shears", 6)])
+def test_how_many_motors_are_checked(name, n_motors, monkeypatch):
+    """The declared one, the one that is enough, the next smaller, and few on the way to them."""
+    checked = []
+    with_motor = SizedDesign.with_motor
+
+    def counting(one, motor, place):
+        checked.append(place)
+        return with_motor(one, motor, place)
+
+    monkeypatch.setattr(SizedDesign, "with_motor", counting)
+    sized = ct.run(name)[MotorSizing]
+    assert np.isfinite(sized.largest_share[0, 1:]).all()
+    assert len(checked) == n_motors
 
 
 @pytest.mark.parametrize("stalls_below", [0.0, 3.0])

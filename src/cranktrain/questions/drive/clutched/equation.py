@@ -13,9 +13,13 @@ from cranktrain.questions.drive.running.gearing import NONE, Gearing, accelerati
 WHEEL, ANGLE, SPEED, MOTOR_WORK, LOAD_WORK, CLUTCH_HEAT, BRAKE_HEAT, LOST_WORK, MOTOR_HEAT = range(9)
 """Components of the state: speed of the flywheel, angle and speed of the crank, and what work became of since."""
 N_PRESS_STATE, N_PRESS_FED = 9, 3
+HANDED_ON = N_PRESS_STATE
+"""Where in a row of slopes the torque stands that the clutch hands on, beside them. [N·m]"""
+N_PRESS_ROW = N_PRESS_STATE + 1
 LINKS_DO_NOT_CLOSE, GEAR_HAS_NO_ANSWER = 1, 2
 """Why there is no acceleration."""
 _ROUNDING = 1e-12
+_HELD = (0.0, 0.0, 0.0, 0.0)
 
 
 class Press(NamedTuple):
@@ -154,7 +158,7 @@ def _braked(gearing: Gearing, stage: int, torque: float) -> Gearing:
 def press_form(kernels: Kernels) -> Derive:
     """Join the kernels to the slopes of the state by time; a sense of 0 is a crank that is held.
 
-    docs/theory/clutched-drive, eqs. (30.1), (30.2) and (30.8).
+    Beside the slopes it leaves what the clutch hands on. docs/theory/clutched-drive, eqs. (30.1), (30.2) and (30.8).
     """
     machine, motor, heat = kernels[:3]
 
@@ -162,7 +166,8 @@ def press_form(kernels: Kernels) -> Derive:
         press, phase = acting.press, acting.phase
         wheel, speed, since = state[0], state[2], time - phase.start
         angle = min(max(state[1], phase.low), phase.high)
-        inertia, first, load, _ = machine(angle, speed, sense, press.machine)
+        # beside a crank that is held the machine does nothing
+        inertia, first, load, _ = machine(angle, speed, sense, press.machine) if sense else _HELD
         at_motor = wheel * press.motor_ratio
         driving = motor(at_motor, time, press.motor)
         grip = phase.way * press.clutch.torque * (phase.clutch_level + phase.clutch_slope * since)
@@ -172,12 +177,13 @@ def press_form(kernels: Kernels) -> Derive:
         facing = load + 0.5 * first * speed * speed + on_crank * sense
         grown, taken, lost, count = 0.0, 0.0, 0.0, 0
         if phase.is_locked:
-            gearing = _braked(press.locked, len(press.before.ratio), on_clutch)
+            gearing = _braked(press.locked, len(press.before.ratio), on_clutch) if on_clutch else press.locked
             grown, taken, count = firm_acceleration(driving, sense, inertia, facing, gearing)
             slopes[0] = press.ratio * grown
             # what the brake takes is not the gears' loss
             lost = taken * speed - on_clutch * press.ratio * sense * speed
             slopes[5] = 0.0
+            slopes[HANDED_ON] = needed_torque(grown, sense, inertia, facing, press.behind) + on_clutch * sense
         else:
             slopes[0], taken, count = firm_acceleration(driving, 1.0, 0.0, grip, press.before)
             lost = taken * wheel
@@ -185,6 +191,7 @@ def press_form(kernels: Kernels) -> Derive:
                 grown, taken, count = firm_acceleration(grip - on_clutch * sense, sense, inertia, facing, press.behind)
                 lost += taken * speed
             slopes[5] = grip * (wheel - press.ratio * speed)
+            slopes[HANDED_ON] = grip
         slopes[1] = speed
         slopes[2] = grown
         slopes[3] = driving * at_motor

@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.drive.clutched.equation import N_PRESS_STATE, WHEEL
+from cranktrain.questions.drive.clutched.equation import N_PRESS_ROW, N_PRESS_STATE, WHEEL
 from cranktrain.questions.drive.clutched.phases import Ahead
 from cranktrain.questions.drive.clutched.step import Derive
 
@@ -33,7 +33,7 @@ def idle_slopes(derive: Derive, ahead: Ahead, time: float, state: Array, closene
     phase, width = ahead.acting.phase, ahead.until - time
     if ahead.sense != 0 or phase.is_locked or phase.clutch_slope != 0 or not 0 < width < np.inf:
         return None
-    now, slopes, others = state.tolist(), [0.0] * N_PRESS_STATE, [0.0] * N_PRESS_STATE
+    now, slopes, others = state.tolist(), [0.0] * N_PRESS_ROW, [0.0] * N_PRESS_ROW
     aside = _ASIDE * abs(now[WHEEL])
     beside = [now[WHEEL] + aside, *now[1:]]
     if derive(time, now, slopes, 0.0, ahead.acting) or derive(time, beside, others, 0.0, ahead.acting):
@@ -41,9 +41,12 @@ def idle_slopes(derive: Derive, ahead: Ahead, time: float, state: Array, closene
     pull = slopes[WHEEL] - others[WHEEL]
     if not (pull > 0 and abs(slopes[WHEEL]) * aside <= closeness * pull):
         return None
-    off = slopes[WHEEL] * aside / pull
-    now[WHEEL] += off
+    # twice: what is left of the way there would count over a long pause
+    for _ in range(2):
+        now[WHEEL] += slopes[WHEEL] * aside / pull
+        if derive(time, now, slopes, 0.0, ahead.acting):
+            return None
     # what depends on the time, as a starter does, may pull elsewhere at the end
-    if derive(time, now, slopes, 0.0, ahead.acting) or derive(ahead.until, now, others, 0.0, ahead.acting):
+    if derive(ahead.until, now, others, 0.0, ahead.acting) or others != slopes:
         return None
-    return np.array([off / width, *slopes[1:]]) if others == slopes else None
+    return np.array([(now[WHEEL] - state[WHEEL]) / width, *slopes[1:N_PRESS_STATE]])

@@ -1,47 +1,33 @@
 """Which way things go on from an instant: clutch locked or slipping, crank held or moving."""
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 from cranktrain.questions.drive.clutched.equation import (
-    ANGLE,
-    N_PRESS_STATE,
-    SPEED,
+    HANDED_ON,
+    N_PRESS_ROW,
     ActingPress,
     PressPhase,
     firm_acceleration,
-    needed_torque,
 )
 from cranktrain.questions.drive.clutched.step import Derive
 from cranktrain.questions.drive.running.equation import Kernels
 
 _LOOKS = 64
-_HALVINGS = 80
 
 
-def transmitted(derive: Derive, kernels: Kernels, time: float, state: Any, sense: float, acting: ActingPress) -> float:
-    """Torque that a locked clutch hands on to what it drives. [N·m] docs/theory/clutched-drive, eq. (30.4)."""
-    press, phase, slopes = acting.press, acting.phase, [0.0] * N_PRESS_STATE
-    derive(time, state, slopes, sense, acting)
-    angle, speed = min(max(float(state[ANGLE]), phase.low), phase.high), float(state[SPEED])
-    inertia, first, load, _ = kernels.machine(angle, speed, sense, press.machine)
-    drag = press.brake.torque * (phase.brake_level + phase.brake_slope * (time - phase.start)) * sense
-    on_crank = drag * press.brake_on_crank
-    facing = load + 0.5 * first * speed * speed + on_crank
-    return float(needed_torque(slopes[SPEED], sense, inertia, facing, press.behind)) + drag - on_crank
+def static_margin(time: float, handed_on: float, acting: ActingPress) -> float:
+    """By how much a locked clutch could hand on more than it does; below 0 it breaks loose. [N·m]
 
-
-def static_margin(
-    derive: Derive, kernels: Kernels, time: float, state: Any, sense: float, acting: ActingPress
-) -> float:
-    """By how much a locked clutch could hand on more than it does; below 0 it breaks loose. [N·m]"""
+    docs/theory/clutched-drive, eq. (30.4).
+    """
     phase = acting.phase
     level = phase.clutch_level + phase.clutch_slope * (time - phase.start)
-    return acting.press.clutch.static_torque * level - abs(transmitted(derive, kernels, time, state, sense, acting))
+    return acting.press.clutch.static_torque * level - abs(handed_on)
 
 
 def locked_or_slipping(
-    derive: Derive, kernels: Kernels, time: float, state: Any, sense: float, acting: ActingPress, *, must_slip: bool
+    derive: Derive, time: float, state: Any, sense: float, acting: ActingPress, *, must_slip: bool
 ) -> PressPhase:
     """Phase of a clutch whose sides turn alike: locked, or slipping the way that it is driven beyond what it holds.
 
@@ -49,19 +35,33 @@ def locked_or_slipping(
     """
     press, phase = acting.press, acting.phase
     locked = phase._replace(is_locked=True)
-    trial = ActingPress(press, locked)
-    if not must_slip and static_margin(derive, kernels, time, state, sense, trial) >= 0:
+    trial, slopes = ActingPress(press, locked), [0.0] * N_PRESS_ROW
+    derive(time, state, slopes, sense, trial)
+    if not must_slip and static_margin(time, slopes[HANDED_ON], trial) >= 0:
         return locked
-    way = math.copysign(1.0, transmitted(derive, kernels, time, state, sense, trial))
-    return phase._replace(is_locked=False, way=way)
+    return phase._replace(is_locked=False, way=math.copysign(1.0, slopes[HANDED_ON]))
 
 
-def urge(kernels: Kernels, time: float, angle: float, sense: float, acting: ActingPress) -> float:
+class AtRest(NamedTuple):
+    """What a crank at rest that is to set off in a sense would have to move: inertia and load. [kg·m², N·m]"""
+
+    sense: float
+    inertia: float
+    load: float
+
+
+def both_ways(kernels: Kernels, angle: float, acting: ActingPress) -> tuple[AtRest, AtRest]:
+    """Forward and back."""
+    at = min(max(angle, acting.phase.low), acting.phase.high)
+    forward, back = (kernels.machine(at, 0.0, sense, acting.press.machine) for sense in (1.0, -1.0))
+    return AtRest(1.0, forward[0], forward[2]), AtRest(-1.0, back[0], back[2])
+
+
+def urge(time: float, at_rest: AtRest, acting: ActingPress) -> float:
     """Acceleration in a sense of a crank at rest, against what the brake holds; below 0 it stays. [rad/s²]"""
-    press, phase = acting.press, acting.phase
+    press, phase = acting
+    sense, inertia, load = at_rest
     since = time - phase.start
-    at = min(max(angle, phase.low), phase.high)
-    inertia, _, load, _ = kernels.machine(at, 0.0, sense, press.machine)
     grip = phase.way * press.clutch.torque * (phase.clutch_level + phase.clutch_slope * since)
     hold = press.brake.static_torque * (phase.brake_level + phase.brake_slope * since) * sense
     on_crank = hold * press.brake_on_crank
@@ -69,22 +69,23 @@ def urge(kernels: Kernels, time: float, angle: float, sense: float, acting: Acti
     return grown * sense if count == 0 else -math.inf
 
 
-def sense_from_rest(kernels: Kernels, time: float, angle: float, acting: ActingPress) -> float:
+def sense_from_rest(time: float, ways: tuple[AtRest, AtRest], acting: ActingPress) -> float:
     """Which way a crank at rest sets off: 1 forward, −1 back, 0 held. docs/theory/clutched-drive, eq. (30.5)."""
-    return next((sense for sense in (1.0, -1.0) if urge(kernels, time, angle, sense, acting) > 0), 0.0)
+    return next((way.sense for way in ways if urge(time, way, acting) > 0), 0.0)
 
 
-def set_off_at(kernels: Kernels, time: float, until: float, angle: float, acting: ActingPress) -> float:
+def set_off_at(time: float, until: float, ways: tuple[AtRest, AtRest], acting: ActingPress) -> float:
     """When a crank that is held sets off, infinite if not before `until`; the courses are lines up to there. [s]"""
-    if not math.isfinite(until):
+    n_changing = (acting.phase.clutch_slope != 0) + (acting.phase.brake_slope != 0)
+    if not math.isfinite(until) or not n_changing:
         return math.inf
-    before = time
-    for look in range(1, _LOOKS + 1):
-        at = time + (until - time) * look / _LOOKS
-        if sense_from_rest(kernels, at, angle, acting) != 0:
-            for _ in range(_HALVINGS):
-                middle = 0.5 * (before + at)
-                if sense_from_rest(kernels, middle, angle, acting) != 0:
+    # if one of them alone changes, what urges the crank either way only grows or only falls
+    n_looks, before = 1 if n_changing == 1 else _LOOKS, time
+    for look in range(1, n_looks + 1):
+        at = time + (until - time) * look / n_looks
+        if sense_from_rest(at, ways, acting) != 0:
+            while before < (middle := 0.5 * (before + at)) < at:
+                if sense_from_rest(middle, ways, acting) != 0:
                     at = middle
                 else:
                     before = middle

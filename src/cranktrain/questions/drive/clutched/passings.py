@@ -1,5 +1,6 @@
 """Where in a step something falls through 0: no event is stepped over."""
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -13,6 +14,8 @@ LOOKS = np.linspace(0.0, 1.0, 17)
 FEW_LOOKS = np.linspace(0.0, 1.0, 5)
 """For what takes long to look at, and is as smooth as the step."""
 _MOST_TRIALS = 100
+_LOOK_BACK = 4
+"""After so many trials the bracket is to be half as wide."""
 _MOST_HALVINGS = 40
 
 
@@ -65,9 +68,8 @@ def first_fall(
     return float(parts[above[-1]] if len(above) else 0.0), float(parts[last])
 
 
-def least_within(curve: Callable[[Array], Array]) -> float:
+def least_within(values: Array) -> float:
     """Least value of a smooth curve over a step, by a parabola about the least of its looks."""
-    values = curve(LOOKS)
     at = int(np.argmin(values))
     if at in (0, len(values) - 1):
         return float(values[at])
@@ -76,10 +78,11 @@ def least_within(curve: Callable[[Array], Array]) -> float:
     return float(middle - 0.125 * (left - right) ** 2 / bend) if bend > 0 else float(middle)
 
 
-def fallen_at(curve: Callable[[float], float], low: float, high: float) -> float:
+def fallen_at(curve: Callable[[float], float], low: float, high: float, rounding: float = 0.0) -> float:
     """Where a curve, above 0 at `low` and below at `high`, passes 0: where it is not above any more, to rounding.
 
-    By false position with the weight of the end that stays halved (Illinois), and by halving where that is slow.
+    Of the place or of the curve: below 0 by no more than `rounding` will do. By false position with the weight of an
+    end that stays twice halved (Illinois), and by halving where that is slow.
     """
     value_low, value_high = curve(low), curve(high)
     if not value_low > 0:
@@ -89,16 +92,22 @@ def fallen_at(curve: Callable[[float], float], low: float, high: float) -> float
         if above is None:
             return low
         low, value_low = above, curve(above)
-    for trial in range(_MOST_TRIALS):
-        if high - low <= 4 * np.spacing(high):
+    stays, before = 0, high - low
+    for trial in range(1, _MOST_TRIALS):
+        if high - low <= 4 * math.ulp(high):
             break
-        at = 0.5 * (low + high) if trial % 4 == 3 else low + (high - low) * value_low / (value_low - value_high)
+        at = low + (high - low) * value_low / (value_low - value_high)
+        if trial % _LOOK_BACK == 0:
+            at = at if high - low < 0.5 * before else 0.5 * (low + high)
+            before = high - low
         at = at if low < at < high else 0.5 * (low + high)
         value = curve(at)
         if value > 0:
-            low, value_low, value_high = at, value, 0.5 * value_high
+            value_high *= 0.5 if stays > 0 else 1.0
+            low, value_low, stays = at, value, 1
         else:
-            high, value_high, value_low = at, value, 0.5 * value_low
-            if value == 0:
+            value_low *= 0.5 if stays < 0 else 1.0
+            high, value_high, stays = at, value, -1
+            if value >= -rounding:
                 break
     return high

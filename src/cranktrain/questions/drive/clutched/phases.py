@@ -14,7 +14,7 @@ from cranktrain.questions.drive.clutched.equation import (
     Press,
     PressPhase,
 )
-from cranktrain.questions.drive.clutched.modes import locked_or_slipping, sense_from_rest, set_off_at
+from cranktrain.questions.drive.clutched.modes import both_ways, locked_or_slipping, sense_from_rest, set_off_at
 from cranktrain.questions.drive.clutched.runs import (
     LOCKED,
     LOOSE,
@@ -68,7 +68,7 @@ def ahead_of(derive: Derive, kernels: Kernels, press: Press, now: Moment, plan: 
         return Ahead(acting, sense, until, (), _reason_of_time(now, is_gripping))
     happened: tuple[int, ...] = ()
     if acting.phase.way == 0 and sense != 0 and is_gripping:
-        phase = locked_or_slipping(derive, kernels, now.time, now.state, sense, acting, must_slip=must_slip)
+        phase = locked_or_slipping(derive, now.time, now.state, sense, acting, must_slip=must_slip)
         acting = ActingPress(press, phase)
     if acting.phase.is_locked != now.is_locked:
         happened = (LOCKED if acting.phase.is_locked else LOOSE,)
@@ -90,14 +90,14 @@ def _drawn(press: Press, now: Moment, plan: PressPlan) -> tuple[ActingPress, flo
 
 def _from_rest(kernels: Kernels, now: Moment, plan: PressPlan, begun: Ahead, is_gripping: bool) -> Ahead:
     """Set off, wait, or end."""
-    angle = float(now.state[ANGLE])
-    sense = sense_from_rest(kernels, now.time, angle, begun.acting)
+    ways = both_ways(kernels, float(now.state[ANGLE]), begun.acting)
+    sense = sense_from_rest(now.time, ways, begun.acting)
     if sense != 0:
         if now.is_stopping and not is_gripping and _is_final(now):
             return replace(begun, reason=SLIDES)
         return replace(begun, sense=sense, happened=(*begun.happened, OFF))
     courses_end = min(piece_from(course, now.time).end for course in (now.clutch, now.brake))
-    off = set_off_at(kernels, now.time, min(begun.until, courses_end), angle, begun.acting)
+    off = set_off_at(now.time, min(begun.until, courses_end), ways, begun.acting)
     if math.isfinite(off):
         return replace(begun, until=off)
     if not plan.ends_at_rest:

@@ -6,11 +6,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.drive.running.tableau import ERRORS as _ERRORS
+from cranktrain.questions.drive.running.tableau import ERRORS, NODES, WEIGHTS
 from cranktrain.questions.drive.running.tableau import INTERPOLANT as _INTERPOLANT
-from cranktrain.questions.drive.running.tableau import NODES, WEIGHTS
 
-ERRORS: Array = np.array(_ERRORS)
 INTERPOLANT: Array = np.array(_INTERPOLANT)
 _ROWS = tuple(enumerate(zip(NODES[1:], WEIGHTS, strict=True), start=1))
 
@@ -25,21 +23,30 @@ def no_slopes(n_state: int) -> Slopes:
 
 
 def take_step(
-    derive: Derive, x: float, width: float, state: list[float], slopes: Slopes, n_fed: int, sense: float, parts: Any
+    derive: Derive, x: float, width: float, state: list[float], slopes: Slopes, sense: float, parts: Any
 ) -> tuple[list[float], int]:
     """Go a step from `state`, whose slopes stand in row 0; slopes of all stages are left in `slopes`.
 
-    Only the first `n_fed` components feed back; the others are integrals along the way. Gives the state behind it, and
+    Only the first three components feed back; the others are integrals along the way. Gives the state behind it, and
     0, or the reason of the first stage that has no slopes.
     """
     trouble, ahead = 0, list(state)
     for stage, (node, weights) in _ROWS:
-        earlier = slopes[:stage]
-        for part in range(n_fed if stage < len(WEIGHTS) else len(state)):
-            total = 0.0
-            for weight, row in zip(weights, earlier, strict=True):
-                total += weight * row[part]
-            ahead[part] = state[part] + width * total
+        a, b, c = 0.0, 0.0, 0.0
+        for weight, row in zip(weights, slopes, strict=False):
+            a += weight * row[0]
+            b += weight * row[1]
+            c += weight * row[2]
+        ahead[0], ahead[1], ahead[2] = state[0] + width * a, state[1] + width * b, state[2] + width * c
         reason = derive(x + node * width, ahead, slopes[stage], sense, parts)
         trouble = trouble or reason
+    for part in range(3, len(state)):
+        ahead[part] = state[part] + width * sum(
+            weight * row[part] for weight, row in zip(WEIGHTS[-1], slopes, strict=False)
+        )
     return ahead, trouble
+
+
+def error_of(slopes: Slopes, width: float, part: int) -> float:
+    """Estimated error of one component of a step."""
+    return abs(width * sum(weight * row[part] for weight, row in zip(ERRORS, slopes, strict=True)))

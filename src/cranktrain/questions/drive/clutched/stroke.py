@@ -6,6 +6,7 @@ import numpy as np
 
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.drive.clutched.equation import ANGLE, BRAKE_HEAT, CLUTCH_HEAT, WHEEL, Press
+from cranktrain.questions.drive.clutched.passings import LOOKS, least_within, states_within
 from cranktrain.questions.drive.clutched.runs import (
     AT_STAND,
     COMMAND,
@@ -149,9 +150,15 @@ def _pressing_drop(run: PressRun) -> float:
     until = commands[0].moment.time if commands else run.end.time
     if not locks or locks[0].moment.time > until:
         return math.nan
-    behind = (run.times >= locks[0].moment.time) & (run.times <= until)
-    speeds = run.states[behind, WHEEL]
-    return float(np.max(np.maximum.accumulate(speeds) - speeds))
+    behind = (run.times[:-1] >= locks[0].moment.time) & (run.times[1:] <= until) & (np.diff(run.times) > 0)
+    highest = drop = -math.inf
+    for step in np.flatnonzero(behind):
+        width = run.times[step + 1] - run.times[step]
+        speeds = states_within(run.states[step], run.slopes[step], width, LOOKS)[:, WHEEL]
+        within = float(np.max(np.maximum.accumulate(speeds) - speeds))
+        drop = max(drop, within, highest - least_within(speeds))
+        highest = max(highest, -least_within(-speeds))
+    return drop if math.isfinite(drop) else 0.0
 
 
 def recovered(kernels: Kernels, press: Press, run: PressRun, plan: PressPlan, part: float, limit: float) -> float:

@@ -9,8 +9,9 @@ from cranktrain.motion import Array
 from cranktrain.questions.drive.clutched.courses import commanded
 from cranktrain.questions.drive.clutched.equation import (
     ANGLE,
+    HANDED_ON,
     LINKS_DO_NOT_CLOSE,
-    N_PRESS_FED,
+    N_PRESS_ROW,
     N_PRESS_STATE,
     SPEED,
     WHEEL,
@@ -19,7 +20,7 @@ from cranktrain.questions.drive.clutched.equation import (
 )
 from cranktrain.questions.drive.clutched.idling import idle_slopes
 from cranktrain.questions.drive.clutched.modes import static_margin
-from cranktrain.questions.drive.clutched.passings import least_within, states_within
+from cranktrain.questions.drive.clutched.passings import LOOKS, least_within, states_within
 from cranktrain.questions.drive.clutched.phases import Ahead, ahead_of
 from cranktrain.questions.drive.clutched.runs import (
     ALL_PASSED,
@@ -40,7 +41,7 @@ from cranktrain.questions.drive.clutched.runs import (
     PressRun,
     account,
 )
-from cranktrain.questions.drive.clutched.step import ERRORS, Slopes, no_slopes, take_step
+from cranktrain.questions.drive.clutched.step import Slopes, error_of, no_slopes, take_step
 from cranktrain.questions.drive.clutched.watches import (
     LOOSENS,
     MEETS,
@@ -56,9 +57,10 @@ from cranktrain.questions.drive.clutched.watches import (
     watches_of,
 )
 from cranktrain.questions.drive.running.equation import Kernels
+from cranktrain.questions.drive.running.transient import LARGEST_TURN, time_over
 
-_LARGEST_TURN = 2 * math.pi / 50
-"""In a step: with more, a torque that is large for a moment would be overlooked. [rad]"""
+_BEYOND = 1e-3
+"""Of the way to an angle at which the load jumps: so far beyond it a step is to end, so that it is met."""
 _MOST_AT_ONCE = 50
 _LEAST_WIDTH = 1e-15
 
@@ -103,10 +105,10 @@ class _Walk:
         self.times, self.states, self.stepped = [start.time], [start.state], list[Array]()
         self.lowest = float(start.state[WHEEL])
         self.scale = max(abs(self.lowest), abs(float(start.state[SPEED]) * press.ratio)) or 1.0
-        self.scales = np.array([self.scale, 1.0, self.scale / press.ratio])
+        self.scales = (self.scale, 1.0, self.scale / press.ratio)
         self.n_steps, self.n_at_once, self.is_loosened = 0, 0, False
         self.wanted = [angle for angle in plan.passed if angle > start.state[ANGLE]]
-        self.slopes, self.trial = no_slopes(N_PRESS_STATE), no_slopes(N_PRESS_STATE)
+        self.slopes, self.trial, self.beside = no_slopes(N_PRESS_ROW), no_slopes(N_PRESS_ROW), [0.0] * N_PRESS_ROW
 
     def to_end(self) -> int:
         """Go from phase to phase; the reason of the end."""
@@ -130,19 +132,19 @@ class _Walk:
         while self.n_steps < self.plan.most_steps:
             if self._waits_idling(ahead):
                 return None
-            width = min(width, self._largest_width())
+            width = min(width, self._largest_width(ahead))
             is_last = self.now.time + width * (1 + 1e-9) >= ahead.until
             width = ahead.until - self.now.time if is_last else width
             state, trouble = self._step(self.slopes, width, ahead)
-            slopes = np.array(self.slopes)
-            error = self._error(width, slopes)
+            error = self._error(width)
             self.n_steps += 1
             if trouble or not error <= 1:
                 width *= max(0.1, 0.9 * error**-0.2) if trouble == 0 and error == error else 0.1
                 if width < _LEAST_WIDTH * max(self.now.time, 1e-3):
                     return _reason_of(trouble)
                 continue
-            step = Stepped(self.now.state, slopes, width)
+            slopes = np.array(self.slopes)[:, :N_PRESS_STATE]
+            step = Stepped(self.now.state, slopes, width, self._spares_at_ends(width, ahead))
             met = first_met(
                 watches,
                 step,
@@ -152,11 +154,11 @@ class _Walk:
             if met is not None:
                 return self._meet(*met, ahead)
             self._watch_lowest(width, slopes)
-            self._move(ahead.until if is_last else self.now.time + width, state, slopes)
+            self._move(ahead.until if is_last else self.now.time + width, np.array(state), slopes)
             if is_last:
                 return None
             self.slopes[0] = list(self.slopes[6])
-            width *= min(5.0, 0.9 * max(error, 1e-10) ** -0.2)
+            width *= min(10.0, 0.9 * max(error, 1e-10) ** -0.2)
         return STEPS_EXHAUSTED
 
     def _waits_idling(self, ahead: Ahead) -> bool:
@@ -172,39 +174,47 @@ class _Walk:
 
     def _first_width(self, until: float) -> float:
         grown = max(abs(self.slopes[0][WHEEL]), abs(self.slopes[0][SPEED]) * self.press.ratio)
-        return min(until - self.now.time, 1e-3 * self.scale / grown if grown > 0 else math.inf, 1e-2)
+        return min(until - self.now.time, 1e-2 * self.scale / grown if grown > 0 else math.inf, 1e-2)
 
-    def _largest_width(self) -> float:
-        """In which the crank turns by no more than it may in a step. [s]"""
-        speed, grown = abs(float(self.now.state[SPEED])), abs(self.slopes[0][SPEED])
-        reach = speed + math.sqrt(speed * speed + 2 * grown * _LARGEST_TURN)
-        return 2 * _LARGEST_TURN / reach if reach > 0 else math.inf
+    def _largest_width(self, ahead: Ahead) -> float:
+        """In which the crank turns by no more than it may in a step, and reaches the next angle of a jump. [s]"""
+        angle, speed = (float(self.now.state[part]) for part in (ANGLE, SPEED))
+        sense, grown, phase = ahead.sense, self.slopes[0][SPEED], ahead.acting.phase
+        until_jump = (phase.high - angle if sense > 0 else angle - phase.low) * (1 + _BEYOND) if sense else math.inf
+        most = time_over(LARGEST_TURN, abs(speed), abs(grown))
+        return min(most, time_over(until_jump, abs(speed), sense * grown)) if until_jump > 0 else most
 
-    def _step(self, slopes: Slopes, width: float, ahead: Ahead) -> tuple[Array, int]:
+    def _step(self, slopes: Slopes, width: float, ahead: Ahead) -> tuple[list[float], int]:
         now = self.now
-        state, trouble = take_step(
-            self.derive, now.time, width, now.state.tolist(), slopes, N_PRESS_FED, ahead.sense, ahead.acting
-        )
-        return np.array(state), trouble
+        return take_step(self.derive, now.time, width, now.state.tolist(), slopes, ahead.sense, ahead.acting)
 
-    def _again(self, width: float, ahead: Ahead) -> Array:
+    def _again(self, width: float, ahead: Ahead) -> list[float]:
         """State behind a shorter step from the same beginning."""
-        self.trial[0] = list(self.slopes[0])
+        self.trial[0] = self.slopes[0]
         return self._step(self.trial, width, ahead)[0]
 
-    def _spare(self, time: float, state: Array, ahead: Ahead) -> float:
-        return static_margin(self.derive, self.kernels, self.now.time + time, state, ahead.sense, ahead.acting)
+    def _spare(self, time: float, state: list[float], ahead: Ahead) -> float:
+        self.derive(self.now.time + time, state, self.beside, ahead.sense, ahead.acting)
+        return static_margin(self.now.time + time, self.beside[HANDED_ON], ahead.acting)
 
-    def _error(self, width: float, slopes: Array) -> float:
-        errors = np.abs(width * (ERRORS @ slopes[:, :N_PRESS_FED]))
-        return float(np.max(errors / self.scales)) / self.plan.tolerance
+    def _spares_at_ends(self, width: float, ahead: Ahead) -> tuple[float, float]:
+        """What a locked clutch could hand on besides, at both ends of a step. [N·m]"""
+        start, end = self.slopes[0][HANDED_ON], self.slopes[-1][HANDED_ON]
+        return static_margin(self.now.time, start, ahead.acting), static_margin(
+            self.now.time + width, end, ahead.acting
+        )
 
-    def _meet(self, watch: Watch, width: float, state: Array, ahead: Ahead) -> int | None:
+    def _error(self, width: float) -> float:
+        """Of the step just made, in parts of what is allowed; NaN where one component has none."""
+        errors = [error_of(self.slopes, width, part) / scale for part, scale in enumerate(self.scales)]
+        return (max(errors) if sum(errors) < math.inf else math.nan) / self.plan.tolerance
+
+    def _meet(self, watch: Watch, width: float, ahead: Ahead) -> int | None:
         """Go to an event, and do what it brings; a reason if it ends the run."""
-        slopes = np.zeros((1, N_PRESS_STATE))
+        state, slopes = self.now.state.copy(), np.zeros((1, N_PRESS_STATE))
         if width > 0:
-            self._step(self.slopes, width, ahead)
-            slopes = np.array(self.slopes)
+            state = np.array(self._step(self.slopes, width, ahead)[0])
+            slopes = np.array(self.slopes)[:, :N_PRESS_STATE]
             self._watch_lowest(width, slopes)
         is_stalled = watch.kind == STALLS or (watch.kind == STANDS and ahead.acting.phase.is_locked)
         if watch.kind == STANDS or is_stalled:
@@ -238,9 +248,10 @@ class _Walk:
             self._note(COMMAND)
 
     def _watch_lowest(self, width: float, slopes: Array) -> None:
-        base = self.now.state
-        least = least_within(lambda parts: states_within(base, slopes, width, parts)[:, WHEEL])
-        self.lowest = min(self.lowest, least)
+        begun, grown = float(self.now.state[WHEEL]), slopes[:, WHEEL]
+        if begun + 2 * width * float(grown.min()) < self.lowest:
+            speeds = states_within(self.now.state, slopes, width, LOOKS)[:, WHEEL]
+            self.lowest = min(self.lowest, least_within(speeds))
 
     def _move(self, time: float, state: Array, slopes: Array) -> None:
         self.n_at_once = self.n_at_once + 1 if time <= self.now.time else 0

@@ -2,25 +2,25 @@
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.drive.clutched.equation import N_PRESS_FED, N_PRESS_STATE
+from cranktrain.questions.drive.clutched.equation import N_PRESS_FED
 from cranktrain.questions.drive.clutched.passings import FEW_LOOKS, LOOKS, fallen_at, first_fall, states_within
 from cranktrain.questions.drive.clutched.phases import Ahead
 from cranktrain.questions.drive.clutched.runs import Moment, PressPlan, piece_ends
 from cranktrain.questions.drive.clutched.step import INTERPOLANT
 
 _BESIDE = 1e-6
-"""Of a step: an event within it is no nearer to its ends."""
-_MOST_STEPS = 8
+"""Of a step: an event within it is no nearer to its ends, and its slope is taken over so much."""
+_MOST_STEPS = 16
 
 STANDS, STALLS, MEETS, LOOSENS, PASSES_JUMP, PASSES_COMMAND, PASSES_WANTED, RECOVERS = range(8)
 """The crank or the flywheel comes to a stand; clutch's sides meet or part; angles; the flywheel's speed."""
 
-Spare: TypeAlias = Callable[[float, Array], float]
+Spare: TypeAlias = Callable[[float, Any], float]
 """(time within the step, state) → what a locked clutch could hand on besides. [N·m]"""
 
 
@@ -37,11 +37,34 @@ class Watch(NamedTuple):
 
 
 class Stepped(NamedTuple):
-    """A step just made: the state at its beginning, the slopes of its stages, and its width. [s]"""
+    """A step just made.
+
+    Attributes
+    ----------
+    state : Array
+        At its beginning.
+    slopes : Array
+        Of its stages.
+    width : float
+        [s]
+    spares : tuple of float
+        What a locked clutch could hand on besides, at the beginning and at the end. [N·m]
+    """
 
     state: Array
     slopes: Array
     width: float
+    spares: tuple[float, float]
+
+    @property
+    def begun(self) -> list[float]:
+        """Components that feed back, at the beginning."""
+        return self.state[:N_PRESS_FED].tolist()
+
+    @property
+    def fed(self) -> list[list[float]]:
+        """Their slopes of all stages."""
+        return self.slopes[:, :N_PRESS_FED].tolist()
 
 
 def watches_of(ahead: Ahead, now: Moment, plan: PressPlan, wanted: list[float], scale: float) -> list[Watch]:
@@ -69,98 +92,115 @@ def watches_of(ahead: Ahead, now: Moment, plan: PressPlan, wanted: list[float], 
 
 
 def first_met(
-    watches: list[Watch], step: Stepped, again: Callable[[float], Array], spare: Spare
-) -> tuple[Watch, float, Array] | None:
-    """First event of a step, how far from its beginning it is, and the state there; None if there is none.
+    watches: list[Watch], step: Stepped, again: Callable[[float], list[float]], spare: Spare
+) -> tuple[Watch, float] | None:
+    """First event of a step, and how far from its beginning it is; None if there is none.
 
     Where one may be is seen on the step's interpolant; where it is, on steps of that length, `again`, which are of a
     higher order.
     """
-    found: tuple[Watch, float, Array] | None = None
-    seen = states_within(step.state, step.slopes, step.width, LOOKS)
+    found: tuple[Watch, float] | None = None
     for watch in watches:
-        bracket = _seen_fall(watch, step, seen, spare)
+        bracket = None if _stays(watch, step, spare) else _seen_fall(watch, step, spare)
         if bracket is None or (found is not None and bracket[0] * step.width > found[1]):
             continue
         at = _settled(watch, step, again, spare, bracket)
         if at is not None and (found is None or at < found[1]):
-            found = watch, at, again(at)
+            found = watch, at
     return found
 
 
-def margin(watch: Watch, time: float, state: Array, spare: Spare) -> float:
+def margin(watch: Watch, time: float, state: list[float], spare: Spare) -> float:
     """What is watched, at a state."""
     if watch.weights is None:
         return spare(time, state)
-    return float(np.dot(watch.weights, state[:N_PRESS_FED])) - watch.level
+    wheel, angle, speed = watch.weights
+    return wheel * state[0] + angle * state[1] + speed * state[2] - watch.level
 
 
-def _seen_fall(watch: Watch, step: Stepped, seen: Array, spare: Spare) -> tuple[float, float] | None:
+def _stays(watch: Watch, step: Stepped, spare: Spare) -> bool:
+    """Whether what is watched stays above 0 even if it falls twice as fast as at the stage where it does so most."""
+    if watch.weights is None:
+        return False
+    wheel, angle, speed = watch.weights
+    fastest = min(wheel * a + angle * b + speed * c for a, b, c in step.fed)
+    return margin(watch, 0.0, step.begun, spare) + 2 * step.width * min(fastest, 0.0) > 0
+
+
+def _spares(parts: Array, step: Stepped, spare: Spare) -> Array:
+    """What a locked clutch could hand on besides, at parts of a step. [N·m]"""
+    states = states_within(step.state, step.slopes, step.width, parts).tolist()
+    at_ends = {0.0: step.spares[0], 1.0: step.spares[1]}
+    return np.array(
+        [
+            at_ends[part] if part in at_ends else spare(part * step.width, state)
+            for part, state in zip(parts.tolist(), states, strict=True)
+        ]
+    )
+
+
+def _seen_fall(watch: Watch, step: Stepped, spare: Spare) -> tuple[float, float] | None:
     """Bracket of what falls below 0 in a step, by its interpolant."""
-    if watch.weights is not None:
-        weights = np.array(watch.weights)
-        values = seen @ weights - watch.level
 
-        def curve(parts: Array) -> Array:
-            return states_within(step.state, step.slopes, step.width, parts) @ weights - watch.level
+    def curve(parts: Array) -> Array:
+        if watch.weights is None:
+            return _spares(parts, step, spare)
+        return states_within(step.state, step.slopes, step.width, parts) @ np.array(watch.weights) - watch.level
 
-        return first_fall(curve, LOOKS, values, watch.rounding)
-
-    def spares(parts: Array) -> Array:
-        states = np.zeros((len(parts), N_PRESS_STATE))
-        states[:, :N_PRESS_FED] = states_within(step.state, step.slopes, step.width, parts)
-        times = parts * step.width
-        return np.array([spare(float(time), state) for time, state in zip(times, states, strict=True)])
-
-    return first_fall(spares, FEW_LOOKS, spares(FEW_LOOKS), watch.rounding)
+    looks = FEW_LOOKS if watch.weights is None else LOOKS
+    return first_fall(curve, looks, curve(looks), watch.rounding)
 
 
 def _settled(
-    watch: Watch, step: Stepped, again: Callable[[float], Array], spare: Spare, bracket: tuple[float, float]
+    watch: Watch, step: Stepped, again: Callable[[float], list[float]], spare: Spare, bracket: tuple[float, float]
 ) -> float | None:
     """How far into a step what is watched passes 0; None if the step itself does not see it."""
 
     def at(part: float) -> float:
         return margin(watch, part, again(part), spare)
 
-    near = _near(watch, step, bracket)
-    if near is not None and (found := _by_newton(at, *near)) is not None:
+    near = _near(watch, step, spare, bracket)
+    if near is not None and (found := _by_secants(at, *near, watch.rounding)) is not None:
         return found
     for end in (bracket[1] * step.width, step.width):
         if at(end) < 0:
-            return fallen_at(at, bracket[0] * step.width, end)
+            return fallen_at(at, bracket[0] * step.width, end, watch.rounding)
     return None
 
 
-def _near(watch: Watch, step: Stepped, bracket: tuple[float, float]) -> tuple[float, float] | None:
-    """Where the step's interpolant sees what is watched pass 0, and its slope there; None of what is no sum of states.
+def _near(watch: Watch, step: Stepped, spare: Spare, bracket: tuple[float, float]) -> tuple[float, float] | None:
+    """Where the step's interpolant sees what is watched pass 0, and its slope there.
 
-    Nor where it only touches 0, or at an end of the step.
+    None where it only touches 0, or at an end of the step.
     """
-    if watch.weights is None:
-        return None
-    weights = np.array(watch.weights)
-    begun = float(weights @ step.state[:N_PRESS_FED]) - watch.level
-    a, b, c, d = (step.width * INTERPOLANT.T @ step.slopes[:, :N_PRESS_FED] @ weights).tolist()
+    begun = step.begun
+    rates = (step.width * step.slopes[:, :N_PRESS_FED].T @ INTERPOLANT).tolist()
 
     def curve(part: float) -> float:
-        return begun + part * (a + part * (b + part * (c + part * d)))
+        there = [
+            y + part * (a + part * (b + part * (c + part * d))) for y, (a, b, c, d) in zip(begun, rates, strict=True)
+        ]
+        return margin(watch, part * step.width, there, spare)
 
     if not curve(bracket[1]) < 0:
         return None
-    part = fallen_at(curve, *bracket)
-    slope = (a + part * (2 * b + part * (3 * c + part * 4 * d))) / step.width
+    part = fallen_at(curve, *bracket, watch.rounding)
+    slope = (curve(part) - curve(part - _BESIDE)) / (_BESIDE * step.width)
     is_within = _BESIDE < part < 1 - _BESIDE
     return (step.width * part, slope) if is_within and slope < 0 else None
 
 
-def _by_newton(at: Callable[[float], float], near: float, slope: float) -> float | None:
-    """Where a curve passes 0, by steps with the slope of another that is next to it; None if they come to no end."""
+def _by_secants(at: Callable[[float], float], near: float, slope: float, rounding: float) -> float | None:
+    """Where a curve passes 0, by secants from the slope of another that is next to it; None if they come to no end."""
+    before = math.nan
     for _ in range(_MOST_STEPS):
-        off = at(near) / slope
-        near -= off
-        if not near > 0 or not abs(off) < 1:
-            return None
-        if abs(off) <= 4 * np.spacing(near):
+        value = at(near)
+        if abs(value) <= rounding:
             return near
+        slope = slope if math.isnan(before) else slope * (before - value) / before
+        if not slope < 0:
+            return None
+        before, near = value, near - value / slope
+        if not 0 < near < math.inf:
+            return None
     return None

@@ -49,7 +49,7 @@ NOWHERE, AT_TIME, AT_CORNER = range(3)
 STOP, OVER, REACHED = range(3)
 """What speeds may end a step."""
 
-_LARGEST_TURN = 2 * math.pi / 25
+LARGEST_TURN = 2 * math.pi / 25
 """In a step: with more, what happens twice between two of its stages would be overlooked."""
 _LEAST_WIDTH = 1e-14
 _SHORT_OF_BREAK = 1e-13
@@ -187,7 +187,7 @@ def _width_and_landing(asked: Any, course: Any) -> tuple[float, int]:
     """How wide a step is to be tried, and where it should end."""
     here, counts, end_time = course.here, course.counts, asked.limits.end_time
     speed, grown = abs(course.state[1]), here[SENSE] * course.slopes[1]
-    most = min(_LARGEST_TURN, few_ahead(course.state[0], here[SENSE], asked.rows, asked.period))
+    most = min(LARGEST_TURN, few_ahead(course.state[0], here[SENSE], asked.rows, asked.period))
     width, landing = min(here[WIDTH], time_over(most, speed, abs(grown))), NOWHERE
     until, short = end_time, 0.0
     if counts[BREAK] < len(asked.breaks) and asked.breaks[counts[BREAK]] < end_time:
@@ -265,15 +265,27 @@ def _note_on_the_way(
         level = here[SENSE] * limits.target_speed
         reached = passed_level(course, width, level, here[SENSE])
         if reached <= theta:
-            part = step_to(derive, train, course, reached, width, 1, level)
+            part = _step_on_the_way(derive, train, course, reached, width, 1, level)
             note(course, marks, SPEED_PASSED, here[TIME] + part, trial[0], trial[1])
     start = 0.0
     while start < theta and may_pass_dead_position(course):
         start, dead = passed_dead_position(kernels.machine, train.machine, course, width, start)
         if start <= theta:
-            part = step_to(derive, train, course, start, width, 0, dead)
+            part = _step_on_the_way(derive, train, course, start, width, 0, dead)
             note(course, marks, DEAD_POSITION, here[TIME] + part, trial[0], trial[1])
             here[OUTPUT] = -here[OUTPUT]
+
+
+def _step_on_the_way(
+    derive: Any, train: Any, course: Any, theta: float, width: float, which: int, level: float
+) -> float:
+    """The same as `step_to`; by the interpolant where that step has no slopes although the whole one has."""
+    part = step_to(derive, train, course, theta, width, which, level)
+    if course.trial[1] != course.trial[1]:
+        for component in range(N_STATE):
+            course.trial[component] = state_at(course, width, theta, component)
+        return theta * width
+    return part
 
 
 def step_to(derive: Any, train: Any, course: Any, theta: float, width: float, which: int, level: float) -> float:

@@ -10,6 +10,7 @@ from cranktrain.layout.wish.following import CrankMotion, Following, crank_at, c
 from cranktrain.layout.wish.rocking import Rocking, rocking_crank
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
+from cranktrain.numerics.products import product
 from cranktrain.questions.drive.at_angles import ReducedAt, reduced_at
 from cranktrain.questions.drive.motors.servo import Servo, servo_limit
 from cranktrain.questions.drive.running.gearing import Gearing, input_torque, overall_ratio
@@ -60,11 +61,11 @@ class ServoDemand(NamedTuple):
 
     def along(self, values: Array) -> Array:
         """Values in the order of time, at even places of each part of the rule, its ends among them."""
-        return np.ravel(values.reshape(-1, _NODES.size) @ _TO_TRIED[::_FEWER].T)
+        return np.ravel(product(values.reshape(-1, _NODES.size), _TO_TRIED[::_FEWER].T))
 
     def largest(self, values: Array) -> float:
         """Largest value over time of what is smooth within each part of the rule, its ends among them."""
-        return float(np.max(values.reshape(-1, _NODES.size) @ _TO_TRIED.T))
+        return float(np.max(product(values.reshape(-1, _NODES.size), _TO_TRIED.T)))
 
     @property
     def peak_torque(self) -> float:
