@@ -15,11 +15,11 @@ SlopedCurve = Callable[[Array], tuple[Array, Array]]
 
 _MOST_STEPS = 60
 _MOST_NEWTON_STEPS = 10
+_FALLEN = 1e-3
+"""A curve that has not fallen to this part of its values at the bracket's ends jumps over its root."""
 _MOST_SAFE_STEPS = 30
 _NEAR = 1e-6
 """A step of Newton's method after which the next one is less than rounding, in parts of the brackets' unit."""
-_FALLEN = 1e-3
-"""A curve that has not fallen to this part of its values at the bracket's ends jumps over its root."""
 _SETTLED = 1e-13
 """A step, in parts of the root, after which the next one is less than rounding."""
 
