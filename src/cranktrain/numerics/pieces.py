@@ -25,7 +25,7 @@ _TO_POWERS: Array = np.linalg.inv(np.vander(_NODES, increasing=True))
 """From values at the nodes of (−1, 1) to the polynomial's coefficients, by rising powers."""
 _TRIED = np.linspace(-1.0, 1.0, 65)
 _TRIED_POWERS: Array = np.vander(_TRIED, _N_NODES, increasing=True)
-_FROM_ENDS: Array = np.array([(-1.0) ** np.arange(_N_NODES), np.ones(_N_NODES)])
+_FROM_ENDS: Array = np.vander(np.array([-1.0, 1.0]), _N_NODES, increasing=True)
 """From coefficients to a polynomial's values at both ends."""
 _NEWTON_STEPS = 4
 _LEVEL = 1e-12
