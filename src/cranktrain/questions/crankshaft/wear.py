@@ -103,7 +103,8 @@ def _widths(is_least: NDArray[np.bool_]) -> NDArray[np.intp]:
     begins = is_least & ~np.roll(is_least, 1, axis=-1)
     ray = np.arange(n_rays, dtype=np.intp)
     place: NDArray[np.intp] = (ray[:, np.newaxis] + ray) % n_rays
-    return np.where(begins, np.argmin(is_least[..., place], axis=-1), 0)
+    is_least_ahead = is_least[..., place]
+    return np.where(begins, np.argmin(is_least_ahead, axis=-1), 0)
 
 
 def _reach(direction: Array, rays: Array) -> Array:

@@ -43,6 +43,8 @@ _REACH = 1.3
 
 _HALVINGS = 10
 """How often panels are halved at most, of a machine that nearly locks and turns sharply there."""
+_NARROWEST = 2e-4
+"""No panels are asked to be narrower: a machine that is as near to locking would have millions of them. [rad]"""
 
 
 class Source(NamedTuple):
@@ -280,11 +282,11 @@ def _of_chambers(
         # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
         volume, _slope, curvature = (float(part[design, gas.among_distinct[design, first], 0]) for part in events.least)
         away = float(np.sqrt(2 * volume / curvature))
-        widest = min(_WIDEST, _REACH * away) if away > 0 else _WIDEST
+        widest = min(_WIDEST, max(_REACH * away, _NARROWEST)) if away > 0 else _WIDEST
         cut = subintervals(events.angle[design, first] - start, widest, gas.cycle)
         motion = gas.volume_of(design, first, cut.angle + start)
         for _halving in range(_HALVINGS):
-            if shows(cut, motion.first):
+            if widest <= _NARROWEST or shows(cut, motion.first):
                 break
             widest /= 2
             cut = subintervals(events.angle[design, first] - start, widest, gas.cycle)
