@@ -10,7 +10,7 @@ import pytest
 from tests.crankshaft_i4 import CASE, SIZES, N, crankshaft, pin_forces, shaft_loads
 from tests.reference_case import GOLDEN
 
-from cranktrain.questions.crankshaft.equivalent_stiffness import equivalent_stiffness, pin_displacement
+from cranktrain.questions.crankshaft.equivalent_stiffness import end_slopes, equivalent_stiffness, pin_displacement
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
 from cranktrain.questions.crankshaft.torque_along import torque_along
 
@@ -64,7 +64,7 @@ def test_counterweights(row):
 
 
 def test_stiffness_of_a_throw():
-    found = equivalent_stiffness(crankshaft(), 1, 3)
+    found = equivalent_stiffness(crankshaft(), end_slopes(crankshaft(), 1), 1, 3)
     for i, direction in enumerate(("in_plane", "out_of_plane")):
         stated = CASE.document["summary"]["EI"][direction]
         wanted = [stated[name] * 1e-6 for name in ("EI_const_moment", "EI_near", "EI_far", "EI_pin_force")]

@@ -34,13 +34,34 @@ class EquivalentStiffness(NamedTuple):
     mid_pin: Array
 
 
-def equivalent_stiffness(shaft: Crankshaft, span: int, pin: int) -> EquivalentStiffness:
+class EndSlopes(NamedTuple):
+    """Slope of a span's first end by a moment there and at the other end, and of its last by one there.
+
+    Matrices of the shape (design, 2, 2). [rad/(N·m)]
+    """
+
+    near: Array
+    far: Array
+    last: Array
+
+
+def end_slopes(shaft: Crankshaft, span: int) -> EndSlopes:
+    """How the ends of a span turn, of designs whose webs lie between the same bearings."""
+    alike = Alike(np.array([], dtype=np.intp), _spans_of_webs(shaft), is_isotropic=True)
+    none = _no_loads(shaft.supports.place.shape[0])
+    bent = bent_span(shaft, crank_line(shaft), none, alike, span)
+    return EndSlopes(-bent.first.slope[:, 0], -bent.first.slope[:, 1], bent.last.slope[:, 1])
+
+
+def equivalent_stiffness(shaft: Crankshaft, ends: EndSlopes, span: int, pin: int) -> EquivalentStiffness:
     """Stiffness of a straight span in place of a throw.
 
     Parameters
     ----------
     shaft : Crankshaft
         Designs whose webs lie between the same bearings.
+    ends : EndSlopes
+        Of the span, as `end_slopes` gives them.
     span : int
         Between which bearings: this and the next.
     pin : int
@@ -55,7 +76,7 @@ def equivalent_stiffness(shaft: Crankshaft, span: int, pin: int) -> EquivalentSt
     A force across the throw turns the pin about the shaft's axis as well: its torque goes on to the last end, which
     does not twist. docs/theory/crankshaft, eqs. (24.25) to (24.28).
     """
-    ends, length = _by_end_moments(shaft, span), _length(shaft, span)[:, np.newaxis]
+    length = _length(shaft, span)[:, np.newaxis]
     near, far, last = (_along(values, _axes(shaft.pieces.angle[:, pin])) for values in ends)
     return EquivalentStiffness(
         length / (near + last + 2 * far),
@@ -65,13 +86,15 @@ def equivalent_stiffness(shaft: Crankshaft, span: int, pin: int) -> EquivalentSt
     )
 
 
-def straight_bending(shaft: Crankshaft, span: int) -> Array:
+def straight_bending(shaft: Crankshaft, ends: EndSlopes, span: int) -> Array:
     """EI of the straight beam in place of a span, however many throws it has, shape (design,). [N·m²]
 
     Parameters
     ----------
     shaft : Crankshaft
         Designs whose webs lie between the same bearings.
+    ends : EndSlopes
+        Of the span, as `end_slopes` gives them.
     span : int
         Between which bearings: this and the next.
 
@@ -85,7 +108,7 @@ def straight_bending(shaft: Crankshaft, span: int) -> Array:
     -----
     docs/theory/crankshaft, eq. (24.25) in both principal planes.
     """
-    near, far, last = _by_end_moments(shaft, span)
+    near, far, last = ends
     bent = near + far + np.swapaxes(far, -1, -2) + last
     trace = bent[:, 0, 0] + bent[:, 1, 1]
     determinant = bent[:, 0, 0] * bent[:, 1, 1] - bent[:, 0, 1] * bent[:, 1, 0]
@@ -130,24 +153,6 @@ def _of_unit_force(left: Array, right: Array, middle: Array, arm: Array) -> tupl
     torque = arm[..., 0] * both[..., 1] - arm[..., 1] * both[..., 0]
     before = Inner(left, nothing, -share * both, np.zeros_like(torque))
     return before, Inner(middle, before.moment_at(middle), (1 - share) * both, torque)
-
-
-class _EndSlopes(NamedTuple):
-    """Slope of a span's first end by a moment there and at the other end, and of its last by one there.
-
-    Matrices of the shape (design, 2, 2). [rad/(N·m)]
-    """
-
-    near: Array
-    far: Array
-    last: Array
-
-
-def _by_end_moments(shaft: Crankshaft, span: int) -> _EndSlopes:
-    alike = Alike(np.array([], dtype=np.intp), _spans_of_webs(shaft), is_isotropic=True)
-    none = _no_loads(shaft.supports.place.shape[0])
-    bent = bent_span(shaft, crank_line(shaft), none, alike, span)
-    return _EndSlopes(-bent.first.slope[:, 0], -bent.first.slope[:, 1], bent.last.slope[:, 1])
 
 
 def _length(shaft: Crankshaft, span: int) -> Array:

@@ -12,7 +12,7 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray
-from cranktrain.questions.crankshaft.equivalent_stiffness import straight_bending
+from cranktrain.questions.crankshaft.equivalent_stiffness import EndSlopes, end_slopes, straight_bending
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft, DeclaredCrankshafts
 from cranktrain.questions.crankshaft.sections import Material, round_section, web_section
 from cranktrain.questions.crankshaft.shaft import Crankshaft, StraightSpans, Supports
@@ -36,6 +36,8 @@ class LaidShaft:
     ----------
     declared : DeclaredCrankshaft
     shaft : Crankshaft
+    ends : tuple of EndSlopes
+        Of each span.
     pins, journals : array of int, shape (pin,), (pin + 1,)
         Which piece each is; −1 of a journal that there is not.
     webs : array of int, shape (pin, 2)
@@ -49,6 +51,7 @@ class LaidShaft:
 
     declared: DeclaredCrankshaft
     shaft: Crankshaft
+    ends: tuple[EndSlopes, ...]
     pins: NDArray[np.intp]
     journals: NDArray[np.intp]
     webs: NDArray[np.intp]
@@ -114,7 +117,7 @@ def laid_crankshafts(
         each.append(
             LaidShaft(
                 one,
-                _crankshaft(one, throws),
+                *_crankshaft(one, throws),
                 piece[1::2],
                 piece[0::2],
                 _webs(throws),
@@ -163,8 +166,8 @@ def _webs(throws: ThrowGeometry) -> NDArray[np.intp]:
     return at.reshape(n, 2)
 
 
-def _crankshaft(declared: DeclaredCrankshaft, throws: ThrowGeometry) -> Crankshaft:
-    """Put sections and bearings together."""
+def _crankshaft(declared: DeclaredCrankshaft, throws: ThrowGeometry) -> tuple[Crankshaft, tuple[EndSlopes, ...]]:
+    """Put sections and bearings together, and say how the ends of its spans turn."""
     material = Material(*(part[:, np.newaxis] for part in declared.material))
     n_designs, n_spans = len(throws.radius), declared.bearings.shape[1] - 1
     webs = web_section(
@@ -181,8 +184,9 @@ def _crankshaft(declared: DeclaredCrankshaft, throws: ThrowGeometry) -> Cranksha
         Supports(declared.bearings, declared.compliance, declared.settlement, declared.clearance, declared.thrust),
         StraightSpans(*np.full((2, n_designs, n_spans), np.inf)),
     )
-    straight = np.stack([straight_bending(plain, span) for span in range(n_spans)], axis=1)
-    return plain._replace(straight=StraightSpans(straight, plain.straight.shear))
+    ends = tuple(end_slopes(plain, span) for span in range(n_spans))
+    straight = np.stack([straight_bending(plain, own, span) for span, own in enumerate(ends)], axis=1)
+    return plain._replace(straight=StraightSpans(straight, plain.straight.shear)), ends
 
 
 def pin_names(laid: LaidShaft, shafts: Shafts) -> list[str]:

@@ -58,9 +58,9 @@ def _of_shaft(laid: LaidShaft) -> tuple[Array, Array, Array]:
     span = np.sum(declared.centres[0][:, np.newaxis] > declared.bearings[0], axis=-1) - 1
     shape = (*declared.centres.shape, len(_PLANES))
     constant, near, middle = (np.full(shape, np.nan) for _use in range(3))
-    for pin, place in enumerate(span.tolist()):
+    for pin, place in enumerate(map(int, span)):
         is_alone = 0 <= place < declared.bearings.shape[1] - 1 and np.sum(span == place) == 1
         if is_alone:
-            own = equivalent_stiffness(shaft, place, int(laid.pins[pin]))
+            own = equivalent_stiffness(shaft, laid.ends[place], place, int(laid.pins[pin]))
             constant[:, pin], near[:, pin], middle[:, pin] = own.constant_moment, own.near_end, own.mid_pin
     return constant, near, middle
