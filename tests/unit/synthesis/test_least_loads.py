@@ -90,10 +90,21 @@ def test_largest_as_scipy_finds_it(seed, n_points, n_unknowns, turns):
     if turns:
         conditions.append({"type": "ineq", "fun": lambda at: 1 - np.sum(at[:-1].reshape(2, -1) ** 2, axis=0)})
     bounds = None if turns else [(0, 1)] * n_unknowns + [(0, None)]
-    start = np.append(np.full(n_unknowns, 0.1), 10.0)
     options = {"maxiter": 1000, "ftol": 1e-14}
-    other = minimize(lambda at: at[-1], start, method="SLSQP", bounds=bounds, constraints=conditions, options=options)
-    assert found.value == pytest.approx(1e4 * other.fun, rel=ENOUGH)
+    # Rounding decides whether its line search comes to an end, so from several starts.
+    others = [
+        minimize(
+            lambda at: at[-1],
+            np.append(np.full(n_unknowns, begin), 10.0),
+            method="SLSQP",
+            bounds=bounds,
+            constraints=conditions,
+            options=options,
+        )
+        for begin in (0.1, 0.2, 0.3, 0.35)
+    ]
+    least = min(other.fun for other in others if other.success)
+    assert found.value == pytest.approx(1e4 * least, rel=ENOUGH)
     assert found.bound <= found.value * (1 + 1e-12)
     assert found.bound == pytest.approx(found.value, rel=1e-5)
 
