@@ -2,6 +2,7 @@
 
 import sys
 
+import numpy as np
 import pytest
 
 import cranktrain as ct
@@ -30,3 +31,13 @@ def test_spans_are_bent_once_and_loads_found_for_grid_points_and_peaks(monkeypat
     ct.run(name)
     assert len(bent) == 1
     assert len(loads) == len(cut) == len(torques) == 3
+
+
+@pytest.mark.parametrize("name", ["deltic", "vaz_21213"])
+def test_no_sample_is_beyond_the_extremes_at_the_running_speed(name):
+    """Its curve is made of pieces, whose ends are kinks of what inertia takes."""
+    found = ct.run(name, speed="running", step_degrees=0.25)
+    curve, size = found.section_torque, np.max(np.abs(found.section_torque))
+    for ends, sign in ((found.largest_section_torque, 1.0), (found.least_section_torque, -1.0)):
+        beyond = np.max(sign * curve, axis=-1) - sign * ends
+        assert np.max(beyond) < 1e-13 * size
