@@ -25,7 +25,7 @@ from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft import Supports
 from cranktrain.questions.crankshaft.torque_along import TorqueOfLoads
 from cranktrain.questions.crankshaft.torque_of_shafts import torque_in_sections, torques_of_loads
-from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.events import ForceEvents, breaks_at_speed
 from cranktrain.questions.forces.peaks import counted
 from cranktrain.record import record
 
@@ -156,11 +156,7 @@ def _largest(
     for design, own in enumerate(tops):
         # On few places, so that curves which are largest near to each other are looked at in one window.
         centre[design, :, : own.shape[-1]] = _WIDE * np.rint(own / _WIDE)
-    breaks = events.whole - crank_angle.zero[:, 0]
-    if (speed := loaded.loaded.speed.curve) is not None:  # which is made of pieces
-        nodes = speed.square.angle + speed.zero[:, 0] - crank_angle.zero[:, 0]
-        breaks = np.concatenate([breaks, np.broadcast_to(nodes, (len(breaks), nodes.shape[-1]))], axis=-1)
-    breaks = np.repeat(breaks, scale.shape[1], axis=0)
+    breaks = np.repeat(breaks_at_speed(events, loaded.loaded.speed, crank_angle), scale.shape[1], axis=0)
     first = np.cumsum([0, *(own.shape[1] for own in samples)])
 
     def curves(which: NDArray[np.intp], shown: Array) -> Array:

@@ -12,6 +12,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle, ByTravel
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.shaft_loads import TorqueOnShaft
+from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots, in_slots
 from cranktrain.questions.forces.edges import edges_of
@@ -104,6 +105,15 @@ def force_events(
     longest = max(part.shape[-1] for part in shared)
     filled = [np.pad(part, ((0, 0), (0, longest - part.shape[-1])), constant_values=np.nan) for part in shared]
     return ForceEvents(np.stack(filled, axis=1), np.concatenate(each, axis=-1), misses)
+
+
+def breaks_at_speed(events: ForceEvents, speed: Speed, crank_angle: CrankAngle) -> Array:
+    """Crank angles, as shown, of all events, and of the nodes of a speed's curve, which is made of pieces. [rad]"""
+    breaks = events.whole - crank_angle.zero[:, 0]
+    if speed.curve is None:
+        return breaks
+    nodes = speed.curve.square.angle + speed.curve.zero[:, 0] - crank_angle.zero[:, 0]
+    return np.concatenate([breaks, np.broadcast_to(nodes, (len(breaks), nodes.shape[-1]))], axis=-1)
 
 
 def with_shafts(events: ForceEvents, loads: Sequence[TorqueOnShaft], crank_angle: CrankAngle) -> ForceEvents:

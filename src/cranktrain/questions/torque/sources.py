@@ -25,7 +25,7 @@ from cranktrain.numerics import (
 from cranktrain.numerics.gathering import gathered
 from cranktrain.numerics.harmonics import TURN, ComplexArray, harmonics, phasor
 from cranktrain.numerics.periodic import fourier_integral, quintic_curve
-from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.events import ForceEvents, breaks_at_speed
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques, driving_torques, reduced_batches
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
@@ -248,10 +248,7 @@ def _of_machines(
     loaded: LoadedMachine, shafts: Shafts, crank_angle: CrankAngle, events: ForceEvents
 ) -> tuple[list[Source], Array]:
     """Torque on every shaft of each design, by the reactions, and the work that its integral sees in inertia. [J]"""
-    breaks = events.whole - crank_angle.zero[:, 0]
-    if (curve := loaded.speed.curve) is not None:
-        nodes = curve.square.angle + curve.zero[:, 0] - crank_angle.zero[:, 0]
-        breaks = np.concatenate([breaks, np.broadcast_to(nodes, (len(breaks), nodes.shape[-1]))], axis=-1)
+    breaks = breaks_at_speed(events, loaded.speed, crank_angle)
     cuts = [subintervals(own, _WIDEST, crank_angle.cycle) for own in breaks]
     longest = max(cut.angle.size for cut in cuts)
     asked = np.stack([np.pad(cut.angle, (0, longest - cut.angle.size), mode="edge") for cut in cuts])
@@ -263,7 +260,7 @@ def _of_machines(
         Source(design, cut, own[:, : cut.angle.size], np.zeros(1), each)
         for design, (cut, own) in enumerate(zip(cuts, torque, strict=True))
     ]
-    if curve is None:
+    if loaded.speed.curve is None:
         return sources, np.zeros(len(cuts))
     drive = loaded.speed.drive(angle)
     inertias = [equation.inertia for equation in reduced_batches(loaded, solved)]
