@@ -64,13 +64,13 @@ def test_counterweights(row):
 
 
 def test_stiffness_of_a_throw():
-    found = equivalent_stiffness(crankshaft(), end_slopes(crankshaft(), 1), 1, 3)
+    found = equivalent_stiffness(crankshaft(), end_slopes(crankshaft()), np.array([1]), np.array([3]))
     for i, direction in enumerate(("in_plane", "out_of_plane")):
         stated = CASE.document["summary"]["EI"][direction]
         wanted = [stated[name] * 1e-6 for name in ("EI_const_moment", "EI_near", "EI_far", "EI_pin_force")]
         # Across the throw the web's torsion counts, of which the reference sums fewer terms.
-        np.testing.assert_allclose([values[0, i] for values in found], wanted, rtol=(1e-12, 3e-9)[i])
-        moved = pin_displacement(crankshaft(), 1, 3)[0, i] * 1e9
+        np.testing.assert_allclose([values[0, 0, i] for values in found], wanted, rtol=(1e-12, 3e-9)[i])
+        moved = pin_displacement(crankshaft(), np.array([1]), np.array([3]))[0, 0, i] * 1e9
         CASE.compare_value(f"throw_deflection_{direction}_um_per_kN", moved)
 
 

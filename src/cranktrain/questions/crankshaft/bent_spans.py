@@ -1,13 +1,15 @@
 """How a crank frame bends, from piece to web to piece, in closed form: under a unit moment at either end of a span.
 
 What a load does to the ends of its span is, by reciprocity, what a moment at that end does to the load's point.
-Arrays of the shape (design, end, direction, component): the first or the last end of the span, the direction of the
-moment's loads there, and the component of what it causes; what has no components is without the last.
+Arrays of the shape (row, end, direction, component): a row is a span of one design, as many pieces long as the others;
+the first or the last end of the span, the direction of the moment's loads there, and the component of what it causes;
+what has no components is without the last.
 """
 
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.shaft import Crankshaft, Pieces, Webs
@@ -18,13 +20,13 @@ class Bent(NamedTuple):
 
     Attributes
     ----------
-    shift : Array, shape (design, 2, 2, 2)
+    shift : Array, shape (row, 2, 2, 2)
         Displacement across the shaft. [m/(N·m)]
-    slope : Array, shape (design, 2, 2, 2)
+    slope : Array, shape (row, 2, 2, 2)
         Rotation, by the direction in which points further along the shaft move. [rad/(N·m)]
-    twist : Array, shape (design, 2, 2)
+    twist : Array, shape (row, 2, 2)
         Rotation about the shaft's axis, from X toward Y. [rad/(N·m)]
-    along : Array, shape (design, 2, 2)
+    along : Array, shape (row, 2, 2)
         Displacement along the shaft. [m/(N·m)]
     """
 
@@ -32,6 +34,10 @@ class Bent(NamedTuple):
     slope: Array
     twist: Array
     along: Array
+
+    def of(self, rows: NDArray[np.intp] | tuple[NDArray[np.intp], NDArray[np.intp]]) -> "Bent":
+        """Those of some rows."""
+        return Bent(*(part[rows] for part in self))
 
 
 class CrankLine(NamedTuple):
@@ -41,7 +47,7 @@ class CrankLine(NamedTuple):
     ----------
     pieces : Pieces
     webs : Webs
-    axes : Array, shape (design, piece, 1, 1, 2)
+    axes : Array, shape (row, piece, 1, 1, 2)
         Axis of each piece from the shaft's, in axes that turn with the shaft. [m]
     """
 
@@ -49,9 +55,17 @@ class CrankLine(NamedTuple):
     webs: Webs
     axes: Array
 
+    def part(self, rows: NDArray[np.intp], first: NDArray[np.intp], n_pieces: int) -> "CrankLine":
+        """So many pieces one after another, each time from a first one of a row on, and the webs between them."""
+        row, piece = rows[:, np.newaxis], first[:, np.newaxis] + np.arange(n_pieces + 1, dtype=np.intp)
+        bounds, *others = self.pieces
+        pieces = Pieces(bounds[row, piece], *(part[row, piece[:, :-1]] for part in others))
+        webs = Webs(*(part[row, piece[:, :-2]] for part in self.webs))
+        return CrankLine(pieces, webs, self.axes[row, piece[:, :-1]])
+
 
 def crank_line(shaft: Crankshaft) -> CrankLine:
-    """The line of a shaft."""
+    """The line of a shaft, of which a row is a design."""
     return CrankLine(shaft.pieces, shaft.webs, polar(shaft.pieces.radius, shaft.pieces.angle))
 
 
@@ -60,13 +74,13 @@ class Inner(NamedTuple):
 
     Attributes
     ----------
-    z : Array, shape (design,)
+    z : Array, shape (row,)
         Where the moment is taken.
-    moment : Array, shape (design, 2, 2, 2)
+    moment : Array, shape (row, 2, 2, 2)
         Bending moment there.
-    shear : Array, shape (design, 2, 2, 2)
+    shear : Array, shape (row, 2, 2, 2)
         Sum of the forces before the section.
-    torque : Array, shape (design, 2, 2)
+    torque : Array, shape (row, 2, 2)
         Sum of the torques about the shaft's axis before the section.
     """
 
@@ -79,25 +93,29 @@ class Inner(NamedTuple):
         """Bending moment at another place, where no force acts in between."""
         return self.moment + self.shear * _wide(z - self.z)
 
+    def of(self, rows: NDArray[np.intp]) -> "Inner":
+        """Those of some rows."""
+        return Inner(*(part[rows] for part in self))
+
 
 def of_unit_moments(left: Array, right: Array) -> Inner:
-    """Unit moments at both ends of a span, shape (design,); docs/theory/crankshaft, eq. (24.15)."""
+    """Unit moments at both ends of a span, shape (row,); docs/theory/crankshaft, eq. (24.15)."""
     per_length = (1 / (right - left))[:, np.newaxis, np.newaxis]
     ends = np.array([-1.0, 1.0])[:, np.newaxis, np.newaxis] * np.eye(2)
-    n_designs = left.size
-    moment = np.zeros((n_designs, 2, 2, 2))
+    n_rows = left.size
+    moment = np.zeros((n_rows, 2, 2, 2))
     moment[:, 0] = np.eye(2)
-    return Inner(left, moment, ends * per_length[..., np.newaxis], np.zeros((n_designs, 2, 2)))
+    return Inner(left, moment, ends * per_length[..., np.newaxis], np.zeros((n_rows, 2, 2)))
 
 
-def unbent(n_designs: int) -> Bent:
+def unbent(n_rows: int) -> Bent:
     """The first end of a span, where it begins."""
-    shape = (n_designs, 2, 2)
+    shape = (n_rows, 2, 2)
     return Bent(np.zeros((*shape, 2)), np.zeros((*shape, 2)), np.zeros(shape), np.zeros(shape))
 
 
 def along_piece(start: Bent, inner: Inner, line: CrankLine, piece: int, z: Array, length: Array) -> Bent:
-    """Go a length, shape (design,), along a piece from z.
+    """Go a length, shape (row,), along a piece from z.
 
     Notes
     -----
@@ -118,7 +136,7 @@ def along_piece(start: Bent, inner: Inner, line: CrankLine, piece: int, z: Array
 
 
 def along_web(start: Bent, inner: Inner, line: CrankLine, web: int, way: Array) -> Bent:
-    """Go a way, shape (design,), along a web from its first end; not beyond its ends.
+    """Go a way, shape (row,), along a web from its first end; not beyond its ends.
 
     Notes
     -----
@@ -136,7 +154,7 @@ def along_web(start: Bent, inner: Inner, line: CrankLine, web: int, way: Array) 
 
 
 def web_line(line: CrankLine, web: int) -> tuple[Array, Array]:
-    """Direction of a web's line, shape (design, 1, 1, 2), none of a shoulder; and its length, shape (design,)."""
+    """Direction of a web's line, shape (row, 1, 1, 2), none of a shoulder; and its length, shape (row,)."""
     across = line.axes[:, web + 1] - line.axes[:, web]
     length = np.hypot(across[..., 0], across[..., 1])
     return across / np.where(length > 0, length, 1.0)[..., np.newaxis], length[:, 0, 0]
@@ -175,7 +193,7 @@ def _strained(start: Bent, inner: Inner, webs: Webs, web: int, gives: _Gives) ->
 
 
 def displaced(at: Bent, arm: Array, z: Array | None) -> Bent:
-    """What is fixed rigidly to a cross-section, at an arm, shape (design, 1, 1, 2), and by z along, shape (design,)."""
+    """What is fixed rigidly to a cross-section, at an arm, shape (row, 1, 1, 2), and by z along, shape (row,)."""
     shift = at.shift + at.twist[..., np.newaxis] * _normal(arm)
     if z is not None:
         shift = shift + at.slope * _wide(z)

@@ -1,20 +1,22 @@
 """The stiffness of the straight beam that bends as a throw does: one for each use, as no single one fits all."""
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.grouping import places_of_equal
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.bent_spans import Inner, along_piece, along_web, crank_line, unbent
+from cranktrain.questions.crankshaft.bent_spans import CrankLine, Inner, along_piece, along_web, crank_line, unbent
 from cranktrain.questions.crankshaft.designs_alike import Alike
-from cranktrain.questions.crankshaft.frame_spans import bent_span
+from cranktrain.questions.crankshaft.frame_spans import bent_spans
 from cranktrain.questions.crankshaft.shaft import Crankshaft
 from cranktrain.questions.crankshaft.shaft_loads import ActingPlaces
 
 
 class EquivalentStiffness(NamedTuple):
-    """EI of a straight span that gives as much, in the plane of a throw and across it, shape (design, 2). [N·m²]
+    """EI of straight spans that give as much, in the plane of a throw and across it, shape (design, throw, 2). [N·m²]
 
     Attributes
     ----------
@@ -35,9 +37,9 @@ class EquivalentStiffness(NamedTuple):
 
 
 class EndSlopes(NamedTuple):
-    """Slope of a span's first end by a moment there and at the other end, and of its last by one there.
+    """Slope of each span's first end by a moment there and at the other end, and of its last by one there.
 
-    Matrices of the shape (design, 2, 2). [rad/(N·m)]
+    Matrices of the shape (design, span, 2, 2). [rad/(N·m)]
     """
 
     near: Array
@@ -45,27 +47,29 @@ class EndSlopes(NamedTuple):
     last: Array
 
 
-def end_slopes(shaft: Crankshaft, span: int) -> EndSlopes:
-    """How the ends of a span turn, of designs whose webs lie between the same bearings."""
+def end_slopes(shaft: Crankshaft) -> EndSlopes:
+    """How the ends of spans turn, of designs whose webs lie between the same bearings."""
     alike = Alike(np.array([], dtype=np.intp), _spans_of_webs(shaft), is_isotropic=True)
-    none = _no_loads(shaft.supports.place.shape[0])
-    bent = bent_span(shaft, crank_line(shaft), none, alike, span)
-    return EndSlopes(-bent.first.slope[:, 0], -bent.first.slope[:, 1], bent.last.slope[:, 1])
+    bent = bent_spans(shaft, _no_loads(shaft.supports.place.shape[0]), alike)
+    first, last = bent.first.slope, bent.last.slope
+    return EndSlopes(-first[:, :, 0], -first[:, :, 1], last[:, :, 1])
 
 
-def equivalent_stiffness(shaft: Crankshaft, ends: EndSlopes, span: int, pin: int) -> EquivalentStiffness:
-    """Stiffness of a straight span in place of a throw.
+def equivalent_stiffness(
+    shaft: Crankshaft, ends: EndSlopes, spans: NDArray[np.intp], pins: NDArray[np.intp]
+) -> EquivalentStiffness:
+    """Stiffness of straight spans in place of throws.
 
     Parameters
     ----------
     shaft : Crankshaft
         Designs whose webs lie between the same bearings.
     ends : EndSlopes
-        Of the span, as `end_slopes` gives them.
-    span : int
-        Between which bearings: this and the next.
-    pin : int
-        Which piece the pin is.
+        Of all spans, as `end_slopes` gives them.
+    spans : array of int, shape (throw,)
+        Between which bearings each throw is: this and the next.
+    pins : array of int, shape (throw,)
+        Which piece the pin of each is.
 
     Returns
     -------
@@ -76,31 +80,29 @@ def equivalent_stiffness(shaft: Crankshaft, ends: EndSlopes, span: int, pin: int
     A force across the throw turns the pin about the shaft's axis as well: its torque goes on to the last end, which
     does not twist. docs/theory/crankshaft, eqs. (24.25) to (24.28).
     """
-    length = _length(shaft, span)[:, np.newaxis]
-    near, far, last = (_along(values, _axes(shaft.pieces.angle[:, pin])) for values in ends)
+    length = _lengths(shaft)[:, spans, np.newaxis]
+    near, far, last = (_along(values[:, spans], _axes(shaft.pieces.angle[:, pins])) for values in ends)
     return EquivalentStiffness(
         length / (near + last + 2 * far),
         length / (3 * near),
         length / (6 * far),
-        length**3 / (48 * pin_displacement(shaft, span, pin)),
+        length**3 / (48 * pin_displacement(shaft, spans, pins)),
     )
 
 
-def straight_bending(shaft: Crankshaft, ends: EndSlopes, span: int) -> Array:
-    """EI of the straight beam in place of a span, however many throws it has, shape (design,). [N·m²]
+def straight_bending(shaft: Crankshaft, ends: EndSlopes) -> Array:
+    """EI of the straight beams in place of spans, however many throws these have, shape (design, span).
 
     Parameters
     ----------
     shaft : Crankshaft
         Designs whose webs lie between the same bearings.
     ends : EndSlopes
-        Of the span, as `end_slopes` gives them.
-    span : int
-        Between which bearings: this and the next.
+        Of all spans, as `end_slopes` gives them.
 
     Returns
     -------
-    Array, shape (design,)
+    Array, shape (design, span)
         The mean of its stiffness in both principal planes of the angle between its ends, under equal moments at both;
         so it is the same from whatever direction the shaft's angles count, and from whichever end.
 
@@ -110,39 +112,65 @@ def straight_bending(shaft: Crankshaft, ends: EndSlopes, span: int) -> Array:
     """
     near, far, last = ends
     bent = near + far + np.swapaxes(far, -1, -2) + last
-    trace = bent[:, 0, 0] + bent[:, 1, 1]
-    determinant = bent[:, 0, 0] * bent[:, 1, 1] - bent[:, 0, 1] * bent[:, 1, 0]
-    return _length(shaft, span) * trace / (2 * determinant)
+    trace = bent[..., 0, 0] + bent[..., 1, 1]
+    determinant = bent[..., 0, 0] * bent[..., 1, 1] - bent[..., 0, 1] * bent[..., 1, 0]
+    return _lengths(shaft) * trace / (2 * determinant)
 
 
-def pin_displacement(shaft: Crankshaft, span: int, pin: int) -> Array:
-    """Displacement of a pin's middle by a unit force there, in the throw's plane and across, shape (design, 2). [m/N]
+def pin_displacement(shaft: Crankshaft, spans: NDArray[np.intp], pins: NDArray[np.intp]) -> Array:
+    """Displacement of pins' middles by a unit force there, in the throw's plane and across, shape (design, throw, 2).
+
+    Parameters
+    ----------
+    shaft : Crankshaft
+        Designs whose webs lie between the same bearings.
+    spans, pins : array of int, shape (throw,)
+        As `equivalent_stiffness` takes them.
+
+    Returns
+    -------
+    Array, shape (design, throw, 2)
+        [m/N]
 
     Notes
     -----
     docs/theory/crankshaft, eq. (24.28).
     """
-    webs = _spans_of_webs(shaft)
-    begin, end = (int(np.sum(webs <= which)) for which in (span, span + 1))
-    left, right = shaft.supports.place[:, span], shaft.supports.place[:, span + 1]
-    middle = 0.5 * (shaft.pieces.bounds[:, pin] + shaft.pieces.bounds[:, pin + 1])
-    line = crank_line(shaft)
-    arm = line.axes[:, pin]
-    before, after = _of_unit_force(left, right, middle, arm)
-    at, z, found = unbent(left.size), left, unbent(left.size)
-    for piece in range(begin, end + 1):
-        until = right if piece == end else shaft.pieces.bounds[:, piece + 1]
-        inner = before if piece < pin else after
+    webs, line = _spans_of_webs(shaft), crank_line(shaft)
+    first, end = (np.sum(webs <= which[:, np.newaxis], axis=-1) for which in (spans, spans + 1))
+    shapes = zip((end - first).tolist(), (pins - first).tolist(), strict=True)
+    found = np.empty((shaft.supports.place.shape[0], pins.size, 2))
+    for (n_webs, pin), throws in places_of_equal(shapes).items():
+        found[:, throws] = _displaced_pin(shaft, line, spans[throws], first[throws], n_webs + 1, pin)
+    return found
+
+
+def _displaced_pin(
+    shaft: Crankshaft, line: CrankLine, spans: NDArray[np.intp], first: NDArray[np.intp], n_pieces: int, pin: int
+) -> Array:
+    """Displacement of the pins of some spans, each the piece of the same place among as many, (design, span, 2)."""
+    n_designs, place = shaft.supports.place.shape[0], shaft.supports.place
+    own = line.part(np.tile(np.arange(n_designs, dtype=np.intp), spans.size), np.repeat(first, n_designs), n_pieces)
+    left, right = place[:, spans].T.ravel(), place[:, spans + 1].T.ravel()
+    bounds = [left, *own.pieces.bounds[:, 1:-1].T, right]
+    middle = 0.5 * (own.pieces.bounds[:, pin] + own.pieces.bounds[:, pin + 1])
+    arm = own.axes[:, pin]
+    before, behind = _of_unit_force(left, right, middle, arm)
+    at = found = unbent(left.size)
+    for piece, (z, until) in enumerate(pairwise(bounds)):
+        inner = before if piece < pin else behind
         if piece == pin:
-            at = found = along_piece(at, before, line, piece, z, middle - z)
-            z = middle
-        at, z = along_piece(at, inner, line, piece, z, until - z), until
-        if piece < end:
-            at = along_web(at, inner, line, piece, np.full_like(left, np.inf))
+            at = found = along_piece(at, before, own, piece, z, middle - z)
+            at = along_piece(at, inner, own, piece, middle, until - middle)
+        else:
+            at = along_piece(at, inner, own, piece, z, until - z)
+        if piece < n_pieces - 1:
+            at = along_web(at, inner, own, piece, np.full_like(left, np.inf))
     slope = -at.shift / (right - left)[:, np.newaxis, np.newaxis, np.newaxis]
     shift = found.shift + slope * (middle - left)[:, np.newaxis, np.newaxis, np.newaxis]
     twist = -at.twist[..., np.newaxis] * np.stack([-arm[..., 1], arm[..., 0]], axis=-1)
-    return _along((shift + twist)[:, 0], _axes(shaft.pieces.angle[:, pin]))
+    moved = _along((shift + twist)[:, 0], _axes(own.pieces.angle[:, pin]))
+    return moved.reshape(spans.size, n_designs, 2).swapaxes(0, 1)
 
 
 def _of_unit_force(left: Array, right: Array, middle: Array, arm: Array) -> tuple[Inner, Inner]:
@@ -155,9 +183,8 @@ def _of_unit_force(left: Array, right: Array, middle: Array, arm: Array) -> tupl
     return before, Inner(middle, before.moment_at(middle), (1 - share) * both, torque)
 
 
-def _length(shaft: Crankshaft, span: int) -> Array:
-    place = shaft.supports.place
-    return place[:, span + 1] - place[:, span]
+def _lengths(shaft: Crankshaft) -> Array:
+    return np.diff(shaft.supports.place, axis=1)
 
 
 def _spans_of_webs(shaft: Crankshaft) -> NDArray[np.intp]:
@@ -165,15 +192,16 @@ def _spans_of_webs(shaft: Crankshaft) -> NDArray[np.intp]:
 
 
 def _axes(angle: Array) -> Array:
-    """Directions in the plane of a throw and across it, shape (design, 2, component)."""
+    """Directions in the plane of throws and across it, shape (…, 2, component), of angles of the shape (…)."""
     return np.stack(
-        [np.stack([np.cos(angle), np.sin(angle)], axis=-1), np.stack([np.sin(angle), -np.cos(angle)], axis=-1)], axis=1
+        [np.stack([np.cos(angle), np.sin(angle)], axis=-1), np.stack([np.sin(angle), -np.cos(angle)], axis=-1)], axis=-2
     )
 
 
 def _along(matrix: Array, axes: Array) -> Array:
-    """Own part of matrices, shape (design, 2, 2), in each of two directions."""
-    return np.sum(axes[:, :, :, np.newaxis] * matrix[:, np.newaxis] * axes[:, :, np.newaxis, :], axis=(-2, -1))
+    """Own part of matrices, shape (…, 2, 2), in each of two directions."""
+    by_component = axes[..., :, :, np.newaxis] * matrix[..., np.newaxis, :, :] * axes[..., :, np.newaxis, :]
+    return np.sum(by_component, axis=(-2, -1))
 
 
 def _no_loads(n_designs: int) -> ActingPlaces:

@@ -4,9 +4,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.bent_spans import crank_line, web_line
+from cranktrain.questions.crankshaft.bent_spans import Bent, crank_line, web_line
 from cranktrain.questions.crankshaft.designs_alike import Alike, designs_alike, of_designs
-from cranktrain.questions.crankshaft.frame_spans import BentSpan, bent_spans
+from cranktrain.questions.crankshaft.frame_spans import bent_spans
 from cranktrain.questions.crankshaft.shaft import Crankshaft
 from cranktrain.questions.crankshaft.shaft_loads import ActingPlaces
 
@@ -88,23 +88,28 @@ def _marks(shaft: Crankshaft, pins: NDArray[np.intp]) -> ActingPlaces:
 
 def _relief(shaft: Crankshaft, marks: ActingPlaces, alike: Alike) -> Array:
     """By how much the moments in the bearings turn the pins back, against the last bearing, shape (design, throw)."""
+    bent = bent_spans(shaft, marks, alike)
+    held = _moments(bent.first, bent.last)
+    through = _turned(bent.first.twist, held)
     found = np.zeros(marks.z.shape)
-    for span, one in enumerate(bent_spans(shaft, marks, alike)):
-        held = _moments(one)
-        found[:, alike.loads <= span] += _turned(one.first.twist, held)[:, np.newaxis]
-        for mark, at in one.points.items():
-            found[:, mark] += _turned(at.twist, held)
+    for span in range(held.shape[1]):
+        found[:, alike.loads <= span] += through[:, span, np.newaxis]
+    for mark, at in bent.points.items():
+        found[:, mark] += _turned(at.twist, held[:, alike.loads[mark] - 1])
     return found
 
 
-def _moments(span: BentSpan) -> Array:
-    """Moments at both ends that keep these from turning under a unit torque, of opposite sign, shape (design, 4)."""
-    n_designs = len(span.first.twist)
-    columns = np.concatenate([-span.first.slope, span.last.slope], axis=-1).reshape(n_designs, 4, 4)
-    by_torque = span.first.twist.reshape(n_designs, 4, 1)
+def _moments(first: Bent, last: Bent) -> Array:
+    """Moments at the ends of spans that keep these from turning under a unit torque, of opposite sign.
+
+    Shape (design, span, 4).
+    """
+    shape = first.twist.shape[:2]
+    columns = np.concatenate([-first.slope, last.slope], axis=-1).reshape(*shape, 4, 4)
+    by_torque = first.twist.reshape(*shape, 4, 1)
     return np.asarray(np.linalg.solve(np.swapaxes(columns, -1, -2), by_torque), dtype=np.float64)[..., 0]
 
 
 def _turned(twist: Array, moments: Array) -> Array:
-    """Twist by moments, of that by unit ones, shape (design, 2, 2)."""
-    return np.sum(twist.reshape(len(twist), 4) * moments, axis=-1)
+    """Twist by moments, shape (…, 4), of that by unit ones, shape (…, 2, 2)."""
+    return np.sum(twist.reshape(moments.shape) * moments, axis=-1)

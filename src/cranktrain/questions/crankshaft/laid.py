@@ -36,8 +36,8 @@ class LaidShaft:
     ----------
     declared : DeclaredCrankshaft
     shaft : Crankshaft
-    ends : tuple of EndSlopes
-        Of each span.
+    ends : EndSlopes
+        Of all spans.
     pins, journals : array of int, shape (pin,), (pin + 1,)
         Which piece each is; −1 of a journal that there is not.
     webs : array of int, shape (pin, 2)
@@ -51,7 +51,7 @@ class LaidShaft:
 
     declared: DeclaredCrankshaft
     shaft: Crankshaft
-    ends: tuple[EndSlopes, ...]
+    ends: EndSlopes
     pins: NDArray[np.intp]
     journals: NDArray[np.intp]
     webs: NDArray[np.intp]
@@ -166,7 +166,7 @@ def _webs(throws: ThrowGeometry) -> NDArray[np.intp]:
     return at.reshape(n, 2)
 
 
-def _crankshaft(declared: DeclaredCrankshaft, throws: ThrowGeometry) -> tuple[Crankshaft, tuple[EndSlopes, ...]]:
+def _crankshaft(declared: DeclaredCrankshaft, throws: ThrowGeometry) -> tuple[Crankshaft, EndSlopes]:
     """Put sections and bearings together, and say how the ends of its spans turn."""
     material = Material(*(part[:, np.newaxis] for part in declared.material))
     n_designs, n_spans = len(throws.radius), declared.bearings.shape[1] - 1
@@ -184,9 +184,8 @@ def _crankshaft(declared: DeclaredCrankshaft, throws: ThrowGeometry) -> tuple[Cr
         Supports(declared.bearings, declared.compliance, declared.settlement, declared.clearance, declared.thrust),
         StraightSpans(*np.full((2, n_designs, n_spans), np.inf)),
     )
-    ends = tuple(end_slopes(plain, span) for span in range(n_spans))
-    straight = np.stack([straight_bending(plain, own, span) for span, own in enumerate(ends)], axis=1)
-    return plain._replace(straight=StraightSpans(straight, plain.straight.shear)), ends
+    ends = end_slopes(plain)
+    return plain._replace(straight=StraightSpans(straight_bending(plain, ends), plain.straight.shear)), ends
 
 
 def pin_names(laid: LaidShaft, shafts: Shafts) -> list[str]:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from cranktrain.questions.crankshaft.blocks import turned_by
 from cranktrain.questions.crankshaft.designs_alike import Alike, designs_alike, of_designs
-from cranktrain.questions.crankshaft.frame_spans import BentSpan, bent_spans, frame_spans
+from cranktrain.questions.crankshaft.frame_spans import BentSpans, bent_spans, frame_spans
 from cranktrain.questions.crankshaft.shaft import Crankshaft
 from cranktrain.questions.crankshaft.shaft_loads import ActingPlaces, AxisLoads, ShaftLoads, on_axis
 from cranktrain.questions.crankshaft.spans import CutShaft, cut_shaft
@@ -33,7 +33,7 @@ class AlikeShafts:
         self.designs, self.alike, self.shaft, self.places = designs, alike, shaft, places
 
     @cached_property
-    def bent(self) -> list[BentSpan]:
+    def bent(self) -> BentSpans:
         """The spans of the crank frame under unit moments."""
         return bent_spans(self.shaft, self.places, self.alike)
 

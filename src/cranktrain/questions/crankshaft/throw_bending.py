@@ -56,11 +56,9 @@ def _of_shaft(laid: LaidShaft) -> tuple[Array, Array, Array]:
     """Of every pin, shape (design, pin, 2). [N·m²]"""
     shaft, declared = laid.shaft, laid.declared
     span = np.sum(declared.centres[0][:, np.newaxis] > declared.bearings[0], axis=-1) - 1
-    shape = (*declared.centres.shape, len(_PLANES))
-    constant, near, middle = (np.full(shape, np.nan) for _use in range(3))
-    for pin, place in enumerate(map(int, span)):
-        is_alone = 0 <= place < declared.bearings.shape[1] - 1 and np.sum(span == place) == 1
-        if is_alone:
-            own = equivalent_stiffness(shaft, laid.ends[place], place, int(laid.pins[pin]))
-            constant[:, pin], near[:, pin], middle[:, pin] = own.constant_moment, own.near_end, own.mid_pin
+    is_between = (span >= 0) & (span < declared.bearings.shape[1] - 1)
+    alone = np.flatnonzero(is_between & (np.sum(span == span[:, np.newaxis], axis=-1) == 1))
+    constant, near, middle = (np.full((*declared.centres.shape, len(_PLANES)), np.nan) for _use in range(3))
+    own = equivalent_stiffness(shaft, laid.ends, span[alone], laid.pins[alone])
+    constant[:, alone], near[:, alone], middle[:, alone] = own.constant_moment, own.near_end, own.mid_pin
     return constant, near, middle

@@ -36,18 +36,11 @@ class Carriers:
 
 def carriers_of(places: Sequence[PlacedMechanism]) -> Carriers:
     """Find every slave's master: the slider-crank of the bank that it names, on the same throw."""
-    master = [
-        next(
-            (
-                i
-                for i, other in enumerate(places)
-                if other.bank == getattr(place.spec, "master", None)
-                and (other.shaft, other.throw) == (place.shaft, place.throw)
-                and other.kind.name == MASTER
-            ),
-            -1,
-        )
-        for place in places
-    ]
+    masters: dict[tuple[str, int, str | None], int] = {
+        (place.shaft, place.throw, place.bank): i
+        for i, place in reversed(list(enumerate(places)))
+        if place.kind.name == MASTER
+    }
+    master = [masters.get((place.shaft, place.throw, getattr(place.spec, "master", None)), -1) for place in places]
     is_piston = np.array([place.kind.output == "slider" for place in places])
     return Carriers(np.array(master, dtype=np.intp), np.where(is_piston, np.cumsum(is_piston) - 1, -1))

@@ -10,6 +10,8 @@ from cranktrain.questions.crankshaft.equivalent_stiffness import end_slopes, equ
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
 
 EVERY = pytest.mark.parametrize("method", BEARING_METHODS, ids=lambda method: method.name)
+THROW = np.array([0]), np.array([1])
+"""The span of the first throw, and the piece that its pin is."""
 THROUGH_SHAFT = pytest.mark.parametrize("method", BEARING_METHODS[:4], ids=lambda method: method.name)
 
 
@@ -65,9 +67,9 @@ def test_webs_that_are_shorter_are_stiffer():
     shaft = crankshaft()
     taken = 0.2 * np.array([0.05, 0.048])
     rigid = np.stack([taken, taken[::-1]] * 4)[np.newaxis]
-    whole = equivalent_stiffness(shaft, end_slopes(shaft, 0), 0, 1).constant_moment[0]
+    whole = equivalent_stiffness(shaft, end_slopes(shaft), *THROW).constant_moment[0, 0]
     shorter = shaft._replace(webs=shaft.webs._replace(rigid=rigid))
-    short = equivalent_stiffness(shorter, end_slopes(shorter, 0), 0, 1).constant_moment[0]
+    short = equivalent_stiffness(shorter, end_slopes(shorter), *THROW).constant_moment[0, 0]
     lost = 2 * np.sum(taken) / np.array([shaft.webs.bending[0, 0], shaft.webs.torsion[0, 0]])
     np.testing.assert_allclose(0.092 / whole - 0.092 / short, lost, rtol=1e-12)
 
@@ -79,5 +81,5 @@ def test_constant_moment_against_its_closed_form():
     straight = 0.046 / pieces.bending[0, 0] + 0.046 / pieces.bending[0, 1]
     wanted = straight + 2 * 0.039 / np.array([webs.bending[0, 0], webs.torsion[0, 0]])
     np.testing.assert_allclose(
-        0.092 / equivalent_stiffness(shaft, end_slopes(shaft, 0), 0, 1).constant_moment[0], wanted, rtol=1e-13
+        0.092 / equivalent_stiffness(shaft, end_slopes(shaft), *THROW).constant_moment[0, 0], wanted, rtol=1e-13
     )
