@@ -12,9 +12,8 @@ from cranktrain.analysis.grids import FACTS_STEP, coarse_curves, has_curves, on_
 from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
-from cranktrain.analysis.stages import STAGES, lacking, leading_to, missing_results, run_stages
+from cranktrain.analysis.stages import STAGES, homes, lacking, leading_to, missing_results, run_stages
 from cranktrain.analysis.unused import unused
-from cranktrain.catalogue import entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.how_far import within
 from cranktrain.language import _
@@ -183,7 +182,7 @@ def _step(degrees: float) -> float:
 
 def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
     """Those stages that the named quantities need, in order, and those that take what there is."""
-    home = {entry.name: stage for stage in stages for entry in entries(stage.gives)}
+    home = homes(tuple(stages))
     unknown = [name for name in names if name not in home]
     if unknown:
         from cranktrain.quantities import nearest  # only after a mistake

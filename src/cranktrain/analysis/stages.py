@@ -18,6 +18,7 @@ from cranktrain.how_far import say_how_far
 from cranktrain.language import _
 from cranktrain.layout.question import Stage
 from cranktrain.mechanisms import KINDS
+from cranktrain.motion import Array
 
 _NOT_FOR_IT = ""
 """Among what is missing: nothing that a file could say would help."""
@@ -56,6 +57,12 @@ def leading_to(stages: Sequence[Stage], outcomes: Iterable[type]) -> tuple[Stage
     return tuple(one for one in stages if one.gives in wanted)
 
 
+@cache
+def homes(stages: tuple[Stage, ...]) -> dict[str, Stage]:
+    """Which stage gives each quantity."""
+    return {entry.name: stage for stage in stages for entry in entries(stage.gives)}
+
+
 STAGES: tuple[Stage, ...] = (
     *(stage for question in QUESTIONS for stage in question.stages),
     *(Stage(function) for kind in KINDS for function in kind.stages),
@@ -82,18 +89,22 @@ def lacking(stages: Sequence[Stage], parts: Mapping[type, object]) -> dict[type,
     known = set(parts)
     roots: dict[type, frozenset[str]] = {}
     for one in ordered(tuple(stages)):
-        needed = {need for name, need in one.needs.items() if name not in one.optional} - known
-        applies = one.applies_to(parts)
+        needed, applies = one.required - known, one.applies_to(parts)
         if needed or applies is not True:
             asked = applies if isinstance(applies, tuple) else (applies or _NOT_FOR_IT,)
             said = frozenset[str]() if applies is True else frozenset(cast(tuple[str, ...], asked))
-            roots[one.gives] = said.union(*(roots.get(need, {getattr(need, "needs", _NOT_FOR_IT)}) for need in needed))
+            roots[one.gives] = said.union(*(roots[need] if need in roots else _asked(need) for need in needed))
         else:
             known.add(one.gives)
-    return {
-        outcome: () if _NOT_FOR_IT in words else tuple(sorted(_(word) for word in words))
-        for outcome, words in roots.items()
+    told = {
+        words: () if _NOT_FOR_IT in words else tuple(sorted(_(word) for word in words)) for words in set(roots.values())
     }
+    return {outcome: told[words] for outcome, words in roots.items()}
+
+
+def _asked(part: type) -> frozenset[str]:
+    """What a file would have to say for a part."""
+    return frozenset([getattr(part, "needs", _NOT_FOR_IT)])
 
 
 def run_stages(stages: Sequence[Stage], parts: Mapping[type, object], absent: Collection[type]) -> dict[type, object]:
@@ -155,16 +166,17 @@ def _freeze(outcome: object, seen: set[int]) -> None:
     open_ends: list[object] = [outcome]
     while open_ends:
         value = open_ends.pop()
-        if isinstance(value, np.ndarray):
-            value.setflags(write=False)
-        elif isinstance(value, tuple) or _is_record(type(value)):
-            held = cast(tuple[object, ...], value)
-            if id(held) not in seen:
-                seen.add(id(held))
-                open_ends += held if isinstance(value, tuple) else vars(held).values()
+        holds = _what_it_holds(type(value))
+        if holds is np.ndarray:
+            cast(Array, value).setflags(write=False)
+        elif holds is not None and id(value) not in seen:
+            seen.add(id(value))
+            open_ends += cast(tuple[object, ...], value) if holds is tuple else vars(value).values()
 
 
 @cache
-def _is_record(kind: type) -> bool:
-    """Whether what is of this type has fields."""
-    return is_dataclass(kind)
+def _what_it_holds(kind: type) -> type | None:
+    """As what a value of some type may hold arrays: as an array, a tuple, an object with fields; None of any other."""
+    if issubclass(kind, np.ndarray | tuple):
+        return np.ndarray if issubclass(kind, np.ndarray) else tuple
+    return object if is_dataclass(cast(object, kind)) else None

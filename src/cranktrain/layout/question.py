@@ -82,6 +82,11 @@ class Stage:
         """Parameters that may be None: never reported as missing."""
         return needs_of(self.function).optional
 
+    @cached_property
+    def required(self) -> frozenset[type]:
+        """Types without which it cannot run."""
+        return frozenset(need for name, need in self.needs.items() if name not in self.optional)
+
     def applies_to(self, parts: Mapping[type, object]) -> Applies:
         """Say whether it applies to a machine of some parts; where it asks for one that is not there, it does not."""
         if self.applies is None:
