@@ -1,0 +1,30 @@
+"""What the benchmarks time is what a run does."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import cranktrain as ct
+from cranktrain.analysis import STAGES
+
+BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
+
+
+def test_stages_of_the_crankshaft_are_those_of_a_run(monkeypatch):
+    monkeypatch.syspath_prepend(BENCHMARKS)
+    from run import is_of_crankshaft
+    from steps import ready_stages
+
+    monkeypatch.delitem(sys.modules, "run")
+    result, ready = ct.run([ct.load("vaz_21213")]), ready_stages("vaz_21213")
+    own = [one for one in STAGES if is_of_crankshaft(one) and one.function.__name__ in ready]
+    numbers = {
+        name: value
+        for one in own
+        for name, value in vars(ready[one.function.__name__]()).items()
+        if name in result.catalogue and isinstance(value, np.ndarray)
+    }
+    assert len(own) > 10 and len(numbers) > 20
+    for name, value in numbers.items():
+        np.testing.assert_array_equal(value, getattr(result, name), err_msg=name)
