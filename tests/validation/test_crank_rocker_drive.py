@@ -41,7 +41,7 @@ def table(name):
 
 NAMES = {
     "k": ("(10)", "right", "AC/BC"),
-    "M_right": ("(14)", "right", "at the motor, active load, losses by the transmitted torque"),
+    "M_right": ("(14)", "right", "at the motor, active load, efficiency back the same as forward"),
     "M_source14": ("(14)", "source", "at the motor, η always dividing"),
     "M_source13": ("(13)", "source", "at the crank, with r₁ for r"),
     "M_KP": ("(14)", "refuted", "at the motor, by Kunitsky and Popov"),
@@ -104,6 +104,12 @@ def test_work_of_a_turn_in_closed_form():
     assert work["M_right_reactive"] == pytest.approx(2 * LOAD * gamma / eta, rel=1e-12)
     assert work["M_source14"] == pytest.approx(0.0, abs=1e-9)
     assert (round(work["M_right"], 3), round(work["M_right_reactive"], 3)) == (705.449, 4962.987)
+    by_law = curve_facts(
+        DRIVE, CURVES["(14)", "right", "at the motor, active load, friction torque the same both ways"]
+    )
+    back = (2 - 1 / 0.94) * (2 - 1 / 0.9)
+    assert by_law.work == pytest.approx(LOAD * gamma * (1 / eta - back), rel=1e-12)
+    assert (round(by_law.work, 3), round(by_law.returning.value, 3)) == (734.522, -24.981)
 
 
 def test_absurdities():
@@ -118,7 +124,8 @@ def test_absurdities():
     assert np.degrees(found.below) == pytest.approx(360 - 214.622161839731823 + 31.7525344485698775, rel=1e-13)
     # the cosine rule with the crank along the ground line: cos μ = (l² + r₁² − (d − r)²)/(2 l r₁) = 0.625
     assert found.least_square == pytest.approx(1 - 0.625**2, rel=1e-13)
-    assert found.lost == pytest.approx(2000 * np.radians(60.14176317846605) * (1 / 0.846 - 0.846), rel=1e-13)
+    lost = 1 / 0.846 - (2 - 1 / 0.94) * (2 - 1 / 0.9)
+    assert found.lost == pytest.approx(2000 * np.radians(60.14176317846605) * lost, rel=1e-12)
     assert (found.too_large, found.too_long) == pytest.approx((40 / 0.846, 2.0), rel=1e-15)
 
 

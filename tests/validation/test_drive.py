@@ -70,11 +70,24 @@ def test_static_torque_of_an_active_load():
 
 def test_static_torque_where_losses_always_divide():
     """The paper's (14): it returns in one half of the turn what it lost in the other."""
-    dividing = ct.run(table(), step_degrees=0.25).static_motor_torque[1]
+    dividing = ct.run(table(), step_degrees=0.25).static_motor_torque[2]
     peaks = BLOCK_B["peaks"]["M_source14"]
     expected = [peaks["half_k_positive"][1], peaks["half_k_negative"][1]]
     np.testing.assert_allclose([np.max(dividing), np.min(dividing)], expected, rtol=2e-5)  # off the grid
     assert np.mean(dividing) == pytest.approx(0.0, abs=1e-12)
+
+
+def test_static_torque_with_the_same_efficiency_back():
+    """Of as much friction torque both ways less comes back than of the same efficiency."""
+    gear, linkage = {"ratio": 40, "efficiency": 0.94}, {"kind": "linkage", "ratio": 1, "efficiency": 0.9}
+    machine = table()
+    machine = machine.with_({"drive": {**machine.declared["drive"], "stage": [gear, linkage]}})
+    by_friction, same, _dividing = ct.run(machine, step_degrees=0.25).static_motor_torque
+    peaks = BLOCK_B["peaks"]["M_right"]
+    expected = [peaks["half_k_positive"][1], peaks["half_k_negative"][1]]
+    np.testing.assert_allclose([np.max(same), np.min(same)], expected, rtol=2e-5)  # off the grid
+    share = (2 - 1 / 0.94) * (2 - 1 / 0.9) / 0.846
+    np.testing.assert_allclose(by_friction, np.where(same > 0, same, share * same), rtol=1e-14)
 
 
 def test_static_torque_of_dry_friction_never_changes_its_sign():

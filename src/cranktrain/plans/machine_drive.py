@@ -1,6 +1,8 @@
 """A machine's crank-rocker as the drive of [gandzha]: its numbers by that source's symbols."""
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 
 import numpy as np
 
@@ -11,8 +13,38 @@ from cranktrain.layout.masses import masses_of
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.questions.drive.running.gearing import stages
+from cranktrain.questions.drive.spec import DriveSpec
+from cranktrain.textbook.crank_rocker_drive import Drivetrain
+from cranktrain.textbook.drive_table import CrankRockerDrive, read_drive
 
 _KIND = "crank_rocker"
+_OF_STAGES = frozenset({"i", "eta_p", "eta_sh"})
+
+
+def machine_drive(machine: Machine, typed: Mapping[str, object] = MappingProxyType({})) -> CrankRockerDrive:
+    """Give a machine's crank-rocker and its drive as the text on these takes them.
+
+    Parameters
+    ----------
+    machine : Machine
+    typed : mapping
+        Other values by the text's symbols, as `read_drive` takes them. With i, eta_p or eta_sh among them the symbols
+        stand for the stages of [drive].
+
+    Returns
+    -------
+    CrankRockerDrive
+
+    Raises
+    ------
+    InputError
+        If there is no crank-rocker, or neither the machine nor `typed` says what the text needs.
+    """
+    drive = read_drive(drive_data(machine) | dict(typed))
+    if machine.drive is None or not _OF_STAGES.isdisjoint(typed):
+        return drive
+    return drive._replace(train=drivetrain_of(machine.drive))
 
 
 def drive_data(machine: Machine, mechanism: str | None = None) -> dict[str, object]:
@@ -49,16 +81,30 @@ def drive_data(machine: Machine, mechanism: str | None = None) -> dict[str, obje
     return data | dict(_of_gear(machine)) | dict(_of_masses(machine, place)) | dict(_of_loads(machine, place))
 
 
+def drivetrain_of(drive: DriveSpec) -> Drivetrain:
+    """The stages of a machine's [drive] with their own losses: those of kind "linkage" are the text's η_ш."""
+    each = [
+        (_first(stage.ratio.array), *map(_first, stage.efficiencies), _first(stage.drag.array)) for stage in drive.stage
+    ]
+    of_gears, of_pins = (
+        math.prod(own[1] for own, stage in zip(each, drive.stage, strict=True) if (stage.kind == "linkage") is wanted)
+        for wanted in (False, True)
+    )
+    gearing = stages(0.0, *((ratio, forward, back, drag, 0.0) for ratio, forward, back, drag in each))
+    return Drivetrain(gearing, np.array(of_gears), np.array(of_pins), is_of_machine=True)
+
+
 def _of_gear(machine: Machine) -> Iterator[tuple[str, object]]:
     """Ratio and efficiency of all stages; flywheel moment of what turns with their shafts, at the motor."""
     drive = machine.drive
-    yield "eta_sh", 1.0
     if drive is None:
+        yield "eta_sh", 1.0
         return
-    ratios = [float(np.ravel(stage.ratio.array)[0]) for stage in drive.stage]
-    forward = [float(np.ravel(stage.efficiencies[0])[0]) for stage in drive.stage]
+    ratios = [_first(stage.ratio.array) for stage in drive.stage]
+    train = drivetrain_of(drive)
+    yield "eta_sh", float(train.linkage_efficiency)
     yield "i", float(np.prod(ratios))
-    yield "eta_p", float(np.prod(forward))
+    yield "eta_p", float(train.gear_efficiency)
     motor = None if drive.motor is None else drive.motor.rotor_inertia
     own = 0.0 if motor is None else float(np.ravel(motor)[0])
     for part in drive.part.values():
@@ -110,6 +156,11 @@ def _torque(load: LoadSpec) -> float | None:
     arm = 1.0 if load.torque is not None or load.radius is None else load.radius.si
     torque = -next(iter(sizes)).si * arm
     return abs(torque) if load.sense == "resisting" else torque
+
+
+def _first(value: Array) -> float:
+    """The number of a machine that is no column of designs."""
+    return float(np.ravel(value)[0])
 
 
 def _written(value: Array | float, unit: str) -> str:

@@ -5,7 +5,9 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
-from cranktrain.motion import Array
+from cranktrain.motion import ONE, Array
+from cranktrain.questions.drive.gear_train import torque_through
+from cranktrain.questions.drive.running.gearing import Gearing, equal_friction, overall_ratio, stages
 from cranktrain.textbook.crank_rocker import pin_velocity_ratio, product_of_sines
 
 
@@ -18,11 +20,36 @@ class Directions(NamedTuple):
 
 
 class Drivetrain(NamedTuple):
-    """Between motor and crank: ratio i, efficiencies η_p of the gear and η_ш of the linkage. [1]"""
+    """Between motor and crank.
 
-    ratio: Array
+    Attributes
+    ----------
+    gearing : Gearing
+        All stages, the linkage's losses as one of them.
+    gear_efficiency, linkage_efficiency : Array
+        η_p of all gears and η_ш of the linkage, while the motor drives. [1]
+    is_of_machine : bool
+        Whether its stages are those of a machine, and not of the source's symbols alone.
+    """
+
+    gearing: Gearing
     gear_efficiency: Array
     linkage_efficiency: Array
+    is_of_machine: bool = False
+
+    @property
+    def ratio(self) -> float:
+        """Turns of the motor for one of the crank, i. [1]"""
+        return overall_ratio(self.gearing)
+
+
+def drivetrain(ratio: Array, gear_efficiency: Array, linkage_efficiency: Array) -> Drivetrain:
+    """A gear and a linkage by the source's symbols, each with as much friction torque both ways."""
+    of_gear, of_linkage = (
+        (turned, own, float(equal_friction(np.array(own))), 0.0, 0.0)
+        for turned, own in ((float(ratio), float(gear_efficiency)), (1.0, float(linkage_efficiency)))
+    )
+    return Drivetrain(stages(0.0, of_gear, of_linkage), gear_efficiency, linkage_efficiency)
 
 
 def directions(angle: Array, geometry: CrankRocker) -> Directions:
@@ -106,12 +133,12 @@ def always_dividing(torque: Array, train: Drivetrain) -> Array:
 
 
 def by_transmitted_torque(torque: Array, train: Drivetrain) -> Array:
-    """Torque at the motor for one on the crank that turns forward, losses by its sign.
+    """Torque at the motor for one on the crank that turns forward, losses of every stage by what it passes on.
 
     Parameters
     ----------
     torque : Array
-        That gear and linkage pass on, less than 0 where the load drives. [N·m]
+        That the stages pass on, less than 0 where the load drives. [N·m]
     train : Drivetrain
 
     Returns
@@ -121,17 +148,28 @@ def by_transmitted_torque(torque: Array, train: Drivetrain) -> Array:
 
     Notes
     -----
-    Lost is power, so it helps whoever holds a load that drives: x/(i η) of x > 0, x η/i of x < 0. Of x the inertia's
-    part counts, too. docs/theory/crank-rocker-drive, eq. (27.6).
+    Lost is power, so it helps whoever holds a load that drives: x/(i η) of x > 0, x η′/i of x < 0, η′ = 2 − 1/η where
+    a stage's friction torque is the same both ways. Of x the inertia's part counts, too.
+    docs/theory/crank-rocker-drive, eq. (27.6).
 
     Examples
     --------
-    >>> train = Drivetrain(np.array(10.0), np.array(0.8), np.array(1.0))
+    >>> train = drivetrain(np.array(10.0), np.array(0.8), np.array(1.0))
     >>> by_transmitted_torque(np.array([100.0, -100.0]), train).tolist()
-    [12.5, -8.0]
+    [12.5, -7.5]
     """
-    share = efficiency(train)
-    return torque / train.ratio * np.where(torque > 0, 1 / share, share)
+    return torque_through(torque, ONE, train.gearing)[0]
+
+
+def by_same_efficiency(torque: Array, train: Drivetrain) -> Array:
+    """The same where a stage's efficiency back is that forward, x η/i of x < 0, as the source's η suggests. [N·m]"""
+    both_ways = train.gearing._replace(backward=train.gearing.forward)
+    return torque_through(torque, ONE, both_ways)[0]
+
+
+def passed_on(torque: Array, train: Drivetrain) -> Array:
+    """Torque at each stage's output by `by_transmitted_torque`, shape (stage, ...): kinks where one is 0. [N·m]"""
+    return torque_through(torque, ONE, train.gearing)[1:]
 
 
 def weight_at_rocker_pin(flywheel_moment: Array, rocker_length: Array) -> Array:

@@ -1,6 +1,7 @@
 """Curves of a crank-rocker's drive over a turn, with what follows from each: peaks, means, work."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -12,10 +13,13 @@ from cranktrain.numerics import bracketed_roots
 from cranktrain.numerics.ties import first_largest
 from cranktrain.record import record
 from cranktrain.textbook.crank_rocker_drive import (
+    Drivetrain,
     always_dividing,
+    by_same_efficiency,
     by_transmitted_torque,
     efficiency,
     motor_flywheel_moment,
+    passed_on,
     printed_flywheel_moment,
     reduced_inertia,
     weight_at_rocker_pin,
@@ -65,7 +69,9 @@ class DriveCurve:
     carrier : "ratio", "product" or "inertia"
         What of the linkage it follows: κ, the product of both sines, the whole reduced inertia.
     of : callable
-        From values of its carrier; grows or falls with them over either half-period.
+        From values of its carrier; between kinks it grows or falls with them over either half-period.
+    turns : callable, optional
+        From values of its carrier what has kinks of the curve where it changes its sign, shape (signal, n).
     """
 
     number: str
@@ -74,6 +80,7 @@ class DriveCurve:
     verdict: Verdict
     carrier: Carrier
     of: Callable[[Array], Array]
+    turns: Callable[[Array], Array] | None = None
 
     @property
     def is_at_motor(self) -> bool:
@@ -167,18 +174,44 @@ def _torques(drive: CrankRockerDrive) -> Iterator[DriveCurve]:
     yield DriveCurve(
         "(13)", N_("at the crank, with r₁ for r"), "N*m", "source", "ratio", lambda k: drive.load * r1 * k / loss
     )
+    by_law = (
+        N_("at the motor, active load, by the stages of [drive]")
+        if train.is_of_machine
+        else N_("at the motor, active load, friction torque the same both ways")
+    )
+    yield _at_motor("(14)", by_law, on_crank, train)
     yield DriveCurve(
         "(14)",
-        N_("at the motor, active load, losses by the transmitted torque"),
+        N_("at the motor, active load, efficiency back the same as forward"),
+        "N*m",
+        "right",
+        "ratio",
+        lambda ratio: by_same_efficiency(on_crank * ratio, train),
+    )
+    yield _of_friction("(14)", N_("at the motor, dry friction"), on_crank, train)
+    yield DriveCurve("(14)", N_("at the motor, η always dividing"), "N*m", "source", "ratio", lambda k: refuted * k)
+    yield DriveCurve(
+        "(14)", N_("at the motor, by Kunitsky and Popov"), "N*m", "refuted", "product", lambda one: refuted * one
+    )
+
+
+def _at_motor(number: str, name: str, on_crank: Array, train: Drivetrain) -> DriveCurve:
+    """Torque at the motor of a load that keeps its direction, by what the stages pass on."""
+    return DriveCurve(
+        number,
+        name,
         "N*m",
         "right",
         "ratio",
         lambda ratio: by_transmitted_torque(on_crank * ratio, train),
+        lambda ratio: passed_on(on_crank * ratio, train),
     )
-    yield DriveCurve("(14)", N_("at the motor, dry friction"), "N*m", "right", "ratio", lambda k: np.abs(refuted * k))
-    yield DriveCurve("(14)", N_("at the motor, η always dividing"), "N*m", "source", "ratio", lambda k: refuted * k)
-    yield DriveCurve(
-        "(14)", N_("at the motor, by Kunitsky and Popov"), "N*m", "refuted", "product", lambda one: refuted * one
+
+
+def _of_friction(number: str, name: str, on_crank: Array, train: Drivetrain) -> DriveCurve:
+    """Torque at the motor of a load that turns with the rocker's motion, so that every stage drives."""
+    return DriveCurve(
+        number, name, "N*m", "right", "ratio", lambda ratio: by_transmitted_torque(np.abs(on_crank * ratio), train)
     )
 
 
@@ -234,17 +267,8 @@ def _idle(drive: CrankRockerDrive) -> Iterator[DriveCurve]:
     train = drive.train
     on_crank = drive.idle_torque * drive.geometry.crank_radius / drive.geometry.rocker_length
     flat = always_dividing(on_crank, train)
-    yield DriveCurve(
-        "(21)", N_("idle, dry friction: never less than 0"), "N*m", "right", "ratio", lambda ratio: np.abs(flat * ratio)
-    )
-    yield DriveCurve(
-        "(21)",
-        N_("idle, a constant active Q"),
-        "N*m",
-        "right",
-        "ratio",
-        lambda ratio: by_transmitted_torque(on_crank * ratio, train),
-    )
+    yield _of_friction("(21)", N_("idle, dry friction: never less than 0"), on_crank, train)
+    yield _at_motor("(21)", N_("idle, a constant active Q"), on_crank, train)
     yield DriveCurve("(21)", N_("idle, η always dividing"), "N*m", "source", "ratio", lambda ratio: flat * ratio)
     yield DriveCurve(
         "(21)",
@@ -266,21 +290,42 @@ def curve_facts(drive: CrankRockerDrive, curve: DriveCurve) -> CurveFacts:
 
     Notes
     -----
-    A curve follows its carrier, so its peaks are where that has no slope; quadrature goes from dead position to dead
-    position, between which every curve is smooth.
+    A curve follows its carrier, so its peaks are where that has no slope, or at kinks; quadrature goes from dead
+    position to dead position and stops at kinks, between which every curve is smooth.
     """
     dead = dead_positions(drive.geometry)
-    peaks = [_peak(drive, curve, half) for half in (dead.advance, dead.back)]
+    halves = (dead.advance, dead.back)
+    kinks = [_kinks(drive, curve, half) for half in halves]
+    peaks = [_peak(drive, curve, half, own) for half, own in zip(halves, kinks, strict=True)]
+    parts = [
+        Half(*edges)
+        for half, own in zip(halves, kinks, strict=True)
+        for edges in pairwise([half.start, *own, half.end])
+    ]
     mean, square = (
-        sum(
-            integral(lambda angle, n=n: values_at(drive, curve, angle) ** n, half) for half in (dead.advance, dead.back)
-        )
-        / (2 * np.pi)
+        sum(integral(lambda angle, n=n: values_at(drive, curve, angle) ** n, part) for part in parts) / (2 * np.pi)
         for n in (1, 2)
     )
-    turned = float(drive.train.ratio) if curve.is_at_motor else 1.0
+    turned = drive.train.ratio if curve.is_at_motor else 1.0
     work = 2 * np.pi * turned * mean if curve.unit == "N*m" else 0.0
     return CurveFacts(peaks[0], peaks[1], mean, float(np.sqrt(square)), work)
+
+
+def _kinks(drive: CrankRockerDrive, curve: DriveCurve, half: Half) -> list[float]:
+    """Angles within a half-period at which the curve has kinks, rising. [rad]"""
+    turns = curve.turns
+    if turns is None:
+        return []
+    tried = np.linspace(half.start, half.end, _TRIED)
+    found: list[float] = []
+    for place, values in enumerate(turns(carried(drive, curve.carrier, tried)[0])):
+
+        def signal(angle: Array, place: int = place) -> Array:
+            return turns(carried(drive, curve.carrier, angle)[0])[place]
+
+        before = np.flatnonzero(values[:-1] * values[1:] < 0)
+        found += bracketed_roots(signal, tried[before], tried[before + 1]).tolist()
+    return sorted(set(found))
 
 
 def integral(curve: Callable[[Array], Array], span: Half, pieces: int = _PIECES) -> float:
@@ -291,7 +336,7 @@ def integral(curve: Callable[[Array], Array], span: Half, pieces: int = _PIECES)
     return float(np.sum(curve(edges[:-1, np.newaxis] + half * (1 + nodes)) * half * weights))
 
 
-def _peak(drive: CrankRockerDrive, curve: DriveCurve, half: Half) -> CurvePeak:
+def _peak(drive: CrankRockerDrive, curve: DriveCurve, half: Half, kinks: Sequence[float]) -> CurvePeak:
     """Peak of a half-period: the value farthest from that at the dead positions, where the carrier has no slope."""
     tried = np.linspace(half.start, half.end, _TRIED)[1:-1]
 
@@ -299,7 +344,7 @@ def _peak(drive: CrankRockerDrive, curve: DriveCurve, half: Half) -> CurvePeak:
         return carried(drive, curve.carrier, angle)[1]
 
     roots = bracketed_roots(slope, tried[:-1], tried[1:])
-    angles = roots[~np.isnan(roots)]
+    angles = np.concatenate([roots[~np.isnan(roots)], kinks])
     values = values_at(drive, curve, angles)
     at_dead = values_at(drive, curve, np.array([half.start]))[0]
     best = first_largest(np.abs(values - at_dead))

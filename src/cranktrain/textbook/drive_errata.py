@@ -54,10 +54,18 @@ def drive_errata() -> tuple[WrongStep, ...]:
             facts("(14)", "right").returning.value,
             "N*m",
             N_(
-                "η divides while the motor drives alone; where the load drives, losses help to hold it, and η "
-                "multiplies. By the sign of the torque that is passed on, inertia's part with it. Here the peak as "
-                "the rocker goes back"
+                "η divides while the motor drives alone; where the load drives, losses help to hold it, and 2 − 1/η "
+                "multiplies: a friction torque that is the same both ways. By the sign of the torque that is passed "
+                "on, inertia's part with it. Here the peak as the rocker goes back"
             ),
+        ),
+        WrongStep(
+            N_("the same with one efficiency for both ways"),
+            "1/η",
+            facts("(14)", "source").returning.value,
+            facts("(14)", "right", 1).returning.value,
+            "N*m",
+            N_("where the load drives, η multiplies, if gear and linkage are as efficient that way"),
         ),
         WrongStep(
             N_("flywheel moment on the crank's shaft, (19)"),

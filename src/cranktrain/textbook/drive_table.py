@@ -26,7 +26,7 @@ from cranktrain.quantities import (
 )
 from cranktrain.quantities.fields import Force
 from cranktrain.spec import Spec, validated
-from cranktrain.textbook.crank_rocker_drive import Drivetrain, RigidRod
+from cranktrain.textbook.crank_rocker_drive import Drivetrain, RigidRod, drivetrain
 from cranktrain.textbook.friction_circles import FrictionRadii, friction_radius
 
 Efficiency = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)]
@@ -174,7 +174,7 @@ def read_drive(data: Mapping[str, object]) -> CrankRockerDrive:
     idle = table.load.array * table.r1.array if table.idle_torque is None else table.idle_torque.array
     return CrankRockerDrive(
         table.geometry,
-        Drivetrain(table.i.array, table.eta_p.array, table.eta_sh.array),
+        drivetrain(table.i.array, table.eta_p.array, table.eta_sh.array),
         table.load.array,
         idle,
         table.gear_moment.array,

@@ -41,8 +41,8 @@ def absurdities(drive: CrankRockerDrive) -> Absurdities:
 
     Notes
     -----
-    The product of both sines has κ's sign, so that GD² is below (GD²)₀ while the rocker goes back. What a turn loses is
-    Q r₁ γ (1/η − η), γ the rocker's swing. docs/theory/crank-rocker-drive, eqs. (27.5), (27.7).
+    The product of both sines has κ's sign, so that GD² is below (GD²)₀ while the rocker goes back. A turn with an
+    active load loses what the motor gives. docs/theory/crank-rocker-drive, eqs. (27.5), (27.7).
     """
     dead = dead_positions(drive.geometry)
     halves = (dead.advance, dead.back)
@@ -51,7 +51,9 @@ def absurdities(drive: CrankRockerDrive) -> Absurdities:
     def product(angle: Array) -> Array:
         return carried(drive, "product", angle)[0]
 
-    refuted = next(one for one in drive_curves(drive) if one.verdict == "refuted" and one.number == "(20)")
+    curves = drive_curves(drive)
+    refuted = next(one for one in curves if one.verdict == "refuted" and one.number == "(20)")
+    right = next(one for one in curves if one.verdict == "right" and one.number == "(14)")
     train, load = drive.train, float(drive.load)
     eta = float(efficiency(train))
     return Absurdities(
@@ -59,9 +61,9 @@ def absurdities(drive: CrankRockerDrive) -> Absurdities:
         least_moment=min(curve_facts(drive, refuted)[:2], key=lambda peak: peak.value).value,
         below=dead.back.end - dead.back.start,
         least_square=_least_square(drive),
-        lost=abs(load) * r1 * swing(drive) * (1 / eta - eta),
+        lost=curve_facts(drive, right).work,
         printed_lost=0.0,
-        too_large=float(train.ratio) / eta,
+        too_large=train.ratio / eta,
         too_long=r1 / r,
     )
 

@@ -20,7 +20,7 @@ from cranktrain.io.machine_file import read_machine
 from cranktrain.io.syntax import parsed
 from cranktrain.language import _
 from cranktrain.one_line import one_line
-from cranktrain.plans.machine_drive import drive_data
+from cranktrain.plans.machine_drive import machine_drive
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.crank_rocker_drive import (
     centre_distances,
@@ -123,13 +123,11 @@ def _is_machine(source: str) -> bool:
 
 def _of_machine(source: str, own: Sequence[str], settings: Sequence[str]) -> _DriveFile:
     """Take a machine's crank-rocker; what it does not say is asked for as settings."""
-    data = drive_data(read_machine(source, settings).machine)
-    for setting in own:
-        key, _equals, value = (part.strip() for part in setting.partition("="))
-        data[key] = value
+    machine = read_machine(source, settings).machine
+    typed = {key.strip(): value.strip() for key, _equals, value in (one.partition("=") for one in own)}
     repair = _('such as --set i=40 --set eta_p=0.94 --set "Q=4 kN" --set "GD2_0=2 kg*m^2"')
     with problems_as(lambda one: replace(one, position=_SETTING, repair=one.repair or repair)):
-        return _DriveFile(read_drive(data), None)
+        return _DriveFile(machine_drive(machine, typed), None)
 
 
 def _document(source: str) -> Document:

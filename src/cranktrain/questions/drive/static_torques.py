@@ -1,6 +1,7 @@
 """Static torque and inertia reduced to every shaft of a drive: what the motor must hold, and what it must speed up."""
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -24,8 +25,9 @@ from cranktrain.questions.drive.sign_changes import sign_changes
 from cranktrain.record import record
 
 THEORY = "docs/theory/reduced-machine"
-RULES = (N_("by transmitted torque"), N_("always dividing"))
-"""Where losses go: by the sign of what a stage passes on; or against the motor always, as [gandzha] has it."""
+RULES = (N_("by transmitted torque"), N_("same efficiency back"), N_("always dividing"))
+"""Where losses go: by the sign of what a stage passes on, with its own efficiency back, or with that forward; or against
+the motor always, as [gandzha] has it."""
 
 _SHAFT = ("drive_shaft",)
 _CURVE = ("drive_shaft", "crank_angle")
@@ -90,24 +92,24 @@ def static_torques(drive: DeclaredDrive, machines: ReducedMachines, crank_angle:
     docs/theory/reduced-machine, eqs. (31.9) and (31.10).
     """
     grid = np.broadcast_to(crank_angle.angle[:, 0], (len(machines.each), crank_angle.shown.size))
-    torque, dividing, inertia = list[Array](), list[Array](), list[Array]()
+    torque, others, inertia = list[Array](), list[Array](), list[Array]()
     facts: list[StaticFacts] = []
     for design, (machine, gearing) in enumerate(zip(machines.each, drive.gearings, strict=True)):
         at = reduced_at(machine, grid[design])
         still = at.by_load(0.0 * grid[design])
         torque.append(torque_through(still, ONE, gearing))
-        dividing.append(torque_through(still, ONE, _always_dividing(gearing))[0])
+        others.append(np.stack([torque_through(still, ONE, other)[0] for other in _other_laws(gearing)]))
         inertia.append(_inertias(at.inertia, gearing))
         corners = machines.corners[min(design, len(machines.corners) - 1)]
         zero = float(crank_angle.zero[min(design, len(crank_angle.zero) - 1), 0, 0])
         facts.append(static_facts(machine, corners, machines.cycle, gearing, zero=zero, grid=crank_angle.shown))
     driven = np.stack(inertia)
     of_drive = np.stack([_inertias(np.zeros(1), gearing)[:, 0] for gearing in drive.gearings])
-    at_motor = np.stack([own[0] for own in torque])
+    at_motor = np.stack([own[:1] for own in torque])
     return StaticTorques(
         labels={"drive_shaft": drive.shafts, "loss_rule": tuple(_(rule) for rule in RULES)},
         static_torque=np.stack(torque),
-        static_motor_torque=np.stack([at_motor, np.stack(dividing)], axis=1),
+        static_motor_torque=np.concatenate([at_motor, np.stack(others)], axis=1),
         driven_inertia=driven,
         driven_flywheel_moment=4 * driven,
         gear_flywheel_moment=4 * of_drive,
@@ -119,9 +121,9 @@ def static_torques(drive: DeclaredDrive, machines: ReducedMachines, crank_angle:
     )
 
 
-def _always_dividing(gearing: Gearing) -> Gearing:
-    """Gearing in whose loss the sign of the torque does not matter: as much too little comes back."""
-    return gearing._replace(backward=1 / gearing.forward)
+def _other_laws(gearing: Gearing) -> tuple[Gearing, Gearing]:
+    """Gearing that is as efficient back as forward; and one whose losses are always against the motor."""
+    return gearing._replace(backward=gearing.forward), gearing._replace(backward=1 / gearing.forward)
 
 
 def _inertias(machine: Array, gearing: Gearing) -> Array:
@@ -154,12 +156,13 @@ def static_facts(
         still = reduced_at(machine, np.ravel(angle)).by_load(np.zeros(angle.size))
         return torque_through(still, ONE, gearing).reshape(len(gearing.ratio) + 1, *angle.shape)
 
-    def at_crank(angle: Array) -> Array:
-        return torque(angle)[-1]
+    def passed(place: int, angle: Array) -> Array:
+        return torque(angle)[place]
 
-    # Where the torque changes its sign, losses turn round.
-    changes = sign_changes(at_crank, mesh_of(cycle, corners))
-    mesh = mesh_of(cycle, np.concatenate([corners, changes]))
+    # Where the torque that a stage passes on changes its sign, its losses turn round: with drag not at once in all.
+    between = mesh_of(cycle, corners)
+    changes = [sign_changes(partial(passed, place), between) for place in range(1, gearing.ratio.size + 1)]
+    mesh = mesh_of(cycle, np.concatenate([corners, *changes]))
     samples = torque(grid + zero)
     largest = np.max(np.abs(samples), axis=-1)
 
@@ -167,7 +170,7 @@ def static_facts(
         def curves(which: NDArray[np.intp], shown: Array) -> Array:
             return sign * torque(shown + zero)[which, np.arange(len(which))]
 
-        found = largest_between(curves, grid, sign * samples, np.append(corners, changes) - zero)
+        found = largest_between(curves, grid, sign * samples, np.concatenate([corners, *changes]) - zero)
         return Extreme(within(found.angle, cycle), without_residue(sign * found.value, largest))
 
     at_nodes = torque(mesh.nodes)

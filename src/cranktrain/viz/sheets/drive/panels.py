@@ -11,7 +11,7 @@ from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 def drive_panels(shown: OneDesign) -> Iterator[Panel]:
     """Collect the curves: static torque by where losses go, and inertia."""
     angle = shown.cycle
-    right, dividing = (closed(values) for values in shown("static_motor_torque"))
+    right, _same_back, dividing = (closed(values) for values in shown("static_motor_torque"))
     curves = [Curve(right, "whole", "T", "M_{st}")]
     if not np.allclose(right, dividing):
         curves.append(Curve(dividing, "formula", "F", r"M_{st}^{1/\eta}"))
