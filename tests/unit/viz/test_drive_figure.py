@@ -20,11 +20,15 @@ def test_letters(angle, has_centre):
 
 
 def test_curves():
-    """Four torques, three flywheel moments, four idle torques; each of a panel's lines is another one, in grey too."""
+    """Four torques, three flywheel moments and one on a scale of its own, four idle torques; no two lines are alike."""
     found = drive_figure(drive_example())
     panels = [axes for axes in found.axes if axes.get_xlim() == (0.0, 360.0)]
     curves = [[line for line in axes.lines if len(line.get_xdata()) > 300] for axes in panels]
-    assert [len(own) for own in curves] == [4, 3, 4]
+    assert [len(own) for own in curves] == [4, 3, 1, 4]
+    _active, dry, *_others = (line.get_ydata() for line in curves[0])
+    assert np.min(dry) >= 0 and np.max(dry) == pytest.approx(35.485, abs=5e-3)
+    (printed,) = curves[2]
+    assert np.max(printed.get_ydata()) == pytest.approx(4.5305, abs=1e-3)
     active = curves[0][0]
     highest = np.argmax(active.get_ydata())
     assert (active.get_xdata()[highest], active.get_ydata()[highest]) == pytest.approx((113.0, 29.8597), abs=1e-3)

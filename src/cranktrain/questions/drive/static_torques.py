@@ -26,8 +26,8 @@ from cranktrain.record import record
 
 THEORY = "docs/theory/reduced-machine"
 RULES = (N_("by transmitted torque"), N_("same efficiency back"), N_("always dividing"))
-"""Where losses go: by the sign of what a stage passes on, with its own efficiency back, or with that forward; or against
-the motor always, as [gandzha] has it."""
+"""Where losses go: by the sign of what a stage passes on, with its own efficiency back, or with that forward; or
+against the motor always, as [gandzha] has it."""
 
 _SHAFT = ("drive_shaft",)
 _CURVE = ("drive_shaft", "crank_angle")

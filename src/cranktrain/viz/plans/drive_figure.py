@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 
 from cranktrain.language import _
 from cranktrain.mechanisms.crank_rocker.kinematics import crank_rocker
@@ -30,6 +31,8 @@ _TABLE = 70.0
 """Height of what stands below the mechanism. [mm]"""
 _FAR = 2.2
 """An instant centre farther from O than so many ground lengths is said and not drawn."""
+_SECOND = 9.0
+"""Room for the numbers of a scale at the right. [mm]"""
 _COLUMNS = (1.0,)
 _ARC = 8.0
 """Radius of the arcs of angles on paper. [mm]"""
@@ -53,13 +56,17 @@ _PENS: Mapping[str, _Pen] = {
 
 
 class _Kind(NamedTuple):
-    """A curve that is drawn: of which number, verdict and place among those, with which pen and words."""
+    """A curve that is drawn: of which number, verdict and place among those, with which pen and words, on which scale.
+
+    What is many times too large has a scale of its own, at the right.
+    """
 
     number: str
     verdict: Verdict
     place: int
     pen: str
     words: str
+    is_apart: bool = False
 
 
 @drawing_settings()
@@ -196,7 +203,7 @@ def _draw_curves(page: Page, drive: CrankRockerDrive, box: Box) -> None:
             _("Static torque at the motor (14), N·m"),
             (
                 _Kind("(14)", "right", 0, "active", _("active load")),
-                _Kind("(14)", "right", 1, "dry", _("dry friction")),
+                _Kind("(14)", "right", 2, "dry", _("dry friction")),
                 _Kind("(14)", "source", 0, "source", _("as printed")),
                 _Kind("(14)", "refuted", 0, "refuted", _("refuted")),
             ),
@@ -206,6 +213,7 @@ def _draw_curves(page: Page, drive: CrankRockerDrive, box: Box) -> None:
             (
                 _Kind("(20)", "right", 0, "active", _("without the rod")),
                 _Kind("(20)", "right", 1, "whole", _("rod and crank, too")),
+                _Kind("(20)", "source", 0, "source", _("as printed (right)"), is_apart=True),
                 _Kind("(20)", "refuted", 0, "refuted", _("refuted")),
             ),
         ),
@@ -224,12 +232,14 @@ def _draw_curves(page: Page, drive: CrankRockerDrive, box: Box) -> None:
     low = box.bottom + box.height
     for title, kinds in panels:
         low -= each + head + gap
-        axes = axes_in(page, Box(box.left, low, box.width, each))
+        axes = axes_in(page, Box(box.left, low, box.width - _SECOND, each))
         _draw_panel(axes, drive, kinds)
         axes.tick_params(labelbottom=low < box.bottom + foot + 1.0)
         page.heading(box.left, low + each + 5.4, title)
         _write_legend(page, kinds, box.left, low + each + 1.4)
-    page.text(box.left + box.width / 2, low - foot, _("Crank angle α from the line of the pivots, °"), ha="center")
+    page.text(
+        box.left + (box.width - _SECOND) / 2, low - foot, _("Crank angle α from the line of the pivots, °"), ha="center"
+    )
 
 
 def _draw_panel(axes: Axes, drive: CrankRockerDrive, kinds: Sequence[_Kind]) -> None:
@@ -243,13 +253,23 @@ def _draw_panel(axes: Axes, drive: CrankRockerDrive, kinds: Sequence[_Kind]) -> 
         of_sort = [curve for curve in known if (curve.number, curve.verdict) == (one.number, one.verdict)]
         curve, pen = of_sort[one.place], _PENS[one.pen]
         line = {"color": pen.colour, "linewidth": pen.width, "linestyle": (0, pen.dashes) if pen.dashes else "-"}
-        axes.plot(degrees, values_at(drive, curve, np.deg2rad(degrees)), **line)
+        own = _second_scale(axes) if one.is_apart else axes
+        own.plot(degrees, values_at(drive, curve, np.deg2rad(degrees)), **line)
         if one.pen == "active":
             for peak in curve_facts(drive, curve)[:2]:
                 axes.plot([np.degrees(peak.angle)], [peak.value], "o", ms=3.4, mfc="white", mec=pen.colour, zorder=6)
     for angle in (dead.extended, dead.folded):
         axes.axvline(np.degrees(angle), color=MUTED, linewidth=0.6, linestyle=(0, (2.0, 2.0)), zorder=1)
     axes.set(xlim=(0.0, 360.0), xticks=np.arange(0.0, 361.0, 30.0))
+
+
+def _second_scale(axes: Axes) -> Axes:
+    """A scale at the right."""
+    second = axes.twinx()
+    second.yaxis.set_major_locator(MaxNLocator(4))
+    second.spines["top"].set_visible(False)
+    second.grid(visible=False)
+    return second
 
 
 def _write_legend(page: Page, kinds: Sequence[_Kind], x: float, y: float) -> None:
