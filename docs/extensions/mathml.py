@@ -18,8 +18,10 @@ _WRITTEN_OTHERWISE = (
     (re.compile(r"\\\\\[[\d.]+(?:ex|em|pt)\]"), r"\\\\"),
     (re.compile(r"(?<!\\)\\\n"), r"\\ "),
     (re.compile(r"\\arg(?![a-z])"), r"\\operatorname{arg}"),
+    (re.compile(r"(_(?:\w|\{[^{}]*\}))''(?!')"), r"\1^{\\dprime}"),
+    (re.compile(r"\\dddot(?![a-z])\s*(\{[^{}]*\}|\w)"), r"\\overset{\\ldots}{\1}"),
 )
-"""What the converter does not know, and what it knows."""
+"""What the converter does not know, or writes so that browsers draw it beside its letter; and what it knows."""
 _LARGE_BRACE = re.compile(r">\\([{}])<")
 """As it leaves a brace behind a word for its size."""
 _NOT_UNDERSTOOD = ("\\", "<mi>&</mi>", 'linebreak="newline"')
