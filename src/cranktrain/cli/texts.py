@@ -17,12 +17,19 @@ def add_textbook(app: typer.Typer) -> None:
         "textbook",
         help=_(
             "Compare the sources' own formulas with the exact motion: ranges and largest errors.\n\n"
-            "Or list the formulas of a source, with what is right and which command shows each.\n\n"
+            "Or list the formulas of a source, with what is right and which command shows each. There are five:\n\n"
+            "\b\n"
+            "  A  steam-engine            motion of a steam engine's piston\n"
+            "  B  gandzha                 torque and flywheel moment of a crank-rocker\n"
+            "  C  slider-crank-synthesis  a slider-crank from stroke and pressure angle\n"
+            "  D  bolotin                 opposed pistons and articulated rods\n"
+            "  E  crankshaft-reactions    reactions of a crankshaft's supports\n\n"
             "\b\n"
             "  cranktrain textbook 3d12\n"
             "  cranktrain textbook 3d12 --table\n"
             "  cranktrain textbook --source\n"
             "  cranktrain textbook --source bolotin\n"
+            "  cranktrain textbook --equation I.13\n"
             "  cranktrain textbook 3d12 --forces kgf/cm2 --step 10\n"
             "  cranktrain textbook 3d12 --harmonics\n"
             '  cranktrain textbook --throw example --set "K1=20 kN"\n'
@@ -51,6 +58,15 @@ def add_textbook(app: typer.Typer) -> None:
                 metavar="[NAME]",
                 help=_(
                     "Of one source alone; without FILE its formulas one by one, without NAME a list of the sources."
+                ),
+            ),
+        ] = None,
+        equation: Annotated[
+            str | None,
+            typer.Option(
+                metavar="NUMBER",
+                help=_(
+                    "Show instead a formula or figure by its number, such as 337 or I.13, of every source that has it."
                 ),
             ),
         ] = None,
@@ -138,6 +154,12 @@ def add_textbook(app: typer.Typer) -> None:
             "--harmonics": "" if harmonics else None,
             "--crank-to-rod-ratio": crank_to_rod_ratio,
         }
+        if equation is not None:
+            from cranktrain.cli.textbook.texts import show_equation
+
+            beside = {name: value for name, value in alone.items() if name != "--source"}
+            show_equation(equation, source, others={**beside, "--throw": throw, "--drive": drive, "-o": output})
+            return
         if drive is not None:
             from cranktrain.cli.textbook.drive import show_drive
 

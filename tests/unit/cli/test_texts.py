@@ -90,3 +90,28 @@ def test_errata_of_one_text(typed):
     output = typed("textbook", "errata", "--source", "bolotin").output
     assert "[bolotin]" in output
     assert "[slider-crank-synthesis]" not in output
+
+
+def test_a_formula_by_its_number(typed):
+    done = typed("textbook", "--equation", "44", "--source", "e")
+    assert (done.status, done.errors) == (0, "")
+    assert "(44)" in done.output and "cranktrain textbook --throw example" in done.output
+
+
+@pytest.mark.parametrize(
+    ("arguments", "answer"),
+    [
+        (["--equation", "999"], "--equation = 999: must be the number of a formula or figure: (333), (334)"),
+        (["--equation", ""], "must be the number"),
+        (
+            ["--equation", "44", "--source", "Z"],
+            "--source = Z: must be the name of a text, its letter or its author: A",
+        ),
+        (["3d12", "--equation", "44", "--harmonics"], "must be left out beside --equation"),
+        (["--equation", "20", "--drive", "example"], "--drive = example: must be left out beside --equation"),
+    ],
+)
+def test_bad_numbers_are_answered(typed, arguments, answer):
+    done = typed("textbook", *arguments)
+    assert done.status == 2
+    assert answer in " ".join(done.errors.split())

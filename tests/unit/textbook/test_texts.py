@@ -10,7 +10,7 @@ import cranktrain as ct
 from cranktrain.errors import InputError
 from cranktrain.io.examples import example_document, example_names
 from cranktrain.references import REFERENCES
-from cranktrain.textbook.texts import TEXTS, text_called
+from cranktrain.textbook.texts import TEXTS, text_called, with_equation
 
 NUMBERED = {
     "steam-engine": [*(f"({n})" for n in range(333, 338)), "fig. 146", "fig. 147"],
@@ -138,3 +138,29 @@ def test_how_far_the_form_of_articulated_rods_is_off():
     for (least, most), errors in zip(ranges, found.values(), strict=True):
         assert float(least) == pytest.approx(min(errors), abs=0.06)
         assert float(most) == pytest.approx(max(errors), abs=0.06)
+
+
+@pytest.mark.parametrize(
+    ("number", "wanted"),
+    [
+        ("337", [("steam-engine", "(337)")]),
+        ("(i.13)", [("bolotin", "(I.13)"), ("bolotin", "(I.13)")]),
+        ("І.12", [("bolotin", "(I.12)")]),  # the Cyrillic letter
+        ("fig. 2", [("gandzha", "fig. 2")]),
+        ("20", [("gandzha", "(20)"), ("gandzha", "after (20)"), ("gandzha", "after (20)")]),
+        ("2000", []),
+    ],
+)
+def test_formulas_are_found_by_their_numbers(number, wanted):
+    assert [(text.name, one.number) for text, one in with_equation(number)] == wanted
+
+
+def test_every_number_finds_its_formula():
+    for text in TEXTS:
+        for one in text.formulas:
+            assert (text, one) in with_equation(one.number)
+
+
+@pytest.mark.parametrize(("asked", "name"), [("a", "steam-engine"), ("Ганджа", "gandzha"), ("БОЛОТИН", "bolotin")])
+def test_texts_are_called_by_letter_and_author(asked, name):
+    assert text_called(asked).name == name

@@ -1,14 +1,15 @@
 """The texts on the screen: which there are, and what one of them holds, formula by formula."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from rich.text import Text
 
 from cranktrain.cli.screen.text import INDENT, page, section, table
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 from cranktrain.references import REFERENCES
-from cranktrain.textbook.texts import TEXTS, Formula
+from cranktrain.textbook.texts import TEXTS, Formula, text_called, with_equation
 from cranktrain.textbook.texts import Text as Source
 
 
@@ -45,6 +46,35 @@ def show_text(text: Source, *, has_forms: bool) -> None:
         for one in text.formulas:
             section(console, f"{one.number}  {_(one.subject)}", _lines(one, width))
         section(console, _("To go on"), _go_on(text, has_forms=has_forms))
+
+
+def show_equation(number: str, source: str | None, *, others: Mapping[str, str | None]) -> None:
+    """Show formulas and figures by their number, of every text that has one of that number, or of one text.
+
+    Parameters
+    ----------
+    number : str
+    source : str, optional
+    others : mapping of options to str or None
+        What else was typed and means nothing here.
+
+    Raises
+    ------
+    InputError
+        If no text has such a number, or something else was typed.
+    """
+    allowed = _("must be left out beside --equation")
+    refuse(Problem(name, value or None, allowed) for name, value in others.items() if value is not None)
+    texts = [text_called(source)] if source else TEXTS
+    found = with_equation(number, texts)
+    if not found:
+        numbers = ", ".join(one.number for text in texts for one in text.formulas if one.number.startswith("("))
+        missing = _("must be the number of a formula or figure: {numbers}").format(numbers=numbers)
+        raise InputError([Problem("--equation", number, missing)])
+    with page(_("By the number {number}").format(number=number)) as console:
+        for text, one in found:
+            heading = f"{one.number}  {_(one.subject)}  [{text.name}]"
+            section(console, heading, _lines(one, console.width - INDENT))
 
 
 def _lines(one: Formula, width: int) -> Iterator[Text]:

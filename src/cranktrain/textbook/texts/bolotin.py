@@ -10,6 +10,8 @@ TEXT = Text(
     name="bolotin",
     title=N_("opposed pistons and articulated rods"),
     said_of=N_("opposed pistons, and slaves on articulated rods"),
+    letter="D",
+    authors=("Болотин",),
     formulas=(
         Formula(
             "p. 14",

@@ -11,6 +11,7 @@ TEXT = Text(
     name="crankshaft-reactions",
     title=N_("reactions of a crankshaft's supports, throw by throw"),
     said_of=N_("crankshafts with their supports, a throw at a time: `cranktrain textbook --throw example`"),
+    letter="E",
     formulas=(
         Formula(
             "(44)",

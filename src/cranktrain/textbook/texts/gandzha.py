@@ -13,6 +13,8 @@ TEXT = Text(
     name="gandzha",
     title=N_("static torque and flywheel moment of a crank-rocker's drive"),
     said_of=N_("crank-rockers"),
+    letter="B",
+    authors=("Ганджа",),
     formulas=(
         Formula(
             "fig. 1",

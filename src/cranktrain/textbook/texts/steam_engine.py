@@ -10,6 +10,7 @@ TEXT = Text(
     name="steam-engine",
     title=N_("motion of a steam engine's piston"),
     said_of=N_("central slider-cranks"),
+    letter="A",
     formulas=(
         Formula(
             "fig. 146",

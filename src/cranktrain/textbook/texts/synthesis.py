@@ -9,6 +9,7 @@ TEXT = Text(
     name="slider-crank-synthesis",
     title=N_("a slider-crank from stroke and pressure angle"),
     said_of=N_("dimensions that are sought, not a machine that there is"),
+    letter="C",
     formulas=(
         Formula("r = S/2", N_("crank radius from the stroke"), "right", _STEPS, N_("central mechanism")),
         Formula(

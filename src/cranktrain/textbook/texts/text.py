@@ -64,9 +64,15 @@ class Text:
         What it speaks of.
     formulas : tuple of Formula
         In its order.
+    letter : str
+        By which the texts are counted, A to E.
+    authors : tuple of str
+        As they are written; none where the text names none.
     """
 
     name: str
     title: str
     said_of: str
     formulas: tuple[Formula, ...]
+    letter: str
+    authors: tuple[str, ...] = ()
