@@ -15,7 +15,7 @@ class MadeWhenBuilt(BuildHookInterface):  # type: ignore[type-arg]
         sys.path.insert(0, str(Path(self.root, "src")))
         from cranktrain.cli.completing.making import write_names
 
-        write_names()
+        write_names(Path(self.root, "src/cranktrain/cli/completing/names.json"))
         if self.target_name == "sdist":
             self._write_template()
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from tests import sentences
-from tests.conftest import QUICK, SLOW
+from tests.times import read_times
 
 ROOT = Path(__file__).parents[2]
 SOURCE = ROOT / "src"
@@ -100,11 +100,15 @@ def test_sentences_of_the_table_stand_nowhere_else():
     assert {name: texts for name, texts in again.items() if texts} == {}
 
 
-@pytest.mark.parametrize("name", [*SLOW, *QUICK])
-def test_slow_tests_and_their_quick_cases_exist(name):
-    path, _, function = name.partition("::")
-    assert (ROOT / path).exists()
-    assert not function or function.partition("[")[0] in (ROOT / path).read_text(encoding="utf-8")
+def test_tests_whose_times_are_known_exist():
+    """Lines of `tests/times.txt` for others can be struck out."""
+    known = (one.partition("::") for one in read_times())
+    gone = [(path, function) for path, _colons, function in known if not has_test(path, function)]
+    assert gone == []
+
+
+def has_test(path, function):
+    return (ROOT / path).exists() and function.rpartition("::")[2] in (ROOT / path).read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "benchmarks").glob("*.py")), ids=name_of)

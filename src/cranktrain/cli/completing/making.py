@@ -2,12 +2,12 @@
 
 import json
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 from typing import Any, get_args, get_origin
 
 from cranktrain import fluids, mechanisms
 from cranktrain.analysis import STAGES
 from cranktrain.catalogue import entries
-from cranktrain.cli.completing.names import LIST
 from cranktrain.machine import Machine
 from cranktrain.quantities import SHOWN, unit_names
 from cranktrain.spec import Spec, bare
@@ -59,8 +59,8 @@ def _named(annotation: object) -> type[Spec] | None:
     return None
 
 
-def write_names() -> None:
-    """Write the list to its file, unless it stands there."""
+def write_names(path: Path) -> None:
+    """Write the list to a file, unless it stands there."""
     text = json.dumps(made(), indent=1) + "\n"
-    if not LIST.exists() or LIST.read_text(encoding="utf-8") != text:
-        LIST.write_text(text, encoding="utf-8")
+    if not path.exists() or path.read_text(encoding="utf-8") != text:
+        path.write_text(text, encoding="utf-8")
