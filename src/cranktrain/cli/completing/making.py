@@ -1,4 +1,4 @@
-"""Makes the list of names that are completed: `python -m cranktrain.cli.completing.making`."""
+"""Makes the list of names that are completed, when the package is built: `hatch_build.py`."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -59,10 +59,8 @@ def _named(annotation: object) -> type[Spec] | None:
     return None
 
 
-def text() -> str:
-    """Give the list as the text of its file."""
-    return json.dumps(made(), indent=1) + "\n"
-
-
-if __name__ == "__main__":
-    LIST.write_text(text(), encoding="utf-8")
+def write_names() -> None:
+    """Write the list to its file, unless it stands there."""
+    text = json.dumps(made(), indent=1) + "\n"
+    if not LIST.exists() or LIST.read_text(encoding="utf-8") != text:
+        LIST.write_text(text, encoding="utf-8")

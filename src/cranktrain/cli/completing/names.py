@@ -1,7 +1,4 @@
-"""Names that are completed: those of the examples from their folder, all others from a list that was made once.
-
-`python -m cranktrain.cli.completing.making` makes the list anew; a test says when it has to be.
-"""
+"""Names that are completed: those of the examples from their folder, all others from a list made with the package."""
 
 import json
 from functools import cache
@@ -15,6 +12,10 @@ LIST = Path(__file__).parent / "names.json"
 @cache
 def names() -> dict[str, Any]:
     """Read the list: `results`, `kinds`, `units`, and `keys` of the tables of a machine file by their paths."""
+    if not LIST.exists():
+        from cranktrain.cli.completing.making import made  # the whole program, where it was not built
+
+        return made()
     return json.loads(LIST.read_text(encoding="utf-8"))
 
 

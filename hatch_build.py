@@ -1,0 +1,31 @@
+"""What is made when the package is built: the names that shells complete, and translators' template of all messages."""
+
+import sys
+from pathlib import Path
+from typing import Any
+
+from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+
+
+class MadeWhenBuilt(BuildHookInterface):  # type: ignore[type-arg]
+    """Makes them in the tree, from which the archive of the sources and the package take them."""
+
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:
+        """Make the names always; the template only for the archive, as the program does not read it."""
+        sys.path.insert(0, str(Path(self.root, "src")))
+        from cranktrain.cli.completing.making import write_names
+
+        write_names()
+        if self.target_name == "sdist":
+            self._write_template()
+
+    def _write_template(self) -> None:
+        from babel.messages.frontend import CommandLineInterface
+
+        source, of = Path(self.root, "src/cranktrain"), self.metadata
+        (author,) = of.core.authors
+        options = ["-k", "N_", "--no-location", "--sort-output", "--copyright-holder", author["name"]]
+        options += ["--project", of.name, "--version", of.version]
+        template = str(source / "locale/cranktrain.pot")
+        (source / "locale").mkdir(exist_ok=True)
+        CommandLineInterface().run(["pybabel", "-q", "extract", *options, "-o", template, str(source)])
