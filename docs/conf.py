@@ -17,17 +17,22 @@ project = _metadata["name"]
 author = copyright = _metadata["authors"][0]["name"]
 release = version = _metadata["version"]
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "numpydoc", "mathml", "typed", "results", "public_names"]
+extensions = [
+    "myst_nb",
+    "sphinx.ext.autodoc",
+    "numpydoc",
+    "lessons",
+    "mathml",
+    "navigation",
+    "typed",
+    "results",
+    "public_names",
+]
 myst_enable_extensions = ["deflist", "dollarmath"]
 myst_heading_anchors = 3
 nitpicky = True
 exclude_patterns = ["_build"]
 
-# Lessons are run anew at each build; one that fails is no page.
-nb_execution_mode = "force"
-nb_execution_in_temp = True
-nb_execution_raise_on_error = True
-nb_execution_timeout = 120
 nb_merge_streams = True
 
 # An equation's label is its number: the chapter of the theory, then the place in it. A test compares the two.

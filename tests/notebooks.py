@@ -21,10 +21,15 @@ def followed(page: Path) -> dict[str, Any]:
     """Do in the working directory what a notebook says, and give the names that it then knows."""
     known: dict[str, Any] = {"typed": typed}
     with mpl.rc_context({"backend": "agg"}):
-        for cell in _CELL.findall(page.read_text(encoding="utf-8")):
+        for cell in cells(page):
             do(cell, known)
         plt.close("all")
     return known
+
+
+def cells(page: Path) -> list[str]:
+    """What a notebook says is to be run."""
+    return _CELL.findall(page.read_text(encoding="utf-8"))
 
 
 def do(cell: str, known: dict[str, Any]) -> None:

@@ -132,8 +132,9 @@ def test_every_stage_is_of_a_question_a_kind_or_the_textbook():
 def test_every_result_is_given_by_the_machine_with_everything_or_by_an_example(everything, examples, group):
     """The examples are asked for what is of machines that are not of all kinds."""
     left = {entry.name for stage in GROUPS[group] for entry in entries(stage.gives)} - set(everything.catalogue)
-    for name in example_names() if left else ():
-        left -= examples(name)
+    for name in example_names():
+        if left:
+            left -= examples(name)
     assert left == set()
 
 

@@ -10,6 +10,14 @@ import pytest
 from cranktrain.cli import main
 
 SOURCE = Path(__file__).parents[2] / "src"
+SOON = """
+import sys
+import cranktrain.cli.how_far as how_far
+how_far._LONG, how_far._SEEN, how_far._BETWEEN = 0.02, 0.02, 0.005
+from cranktrain.cli import main
+sys.exit(main(sys.argv[1:]))
+"""
+"""The program where work is long, and told, after much less time than it is."""
 
 
 def environment(**more: str) -> dict[str, str]:

@@ -5,17 +5,10 @@ import subprocess
 import sys
 
 import pytest
-from tests.e2e.conftest import environment
+from tests.e2e.conftest import SOON, environment
 
 from cranktrain.how_far import listened_to, say_how_far, within
 
-SOON = """
-import sys
-import cranktrain.cli.how_far as how_far
-how_far._LONG, how_far._SEEN, how_far._BETWEEN = 0.02, 0.02, 0.005
-from cranktrain.cli import main
-sys.exit(main(sys.argv[1:]))
-"""
 RUN = ("run", "pumping_unit_c57")
 ASKED = [
     (RUN, " s  "),
@@ -25,19 +18,16 @@ ASKED = [
 ]
 
 
-def typed(code, arguments):
-    command = [sys.executable, "-c", code, *arguments]
-    return subprocess.run(command, env=environment(), capture_output=True, encoding="utf-8", check=False)
-
-
 @pytest.mark.parametrize(("arguments", "said"), ASKED, ids=lambda part: part[0] if isinstance(part, tuple) else "")
-def test_long_work_says_how_far_it_is(arguments, said):
-    """Lines of their own where no terminal is; the answer is the same."""
-    done = typed(SOON, arguments)
+def test_long_work_says_how_far_it_is(typed, arguments, said):
+    """Lines of their own where no terminal is; the answer is the same as where nothing is said, which is caught."""
+    command = [sys.executable, "-c", SOON, *arguments]
+    done = subprocess.run(command, env=environment(), capture_output=True, encoding="utf-8", check=False)
+    quiet = typed(*arguments)
+    assert quiet.stderr == ""
     assert done.returncode == 0
     assert said in done.stderr
     assert "\r" not in done.stderr
-    quiet = typed("import sys; from cranktrain.cli import main; sys.exit(main(sys.argv[1:]))", arguments)
     assert done.stdout == quiet.stdout
 
 
@@ -62,8 +52,8 @@ def test_a_terminal_has_one_line_that_is_gone_before_the_answer():
     assert b"Motion" in answer
 
 
-def test_short_work_says_nothing():
-    done = typed("import sys; from cranktrain.cli import main; sys.exit(main(sys.argv[1:]))", ("run", "vaz_21213"))
+def test_short_work_says_nothing(cranktrain):
+    done = cranktrain("run", "vaz_21213")
     assert (done.returncode, done.stderr) == (0, "")
 
 

@@ -1,12 +1,14 @@
 """Tasks done from an empty folder as the documents teach; and held against closed forms and other ways."""
 
 import math
+import os
+import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from tests.notebooks import DOCS, NOTEBOOKS, followed
+from tests.notebooks import DOCS, NOTEBOOKS, cells, followed
 
 pytest.importorskip("IPython", reason="notebooks show pictures by it")
 
@@ -32,6 +34,25 @@ def after(tmp_path_factory: pytest.TempPathFactory):
 @pytest.mark.parametrize("page", NOTEBOOKS, ids=lambda page: page.stem)
 def test_can_be_followed(after, page: Path):
     assert after(page.relative_to(DOCS).as_posix())
+
+
+def test_a_page_is_followed_in_a_kernel(tmp_path, monkeypatch):
+    """As in Jupyter, where each command is a program of its own; what builds the documentation types them itself."""
+    client = pytest.importorskip("nbclient", reason="the documentation is built with the extra `docs`")
+    nbformat = pytest.importorskip("nbformat")
+    program = tmp_path / "cranktrain"
+    program.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m cranktrain "$@"\n', encoding="utf-8")
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", os.pathsep.join([str(tmp_path), os.environ["PATH"]]))
+    monkeypatch.setenv("PYTHONPATH", str(DOCS.parent / "src"))
+    typed = [nbformat.v4.new_code_cell(cell) for cell in cells(DOCS / "tasks/two-stage-compressor.md")]
+    resources = {"metadata": {"path": str(tmp_path)}}
+    client.NotebookClient(nbformat.v4.new_notebook(cells=typed), kernel_name="python3", resources=resources).execute()
+    shown = [output for cell in typed for output in cell.outputs]
+    said = "".join(output.text for output in shown if output.output_type == "stream")
+    assert "between the stages 3." in said
+    assert "written: sheet.svg" in said
+    assert any("image/svg+xml" in output.get("data", {}) for output in shown)
 
 
 def rising(phi):

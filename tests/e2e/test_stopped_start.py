@@ -7,17 +7,16 @@ import sys
 import time
 
 import pytest
-from tests.e2e.conftest import environment
+from tests.e2e.conftest import SOON, environment
 
 pty = pytest.importorskip("pty")
-COMMAND = "import sys; from cranktrain.cli import main; sys.exit(main(sys.argv[1:]))"
 ASKED = ("start", "tilting_table", "--set", "drive.start.duration=10000 s")
 
 
 def test_ctrl_c_shows_what_was_computed():
     child, terminal = pty.fork()
     if child == 0:
-        os.execve(sys.executable, [sys.executable, "-c", COMMAND, *ASKED], environment())
+        os.execve(sys.executable, [sys.executable, "-c", SOON, *ASKED], environment())
     said, is_sent, since = b"", False, time.monotonic()
     while time.monotonic() - since < 60:
         try:

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from typing import Annotated, Any
 
 import typer
-from typer.main import get_command
 
 from cranktrain.cli.comparing import add_compare
 from cranktrain.cli.naming_pictures import NamingPictures
@@ -30,7 +29,7 @@ from cranktrain.cli.options import (
     degrees,
     listed,
 )
-from cranktrain.cli.task import Task, put_off, task_of
+from cranktrain.cli.task import Task, commands_of, put_off, task_of
 from cranktrain.cli.texts import add_textbook
 from cranktrain.cli.tools import add_tools
 from cranktrain.language import _
@@ -53,7 +52,7 @@ def task(arguments: Sequence[str]) -> Task:
 
 def commands() -> Any:
     """All commands with their arguments and options, as Typer's group of them."""
-    return get_command(_app)
+    return commands_of(_app)
 
 
 def _version(asked: bool) -> None:

@@ -1,10 +1,11 @@
 """What a command line asks for, as a task: it is done when Typer has returned."""
 
 from collections.abc import Callable, Sequence
-from functools import partial, wraps
-from typing import ParamSpec, cast
+from functools import cache, partial, wraps
+from typing import Any, ParamSpec, cast
 
 import typer
+from typer.main import get_command
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.language import _
@@ -42,7 +43,7 @@ def task_of(app: typer.Typer, arguments: Sequence[str], name: str) -> Task:
     KeyboardInterrupt
     """
     try:
-        given: object = app(list(arguments) or ["--help"], prog_name=name, standalone_mode=False)
+        given: object = commands_of(app)(list(arguments) or ["--help"], prog_name=name, standalone_mode=False)
     except _USAGE_ERROR as error:
         raise InputError([_usage_problem(error)]) from None
     except typer.Abort:
@@ -50,6 +51,12 @@ def task_of(app: typer.Typer, arguments: Sequence[str], name: str) -> Task:
     if given == _TYPER_STOPPED:
         raise KeyboardInterrupt
     return cast("Task", given) if callable(given) else _nothing
+
+
+@cache
+def commands_of(app: typer.Typer) -> Any:
+    """All commands of an app with their arguments and options, as Typer's group of them; which is laid out once."""
+    return get_command(app)
 
 
 def put_off(command: Callable[_Given, None]) -> Callable[_Given, Task]:

@@ -2,6 +2,7 @@
 
 import itertools
 import re
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -104,6 +105,9 @@ def test_what_has_no_cylinder_is_not_asked_when_it_fires(typed, name):
     machine, asked = ct.load(file), re.findall(r"\[cylinder\] \w+", typed("run", file, "--missing").output)
     may = any(place.kind.output == "slider" for place in machine.places) and not any(machine.loads.values())
     assert asked == (["[cylinder] bore"] if may else [])
+
+
+def test_what_works_against_a_load_is_not_asked_for_a_bore():
     pressed = {"load": {"die": {"on": "piston", "force": "5 kN"}}}
     ram = ct.Machine(mechanism={"kind": "slider_crank", "stroke": "80 mm", "rod_length": "136 mm"}, **pressed)
     result = ct.run(ram)
@@ -129,10 +133,16 @@ def test_the_screen_knows_no_question():
     assert named == {"cranktrain.questions.cylinders.firing"}
 
 
+@cache
+def rows_of(name):
+    """The groups of the answer of an example, which every question looks through."""
+    return tuple(ct.run(ct.load(name), step_degrees=5).rows())
+
+
 @pytest.mark.parametrize("question", QUESTIONS, ids=lambda question: question.name)
 def test_a_question_has_few_rows(question):
     for name in ("3d12", "10d100", "r_1340", "gas_compressor", "burning_cylinder", "inline_six", "lms_class5"):
-        for title, rows in ct.run(ct.load(name), step_degrees=5).rows():
+        for title, rows in rows_of(name):
             if title == question.title:
                 assert len(rows) <= TODAY.get(question.name, MOST_ROWS), name
 

@@ -19,7 +19,7 @@ from cranktrain.layout.wish.following import crank_at, crank_by_angle
 from cranktrain.layout.wish.laws import LAWS, Law, polynomial_law
 from cranktrain.layout.wish.rocking import rocking_crank
 from cranktrain.layout.wish.stroke import output_of
-from cranktrain.layout.wish.wanted import Piece, from_pieces, moved
+from cranktrain.layout.wish.wanted import Piece, from_pieces, moved, position, through_positions
 
 RADIUS, ROD, OFFSET = "0.05", "0.18", "0.012"
 YOKE = {"kind": "scotch_yoke", "crank_radius": "50 mm"}
@@ -77,7 +77,7 @@ def taylor_law(position, start, end):
     for one in series:
         one[np.abs(one) < 1e-25] = 0.0
     law = polynomial_law(series[0])
-    return Law(law.shape, *series, reach=1.0)
+    return Law(law.shape, law.way, *series, reach=1.0)
 
 
 def constant_speed(n_pieces=8):
@@ -93,6 +93,17 @@ def constant_speed(n_pieces=8):
             begin, rise = slider_at(start), slider_at(end) - slider_at(start)
             pieces.append(Piece(*map(float, ((start - high) / omega, (end - start) / omega, begin, rise)), law))
     return from_pieces(tuple(pieces)), 2 * np.pi / omega
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_a_position_alone_is_that_of_the_whole_motion(law):
+    """To the same bit, before and after the period too, and in a rest."""
+    there, back = Piece(0.0, 0.7, 0.1, 0.3, LAWS[law]), Piece(1.2, 0.8, 0.4, -0.3, LAWS[law])
+    time = np.linspace(-3, 5, 4001)
+    wanted = from_pieces((there, Piece(0.7, 0.5, 0.4, 0.0, None), back))
+    table = through_positions(np.array([0.0, 0.3, 1.1, 1.6]), np.array([0.1, 0.4, 0.2, 0.15]), 2.0)
+    for one in (wanted, table):
+        assert np.array_equal(position(one, time), moved(one, time).value)
 
 
 def test_the_motion_of_constant_speed_gives_constant_speed():

@@ -37,7 +37,7 @@ def machine(*, speed="600 rpm", cylinder=None, gas=None, masses=None, friction=N
 
 def doubted(made):
     heads = tuple(limit.sentence.partition("{")[0] for limit in LIMITS.values())
-    return tuple(flag for flag in ct.run(made).flags if flag.startswith(heads))
+    return tuple(flag for flag in ct.run(made, step_degrees=10).flags if flag.startswith(heads))
 
 
 def by_speed(value):

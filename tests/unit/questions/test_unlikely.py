@@ -3,12 +3,17 @@
 Right machines are made up by the proportions that built ones have, from models to slow marine engines.
 """
 
+import inspect
+from pathlib import Path
+
 import numpy as np
 import pytest
 from tests.gas_engines import DUAL_CYCLE
 from tests.similar_machines import similar
 
 import cranktrain as ct
+from cranktrain.analysis import STAGES, run
+from cranktrain.analysis.stages import leading_to
 from cranktrain.cli.check import show_check
 from cranktrain.io.examples import example_names
 
@@ -328,13 +333,43 @@ RIGHT = {
 }
 
 
-def asked(table):
-    return ct.run(ct.Machine(**table), step_degrees=10).unlikely
+SETS = "unlikely="
+"""What is written where a stage asks."""
+
+
+def module_of(stage):
+    return inspect.getmodule(stage.function)
+
+
+ASKING = [stage.gives for stage in STAGES if SETS in inspect.getsource(module_of(stage))]
+NEEDED = leading_to(STAGES, ASKING)
+"""What a machine is asked about comes of these: none of the others can add to it."""
+
+
+def asked(machine):
+    return run(machine, step_degrees=10, stages=NEEDED).unlikely
+
+
+def test_no_other_stage_asks():
+    """Nor what stages call: what may ask stands in the module of a stage."""
+    modules = {Path(module_of(stage).__file__) for stage in STAGES}
+    source = Path(ct.__file__).parent
+    asking = {path for path in source.rglob("*.py") if SETS in path.read_text(encoding="utf-8")}
+    assert len(asking) > 10
+    assert asking <= modules
+
+
+@pytest.mark.parametrize("name", ["crusher", "four", "press"])
+def test_asked_is_what_a_run_of_everything_asks(name):
+    table, changes, _ = CARELESS[{"crusher": "cm as mm of a point", "four": "wide rods", "press": "ways swapped"}[name]]
+    machine = ct.Machine(**changed(table, changes))
+    assert asked(machine) == ct.run(machine).unlikely
+    assert asked(machine) != ()
 
 
 @pytest.mark.parametrize(("kind", "place"), [(kind, n) for kind, tables in RIGHT.items() for n in range(len(tables))])
 def test_right_machines_are_not_asked_about(kind, place):
-    assert asked(RIGHT[kind][place]) == ()
+    assert asked(ct.Machine(**RIGHT[kind][place])) == ()
 
 
 @pytest.mark.parametrize("kind", RIGHT)
@@ -344,7 +379,7 @@ def test_there_are_twenty_of_a_kind(kind):
 
 @pytest.mark.parametrize("name", example_names())
 def test_examples_are_not_asked_about(name):
-    assert ct.run(ct.load(name), step_degrees=10).unlikely == ()
+    assert asked(ct.load(name)) == ()
 
 
 def changed(table, changes):
@@ -515,7 +550,7 @@ CARELESS = {
 def test_loads_that_an_engine_turns_are_not_asked_about(torque):
     """This one has a mean torque of some hundred N·m."""
     load = {"mill": {"on": "main", "torque": f"{torque} N·m"}}
-    assert asked({**ONE, "evenness": {"flywheel": "80 kg·m²"}, "load": load}) == ()
+    assert asked(ct.Machine(**ONE, evenness={"flywheel": "80 kg·m²"}, load=load)) == ()
 
 
 def test_of_what_acts_nowhere_to_speak_of_no_way_is_doubted():
@@ -523,14 +558,14 @@ def test_of_what_acts_nowhere_to_speak_of_no_way_is_doubted():
     machine = changed(STROKES[3], {"load.tool.travel": ["0 mm", "129.99999 mm", "130 mm", "131 mm"]})
     machine["load"]["tool"]["force"] = ["0 kN", "0 kN", "1000 kN", "1000 kN"]
     machine["load"]["tool"]["force_back"] = ["0 kN"] * 4
-    assert asked(machine) == ()
+    assert asked(ct.Machine(**machine)) == ()
 
 
 @pytest.mark.parametrize("size", [1, 0.1, 7.3])
 @pytest.mark.parametrize("name", CARELESS)
 def test_careless_machines_and_those_similar_are_asked_about(name, size):
     table, changes, head = CARELESS[name]
-    (said,) = asked(similar(changed(table, changes), size))
+    (said,) = asked(ct.Machine(**similar(changed(table, changes), size)))
     # Lengths and times are others; what is free of size is the same.
     assert said.startswith(head if size == 1 else head.partition(" ")[0])
 

@@ -24,6 +24,9 @@ def constant_crank(output: Output, *, is_falling: bool) -> Law:
     third = spline_curve(fourier_curve(output.motion(grid).second).slope(grid))
     rise = end.position - begin.position
 
+    def way(share: Array) -> Array:
+        return (output.motion(begin.angle + turned * share).value - begin.position) / rise
+
     def shape(share: Array) -> Moved:
         angle = begin.angle + turned * share
         place = output.motion(angle)
@@ -36,6 +39,7 @@ def constant_crank(output: Output, *, is_falling: bool) -> Law:
 
     return Law(
         shape,
+        way,
         _series(begin.turning, turned, abs(rise)),
         _series(mirrored(end.turning), turned, abs(rise)),
         min(begin.turning.reach, end.turning.reach) / turned,

@@ -15,7 +15,7 @@ from cranktrain.layout.wish.turning import (
     of_series,
     root_of_distance,
 )
-from cranktrain.layout.wish.wanted import Piece, WantedMotion, moved
+from cranktrain.layout.wish.wanted import Piece, WantedMotion, moved, position
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
 from cranktrain.numerics.harmonics import TURN
@@ -213,7 +213,7 @@ def _by_angle(made: Following, stroke: Stroke, angle: Array) -> Array:
     """Time, speed and acceleration at angles within a stroke."""
     place = made.output.motion(angle)
     low, high = (np.full(angle.shape, end.time) for end in stroke)
-    time = bracketed_roots(lambda at: moved(made.wanted, at).value - place.value, low, high)
+    time = bracketed_roots(lambda at: position(made.wanted, at) - place.value, low, high)
     whole = moved(made.wanted, np.where(np.isfinite(time), time, low))
     found = np.stack([time, *_away(made, angle, whole.first, whole.second)])
     for end in stroke:

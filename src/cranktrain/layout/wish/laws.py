@@ -28,6 +28,8 @@ class Law(NamedTuple):
     ----------
     shape : callable
         From shares of the time, shape (n,), to `Moved`.
+    way : callable
+        The same without derivatives.
     start, end : Array, shape (power,)
         Its power series from the start; and of what is left, 1 − y, by what is left of the time.
     reach : float
@@ -35,6 +37,7 @@ class Law(NamedTuple):
     """
 
     shape: Callable[[Array], Moved]
+    way: Callable[[Array], Array]
     start: Array
     end: Array
     reach: float = 0.5
@@ -52,24 +55,40 @@ def leading(series: Array) -> int:
     return int(there[0]) + 1 if there.size else 0
 
 
+def by_powers(series: Array, x: Array) -> Array:
+    """Σ cₖxᵏ, by Horner's scheme; series of shape (power,)."""
+    *lower, highest = series.tolist()
+    found: Array = highest + x * 0.0
+    for coefficient in reversed(lower):
+        found = coefficient + found * x
+    return found
+
+
 def polynomial_law(series: Array) -> Law:
     """Law y = Σ cₖsᵏ with y(0) = 0 and y(1) = 1; eq. (29.2) has those that are known by their powers."""
     whole = Polynomial(series)
-    parts = [whole, *(whole.deriv(order) for order in (1, 2, 3))]
+    parts = [series, *(np.asarray(whole.deriv(order).coef, dtype=np.float64) for order in (1, 2, 3))]
 
     def shape(share: Array) -> Moved:
-        return Moved(*(part(share) for part in parts))
+        return Moved(*(by_powers(part, share) for part in parts))
+
+    def way(share: Array) -> Array:
+        return by_powers(series, share)
 
     mirrored: Polynomial = whole(Polynomial([1.0, -1.0]))
     end = np.zeros(len(series))
     end[1 : len(mirrored.coef)] = -mirrored.coef[1:]
     # What powers leave of one another in the other end's series is rounding.
-    return Law(shape, series, np.where(np.abs(end) < 1e-12 * np.max(np.abs(series)), 0.0, end))
+    return Law(shape, way, series, np.where(np.abs(end) < 1e-12 * np.max(np.abs(series)), 0.0, end))
 
 
 def _series_law(shape: Callable[[Array], Moved], series: Array) -> Law:
     """Law that comes to its end as it leaves its start."""
-    return Law(shape, series, series)
+
+    def way(share: Array) -> Array:
+        return shape(share).value
+
+    return Law(shape, way, series, series)
 
 
 def _harmonic(share: Array) -> Moved:

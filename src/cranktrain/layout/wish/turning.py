@@ -5,9 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import chebyshev
-from numpy.polynomial import polynomial as powers
 
-from cranktrain.layout.wish.laws import leading
+from cranktrain.layout.wish.laws import by_powers, leading
 from cranktrain.motion import Array, Coefficient
 
 _DEGREE = 18
@@ -50,8 +49,10 @@ def root_of_distance(turning: TurnOfWish, away: Array) -> Root:
     """
     n = turning.order / 2
     share = away / turning.reach
+    slopes = _slopes(turning.series)
     value, first, second = (
-        powers.polyval(share, powers.polyder(turning.series, order)) / turning.reach**order for order in range(3)
+        by_powers(series, share) / turning.reach**order
+        for order, series in enumerate((turning.series, slopes, _slopes(slopes)))
     )
     root = np.sqrt(value)
     slope = first / (2 * root)
@@ -65,17 +66,22 @@ def root_of_distance(turning: TurnOfWish, away: Array) -> Root:
     )
 
 
+def _slopes(series: Array) -> Array:
+    """Coefficients of the derivative of Σ cₖxᵏ."""
+    return np.arange(1, series.size) * series[1:] if series.size > 1 else np.zeros(1)
+
+
 def away_at(turning: TurnOfWish, root: Array) -> Array:
     """Distance u ≥ 0 at which the root is this, shape (n,) and not below 0; beyond the reach it may be anything."""
     m = turning.order
     target = root ** (2 / m)
     away: Array = np.minimum(leading_away(turning, root), turning.reach)
-    slopes = np.asarray(powers.polyder(turning.series), dtype=np.float64)
+    slopes = _slopes(turning.series)
     for _ in range(_MOST_STEPS):
         share: Array = away / turning.reach
-        inner: Array = np.maximum(powers.polyval(share, turning.series), 1e-300)
+        inner: Array = np.maximum(by_powers(turning.series, share), 1e-300)
         factor = inner ** (1 / m)
-        slope: Array = factor * (1 + share * powers.polyval(share, slopes) / (m * inner))
+        slope: Array = factor * (1 + share * by_powers(slopes, share) / (m * inner))
         step: Array = (away * factor - target) / slope
         away = np.clip(away - step, 0.0, 2 * turning.reach)
         if np.all(np.abs(step) <= 1e-16 * turning.reach):

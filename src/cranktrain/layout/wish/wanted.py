@@ -71,18 +71,38 @@ class WantedMotion(NamedTuple):
 
 def moved(wanted: WantedMotion, time: Array) -> Moved:
     """Position of a wanted motion and its first three derivatives at times, shape (n,). [m or rad, …/s, …/s², …/s³]"""
-    within = np.mod(time, wanted.period)
-    starts: Array = np.array([piece.start for piece in wanted.pieces])
-    after = np.searchsorted(starts, within, side="right")
-    place: NDArray[np.intp] = np.clip(after - 1, 0, len(starts) - 1)
+    place, since = _pieces_at(wanted, time)
     if wanted.cubics is not None:
-        return _of_cubics(wanted.cubics[:, place], within - starts[place])
+        return _of_cubics(wanted.cubics[:, place], since)
     found = np.zeros((4, *np.shape(time)))
     for n, piece in enumerate(wanted.pieces):
         own = place == n
         if np.any(own):
-            found[:, own] = in_piece(piece, within[own] - piece.start)
+            found[:, own] = in_piece(piece, since[own])
     return Moved(found[0], found[1], found[2], found[3])
+
+
+def position(wanted: WantedMotion, time: Array) -> Array:
+    """Position of a wanted motion alone, as `moved` has it: what looks for a time asks for nothing else. [m or rad]"""
+    place, since = _pieces_at(wanted, time)
+    if wanted.cubics is not None:
+        return _of_cubics(wanted.cubics[:, place], since).value
+    found = np.zeros(np.shape(time))
+    for n, piece in enumerate(wanted.pieces):
+        own = place == n
+        if np.any(own):
+            way = 0.0 if piece.law is None else piece.law.way(since[own] / piece.span)
+            found[own] = piece.begin + piece.rise * way
+    return found
+
+
+def _pieces_at(wanted: WantedMotion, time: Array) -> tuple[NDArray[np.intp], Array]:
+    """Which piece times are in, and how long it has lasted then. [s]"""
+    within = np.mod(time, wanted.period)
+    starts: Array = np.array([piece.start for piece in wanted.pieces])
+    after = np.searchsorted(starts, within, side="right")
+    place: NDArray[np.intp] = np.clip(after - 1, 0, len(starts) - 1)
+    return place, within - starts[place]
 
 
 def _of_cubics(powers: Array, x: Array) -> Moved:
