@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from tests.contract.test_loads import loaded
-from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
+from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.mechanisms import KINDS

@@ -6,8 +6,8 @@ from tests.gas_engines import DUAL_CYCLE
 from tests.machines import slider, throws
 from tests.sentences import OF_INERTIA_ALONE, TOO_MANY_FORCES, WITHOUT_ROD
 from tests.unit.plans.test_force_polygons import rubbing
-from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
 from tests.weighed_machines import WEIGHED
+from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.errors import InputError

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from mpmath import mp
 from tests.unit.viz.machines_by_hand import MACHINES
-from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
 from tests.weighed_machines import WEIGHED
+from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.viz import sheet_forces

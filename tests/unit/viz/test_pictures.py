@@ -9,12 +9,12 @@ from importlib.resources import files
 from io import BytesIO
 from itertools import pairwise
 from pathlib import Path
-from weakref import WeakKeyDictionary
 
 import numpy as np
 import pytest
 from matplotlib.text import Text
 from tests.sentences import AT_MOST_TO_A_SHEET, ENDS_IN
+from tests.words_on_paper import MILLIMETRE, assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -49,8 +49,6 @@ from cranktrain.viz.sheets.motion.dead_centres import ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.throw.mechanism import mechanism_sketch
 from cranktrain.viz.throw.scene import scene_of
-
-MILLIMETRE = 1 / 25.4
 
 ODD = {
     "no speed, no bore": {"mechanism": {"kind": "slider_crank", "stroke": "12 in", "rod_length": "30 in"}},
@@ -107,56 +105,6 @@ def results():
 def sheets(results):
     """Sheets of the examples by name, each drawn once for all that is asked of it."""
     return cache(lambda name: sheet(results[name]))
-
-
-_LAID_OUT = WeakKeyDictionary()
-
-
-def words_of(figure):
-    """All words of a picture with their boxes in dots: it is laid out once, and nothing is painted."""
-    return laid_out(figure)[0]
-
-
-def laid_out(figure):
-    """Those words, and the smallest size of letters. [points]"""
-    if figure not in _LAID_OUT:
-        figure.draw_without_rendering()
-        beyond = set(map(id, labels_beyond(figure)))
-        texts = [text for text in figure.findobj(Text) if text.get_text()]
-        found = [text for text in texts if text.get_visible() and text.get_text().strip() and id(text) not in beyond]
-        words = [(text.get_text(), text.get_window_extent()) for text in found]
-        _LAID_OUT[figure] = words, min(text.get_fontsize() for text in texts)
-    return _LAID_OUT[figure]
-
-
-def labels_beyond(figure):
-    """Labels of ticks that are not on their axis, which are not drawn."""
-    return [
-        label
-        for axes in figure.axes
-        if axes.axison
-        for labels, (low, high), i in (
-            (axes.get_xticklabels(), axes.get_xlim(), 0),
-            (axes.get_yticklabels(), axes.get_ylim(), 1),
-        )
-        for label in labels
-        if not low <= label.get_position()[i] <= high
-    ]
-
-
-def assert_words_are_readable(figure):
-    """No words over others, none outside the paper, none smaller than 8 points."""
-    words, smallest = laid_out(figure)
-    width, height = figure.get_size_inches() * figure.dpi
-    x0, y0, x1, y1 = np.array([box.extents for _text, box in words]).T
-    inside = (x0 > 0) & (y0 > 0) & (x1 < width) & (y1 < height)
-    assert [words[i][0] for i in np.flatnonzero(~inside)] == [], "leave the paper"
-    common_x = np.minimum.outer(x1, x1) - np.maximum.outer(x0, x0)
-    common_y = np.minimum.outer(y1, y1) - np.maximum.outer(y0, y0)
-    dot = 0.3 * MILLIMETRE * figure.dpi
-    over = np.argwhere(np.triu((common_x > dot) & (common_y > dot), k=1))
-    assert [(words[one][0], words[other][0]) for one, other in over] == []
-    assert smallest >= 8.0
 
 
 @pytest.mark.parametrize("name", example_names())
