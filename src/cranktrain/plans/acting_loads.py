@@ -9,12 +9,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.layout.frames import in_machine_axes
+from cranktrain.layout.frames import Frame, in_machine_axes
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.vectors import Vector, direction, swept
 from cranktrain.machine import Machine
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Link
 from cranktrain.plans.placement import frame
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 
@@ -107,22 +107,22 @@ def acting_loads(
     """
     if loaded.loads is None:
         return ()
-    index = loaded.mechanisms.names.index(place.name)
-    return tuple(_acting(machine, loaded, place, load, angle) for load in loaded.loads.of(index))
+    loads = loaded.loads.of(loaded.mechanisms.names.index(place.name))
+    links = loaded.loaded_links(loads, angle[np.newaxis, np.newaxis])
+    axes = frame(machine, place)
+    return tuple(_acting(loaded, place, load, link, axes, angle) for load, link in zip(loads, links, strict=True))
 
 
 def _acting(
-    machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, load: LinkLoad, angle: Array
+    loaded: LoadedMachine, place: PlacedMechanism, load: LinkLoad, link: Link, axes: Frame, angle: Array
 ) -> ActingLoad:
-    """One load on one mechanism."""
+    """One load on one link of a mechanism."""
     own = angle[np.newaxis, np.newaxis]
-    axes = frame(machine, place)
 
     def turned(x: Array, y: Array) -> Array:
         still = np.zeros(angle.shape)
         return np.stack(in_machine_axes(np.ravel(x) + still, np.ravel(y) + still, axes))
 
-    link = loaded.loaded_link(load, own)
     way, arm = load.way(link), load.arm_of(link)
     size = np.ravel(loaded.load_value(load, way, own, loaded.speed.drive(own).speed)) + np.zeros(angle.shape)
     velocity, _second = swept(link.origin, arm, link.angle)

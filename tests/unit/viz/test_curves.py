@@ -1,6 +1,5 @@
 """Curves by name: the numbers of the result, told apart in grey, and shown by a notebook."""
 
-import html
 import io
 
 import numpy as np
@@ -138,16 +137,3 @@ class TestTwo:
 
     def test_what_was_asked_for_is_drawn(self):
         assert len(ct.compare(SMALL, LARGE, quantities=["stroke", "piston_velocity"]).plot().axes) == 1
-
-
-@pytest.mark.parametrize("name", ct.example_names())
-def test_every_example_shows_itself(name):
-    """Its line, its page, its main curves, and beside another machine."""
-    result = ct.run(name)
-    assert len(repr(result)) < 200
-    assert result.machines[0].name[:20] in html.unescape(result._repr_html_())
-    figure = result.plot()
-    assert all(curves(axes) for axes in figure.axes)
-    beside = ct.compare(result, "3d12" if name != "3d12" else "vaz_21213")
-    assert all(len(line) <= 80 for line in beside.lines())
-    assert all(curves(axes) for axes in beside.plot().axes)

@@ -3,12 +3,13 @@
 import math
 import re
 from collections import Counter
+from functools import cache
 from io import BytesIO
 from itertools import pairwise
 
 import numpy as np
 import pytest
-from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
+from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -101,14 +102,21 @@ def symbols_in_svg(drawn):
     return Counter(symbol for symbol, _number in found)
 
 
-def sheets():
-    yield from ((name, ct.load(name)) for name in DRIVEN)
-    yield "long", drive_of(**LONG)
+@cache
+def machine_of(name):
+    """An example, or the one with a long chain."""
+    return drive_of(**LONG) if name == "long" else ct.load(name)
+
+
+@cache
+def scheme_of(name):
+    """Its scheme, drawn once for all that is asked of it."""
+    return plan_scheme(machine_of(name))
 
 
 @pytest.mark.parametrize("name", DRIVEN)
 def test_symbols_are_those_of_the_file(name):
-    symbols = symbols_in_svg(plan_scheme(ct.load(name)))
+    symbols = symbols_in_svg(scheme_of(name))
     n_shafts = symbols.pop("shaft")
     assert symbols == Counter(DRIVEN[name].split())
     assert n_shafts == 1 + len(ct.load(name).drive.stage)
@@ -117,19 +125,19 @@ def test_symbols_are_those_of_the_file(name):
 @pytest.mark.parametrize("size", ["A4", "A3"])
 @pytest.mark.parametrize("name", [*DRIVEN, "long"])
 def test_no_words_lie_over_others(name, size):
-    drawn = plan_scheme(dict(sheets())[name], size=size)
+    drawn = scheme_of(name) if size == "A4" else plan_scheme(machine_of(name), size=size)
     words = words_beside(drawn)
-    elements = [one for shaft in drive_chain(dict(sheets())[name]) for one in shaft.elements]
+    elements = [one for shaft in drive_chain(machine_of(name)) for one in shaft.elements]
     for number, one in enumerate(elements, start=1):
         assert words.count(str(number)) == 1
         assert sum(text.startswith(f"{number}  {one.words}") for text in words) == 1
     assert [text for text in words if text.startswith("Shaft ")] == [
-        f"Shaft {numeral}" for numeral in ("I", "II", "III", "IV", "V")[: len(drive_chain(dict(sheets())[name]))]
+        f"Shaft {numeral}" for numeral in ("I", "II", "III", "IV", "V")[: len(drive_chain(machine_of(name)))]
     ]
 
 
 def test_rows_of_a_long_table_do_not_touch():
-    drawn = plan_scheme(drive_of(**LONG))
+    drawn = scheme_of("long")
     left = [box for text, box in words_of(drawn) if re.match(r"\d+  |Shaft ", text)]
     tops = sorted((box.y0, box.y1) for box in left)
     assert len(tops) == 13 + 5
@@ -148,20 +156,20 @@ def test_speeds_and_inertias_of_shafts(name):
 
 @pytest.mark.parametrize("name", WRITTEN)
 def test_table_has_the_numbers_of_the_file(name):
-    words = words_beside(plan_scheme(ct.load(name)))
+    words = words_beside(scheme_of(name))
     assert [text for text in WRITTEN[name] if text not in words] == []
 
 
 def test_worm_by_its_angles_and_drag():
     # tan 10°/tan 14° = 0.7072, tan 6°/tan 10° = 0.5961
-    words = words_beside(plan_scheme(drive_of(**LONG)))
+    words = words_beside(scheme_of("long"))
     assert any(text.startswith("i = 12.5, η_f = 0.7072, η_b = 0.5961") for text in words)
     assert any("M_0 = 1.000 N·m" in text for text in words)
     assert "10  worm gear" in words
 
 
 def test_crank_shaft_has_the_same_mark_and_letter_in_both():
-    drawn = plan_scheme(ct.load("jaw_crusher"))
+    drawn = scheme_of("jaw_crusher")
     words = words_beside(drawn)
     assert words.count("$O$") == 2
     assert "5  crank shaft O, the same as in the mechanism" in words
@@ -179,7 +187,7 @@ def test_coupling_is_drawn_in_line():
 
 @pytest.mark.parametrize("name", ["servo_press", "servo_press_rocking"])
 def test_crank_that_moves_by_a_curve_has_no_speed(name):
-    words = words_beside(plan_scheme(ct.load(name)))
+    words = words_beside(scheme_of(name))
     assert "Drive" in words
     assert "The crank moves as [shaft.main.motion] says, not at one speed." in words
     assert not any("rpm" in text for text in words if not text.startswith("Slider-crank"))
@@ -199,7 +207,7 @@ def test_weights_of_the_rocker_at_its_pins():
     at, step = np.deg2rad(50.0), 1e-5
     rate = (rocker(at + step) - rocker(at - step)) / (2 * step)
     expected = 200.0 * (0.5 * rate / 0.25) ** 2
-    words = words_beside(plan_scheme(ct.load("tilting_table")))
+    words = words_beside(scheme_of("tilting_table"))
     assert words[words.index("weight of what the rocker turns, at A") + 1] == "200.0 kg"
     assert words[words.index("the same at B, (17)") + 1] == f"{expected:.2f} kg"
 

@@ -1,8 +1,11 @@
 """The sheet of a drive and the picture of a start: words that can be read, curves that are those of the results."""
 
+from functools import cache
+
 import numpy as np
 import pytest
-from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
+from tests.example_runs import ran
+from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.viz import sheet_drive
@@ -12,6 +15,24 @@ from cranktrain.viz.sheets.drive.start import start_picture
 
 DRIVEN = ("tilting_table", "jaw_crusher", "shears", "shaking_conveyor", "compressor_start", "high_slip_press")
 RPM = np.pi / 30
+
+
+@cache
+def started(name):
+    """A start of an example, computed once for all that is asked of it."""
+    return ct.start(name)
+
+
+@cache
+def drive_of(name):
+    """The sheet of an example's drive, drawn once for all that is asked of it."""
+    return sheet_drive(ran(name))
+
+
+@cache
+def start_of(name):
+    """The picture of its start."""
+    return start_picture(started(name))
 
 
 def texts(drawn):
@@ -28,7 +49,7 @@ def drawn_curves(figure):
 @pytest.mark.parametrize("name", DRIVEN)
 @pytest.mark.parametrize("size", ["A4", "A3"])
 def test_sheet_is_readable(name, size):
-    words = texts(sheet_drive(ct.run(ct.load(name)), size=size))
+    words = texts(drive_of(name) if size == "A4" else sheet_drive(ran(name), size=size))
     assert any(text.startswith("Static torque at the motor's shaft") for text in words)
     assert any(text.startswith("Torque of the motor in steady running") for text in words)
     assert "coefficient of fluctuation" in words
@@ -36,9 +57,9 @@ def test_sheet_is_readable(name, size):
 
 def test_half_periods_are_marked():
     """The crank-rocker's dead positions, by closed form: 31.7525° and 214.6222°, 182.8696° and 177.1304° apart."""
-    words = texts(sheet_drive(ct.run(ct.load("tilting_table"))))
+    words = texts(drive_of("tilting_table"))
     assert {"31.75°", "214.62°", "Δφ = 182.87°", "Δφ = 177.13°"} <= set(words)
-    never = texts(sheet_drive(ct.run(ct.load("jaw_crusher"))))
+    never = texts(drive_of("jaw_crusher"))
     assert not any(text.startswith("Δφ") for text in never)
 
 
@@ -61,7 +82,7 @@ def test_many_half_periods_do_not_overlap(n):
 
 
 def test_curves_are_the_results():
-    result = ct.run(ct.load("jaw_crusher"))
+    result = ran("jaw_crusher")
     shown = OneDesign(result, 0)
     static, inertia, torque, speed = *drive_panels(shown), *steady_panels(shown)
     np.testing.assert_array_equal(static.values[0, :-1], result.static_motor_torque[0])
@@ -74,7 +95,7 @@ def test_curves_are_the_results():
 @pytest.mark.parametrize("name", DRIVEN)
 def test_titles_end_before_their_keys(name):
     """The sample of a curve's line stands to the right of the panel's title."""
-    figure = sheet_drive(ct.run(name))
+    figure = drive_of(name)
     boxes = [(text, box) for text, box in words_of(figure) if "shaft, " in text or "running, " in text]
     assert boxes
     (paper, *_panels) = figure.axes
@@ -93,8 +114,7 @@ def test_without_a_motor_there_is_what_the_load_asks():
 
 @pytest.mark.parametrize("name", DRIVEN)
 def test_picture_of_a_start(name):
-    start = ct.start(name)
-    drawn = start_picture(start)
+    start, drawn = started(name), start_of(name)
     words = texts(drawn)
     assert ("Speed of the crank, rpm" in words) == (name == "high_slip_press")
     assert {"ends after", "turns of the crank", "energy left over, of what was put in"} <= set(words)
@@ -104,19 +124,18 @@ def test_picture_of_a_start(name):
 
 
 def test_events_of_a_start_have_numbers_where_they_are_rare():
-    press = texts(start_picture(ct.start("high_slip_press")))
+    press = texts(start_of("high_slip_press"))
     assert {"1  crank sets off", "2  clutch locks", "5  crank stands", "3", "4", "5"} <= set(press)
     assert "1,2" in press  # 0.03 s and 0.06 s of 2 s are too near to each other for a place each
-    start = ct.start("compressor_start")
-    words = texts(start_picture(start))
+    start = started("compressor_start")
+    words = texts(start_of("compressor_start"))
     n_dead = sum(event.name == "dead position" for event in start.events)
     assert f"dead position, dotted: {n_dead}" in words
     assert "1  98 % of its steady speed" in words
 
 
 def test_a_start_that_takes_no_time_has_facts_alone():
-    drawn = start_picture(ct.start("servo_press"))
-    words = texts(drawn)
+    words = texts(start_of("servo_press"))
     assert "Start: it stands still and nothing pulls" in " ".join(words)
     assert "Time, s" not in words
     assert "1  is held" in words
@@ -124,7 +143,7 @@ def test_a_start_that_takes_no_time_has_facts_alone():
 
 def test_speeds_are_in_the_unit_that_is_chosen():
     with ct.units("rad/s"):
-        words = texts(start_picture(ct.start("high_slip_press"))) + texts(sheet_drive(ct.run(ct.load("jaw_crusher"))))
+        words = texts(start_picture(started("high_slip_press"))) + texts(sheet_drive(ran("jaw_crusher")))
     assert {"Speed of the motor, rad/s", "Speed of the crank, rad/s"} <= set(words)
     assert any(text.endswith("N·m over rad/s") for text in words)
     assert not any(text.endswith("rpm") and text.startswith(("Speed", "Torque")) for text in words)
@@ -162,8 +181,8 @@ def test_numbers_of_a_start_do_not_depend_on_the_interval():
 
 
 def test_heat_that_nothing_is_known_of_is_not_0():
-    assert "heat in the motor" not in texts(start_picture(ct.start("servo_press")))
-    assert "heat in the motor" in texts(start_picture(ct.start("tilting_table")))
+    assert "heat in the motor" not in texts(start_of("servo_press"))
+    assert "heat in the motor" in texts(start_of("tilting_table"))
 
 
 def test_a_sheet_without_a_speed_begins_with_a_capital():
@@ -193,6 +212,6 @@ def test_sheet_of_a_wanted_motion_has_the_way_that_its_motor_goes(name):
 
 
 def test_sheet_of_a_wanted_motion_needs_no_motor():
-    words = texts(sheet_drive(ct.run("servo_press")))
+    words = texts(drive_of("servo_press"))
     assert "wanted motion" in words
     assert not any(text.startswith("○") for text in words)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from tests.unit.questions.evenness.test_evenness import ENGINE, MASSES_ALONE
-from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
+from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.viz import plan_mertsalov, plan_wittenbauer

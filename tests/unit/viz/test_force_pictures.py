@@ -1,13 +1,15 @@
 """Pictures of forces: that their words can be read, what they say, lengths to scale, the same bytes."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from tests.gas_engines import DUAL_CYCLE
 from tests.machines import slider, throws
 from tests.sentences import OF_INERTIA_ALONE, TOO_MANY_FORCES, WITHOUT_ROD
 from tests.unit.plans.test_force_polygons import rubbing
-from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
 from tests.weighed_machines import WEIGHED
+from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -47,6 +49,18 @@ def results():
     return {name: ct.run(WEIGHED[name]) for name in (*ENGINES, "crank_rocker")}
 
 
+@pytest.fixture(scope="module")
+def sheets(results):
+    """Sheets of their forces, each drawn once for all that is asked of it."""
+    return cache(lambda name, size="A4": sheet_forces(results[name], size=size))
+
+
+@cache
+def polar_of(name):
+    """The polar diagrams of a machine, drawn once for all that is asked of them."""
+    return plan_polar(WEIGHED[name])
+
+
 @pytest.mark.parametrize("name", WEIGHED)
 @pytest.mark.parametrize("draw", [plan_forces, plan_zhukovsky])
 def test_plan_is_readable(name, draw):
@@ -80,7 +94,7 @@ def test_too_many_forces_for_the_paper():
 
 @pytest.mark.parametrize("name", [name for name in WEIGHED if name not in (*NO_ROD, "eccentric")])
 def test_polar_diagram_is_readable(name):
-    assert_words_are_readable(plan_polar(WEIGHED[name]))
+    assert_words_are_readable(polar_of(name))
 
 
 @pytest.mark.parametrize("name", NO_ROD)
@@ -91,8 +105,8 @@ def test_no_polar_diagram_without_a_rod(name):
 
 @pytest.mark.parametrize("name", [*ENGINES, "crank_rocker"])
 @pytest.mark.parametrize("size", ["A4", "A3"])
-def test_sheet_is_readable(results, name, size):
-    assert_words_are_readable(sheet_forces(results[name], size=size))
+def test_sheet_is_readable(sheets, name, size):
+    assert_words_are_readable(sheets(name, size=size))
 
 
 def test_sheet_of_a_slave_has_its_forces_and_its_share_of_the_pin(results):
@@ -136,8 +150,8 @@ def test_sheet_of_what_has_no_forces():
         sheet_forces(ct.run(WEIGHED["vaz_21213"]), piston="9Z")
 
 
-def test_orders_reach_as_far_as_eighteen_cylinders_need(results):
-    words = [text for text, _box in words_of(sheet_forces(results["deltic"]))]
+def test_orders_reach_as_far_as_eighteen_cylinders_need(sheets):
+    words = [text for text, _box in words_of(sheets("deltic", size="A4"))]
     assert "18" in words
     assert "The orders of the torque up to 24 cancel" not in words
 
@@ -303,7 +317,7 @@ def test_plans_of_opposed_pistons_are_readable(name, draw):
 @pytest.mark.parametrize("name", ["vaz_21213", "3d12", "r_1340", "deltic"])
 def test_polar_sheet_says_its_scales_and_covers_the_cycle(name):
     """Every diagram has a scale of its own, and the table a row each 30° of the whole cycle."""
-    figure = plan_polar(WEIGHED[name])
+    figure = polar_of(name)
     words = [text for text, _box in words_of(figure)]
     assert sum("kN/mm, rings each" in text for text in words) == 2
     cycle = pin_loads(WEIGHED[name]).cycle

@@ -1,11 +1,14 @@
 """The sheet of forces of what has no piston's forces: reactions in joints, each once, and what is drawn of them."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from mpmath import mp
+from tests.example_runs import ran
 from tests.unit.viz.machines_by_hand import MACHINES
-from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
 from tests.weighed_machines import WEIGHED
+from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.viz import sheet_forces
@@ -19,7 +22,19 @@ ROCKERS = ("tilting_table", "jaw_crusher", "pumping_unit_c57", "shaper", "toggle
 
 @pytest.fixture(scope="module")
 def results():
-    return {name: ct.run(ct.load(name)) for name in ROCKERS}
+    return {name: ran(name) for name in ROCKERS}
+
+
+@cache
+def sheet_of(name):
+    """The sheet of an example's forces, drawn once for all that is asked of it."""
+    return sheet_forces(ran(name))
+
+
+@cache
+def ran_weighed(name):
+    """The result of a machine with masses, computed once for both sizes of paper."""
+    return ct.run(WEIGHED[name])
 
 
 @pytest.mark.parametrize("name", ROCKERS)
@@ -46,7 +61,7 @@ def test_sheet(results, name):
     panels = list(joint_panels(shown, joints))
     assert panels[0].title == "Reactions in the joints"
     assert all(np.all(np.isfinite(panel.values)) and np.any(panel.values) for panel in panels)
-    drawn = sheet_forces(results[name])
+    drawn = sheet_of(name)
     assert_words_are_readable(drawn)
     words = [text for text, _box in words_of(drawn)]
     for one in joints:
@@ -64,7 +79,7 @@ def test_every_load_has_its_torque_at_the_crank(results, name):
     if "static_torque" in results[name].catalogue:
         of_drive = results[name].static_torque[-1]
         np.testing.assert_allclose(static.values[:-1], of_drive, atol=1e-10 * np.max(np.abs(by_work)))
-    words = [text for text, _box in words_of(sheet_forces(results[name]))]
+    words = [text for text, _box in words_of(sheet_of(name))]
     assert any("into the crank" in text and "opposite sign" in text for text in words)
 
 
@@ -124,8 +139,8 @@ def said_in(drawn):
 
 
 @pytest.mark.parametrize("name", ROCKERS)
-def test_what_is_left_out_is_said_before_what_lines_mean(results, name):
-    words = said_in(sheet_forces(results[name]))
+def test_what_is_left_out_is_said_before_what_lines_mean(name):
+    words = said_in(sheet_of(name))
     if name != "tilting_table":
         assert "No masses are given: forces and torque are of the loads alone." in words
     assert "Torque: reactions of rigid links." in words
@@ -133,7 +148,7 @@ def test_what_is_left_out_is_said_before_what_lines_mean(results, name):
 
 def test_a_pin_of_three_links_is_somebodys():
     """Of the knee, where the pitman meets both levers; main.pin is the crank's own, and joins two."""
-    words = said_in(sheet_forces(ct.run("toggle_press")))
+    words = said_in(sheet_of("toggle_press"))
     assert "knee joins 3 links: its pin is part of pitman, and upper and lower hang on that." in words
     assert words.count("its pin is part of") == 1
 
@@ -141,7 +156,7 @@ def test_a_pin_of_three_links_is_somebodys():
 @pytest.mark.parametrize("size", ["A4", "A3"])
 @pytest.mark.parametrize("name", [name for name in WEIGHED if name not in ("3d12", "r_1340", "deltic")])
 def test_no_note_is_dropped(name, size):
-    result = ct.run(WEIGHED[name])
+    result = ran_weighed(name)
     pistons = result.labels.get("piston", ())
     for piston in pistons or (None,):
         words = said_in(sheet_forces(result, size=size, piston=piston))
@@ -181,7 +196,7 @@ def levers(n):
 
 def test_curves_that_are_left_out_are_said():
     """A valve gear has thirteen joints that bear forces of their own."""
-    words = said_in(sheet_forces(ct.run(WEIGHED["walschaerts"]), piston="1valve"))
+    words = said_in(sheet_forces(ran_weighed("walschaerts"), piston="1valve"))
     assert "Curves are of the 12 joints that bear most." in words
     assert "R13" in words
 

@@ -9,12 +9,13 @@ from importlib.resources import files
 from io import BytesIO
 from itertools import pairwise
 from pathlib import Path
-from weakref import WeakKeyDictionary
 
 import numpy as np
 import pytest
 from matplotlib.text import Text
+from tests.example_runs import ran
 from tests.sentences import AT_MOST_TO_A_SHEET, ENDS_IN
+from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -49,8 +50,6 @@ from cranktrain.viz.sheets.motion.dead_centres import ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.throw.mechanism import mechanism_sketch
 from cranktrain.viz.throw.scene import scene_of
-
-MILLIMETRE = 1 / 25.4
 
 ODD = {
     "no speed, no bore": {"mechanism": {"kind": "slider_crank", "stroke": "12 in", "rod_length": "30 in"}},
@@ -97,73 +96,10 @@ WORKS = {kind.name: ct.Machine(**tomllib.loads(kind.example)) for kind in KINDS}
 """A machine of every kind, and the examples whose names of pins are words."""
 
 
-@pytest.fixture(scope="module")
-def results():
-    """Results of the examples by name."""
-    return {name: ct.run(ct.load(name)) for name in example_names()}
-
-
-@pytest.fixture(scope="module")
-def sheets(results):
-    """Sheets of the examples by name, each drawn once for all that is asked of it."""
-    return cache(lambda name: sheet(results[name]))
-
-
-_LAID_OUT = WeakKeyDictionary()
-
-
-def words_of(figure):
-    """All words of a picture with their boxes in dots: it is laid out once, and nothing is painted."""
-    return laid_out(figure)[0]
-
-
-def laid_out(figure):
-    """Those words, and the smallest size of letters. [points]"""
-    if figure not in _LAID_OUT:
-        figure.draw_without_rendering()
-        beyond = set(map(id, labels_beyond(figure)))
-        texts = [text for text in figure.findobj(Text) if text.get_text()]
-        found = [text for text in texts if text.get_visible() and text.get_text().strip() and id(text) not in beyond]
-        words = [(text.get_text(), text.get_window_extent()) for text in found]
-        _LAID_OUT[figure] = words, min(text.get_fontsize() for text in texts)
-    return _LAID_OUT[figure]
-
-
-def labels_beyond(figure):
-    """Labels of ticks that are not on their axis, which are not drawn."""
-    return [
-        label
-        for axes in figure.axes
-        if axes.axison
-        for labels, (low, high), i in (
-            (axes.get_xticklabels(), axes.get_xlim(), 0),
-            (axes.get_yticklabels(), axes.get_ylim(), 1),
-        )
-        for label in labels
-        if not low <= label.get_position()[i] <= high
-    ]
-
-
-def assert_words_are_readable(figure):
-    """No words over others, none outside the paper, none smaller than 8 points."""
-    words, smallest = laid_out(figure)
-    width, height = figure.get_size_inches() * figure.dpi
-    x0, y0, x1, y1 = np.array([box.extents for _text, box in words]).T
-    inside = (x0 > 0) & (y0 > 0) & (x1 < width) & (y1 < height)
-    assert [words[i][0] for i in np.flatnonzero(~inside)] == [], "leave the paper"
-    common_x = np.minimum.outer(x1, x1) - np.maximum.outer(x0, x0)
-    common_y = np.minimum.outer(y1, y1) - np.maximum.outer(y0, y0)
-    dot = 0.3 * MILLIMETRE * figure.dpi
-    over = np.argwhere(np.triu((common_x > dot) & (common_y > dot), k=1))
-    assert [(words[one][0], words[other][0]) for one, other in over] == []
-    assert smallest >= 8.0
-
-
-@pytest.mark.parametrize("name", example_names())
-def test_sheet_is_readable(sheets, name):
-    figure = sheets(name)
-    assert_words_are_readable(figure)
-    assert tuple(figure.get_size_inches()) == pytest.approx((297 * MILLIMETRE, 210 * MILLIMETRE))
+@cache
+def sheet_of(name):
+    """The sheet of an example, drawn once for all that is asked of it."""
+    return sheet(ran(name))
 
 
 @pytest.mark.parametrize("case", ODD)
@@ -183,16 +119,16 @@ def test_sheet_of_links_that_part_is_readable():
     assert "Drawn at φ = 116°" in [text for text, _box in words_of(figure)]
 
 
-def test_larger_paper(results):
-    figure = sheet(results["r_1340"], size="A3")
+def test_larger_paper():
+    figure = sheet(ran("r_1340"), size="A3")
     assert_words_are_readable(figure)
     assert "200 mm, scale 1:5" in [text for text, _box in words_of(figure)]
     with pytest.raises(InputError, match="size = A7: must be one of: A4, A3"):
-        sheet(results["r_1340"], size="A7")
+        sheet(ran("r_1340"), size="A7")
 
 
-def test_sheet_says_what_it_shows(sheets):
-    words = " | ".join(text for text, _box in words_of(sheets("3d12")))
+def test_sheet_says_what_it_shows():
+    words = " | ".join(text for text, _box in words_of(sheet_of("3d12")))
     for part in (
         "3D12 marine diesel",
         "12 pistons, 6 throws, banks L, R",
@@ -225,13 +161,13 @@ def test_curves_of_a_valve_are_not_called_a_piston_s():
     ]
 
 
-def test_a_valve_has_no_dead_centres(sheets):
+def test_a_valve_has_no_dead_centres():
     """It is farthest and nearest, of an eccentric half a turn apart."""
     eccentric = {"kind": "eccentric", "eccentricity": "60 mm", "rod_length": "1.4 m", "angle_of_advance": "30 deg"}
     alone = [text for text, _box in words_of(sheet(ct.run(ct.Machine(mechanism=eccentric))))]
     assert {"Ends of valve travel", "nearest 60.00°", "farthest 240.00°"} <= set(alone)
     assert not any("TDC" in text or "ead centres" in text for text in alone)
-    both = [text for text, _box in words_of(sheets("great_northern"))]
+    both = [text for text, _box in words_of(sheet_of("great_northern"))]
     assert {"Dead centres; ends of valve travel", "TDC 0.00°", "farthest 250.16°"} <= set(both)
 
 
@@ -286,10 +222,11 @@ def test_plan_of_too_many_or_no_angles_is_refused(angles, message):
 
 
 @pytest.mark.parametrize("name", example_names())
-def test_pins_on_the_sheet_are_the_kernels(results, name):
+def test_pins_on_the_sheet_are_the_kernels(name):
     """Piston pins by the result's own curves, on their bank's axis; crank pins by the angle."""
-    result = results[name]
-    machine = result.machines[0]
+    machine = ct.load(name)
+    of_pins = ("piston_displacement", "top_position", "rocker_angle", "point_x", "point_y")
+    result = ct.run(machine, quantities=of_pins)
     scene = scene_of(machine)
     for member in scene.members:
         for angle in (0.0, 50.0, 217.0):
@@ -325,9 +262,9 @@ def test_pins_on_the_sheet_are_the_kernels(results, name):
                 np.testing.assert_allclose(pins["A"], there, rtol=0, atol=1e-9)
 
 
-def test_links_keep_their_lengths_on_paper(results):
+def test_links_keep_their_lengths_on_paper():
     """Between eyes as drawn there are 320 mm of master rod and 242.426 mm of slave rod, at every angle."""
-    scene = scene_of(results["3d12"].machines[0])
+    scene = scene_of(ran("3d12").machines[0])
     for angle in range(0, 360, 10):
         first, second = (scene.pins(member, float(angle)) for member in scene.members)
         assert np.hypot(*(first["B"] - first["A"])) == pytest.approx(320.0, abs=1e-9)
@@ -336,17 +273,17 @@ def test_links_keep_their_lengths_on_paper(results):
         np.testing.assert_allclose(second["B"], first["B"], rtol=0, atol=1e-9)
 
 
-def test_small_crank_has_a_detail(sheets):
+def test_small_crank_has_a_detail():
     """At 1:7.5 the jaw crusher's 12 mm are 1.6 mm: the ring stands in a detail."""
-    words = [text for text, _box in words_of(sheets("jaw_crusher"))]
+    words = [text for text, _box in words_of(sheet_of("jaw_crusher"))]
     assert {"A", "A (1:1.5)", "200 mm, scale 1:7.5"} <= set(words)
     assert words.count("90") == 2  # one of the curves' axis
-    assert not any("A (" in text for text, _box in words_of(sheets("vaz_21213")))
+    assert not any("A (" in text for text, _box in words_of(sheet_of("vaz_21213")))
 
 
-def test_every_slider_of_a_chain_is_drawn(results):
+def test_every_slider_of_a_chain_is_drawn():
     """The crosshead, which moves the locomotive's valve gear, where the piston is."""
-    result = results["lms_class5"]
+    result = ran("lms_class5")
     scene = scene_of(result.machines[0])
     piston, valve = scene.members
     assert [guide.pin for guide in valve.turn.guides] == ["valve.pin", "crosshead.pin"]
@@ -357,10 +294,10 @@ def test_every_slider_of_a_chain_is_drawn(results):
     assert min(np.hypot(*(middle - crosshead)) for middle in middles) < 1e-9
 
 
-def test_no_dead_position_runs_through_a_figure_of_the_ring(results):
+def test_no_dead_position_runs_through_a_figure_of_the_ring():
     """The shaper's lever at its dead positions crosses where 150 would stand."""
-    scene = scene_of(results["shaper"].machines[0])
-    dead = [[mark.angle for mark in ruler_of(results["shaper"]).marks]]
+    scene = scene_of(ran("shaper").machines[0])
+    dead = [[mark.angle for mark in ruler_of(ran("shaper")).marks]]
     sketch = mechanism_sketch(scene, 50.0, 7.5, dead)
     for label in sketch.labels:
         for angle in dead[0]:
@@ -372,13 +309,13 @@ def test_no_dead_position_runs_through_a_figure_of_the_ring(results):
                     assert label.text == "0" or np.hypot(*(start + part * (end - start) - label.position)) > 2.0 * 7.5
 
 
-def test_drawn_parts_lie_on_the_layers_of_a_drawing_office(results):
-    sketch = mechanism_sketch(scene_of(results["kamaz_740"].machines[0]), 50.0, 5.0)
+def test_drawn_parts_lie_on_the_layers_of_a_drawing_office():
+    sketch = mechanism_sketch(scene_of(ran("kamaz_740").machines[0]), 50.0, 5.0)
     assert {line.layer for line in sketch.lines} == {"LINKS", "GUIDES", "PATHS", "DIMENSIONS"}
 
 
-def test_curves_are_the_results(results):
-    result = results["kamaz_740"]
+def test_curves_are_the_results():
+    result = ran("kamaz_740")
     travel, velocity, acceleration, error = panels(result)
     assert [(panel.symbol, as_shown(panel).unit) for panel in (travel, velocity, acceleration)] == [
         ("s", "mm"),
@@ -395,30 +332,30 @@ def test_curves_are_the_results(results):
     assert worst == pytest.approx(100 * result.acceleration_error[form, 0], rel=1e-3)
 
 
-def test_marks_are_the_true_dead_centres(results):
-    found = {(mark.name, mark.is_top): mark.angle for mark in ruler_of(results["r_1340"]).marks}
+def test_marks_are_the_true_dead_centres():
+    found = {(mark.name, mark.is_top): mark.angle for mark in ruler_of(ran("r_1340")).marks}
     assert len(found) == 18
     assert found["1S", True] == pytest.approx(40.6, abs=0.05)
 
 
-def test_animation_is_small_and_always_the_same(results, tmp_path):
+def test_animation_is_small_and_always_the_same(tmp_path):
     from PIL import Image
 
-    content = animation(results["r_1340"])
+    content = animation(ran("r_1340"))
     assert len(content) < 1_000_000
     with Image.open(BytesIO(content)) as picture:
         assert picture.format == "GIF"
         assert picture.n_frames == 36
-    save_animation(results["vaz_21213"], tmp_path / "one.gif")
-    assert (tmp_path / "one.gif").read_bytes() == animation(results["vaz_21213"])
+    save_animation(ran("vaz_21213"), tmp_path / "one.gif")
+    assert (tmp_path / "one.gif").read_bytes() == animation(ran("vaz_21213"))
     with pytest.raises(InputError, match="is there already"):
-        save_animation(results["vaz_21213"], tmp_path / "one.gif")
+        save_animation(ran("vaz_21213"), tmp_path / "one.gif")
 
 
 @pytest.fixture(scope="module")
-def drawn_twice(results):
+def drawn_twice():
     """The same sheet, drawn again."""
-    return {name: sheet(results["vaz_21213"]) for name in ("one", "two")}
+    return {name: sheet(ran("vaz_21213")) for name in ("one", "two")}
 
 
 @pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf"])
@@ -449,12 +386,12 @@ def test_picture_is_refused_before_it_is_drawn(tmp_path):
     assert there.read_bytes() == b"old"
 
 
-def test_user_settings_neither_matter_nor_change(results, tmp_path):
+def test_user_settings_neither_matter_nor_change(tmp_path):
     import matplotlib
 
-    save(sheet(results["vaz_21213"]), tmp_path / "one.png")
+    save(sheet(ran("vaz_21213")), tmp_path / "one.png")
     with matplotlib.rc_context({"font.size": 30.0, "lines.linewidth": 9.0}):
-        save(sheet(results["vaz_21213"]), tmp_path / "two.png")
+        save(sheet(ran("vaz_21213")), tmp_path / "two.png")
         assert matplotlib.rcParams["font.size"] == 30.0
     assert (tmp_path / "one.png").read_bytes() == (tmp_path / "two.png").read_bytes()
 
@@ -585,9 +522,9 @@ def test_sheet_of_opposed_pistons_is_readable(case):
     assert_words_are_readable(sheet(ct.run(ct.Machine(**case))))
 
 
-def test_deltic_is_a_triangle(results):
+def test_deltic_is_a_triangle():
     """Six pistons of three shafts; what shares a cylinder lies on one line, and what shares a pin meets there."""
-    result = results["deltic"]
+    result = ran("deltic")
     scene = scene_of(result.machines[0])
     assert [member.place.name for member in scene.members] == [
         f"1{bank}.{end}" for bank in "ABC" for end in ("exhaust", "scavenge")
@@ -602,8 +539,8 @@ def test_deltic_is_a_triangle(results):
         np.testing.assert_allclose(pins[one], pins[other], rtol=0, atol=1e-9)
 
 
-def test_reversed_shaft_turns_the_other_way(results):
-    scene = scene_of(results["deltic"].machines[0])
+def test_reversed_shaft_turns_the_other_way():
+    scene = scene_of(ran("deltic").machines[0])
     turns = {
         member.place.shaft: scene.crank_direction(11.0, member) - scene.crank_direction(10.0, member)
         for member in scene.cranks
@@ -613,9 +550,9 @@ def test_reversed_shaft_turns_the_other_way(results):
 
 
 @pytest.mark.parametrize("angle", [0.0, 50.0, 186.0])
-def test_room_between_two_pistons_is_the_results(results, angle):
+def test_room_between_two_pistons_is_the_results(angle):
     """What the pins part on paper since the least is what both pistons sweep together; crowns never meet."""
-    result = results["10d100"]
+    result = ran("10d100")
     scene = scene_of(result.machines[0])
     ((one, other),) = scene.pairs
     apart = [
@@ -627,9 +564,9 @@ def test_room_between_two_pistons_is_the_results(results, angle):
     assert scene.above(one) + scene.above(other) < apart[1]
 
 
-def test_common_cylinder_has_no_head_and_gaps_for_ports(results):
+def test_common_cylinder_has_no_head_and_gaps_for_ports():
     """10D100: 60 and 50 mm from where the crowns stand at their outer dead centres, 381 mm from their shafts."""
-    scene = scene_of(results["10d100"].machines[0])
+    scene = scene_of(ran("10d100").machines[0])
     one, other = scene.members
     sketch = mechanism_sketch(scene, 50.0, 15.0)
     walls = ends(line for line in sketch.lines if line.layer == "GUIDES" and line.habit == "outline")
@@ -653,8 +590,8 @@ def test_far_piston_has_its_crown_toward_the_shaft():
     assert "Throws 1, 2 of 2, drawn at φ = 50°" in words
 
 
-def test_sheet_of_opposed_pistons_says_what_it_shows(sheets):
-    words = " | ".join(text for text, _box in words_of(sheets("10d100")))
+def test_sheet_of_opposed_pistons_says_what_it_shows():
+    words = " | ".join(text for text, _box in words_of(sheet_of("10d100")))
     for part in (
         "Volumetric dead centres",
         "inner 6.00°",
@@ -669,8 +606,8 @@ def test_sheet_of_opposed_pistons_says_what_it_shows(sheets):
     assert "distance of the shafts assumed for the drawing" in words
 
 
-def test_opposed_curves_are_the_results(results):
-    result = results["10d100"]
+def test_opposed_curves_are_the_results():
+    result = ran("10d100")
     found = {panel.symbol: panel for panel in panels(result)}
     assert list(found) == ["s", r"x_\Sigma", "V", "v", "j"]
     assert [(curve.name, curve.role) for curve in found["s"].curves] == [
@@ -684,17 +621,17 @@ def test_opposed_curves_are_the_results(results):
 
 
 @pytest.mark.parametrize("name", ["3d12", "deltic", "lms_class5", "pumping_unit_c57"])
-def test_a_sheet_needs_only_the_quantities_that_it_shows(results, tmp_path, name):
+def test_a_sheet_needs_only_the_quantities_that_it_shows(tmp_path, name):
     few = ct.run(ct.load(name), quantities=SHEET_QUANTITIES)
     assert "closing_margin" not in few.catalogue
-    for result, path in ((few, "few.png"), (results[name], "all.png")):
-        save(sheet(result), tmp_path / path)
-    assert (tmp_path / "few.png").read_bytes() == (tmp_path / "all.png").read_bytes()
+    for figure, path in ((sheet(few), "few.svg"), (sheet_of(name), "all.svg")):
+        save(figure, tmp_path / path)
+    assert (tmp_path / "few.svg").read_bytes() == (tmp_path / "all.svg").read_bytes()
 
 
-def test_rod_that_stands_for_none_is_broken(sheets):
+def test_rod_that_stands_for_none_is_broken():
     """A rod of 100000 in would make the sheet 1:25000."""
-    words = [text for text, _box in words_of(sheets("great_northern"))]
+    words = [text for text, _box in words_of(sheet_of("great_northern"))]
     assert any("rod of 1valve broken, its slider drawn nearer to the shaft" in said for said in words)
     assert any(re.fullmatch(r"[1-4]?\d in, scale 1:25", said) for said in words)
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from tests.property.test_running_speed import SLIDER_CRANK, varying
 from tests.sentences import STEADY_RUNNING
-from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
+from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.viz import (

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
+from tests.words_on_paper import assert_words_are_readable, words_of
 
 from cranktrain.viz.paper.page import Page, drawing_settings
 from cranktrain.viz.paper.tables import write_table

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from tests.unit.questions.torsion.test_modes import FLYWHEEL, FOUR, PULLEY, four
-from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
+from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.errors import InputError

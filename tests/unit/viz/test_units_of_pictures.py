@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from matplotlib.text import Text
+from tests.words_on_paper import words_of as words_with_boxes
 
 import cranktrain as ct
 from cranktrain import viz
@@ -13,8 +13,7 @@ from cranktrain.quantities import shown_by, units_by_dimension
 
 
 def words_of(figure):
-    figure.draw_without_rendering()
-    return [text.get_text() for text in figure.findobj(Text) if text.get_visible()]
+    return [text for text, _box in words_with_boxes(figure)]
 
 
 NAMED = re.compile(r"(?:^|, |\d |(?<=pressure in )|(?<=volume in ))([^\s,\d()=]+?)(?:/mm)?(?= over|,|$)")

@@ -209,14 +209,14 @@ class LoadedMachine:
 
     def load_ways(self, loads: Sequence[LinkLoad], angle: Array) -> list[LoadWay]:
         """Along what some loads go; as `load_way`, with the motion of each mechanism found once."""
-        return [load.way(link) for load, link in zip(loads, self._loaded_links(loads, angle), strict=True)]
+        return [load.way(link) for load, link in zip(loads, self.loaded_links(loads, angle), strict=True)]
 
     def loaded_link(self, load: LinkLoad, angle: Array) -> Link:
         """On what a load acts, in its mechanism's axes; angle and arrays as of `load_way`."""
-        return next(self._loaded_links([load], angle))
+        return next(self.loaded_links([load], angle))
 
-    def _loaded_links(self, loads: Sequence[LinkLoad], angle: Array) -> Iterator[Link]:
-        """On what each of some loads acts."""
+    def loaded_links(self, loads: Sequence[LinkLoad], angle: Array) -> Iterator[Link]:
+        """On what each of some loads acts; as `loaded_link`, with the motion of each mechanism found once."""
         moving: dict[int, tuple[Link, ...]] = {}
         for load in loads:
             place = next(i for i, batch in enumerate(self.mechanisms.batches) if load.mechanism in batch.index)

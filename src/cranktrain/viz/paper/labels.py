@@ -141,8 +141,10 @@ def _n_under(boxes: Array, taken: Sequence[Array]) -> Array:
 
 def _n_inside(boxes: Array, dots: Array) -> Array:
     """How many points of the lines a label would cover."""
+    least, most = np.min(boxes[0], axis=1), np.max(boxes[1], axis=1)
+    near = np.all((dots > least[:, np.newaxis]) & (dots < most[:, np.newaxis]), axis=0)
     (left, low), (right, high) = boxes[..., np.newaxis]
-    x, y = dots
+    x, y = dots[:, near]
     return np.count_nonzero((x > left) & (x < right) & (y > low) & (y < high), axis=1)
 
 

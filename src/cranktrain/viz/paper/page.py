@@ -3,6 +3,7 @@
 import re
 from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager
+from functools import partial
 from importlib import import_module
 from typing import Any, NamedTuple, TypeAlias
 
@@ -91,8 +92,10 @@ class Page:
         self.figure: Figure = figure.Figure(figsize=(width / _INCH, height / _INCH), facecolor="white")
         FigureCanvasAgg(self.figure)
         self.paper: Axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
-        self.paper.set(xlim=(0.0, width), ylim=(0.0, height))
+        self.paper.set(xlim=(0.0, width), ylim=(0.0, height), xticks=(), yticks=())
         self.paper.set_axis_off()
+        # Everything on the paper is clipped to it, and the library would make this transform anew for each line.
+        self.paper.patch.get_transform = partial(_itself, self.paper.patch.get_transform())
 
     def place_of(self, axes: Axes, points: Array) -> Array:
         """Where points of axes lie on the sheet, shape (2, n). [mm]"""
@@ -188,6 +191,11 @@ class Page:
             else:
                 points = place[:, np.newaxis] + part.points / sketch.scale
                 artist.set(**({"xy": points.T} if part.is_closed else {"data": points}))
+
+
+def _itself(given: Any) -> Any:
+    """What was given."""
+    return given
 
 
 def _artist_of(part: Line | Circle, layer: float) -> Artist:

@@ -1,6 +1,7 @@
 """Sheets of the sources' constructions: arc, orthogonal projection, Brix's ray forward and backward."""
 
 from collections.abc import Iterator, Sequence
+from functools import cache, partial
 
 import numpy as np
 
@@ -124,14 +125,16 @@ def _sheet(
     bore = _bore(machine, found)
     radius, rod = 1e3 * found.geometry.crank_radius, 1e3 * found.geometry.rod_length
     room = upper.width - 4.0, upper.height - 12.0
-    small = fitted_scale(lambda one: scheme_sketch(found, one, bore), room, float(rod + radius))
-    centre(page, scheme_sketch(found, small, bore), upper._replace(height=upper.height - 4.0))
+    mechanism_at = cache(partial(scheme_sketch, found, bore=bore))
+    small = fitted_scale(mechanism_at, room, float(rod + radius))
+    centre(page, mechanism_at(small), upper._replace(height=upper.height - 4.0))
     words = _("The mechanism, scale {scale}").format(scale=scale_words(small))
     page.text(upper.left, upper.bottom + upper.height - 4.0, words, color=MUTED)
     room = lower.width - 8.0, lower.height - 8.0
-    least = fitted_scale(lambda one: construction_sketch(found, one), room, float(2 * radius))
+    constructed_at = cache(partial(construction_sketch, found))
+    least = fitted_scale(constructed_at, room, float(2 * radius))
     metal = 1e3 * chosen_scale(1e-3 * least, scale)
-    centre(page, construction_sketch(found, metal), lower)
+    centre(page, constructed_at(metal), lower)
     write_scales(page, box, [length_scale(1e-3 * metal)], metal)
     rows = list((_backward_table if method == "brix_backward" else _forward_table)(found, 1e-3 * metal))
     notes = list(_notes(found))

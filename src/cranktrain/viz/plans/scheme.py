@@ -1,6 +1,7 @@
 """Schemes with the letters of the sources' figures: a mechanism at one crank angle, its angles, lengths and forces."""
 
 from collections.abc import Iterator, Sequence
+from functools import cache, partial
 
 import numpy as np
 
@@ -87,8 +88,9 @@ def plan_scheme(
     marked = None if drive is None else shaft
     pins = np.concatenate([pin[:, :1] for pin in found.drawing.scaled(1e3).positions.values()], axis=1)
     room = left.width - 6.0, left.height - 10.0
-    scale = fitted_scale(lambda one: scheme_sketch(found, one, marked), room, float(np.max(np.ptp(pins, axis=1))))
-    centre(page, scheme_sketch(found, scale, marked), left)
+    drawn = cache(partial(scheme_sketch, found, marked=marked))
+    scale = fitted_scale(drawn, room, float(np.max(np.ptp(pins, axis=1))))
+    centre(page, drawn(scale), left)
     write_scales(page, box, [length_scale(1e-3 * scale)], scale)
     page.heading(box.left, box.bottom + box.height - 4.0, f"φ = {found.angle:g}°")
     notes = [_("Angles count in the sense in which the crank turns.")]

@@ -152,7 +152,10 @@ def fitted_scale(drawn: Callable[[float], Sketch], room: tuple[float, float], me
     scale = fitting_scale(metal, 0.0, (max(room), 1.0))
     for _pass in range(_PASSES):
         low, high = labelled_bounds(drawn(scale))
-        scale = fitting_scale(*pair(high - low), room)
+        needed = fitting_scale(*pair(high - low), room)
+        if needed == scale:
+            break
+        scale = needed
     return scale
 
 

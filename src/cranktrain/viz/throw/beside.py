@@ -47,21 +47,32 @@ def fitted(drawn: Callable[[float], Sequence[Sketch]], rough: float, room: tuple
     room : (width, height)
         [mm of paper]
     """
-    scale = rough
+    scale, sketches = rough, drawn(rough)
     for _pass in range(_PASSES):
-        scale = min(needed for needed, _found in _all_ways(drawn(scale), scale, room))
-    return at_scale(drawn, scale, room)
+        needed = min(needed for needed, _places in _all_ways(sketches, scale, room))
+        if needed == scale:
+            break
+        scale, sketches = needed, drawn(needed)
+    return _best(sketches, scale, room)
 
 
 def at_scale(drawn: Callable[[float], Sequence[Sketch]], scale: float, room: tuple[float, float]) -> Beside:
     """Put throws beside each other to a scale, as `fitted` does."""
-    return smallest_of(_all_ways(drawn(scale), scale, room), lambda way: way[0])[1]
+    return _best(drawn(scale), scale, room)
 
 
-def _all_ways(sketches: Sequence[Sketch], scale: float, room: tuple[float, float]) -> Iterator[tuple[float, Beside]]:
-    """Throws in one row, in more, in a column, each with the scale that would fit the room."""
+def _best(sketches: Sequence[Sketch], scale: float, room: tuple[float, float]) -> Beside:
+    """Join the throws in the arrangement that could be drawn largest."""
+    _needed, places = smallest_of(_all_ways(sketches, scale, room), lambda way: way[0])
+    return Beside(together(sketches, places), scale, places)
+
+
+def _all_ways(
+    sketches: Sequence[Sketch], scale: float, room: tuple[float, float]
+) -> Iterator[tuple[float, tuple[Array, ...]]]:
+    """The scale that would fit the room, and where the shafts are, of throws in one row, in more, in a column."""
     for places, (low, high) in arrangements([Bounds(*labelled_bounds(one)) for one in sketches], _GAP * scale):
-        yield fitting_scale(*pair(high - low), room), Beside(together(sketches, places), scale, places)
+        yield fitting_scale(*pair(high - low), room), places
 
 
 def arrangements(bounds: Sequence[Bounds], gap: float) -> Iterator[tuple[tuple[Array, ...], Bounds]]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 
@@ -94,9 +95,8 @@ def sheet(
     lower = box.bottom + (1.0 - _UPPER) * box.height
     beside = box._replace(width=middle - 4.0, bottom=box.bottom + foot, height=box.height - foot)
     above = box._replace(bottom=lower + _LINE_FOOT, height=_UPPER * box.height - _LINE_FOOT)
-    narrow, wide = (
-        fitted(throws.drawn, throws.rough, (room.width - 1.0, room.height - 6.0)) for room in (beside, above)
-    )
+    drawn = cache(throws.drawn)
+    narrow, wide = (fitted(drawn, throws.rough, (room.width - 1.0, room.height - 6.0)) for room in (beside, above))
     width, height = pair(np.subtract(*reversed(labelled_bounds(narrow.sketch))))
     is_wide = narrow.scale >= _LARGER * wide.scale and width >= _WIDE * height
     notes = ("; ".join(throws.notes),) if is_wide else throws.notes
