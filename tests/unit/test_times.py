@@ -3,7 +3,7 @@
 import pytest
 from tests import times
 
-CHEAP, DEAR, LESSON = "a.py::test_cheap[{}]", "a.py::test_dear[{}]", "docs/lesson.md::line:{},column:1"
+CHEAP, DEAR, LESSON = "a.py::test_cheap[{}]", "a.py::test_dear[{}]", "README.md::line:{},column:1"
 
 
 @pytest.fixture
