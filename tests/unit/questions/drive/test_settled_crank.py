@@ -82,18 +82,6 @@ def sprung(damping, pulls_at=math.inf, pull=0.0, most=1000, **asked):
     return kernels, drive, how
 
 
-@pytest.mark.parametrize("is_compiled", [False, True])
-@pytest.mark.parametrize("damping", [4.0, 60.0])
-def test_without_a_pull_it_is_at_rest(damping, is_compiled):
-    """On a spring, in swings and without; its amplitude falls as exp(−c t/2J), or by the slower of two rates."""
-    found = run(*sprung(damping), is_compiled=is_compiled)
-    assert found.reason == endings.AT_REST
-    assert found.end[0] == pytest.approx(1.0, abs=2e-6)
-    root = math.sqrt(max(0.0, (damping / 2 / INERTIA) ** 2 - STIFF / INERTIA))
-    rate = damping / 2 / INERTIA - root
-    assert found.end_time == pytest.approx(math.log(0.2 / 1e-6) / rate, rel=0.1)
-
-
 def test_what_is_yet_to_come_is_waited_for():
     """A motor that pulls after 30 s stretches the spring then; the stall is where it holds it."""
     found = run(*sprung(60.0, pulls_at=30.0, pull=90.0), is_compiled=False)
