@@ -37,10 +37,10 @@ class Machines(NamedTuple):
     opening_angle: Array
 
     def tested_angles(self, random: np.random.Generator) -> Array:
-        """Four angles a machine, (n, 4): nearest to opening, beside it by as much as the peaks there are wide, any."""
+        """Three angles a machine, (n, 3): nearest to opening, beside it by as much as the peaks there are wide, any."""
         shape = self.margin.shape
         beside = self.opening_angle + random.normal(size=shape) * np.sqrt(self.margin)
-        anywhere = random.uniform(-2 * np.pi, 4 * np.pi, size=(shape[0], 2))
+        anywhere = random.uniform(-2 * np.pi, 4 * np.pi, size=(shape[0], 1))
         return np.concatenate([self.opening_angle, beside, anywhere], axis=-1)
 
 

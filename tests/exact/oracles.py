@@ -269,7 +269,7 @@ class LegNumbers(NamedTuple):
     is_guide: float
 
 
-def _leg_vectors(angle: arb_series, leg: LegNumbers) -> tuple[Vector, Vector]:
+def leg_vectors(angle: arb_series, leg: LegNumbers) -> tuple[Vector, Vector]:
     """End of a leg and direction of its guide."""
     sin, cos = (angle + arb(leg.end_ahead)).sin_cos()
     swing = arb(leg.swing) * (angle + arb(leg.swing_ahead)).sin()
@@ -277,12 +277,13 @@ def _leg_vectors(angle: arb_series, leg: LegNumbers) -> tuple[Vector, Vector]:
     return (leg.x + leg.end_radius * cos, leg.y + leg.end_radius * sin), (cos_guide, sin_guide)
 
 
-def triad_openings(angle: arb_series, pose: list[arb_series], legs: list[LegNumbers]) -> list[arb_series]:
-    """How far a pose is from holding each leg: zero where it closes."""
+def triad_openings(
+    pose: list[arb_series], legs: list[LegNumbers], vectors: list[tuple[Vector, Vector]]
+) -> list[arb_series]:
+    """How far a pose is from holding each leg, whose end and guide are given: zero where it closes."""
     x, y, turn = pose
     openings: list[arb_series] = []
-    for leg in legs:
-        end, guide = _leg_vectors(angle, leg)
+    for leg, (end, guide) in zip(legs, vectors, strict=True):
         sin, cos = (turn + arb(leg.angle)).sin_cos()
         vector = difference((x + leg.radius * cos, y + leg.radius * sin), end)
         is_guide = leg.is_guide == 1.0
@@ -297,12 +298,11 @@ def triad(angle: float, x: float, y: float, turn: float, *numbers: float) -> Mot
     n_fields = len(LegNumbers._fields)
     legs = [LegNumbers(*numbers[at : at + n_fields]) for at in range(0, 3 * n_fields, n_fields)]
     pose = [constant(value) for value in (x, y, turn)]
-    columns = [
-        triad_openings(constant(angle), [pose[j] + arb_series([0, i == j]) for j in range(3)], legs) for i in range(3)
-    ]
+    still, moving = ([leg_vectors(at, leg) for leg in legs] for at in (constant(angle), arb_series([angle, 1])))
+    columns = [triad_openings([pose[j] + arb_series([0, i == j]) for j in range(3)], legs, still) for i in range(3)]
     inverse = arb_mat(3, 3, [columns[j][i][1] for i in range(3) for j in range(3)]).inv()
     for _ in range(CHORD_STEPS):
-        openings = triad_openings(arb_series([angle, 1]), pose, legs)
+        openings = triad_openings(pose, legs, moving)
         pose = [pose[i] - sum((inverse[i, j] * openings[j] for j in range(3)), constant(0)) for i in range(3)]
     sin, cos = pose[2].sin_cos()
     return {"link.origin.x": pose[0], "link.origin.y": pose[1], "link.angle": pose[2], "link.cos": cos, "link.sin": sin}

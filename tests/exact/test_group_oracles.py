@@ -62,7 +62,8 @@ def test_legs_of_a_triad_hold():
         # Eight digits are a start too.
         motion = oracles.triad(0.3, *near, *(number for leg in legs for number in leg))
         pose = [motion[f"link.{name}"] for name in ("origin.x", "origin.y", "angle")]
-        for opening in oracles.triad_openings(arb_series([0.3, 1]), pose, legs):
+        vectors = [oracles.leg_vectors(arb_series([0.3, 1]), leg) for leg in legs]
+        for opening in oracles.triad_openings(pose, legs, vectors):
             assert_zero(opening)
         sin, cos = pose[2].sin_cos()
         assert_zero(cos - motion["link.cos"])

@@ -11,8 +11,16 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
+from cranktrain.analysis import Stage
+from cranktrain.analysis.run import run
+from cranktrain.analysis.stages import STAGES
+from cranktrain.catalogue import entries, quantity
+from cranktrain.checks import StageResult
 from cranktrain.io.examples import example_names
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.motion import Array
 from cranktrain.quantities import shown
+from cranktrain.record import record
 
 GAS = {
     "kind": "dual",
@@ -154,16 +162,60 @@ def same(one: ct.Result, other: ct.Result, *, design: int | None = None) -> None
         np.testing.assert_allclose(found, expected, rtol=0, atol=limit * scale + 1e-13, err_msg=name)
 
 
+STEPS = (0.1, 360 / 514, 1, 5, 7.5, 30)
+BETWEEN = 7.5
+"""No whole number of degrees: curves of this step are computed for it, and then thinned out."""
+
+
+def steps_of(name):
+    """One example at all of them; the others at the one with which everything is done that a step has done."""
+    return STEPS if name == "vaz_21213" else (BETWEEN,)
+
+
 @pytest.mark.parametrize("name", example_names())
 def test_examples_do_not_depend_on_the_step(name):
     """Facts of all steps are the same to the last bit."""
     machine = ct.load(name)
     fine = ct.run(machine)
-    for step in (0.1, 5, 30):
+    for step in steps_of(name):
         found = ct.run(machine, step_degrees=step)
         assert found.crank_angle.size == round(shown(found.grid.cycle, "deg") / step)
         for fact, (_entry, expected) in fine.facts.items():
             np.testing.assert_array_equal(found.facts[fact].value, expected, err_msg=f"{fact} at {step}°")
+
+
+@record
+class Seen(StageResult):
+    """On what grid a stage was asked: of its fact, and of its curve."""
+
+    n_of_fact: Array = quantity("n", "1", (), "Points", "docs/conventions")
+    n_of_curve: Array = quantity("n", "1", ("crank_angle",), "Points", "docs/conventions")
+
+
+def seen(grid: CrankAngle) -> Seen:
+    n_points = float(grid.shown.size)
+    return Seen(np.array([n_points]), np.full((1, grid.shown.size), n_points))
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_facts_are_of_one_grid(step):
+    """Whatever the stage and the machine, facts come of what a stage gives on the grid of 1°, however curves stand."""
+    for name, turns in (("shaper", 1), ("vaz_21213", 2)):
+        result = run(ct.load(name), step_degrees=step, stages=[Stage(seen)])
+        assert result.n_of_fact == 360 * turns
+        every = np.ceil(step)
+        assert result.n_of_curve.shape == (round(360 * turns / step),)
+        np.testing.assert_array_equal(result.n_of_curve, round(360 * turns * every / step))
+
+
+@pytest.mark.parametrize("stage", STAGES, ids=lambda stage: stage.gives.__name__)
+def test_no_field_holds_facts_and_curves(stage):
+    """A field of curves is taken whole from the curves' grid."""
+    facts, curves = (
+        {entry.path.partition(".")[0] for entry in entries(stage.gives) if entry.is_fact is is_fact}
+        for is_fact in (True, False)
+    )
+    assert not facts & curves
 
 
 @pytest.mark.parametrize("seed", range(8))

@@ -18,9 +18,34 @@ CURVES = (
 )
 
 
+INCHES = {
+    "shaft.main.spacing": 95,
+    "bank.line.mechanism.rod_length": 136,
+    "crankshaft.journal_diameter": 50.8,
+    "crankshaft.pin_diameter": 47.8,
+    "crankshaft.pin_length": 28,
+    "crankshaft.web_width": 75,
+}
+
+
 @pytest.fixture(scope="module")
 def engine():
     return ct.run(MACHINE)
+
+
+@pytest.fixture(scope="module")
+def coarse():
+    return ct.run(MACHINE, step_degrees=7.5)
+
+
+@pytest.fixture(scope="module")
+def mirrored():
+    return ct.run(MACHINE.with_({"rotation": "anticlockwise"}))
+
+
+@pytest.fixture(scope="module")
+def in_inches():
+    return ct.run(MACHINE.with_({path: f"{number / 25.4!r} in" for path, number in INCHES.items()}))
 
 
 def scale(values):
@@ -28,32 +53,22 @@ def scale(values):
 
 
 @pytest.mark.parametrize("name", FACTS)
-def test_no_fact_depends_on_the_step(engine, name):
-    other = getattr(ct.run(MACHINE, step_degrees=7.5), name)
+def test_no_fact_depends_on_the_step(engine, coarse, name):
+    other = getattr(coarse, name)
     np.testing.assert_allclose(other, getattr(engine, name), rtol=0, atol=1e-9 * scale(other))
 
 
 @pytest.mark.parametrize("name", [*FACTS, *CURVES])
-def test_the_mirror_image_of_a_machine_has_the_same_loads(engine, name):
+def test_the_mirror_image_of_a_machine_has_the_same_loads(engine, mirrored, name):
     """Angles count in the sense of rotation; only X is another."""
-    mirrored = ct.run(MACHINE.with_({"rotation": "anticlockwise"}))
     one, other = (getattr(result, name) for result in (engine, mirrored))
     np.testing.assert_allclose(other, one, rtol=0, atol=1e-9 * scale(one))
     np.testing.assert_allclose(mirrored.main_bearing_load_x, -engine.main_bearing_load_x, rtol=0, atol=1e-5)
 
 
 @pytest.mark.parametrize("name", FACTS)
-def test_a_machine_in_inches_is_the_same(engine, name):
-    lengths = {
-        "shaft.main.spacing": 95,
-        "bank.line.mechanism.rod_length": 136,
-        "crankshaft.journal_diameter": 50.8,
-        "crankshaft.pin_diameter": 47.8,
-        "crankshaft.pin_length": 28,
-        "crankshaft.web_width": 75,
-    }
-    inches = {path: f"{number / 25.4!r} in" for path, number in lengths.items()}
-    other = getattr(ct.run(MACHINE.with_(inches)), name)
+def test_a_machine_in_inches_is_the_same(engine, in_inches, name):
+    other = getattr(in_inches, name)
     np.testing.assert_allclose(other, getattr(engine, name), rtol=0, atol=1e-9 * scale(other))
 
 

@@ -57,7 +57,7 @@ def test_the_heavier_the_nearer_to_a_constant_speed(name, power):
     flywheel = 10.0**power
     found = ct.run(machine(name, flywheel), quantities=ASKED)
     speed = balanced(motor_of(machine(name, 1.0).drive.motor))
-    rate = piston_rate(ANGLES)
+    rate = piston_rate(ANGLES, np)
     swung = -FORCE * (np.concatenate([[0.0], np.cumsum((rate[1:] + rate[:-1]) / 2) * (ANGLES[1] - ANGLES[0])]))
     kinetic = swung - 0.5 * PISTON * rate**2 * (speed / RATIO) ** 2
     even = np.ptp(kinetic) / (flywheel * (speed / RATIO) ** 2)

@@ -113,14 +113,14 @@ def machine(name, loads=UNLOADED):
     )  # fmt: skip
 
 
-def piston_rate(angle):
-    """dx/dφ of the piston. [m/rad]"""
-    sine, cosine = np.sin(angle), np.cos(angle)
-    return -RADIUS * sine - RADIUS**2 * sine * cosine / np.sqrt(ROD**2 - (RADIUS * sine) ** 2)
+def piston_rate(angle, functions=math):
+    """dx/dφ of the piston, at an angle by `math`, at many by NumPy. [m/rad]"""
+    sine, cosine = functions.sin(angle), functions.cos(angle)
+    return -RADIUS * sine - RADIUS**2 * sine * cosine / functions.sqrt(ROD**2 - (RADIUS * sine) ** 2)
 
 
-def inertia(angle):
-    return CRANK + RATIO**2 * ROTOR + PISTON * piston_rate(angle) ** 2
+def inertia(angle, functions=math):
+    return CRANK + RATIO**2 * ROTOR + PISTON * piston_rate(angle, functions) ** 2
 
 
 class Turn(NamedTuple):
@@ -134,9 +134,10 @@ class Turn(NamedTuple):
     passed: set
 
     def speed(self, angle):
-        """Of the crank. [rad/s]"""
-        start, _, solution = next(piece for piece in reversed(self.pieces) if piece[0] <= angle)
-        return np.sqrt(2 * solution(max(angle, start))[0] / inertia(angle))
+        """Of the crank, at ascending angles, shape (n,). [rad/s]"""
+        of_piece = np.searchsorted([start for start, _, _ in self.pieces], angle, side="right") - 1
+        energies = [self.pieces[n][2](angle[of_piece == n])[0] for n in np.unique(of_piece)]
+        return np.sqrt(2 * np.concatenate(energies) / inertia(angle, np))
 
 
 def integrated(motor, loads, first):
@@ -145,10 +146,10 @@ def integrated(motor, loads, first):
     corners = np.array([0.0, *motor.corner_speeds(0)[motor.corner_speeds(0) > 0], np.inf])
 
     def motor_speed(angle, energy):
-        return RATIO * np.sqrt(2 * energy / inertia(angle))
+        return RATIO * math.sqrt(2 * energy / inertia(angle))
 
     def slopes(angle, state, low, high):
-        turning = motor_speed(angle, state[0])
+        turning = motor_speed(angle, float(state[0]))
         inside = min(max(turning, low * (1 + 1e-15)), high * (1 - 1e-15))
         torque, crank = motor.motor.torque(inside, math.inf, numbers), turning / RATIO
         taken = loads.taken * (turning / loads.speed) ** EXPONENT - loads.driving
@@ -157,7 +158,7 @@ def integrated(motor, loads, first):
 
     def reaching(corner, sign):
         def event(angle, state, _low, _high):
-            return motor_speed(angle, state[0]) - corner if np.isfinite(corner) else -1.0
+            return motor_speed(angle, float(state[0])) - corner if np.isfinite(corner) else -1.0
 
         event.terminal, event.direction = True, sign
         return event
@@ -202,7 +203,7 @@ def test_a_cycle_over_a_corner(name, which):
     speeds = np.ravel(found.drive_speed)
     turn = integrated(motor, loads, speeds[0])
     assert corner in turn.passed or which is None
-    own = np.array([turn.speed(angle) for angle in np.radians(np.arange(360.0))])
+    own = turn.speed(np.radians(np.arange(360.0)))
     torques = motor.torque(RATIO * own)[0]
     worst = np.max(np.abs(torques))
     assert np.max(np.abs(speeds / own - 1)) < AGREES
@@ -212,7 +213,7 @@ def test_a_cycle_over_a_corner(name, which):
     assert float(found.motor_power) == pytest.approx(turn.work / turn.time, rel=AGREES)
     assert float(found.rms_motor_torque) == pytest.approx(np.sqrt(turn.squares / turn.time), rel=AGREES)
     fine = np.linspace(0.0, 2 * np.pi, 7201)
-    shown = motor.torque(RATIO * np.array([turn.speed(angle) for angle in fine]))[0]
+    shown = motor.torque(RATIO * turn.speed(fine))[0]
     jumps = motor.torque(np.outer(sorted(turn.passed), [1 - 1e-12, 1 + 1e-12]).ravel())[0]
     assert float(found.largest_motor_torque) == pytest.approx(max([*shown, *jumps]), abs=1e-6 * worst)
     assert all(np.all(check.passed) for check in found.checks)

@@ -222,11 +222,20 @@ def _places(known: Array, scale: Array, has_break: NDArray[np.bool_]) -> NDArray
 
 def _edges(breaks: Array, centre: Array, wide: float, period: float) -> Array:
     """Ends of the pieces about each peak, from where it may stand, shape (curve, peak, piece + 1). [rad]"""
-    away = around_zero(breaks[:, np.newaxis, :] - centre[..., np.newaxis], period)
-    inside = np.sort(np.where(np.abs(away) < wide - _ONE_BREAK, away, wide), axis=-1)
+    off = breaks[:, np.newaxis, :] - centre[..., np.newaxis]
+    # Of a recorded card each degree is a break, and few of them are near: only those are counted exactly.
+    is_near = np.abs(off - period * np.rint(off / period)) < 2 * wide
+    away = around_zero(off[is_near], period)
+    is_inside = np.abs(away) < wide - _ONE_BREAK
+    curve, peak = (index[is_inside] for index in np.nonzero(is_near)[:2])
+    place: NDArray[np.intp] = curve * centre.shape[-1] + peak
+    rank: NDArray[np.intp] = np.arange(place.size) - np.searchsorted(place, place)
+    inside = np.full((*centre.shape, int(np.max(rank, initial=-1)) + 1), wide)
+    inside[curve, peak, rank] = away[is_inside]
+    inside.sort(axis=-1)
     if inside.shape[-1]:
         inside[..., 1:][np.diff(inside, axis=-1) < _ONE_BREAK] = wide
-        inside = np.sort(inside, axis=-1)
+        inside.sort(axis=-1)
         inside = inside[..., : int(np.max(np.sum(inside < wide, axis=-1), initial=0))]
     ends = np.full((*centre.shape, 1), wide)
     return np.concatenate([-ends, inside, ends], axis=-1)

@@ -261,7 +261,7 @@ def at(data, path):
     return data
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(documents())
 def test_every_place_is_found(text):
     data = tomllib.loads(text)
@@ -281,7 +281,7 @@ def test_every_place_is_found(text):
         )
 
 
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=250, deadline=None)
 @given(documents(), st.data())
 def test_edited_text_says_exactly_what_is_wanted(text, choices):
     document = Document(text, "m.toml")

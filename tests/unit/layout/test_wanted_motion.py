@@ -6,6 +6,7 @@ from functools import cache
 import mpmath
 import numpy as np
 import pytest
+from flint import arb, arb_series, ctx
 from tests.machines import ROCKER, slider
 from tests.sentences import NOT_POSITIVE
 
@@ -67,13 +68,24 @@ def crank_in_digits(position, time, start, x):
         return angle, speed, (mpmath.diff(position, time, 2) - second * speed**2) / first
 
 
-def taylor_law(position, start, end):
-    """Law of a piece by the series that mpmath finds at both its ends."""
-    with mpmath.workdps(40):
-        span, rise = end - start, position(end) - position(start)
-        forth = mpmath.taylor(lambda s: (position(start + s * span) - position(start)) / rise, 0, 24)
-        back = mpmath.taylor(lambda s: (position(end) - position(end - s * span)) / rise, 0, 24)
-        series = [np.array([0.0, *map(float, one[1:])]) for one in (forth, back)]
+def slider_series(angle, turned):
+    """x of the slider-crank by the share of what the crank turns from an angle on, as a power series in 40 digits."""
+    r, l, e = map(arb, (RADIUS, ROD, OFFSET))
+    sin, cos = arb_series([arb(mpmath.nstr(one, 45)) for one in (angle, turned)]).sin_cos()
+    return r * cos + (l * l - (r * sin - e) ** 2).sqrt()
+
+
+def taylor_law(start, end):
+    """Law of a piece at constant speed by its power series at both its ends."""
+    cap, ctx.cap = ctx.cap, 25
+    try:
+        with ctx.workdps(40):
+            forth, back = slider_series(start, end - start), slider_series(end, start - end)
+            rise = back[0] - forth[0]
+            both = [[float(sign * one[n] / rise) for n in range(1, 25)] for sign, one in ((1, forth), (-1, back))]
+    finally:
+        ctx.cap = cap
+    series = [np.array([0.0, *one]) for one in both]
     for one in series:
         one[np.abs(one) < 1e-25] = 0.0
     law = polynomial_law(series[0])
@@ -89,7 +101,7 @@ def constant_speed(n_pieces=8):
         angles += [low + k * (2 * mpmath.pi + high - low) / n_pieces for k in range(n_pieces + 1)]
         pieces = []
         for start, end in itertools.pairwise(angles):
-            law = taylor_law(lambda t: slider_at(omega * t), start / omega, end / omega)
+            law = taylor_law(start, end)
             begin, rise = slider_at(start), slider_at(end) - slider_at(start)
             pieces.append(Piece(*map(float, ((start - high) / omega, (end - start) / omega, begin, rise)), law))
     return from_pieces(tuple(pieces)), 2 * np.pi / omega

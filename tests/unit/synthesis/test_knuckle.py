@@ -14,11 +14,12 @@ from cranktrain.synthesis.knuckle_equations import distance_slope, slave_dead_ce
 
 MASTER = (0.09, 0.32)
 BANK = radians(60)
+FACTS = ("stroke", "top_position", "top_shift", "bottom_shift", "compression_ratio")
 ROD = ArticulatedRod(SliderCrank(0.09, 0.32, 0.004), 0.085, radians(67), BANK, 0.235, 0.0)
 
 
 def run_of(proposal):
-    return run(Machine(**tomllib.loads(proposal.machine_file())))
+    return run(Machine(**tomllib.loads(proposal.machine_file())), quantities=FACTS)
 
 
 def names(proposal):

@@ -64,20 +64,34 @@ def through_stages(torque: Array, inertia: Array, load: Array, gearing: Gearing)
     docs/theory/transient, eq. (26.5): of all patterns of signs the one that fits itself. Where every stage turns back
     with a loss less than all, torque grows with the acceleration: what fits is the only one, and no other is tried.
     """
+    if np.all(gearing.backward > 0):
+        return _that_fits(torque, inertia, load, gearing)
     found = np.full(load.shape, np.nan)
     outputs = np.full((len(gearing.ratio), *load.shape), np.nan)
     n_fits = np.zeros(load.shape, dtype=np.intp)
-    left, fits_alone = np.arange(load.size), bool(np.all(gearing.backward > 0))
     for signs in product((True, False), repeat=len(gearing.ratio)):
-        acceleration, passed = _of_pattern(signs, torque[left], inertia[left], load[left], gearing)
-        fits = np.all((passed > 0) == np.array(signs, dtype=bool)[:, np.newaxis], axis=0) & np.isfinite(acceleration)
+        acceleration, passed, fits = _of_pattern(signs, torque, inertia, load, gearing)
+        found[fits], outputs[:, fits] = acceleration[fits], passed[:, fits]
+        n_fits[fits] += 1
+    return Passed(np.where(n_fits == 1, found, np.nan), outputs)
+
+
+def _that_fits(torque: Array, inertia: Array, load: Array, gearing: Gearing) -> Passed:
+    """What the first pattern gives that fits itself: all stages driven forward, all back, and then the rest."""
+    forward, *others = product((True, False), repeat=len(gearing.ratio))
+    found, outputs, fits = _of_pattern(forward, torque, inertia, load, gearing)
+    if np.all(fits):
+        return Passed(found, outputs)
+    left = np.flatnonzero(~fits)
+    found[left], outputs[:, left] = np.nan, np.nan
+    for signs in reversed(others):
+        acceleration, passed, fits = _of_pattern(signs, torque[left], inertia[left], load[left], gearing)
         here = left[fits]
         found[here], outputs[:, here] = acceleration[fits], passed[:, fits]
-        n_fits[here] += 1
-        left = left[~fits] if fits_alone else left
+        left = left[~fits]
         if not left.size:
             break
-    return Passed(np.where(n_fits == 1, found, np.nan), outputs)
+    return Passed(found, outputs)
 
 
 def lost_torque(outputs: Array, gearing: Gearing) -> Array:
@@ -93,15 +107,18 @@ def lost_torque(outputs: Array, gearing: Gearing) -> Array:
 
 def _of_pattern(
     signs: tuple[bool, ...], torque: Array, inertia: Array, load: Array, gearing: Gearing
-) -> tuple[Array, Array]:
-    """Acceleration where every stage passes on torque of a given sign, and these torques."""
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Acceleration where every stage passes on torque of a given sign, these torques, and where they have it."""
     lines = list(_lines(signs, inertia, load, gearing))
     by_acceleration, constant = lines[-1]
     # Of irreversible gearing behind a motor without inertia no acceleration changes the torque that is left.
     nothing = np.full(np.shape(load), np.nan)
     acceleration = np.divide(torque - constant, by_acceleration, out=nothing, where=by_acceleration != 0)
-    passed = [slope * acceleration + at for slope, at in reversed(lines[:-1])]
-    return acceleration, np.array(passed).reshape(-1, *np.shape(load))
+    passed, fits = np.empty((len(signs), *np.shape(load))), np.isfinite(acceleration)
+    for stage, (slope, at) in enumerate(reversed(lines[:-1])):
+        passed[stage] = slope * acceleration + at
+        fits &= (passed[stage] > 0) == signs[stage]
+    return acceleration, passed, fits
 
 
 def _lines(signs: tuple[bool, ...], inertia: Array, load: Array, gearing: Gearing) -> Iterator[tuple[Array, Array]]:

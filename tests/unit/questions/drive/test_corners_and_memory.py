@@ -115,21 +115,6 @@ def test_a_full_turn_does_the_work_of_the_cycle():
     assert 0.5 * 5.5 * (10.0**2 - bottom.speed**2) == pytest.approx(work, rel=1e-8)
 
 
-@pytest.mark.parametrize(("speed", "spring"), [(1.0, 200.0), (10.0, 0.0)])
-def test_compiled_runs_remember_and_stop_at_corners_alike(speed, spring):
-    """Rocking with reversals, and turning on through both dead positions, where the chamber turns round."""
-    ends = []
-    for is_compiled in (False, True):
-        memory = [2e5 * volume(math.pi / 2) ** EXPONENT]
-        drive = DriveTrain((1.5, np.array(memory) if is_compiled else memory, spring), (), 0.0, DIRECT)
-        asked = wanted(2.0, angle=math.pi / 2, speed=speed, corners=(0.0, math.pi))
-        found = run(GAS, drive, asked, is_compiled=is_compiled)
-        marks = [(event.kind, event.time, event.angle, event.speed) for event in found.events]
-        ends.append((found.reason, len(marks), np.concatenate([found.end, np.ravel(marks)])))
-    assert ends[0][:2] == ends[1][:2]
-    np.testing.assert_allclose(ends[1][2], ends[0][2], rtol=1e-9, atol=1e-9)
-
-
 def test_a_watched_run_gives_the_same():
     drive = DriveTrain((1.5, 4.0), (), 0.0, DIRECT)
     asked = wanted(1.8, speed=10.0, corners=JUMPS)

@@ -105,7 +105,7 @@ def test_what_stops_and_is_held_does_not_turn_round():
     assert [line.pieces["n"] for line in found.rows() if line.name == "turns of the crank"] == ["0"]
 
 
-@pytest.mark.parametrize("duration", ["1 s", "60 s"])
+@pytest.mark.parametrize("duration", ["1 s", "20 s"])
 def test_a_quick_start_is_looked_at_closely_in_a_long_run(duration):
     """It goes through breakdown within a fifth of a second; so power and torque go through the largest of the curve."""
     found = started(None, 3000.0, angle="20 deg", duration=duration)
