@@ -182,6 +182,16 @@ def in_slots(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Array,
     return laid, slot
 
 
+def in_windows(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Array, NDArray[np.intp]]:
+    """The same, where all that ask of one row at the same angles are in one slot: a top of one curve is near others'."""
+    seen: dict[tuple[int, bytes], int] = {}
+    each = ((row, own.tobytes()) for row, own in zip(which.tolist(), angle, strict=True))
+    number = np.array([seen.setdefault(window, len(seen)) for window in each], dtype=np.intp)
+    _numbers, first = np.unique(number, return_index=True)
+    laid, slot = in_slots(which[first], angle[first], n_rows)
+    return laid, slot[number]
+
+
 def _near_breaks(breaks: Array, grid: Array, n_points: int) -> NDArray[np.bool_]:
     """Whether there is a break next to each point of the grid, shape (curve, n)."""
     near = np.zeros((len(breaks), n_points), dtype=np.bool_)

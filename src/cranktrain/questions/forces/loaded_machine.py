@@ -18,7 +18,7 @@ from cranktrain.linkage.forces.load import LoadWay
 from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Coefficient, Link
-from cranktrain.numerics import extremes, in_slots
+from cranktrain.numerics import extremes, in_windows
 from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.carriers import MASTER, Carriers
 from cranktrain.questions.gas.chambers import GasInChambers
@@ -185,7 +185,7 @@ class LoadedMachine:
         n_designs, n_mechanisms = len(self.speed.value), self.sharing.size
         design, row = np.divmod(which, rows.size)
         label = self.sharing[rows]
-        asked, slot = in_slots(design * n_mechanisms + label[row], angle, n_designs * n_mechanisms)
+        asked, slot = in_windows(design * n_mechanisms + label[row], angle, n_designs * n_mechanisms)
         each = asked.reshape(n_designs, n_mechanisms, -1)[:, self.sharing]
         found = curves(each)
         return found.reshape(n_designs, rows.size, *asked.shape[1:])[design, row, slot]

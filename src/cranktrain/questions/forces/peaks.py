@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import Array
-from cranktrain.numerics import Curve, Peak, in_slots, largest_between
+from cranktrain.numerics import Curve, Peak, in_windows, largest_between
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.wording import number
@@ -76,7 +76,7 @@ def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_
 
     def curves(which: NDArray[np.intp], shown: Array) -> Array:
         design, place = np.divmod(which, n_curves)
-        asked, slot = in_slots(design, shown, n_designs)
+        asked, slot = in_windows(design, shown, n_designs)
         found = curve(asked.reshape(n_designs, 1, -1) + crank_angle.zero)
         return found.reshape(n_designs, n_curves, *asked.shape[1:])[design, place, slot]
 

@@ -10,7 +10,7 @@ from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import Extreme, around_zero, in_slots, largest_between
+from cranktrain.numerics import Extreme, around_zero, in_windows, largest_between
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.cylinders.volumes import RATIO, SweptVolumes
 from cranktrain.questions.gas.chambers import GasInChambers
@@ -147,7 +147,7 @@ def _largest(
 
     def own(which: NDArray[np.intp], shown: Array) -> Array:
         """It in the distinct chambers at their own angles, shape (p, k)."""
-        asked, slot = in_slots(which, shown, n_rows)
+        asked, slot = in_windows(which, shown, n_rows)
         phi = asked.reshape(len(gas.firing), len(places), -1) + zero
         found = gas.at_own(phi, places, lambda angle: find(angle, gas.volume(angle)))
         return found.reshape(asked.shape)[which, slot]

@@ -15,7 +15,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.numerics.gathering import gathered
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.forces_times_arms import forces_times_arms
+from cranktrain.questions.forces.forces_times_arms import ForcesTimesArms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import driving_torques
 from cranktrain.questions.forces.peaks import largest_of_machine, one_sided, without_rounding
@@ -84,6 +84,7 @@ def _placed(torque: float, angle: float) -> str:
 def shaft_torques(
     loaded: LoadedMachine,
     solved: SolvedCycle,
+    times_arms: ForcesTimesArms,
     shafts: Shafts,
     crank_angle: CrankAngle,
     sources: TorqueSources,
@@ -100,7 +101,7 @@ def shaft_torques(
     by_shaft = gathered(by_mechanism, shafts.shaft, len(shafts.names))
     whole = np.sum(by_shaft, axis=1)
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
-    gross = np.sum(forces_times_arms(loaded, solved.batches), axis=-1)
+    gross = np.sum(times_arms.value, axis=-1)
     largest, opposite, in_journals = _peaks(loaded, solved, shafts, events, crank_angle)
     most = without_rounding(largest, gross)
     least = without_rounding(opposite._replace(value=-opposite.value), gross)
