@@ -250,11 +250,11 @@ def _top(powers: Array, scale: Array, level: Array) -> Array:
     place = np.argmax(is_top, axis=-1)
     start, apart = _TRIED[place], float(_TRIED[1] - _TRIED[0])
     slopes = (powers[:, 1:] * np.arange(1, _N_NODES)).T
-    way = start
+    way, low, high = start, np.maximum(start - apart, -1.0), np.minimum(start + apart, 1.0)
     for _step in range(_NEWTON_STEPS):
         first, second, _third = polynomial(slopes, way)
         move = np.where(second < 0, -first / second, np.sign(first) * apart)
-        way = np.clip(way + np.nan_to_num(move), np.maximum(start - apart, -1.0), np.minimum(start + apart, 1.0))
+        way = np.minimum(np.maximum(way + np.where(np.isnan(move), 0.0, move), low), high)
     return np.where(np.sum(is_top, axis=-1) > 1, np.where(place == 0, level, start), way)
 
 
