@@ -1,6 +1,6 @@
 """Largest forces: the one way to find them, on the mechanisms between the points of the grid, split at events."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Curve, Peak, in_windows, largest_between
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
+from cranktrain.record import record
 from cranktrain.wording import number
 
 _ROUNDING = 1e-12
@@ -19,40 +20,64 @@ _NAMED = 4
 """How many one-sided extremes a sentence names."""
 
 
+@record
+class CurvesOfEach:
+    """Curves of which each is of one mechanism.
+
+    Attributes
+    ----------
+    rows : array of int, shape (curve,)
+        Of which mechanism each is.
+    samples : Array, shape (design, curve, n)
+        On the grid.
+    pick : callable
+        From what `LoadedMachine.solved` gives to all of them, shape (design, curve, …).
+    """
+
+    rows: NDArray[np.intp]
+    samples: Array
+    pick: Callable[[tuple[SolvedBatch, ...]], Array]
+
+
+@record
+class ForcePeaks:
+    """Largest values of curves, shapes (design, curve), by the class of these."""
+
+    of: Mapping[type[CurvesOfEach], Peak]
+
+
 def largest_of_each(
-    loaded: LoadedMachine,
-    events: ForceEvents,
-    crank_angle: CrankAngle,
-    rows: NDArray[np.intp],
-    samples: Array,
-    pick: Callable[[tuple[SolvedBatch, ...]], Array],
-) -> Peak:
-    """Largest value of curves of which each is of one mechanism, over the cycle.
+    loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle, each: Sequence[CurvesOfEach]
+) -> list[Peak]:
+    """Largest values of curves over the cycle, for which the machine is solved once.
 
     Parameters
     ----------
     loaded : LoadedMachine
     events : ForceEvents
     crank_angle : CrankAngle
-    rows : array of int, shape (curve,)
-        Of which mechanism each curve is.
-    samples : Array, shape (design, curve, n)
-        The curves on the grid.
-    pick : callable
-        From what `LoadedMachine.solved` gives to all curves, shape (design, curve, …).
+    each : sequence of CurvesOfEach
 
     Returns
     -------
-    Peak, shapes (design, curve)
+    list of Peak, shapes (design, curve)
         Angles as shown, in [0, cycle). [rad]
     """
+    rows = np.concatenate([one.rows for one in each])
+
+    def picked(angle: Array) -> Array:
+        solved = loaded.solved(angle)
+        return np.concatenate([one.pick(solved) for one in each], axis=1)
 
     def curves(which: NDArray[np.intp], shown: Array) -> Array:
         angle = shown + crank_angle.zero[which // rows.size, 0]
-        return loaded.of_each(rows, which, angle, lambda each: pick(loaded.solved(each)))
+        return loaded.of_each(rows, which, angle, picked)
 
-    breaks = events.angle[:, rows] - crank_angle.zero
-    return counted(largest_between(curves, crank_angle.shown, samples, breaks), crank_angle)
+    samples = np.concatenate([one.samples for one in each], axis=1)
+    found = largest_between(curves, crank_angle.shown, samples, events.angle[:, rows] - crank_angle.zero)
+    ends = np.cumsum([one.rows.size for one in each])[:-1]
+    apart = zip(*(np.split(part, ends, axis=1) for part in found), strict=True)
+    return [counted(Peak(*own), crank_angle) for own in apart]
 
 
 def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle) -> Peak:
