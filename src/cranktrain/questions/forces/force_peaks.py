@@ -1,4 +1,4 @@
-"""Largest forces in joints, along rods and at the edges of guides, looked for in windows that all of them share."""
+"""Largest forces and torques: the machine is solved once, in all windows in which what is asked may be largest."""
 
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.questions.forces.events import ForceEvents
@@ -6,9 +6,16 @@ from cranktrain.questions.forces.guides import GuideCurves
 from cranktrain.questions.forces.joint_forces import JointCurves
 from cranktrain.questions.forces.largest_forces import PistonCurves
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.forces.peaks import ForcePeaks, largest_of_each
+from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, largest_together
+from cranktrain.record import record
 
-CURVES = (JointCurves, PistonCurves, GuideCurves)
+
+@record
+class TorqueCurves(MachineCurves):
+    """Torque of the machine, the same against it, and its size in every journal."""
+
+
+CURVES = (JointCurves, PistonCurves, GuideCurves, TorqueCurves)
 
 
 def force_peaks(
@@ -18,8 +25,9 @@ def force_peaks(
     joints: JointCurves | None,
     pistons: PistonCurves | None,
     guides: GuideCurves | None,
+    torques: TorqueCurves | None,
 ) -> ForcePeaks:
     """Look for the largest values of those curves that there are: only of what is asked."""
-    each = [one for one in (joints, pistons, guides) if one is not None]
-    found = largest_of_each(loaded, events, crank_angle, each)
+    each = [one for one in (joints, pistons, guides, torques) if one is not None]
+    found = largest_together(loaded, events, crank_angle, each)
     return ForcePeaks({type(one): peak for one, peak in zip(each, found, strict=True)})

@@ -17,7 +17,7 @@ from cranktrain.numerics import Peak
 from cranktrain.questions.forces.edges import edges_of
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.members import Member, mechanisms_of, parts_of
-from cranktrain.questions.forces.peaks import CurvesOfEach, ForcePeaks, one_sided
+from cranktrain.questions.forces.peaks import MachineCurves, ForcePeaks, one_sided
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
@@ -68,7 +68,7 @@ def have_length(mechanisms: Mechanisms, masses: Masses | None) -> bool | str:
 
 
 @record
-class GuideCurves(CurvesOfEach):
+class GuideCurves(MachineCurves):
     """What the edge presses that presses more, of every guide; names, and what both press on the grid."""
 
     names: tuple[str, ...]
@@ -91,7 +91,7 @@ def guide_curves(loaded: LoadedMachine, solved: SolvedCycle) -> GuideCurves:
 def guide_edges(curves: GuideCurves, peaks: ForcePeaks) -> GuideEdges:
     """Forces of the edges, and the largest."""
     ahead, behind = curves.edges
-    largest, names = peaks.of[GuideCurves], curves.names
+    largest, names = peaks.of(curves), curves.names
     return GuideEdges(
         guide_edge_force_ahead=ahead,
         guide_edge_force_behind=behind,

@@ -13,7 +13,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.members import Member, mechanisms_of, parts_of
-from cranktrain.questions.forces.peaks import CurvesOfEach, ForcePeaks, one_sided
+from cranktrain.questions.forces.peaks import MachineCurves, ForcePeaks, one_sided
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
@@ -46,7 +46,7 @@ class JointForces(StageResult):
 
 
 @record
-class JointCurves(CurvesOfEach):
+class JointCurves(MachineCurves):
     """Sizes of the forces in all joints; names, and the reactions on the grid, (3, design, joint, n)."""
 
     names: tuple[str, ...]
@@ -69,7 +69,7 @@ def joint_curves(loaded: LoadedMachine, solved: SolvedCycle) -> JointCurves:
 def joint_forces(loaded: LoadedMachine, solved: SolvedCycle, curves: JointCurves, peaks: ForcePeaks) -> JointForces:
     """Reactions of all joints; a master's hold what its slaves do to it."""
     x, y, moment = curves.reactions
-    largest, names = peaks.of[JointCurves], curves.names
+    largest, names = peaks.of(curves), curves.names
     return JointForces(
         joint_force_x=x,
         joint_force_y=y,

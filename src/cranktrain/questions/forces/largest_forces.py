@@ -14,7 +14,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
-from cranktrain.questions.forces.peaks import CurvesOfEach, ForcePeaks, one_sided, relative
+from cranktrain.questions.forces.peaks import MachineCurves, ForcePeaks, one_sided, relative
 from cranktrain.questions.forces.piston_forces import FORCE_METHODS, PistonForceSet
 from cranktrain.questions.forces.rods_in_pistons import ForcesOfRods, RodsInPistons, RodsOnGrid, rods_in_pistons
 from cranktrain.record import record
@@ -103,7 +103,7 @@ class LargestForces(StageResult):
 
 
 @record
-class PistonCurves(CurvesOfEach):
+class PistonCurves(MachineCurves):
     """Sizes of those of P, N, S and S at the crank that are asked for: which, and of which piston, (curve,).
 
     shape: how many of all there are, and of which designs and pistons.
@@ -143,7 +143,7 @@ def largest_forces(
     forces: PistonForceSet, loaded: LoadedMachine, curves: PistonCurves, peaks: ForcePeaks
 ) -> LargestForces:
     """Find the largest of the forces of all pistons, refined on the mechanisms."""
-    which, asked, peak = curves.which, curves.piston, peaks.of[PistonCurves]
+    which, asked, peak = curves.which, curves.piston, peaks.of(curves)
     value, at = np.full((2, *curves.shape), np.nan)
     value[which, :, asked], at[which, :, asked] = peak.value.T, peak.angle.T
     # Along the rod the larger of both ends counts.

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import Array
-from cranktrain.numerics import Curve, Peak, in_windows, largest_between
+from cranktrain.numerics import Curve, Peak, in_windows, largest_between, peaks_in, windows_between
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.record import record
@@ -21,13 +21,13 @@ _NAMED = 4
 
 
 @record
-class CurvesOfEach:
-    """Curves of which each is of one mechanism.
+class MachineCurves:
+    """Curves of forces.
 
     Attributes
     ----------
     rows : array of int, shape (curve,)
-        Of which mechanism each is.
+        Of which mechanism each is; −1 of the machine as a whole, of which all or none are.
     samples : Array, shape (design, curve, n)
         On the grid.
     pick : callable
@@ -38,16 +38,25 @@ class CurvesOfEach:
     samples: Array
     pick: Callable[[tuple[SolvedBatch, ...]], Array]
 
+    @property
+    def is_whole(self) -> bool:
+        """Whether they are of the machine as a whole."""
+        return bool(np.all(self.rows < 0))
+
 
 @record
 class ForcePeaks:
     """Largest values of curves, shapes (design, curve), by the class of these."""
 
-    of: Mapping[type[CurvesOfEach], Peak]
+    by_class: Mapping[type[MachineCurves], Peak]
+
+    def of(self, curves: MachineCurves) -> Peak:
+        """Largest values of those curves."""
+        return self.by_class[type(curves)]
 
 
-def largest_of_each(
-    loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle, each: Sequence[CurvesOfEach]
+def largest_together(
+    loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle, each: Sequence[MachineCurves]
 ) -> list[Peak]:
     """Largest values of curves over the cycle, for which the machine is solved once.
 
@@ -56,7 +65,7 @@ def largest_of_each(
     loaded : LoadedMachine
     events : ForceEvents
     crank_angle : CrankAngle
-    each : sequence of CurvesOfEach
+    each : sequence of MachineCurves
 
     Returns
     -------
@@ -64,20 +73,24 @@ def largest_of_each(
         Angles as shown, in [0, cycle). [rad]
     """
     rows = np.concatenate([one.rows for one in each])
-
+    breaks = (events.whole[:, np.newaxis] if one.is_whole else events.angle[:, one.rows] for one in each)
+    windows = [
+        windows_between(crank_angle.shown, one.samples, own - crank_angle.zero)
+        for one, own in zip(each, breaks, strict=True)
+    ]
     def picked(angle: Array) -> Array:
         solved = loaded.solved(angle)
         return np.concatenate([one.pick(solved) for one in each], axis=1)
 
-    def curves(which: NDArray[np.intp], shown: Array) -> Array:
-        angle = shown + crank_angle.zero[which // rows.size, 0]
-        return loaded.of_each(rows, which, angle, picked)
-
-    samples = np.concatenate([one.samples for one in each], axis=1)
-    found = largest_between(curves, crank_angle.shown, samples, events.angle[:, rows] - crank_angle.zero)
-    ends = np.cumsum([one.rows.size for one in each])[:-1]
-    apart = zip(*(np.split(part, ends, axis=1) for part in found), strict=True)
-    return [counted(Peak(*own), crank_angle) for own in apart]
+    starts = np.cumsum([0, *(one.rows.size for one in each)])
+    asked = [np.divmod(own.row, one.rows.size) for own, one in zip(windows, each, strict=True)]
+    design = np.concatenate([own for own, _row in asked])
+    row = np.concatenate([start + own for start, (_design, own) in zip(starts, asked, strict=False)])
+    shown = np.concatenate([own.angle for own in windows])
+    values = loaded.of_each(rows, design * rows.size + row, shown + crank_angle.zero[design, 0], picked)
+    ends = np.cumsum([own.row.size for own in windows])[:-1]
+    apart = zip(windows, np.split(values, ends), strict=True)
+    return [counted(peaks_in(own, found), crank_angle) for own, found in apart]
 
 
 def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle) -> Peak:

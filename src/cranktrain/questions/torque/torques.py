@@ -1,6 +1,6 @@
 """Torque of a whole machine: on each shaft, through the gear between shafts, and gathered along each shaft."""
 
-from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import field
 
 import numpy as np
@@ -14,11 +14,11 @@ from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.numerics.gathering import gathered
-from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.force_peaks import TorqueCurves
 from cranktrain.questions.forces.forces_times_arms import ForcesTimesArms
-from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.mechanism_torques import driving_torques
-from cranktrain.questions.forces.peaks import largest_of_machine, one_sided, without_rounding
+from cranktrain.questions.forces.peaks import ForcePeaks, one_sided, without_rounding
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.torque.fired import journal_torque
 from cranktrain.questions.torque.sources import TorqueSources
@@ -81,6 +81,18 @@ def _placed(torque: float, angle: float) -> str:
     return said if np.isnan(angle) else _("{value} at {angle}").format(value=said, angle=number(angle, "deg"))
 
 
+def torque_curves(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts) -> TorqueCurves:
+    """Torque of all mechanisms, that against it, and its size in the journals."""
+
+    def curves(found: Sequence[SolvedBatch]) -> Array:
+        driving = driving_torques(loaded, found)
+        whole = np.sum(driving, axis=1, keepdims=True)
+        return np.concatenate([-whole, whole, np.abs(_passed(driving, shafts))], axis=1)
+
+    samples = curves(solved.batches)
+    return TorqueCurves(np.full(samples.shape[1], -1, dtype=np.intp), samples, curves)
+
+
 def shaft_torques(
     loaded: LoadedMachine,
     solved: SolvedCycle,
@@ -88,7 +100,8 @@ def shaft_torques(
     shafts: Shafts,
     crank_angle: CrankAngle,
     sources: TorqueSources,
-    events: ForceEvents,
+    curves: TorqueCurves,
+    peaks: ForcePeaks,
 ) -> ShaftTorques:
     """Torque on every shaft over the cycle, its mean by quadrature, and extremes refined on the mechanisms.
 
@@ -102,7 +115,9 @@ def shaft_torques(
     whole = np.sum(by_shaft, axis=1)
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
     gross = np.sum(times_arms.value, axis=-1)
-    largest, opposite, in_journals = _peaks(loaded, solved, shafts, events, crank_angle)
+    largest, opposite, in_journals = (
+        Peak(*(part[:, rows] for part in peaks.of(curves))) for rows in (0, 1, slice(2, None))
+    )
     most = without_rounding(largest, gross)
     least = without_rounding(opposite._replace(value=-opposite.value), gross)
     return ShaftTorques(
@@ -116,24 +131,6 @@ def shaft_torques(
         labels={"shaft": shafts.names},
         flags=tuple(one_sided([(_("largest torque"), most), (_("smallest torque"), least)])),
     )
-
-
-def _peaks(
-    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, events: ForceEvents, crank_angle: CrankAngle
-) -> Iterator[Peak]:
-    """Largest torque of all mechanisms, largest against it, shapes (design,), and size in the journals, all at once."""
-
-    def curves(driving: Array) -> Array:
-        whole = np.sum(driving, axis=1, keepdims=True)
-        return np.concatenate([-whole, whole, np.abs(_passed(driving, shafts))], axis=1)
-
-    found = largest_of_machine(
-        lambda angle: curves(driving_torques(loaded, loaded.solved(angle))),
-        curves(driving_torques(loaded, solved.batches)),
-        events,
-        crank_angle,
-    )
-    return (Peak(*(part[:, rows] for part in found)) for rows in (0, 1, slice(2, None)))
 
 
 @record
