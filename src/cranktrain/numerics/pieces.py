@@ -261,8 +261,10 @@ def _places(known: Array, scale: Array, has_break: NDArray[np.bool_]) -> NDArray
     """Places of those peaks of the grid about which the largest value may stand, shape (curve, peak): −1 for none."""
     same = np.where(scale > 0, ALIKE * scale, 1.0)
     ring = np.concatenate([known[:, -1:], known, known[:, :1]], axis=-1)
-    is_top = (known >= ring[:, :-2] - same) & (known >= ring[:, 2:] - same) & (known > -np.inf)
-    row, place = np.nonzero(is_top)
+    lower = ring - same
+    row, place = np.nonzero((known >= lower[:, :-2]) & (known >= lower[:, 2:]))
+    is_known = known[row, place] > -np.inf
+    row, place = row[is_known], place[is_known]
     before, at, after = ring[row, place], known[row, place], ring[row, place + 2]
     with np.errstate(all="ignore"):
         # By how much a parabola's top is higher, and what a curve may rise to at a break.

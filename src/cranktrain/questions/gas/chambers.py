@@ -122,6 +122,10 @@ class GasInChambers(StageResult):
         """State of the chambers of each table."""
         state = chamber_state(volume, self.limits, angle - self.firing, np.array(self.cycle))
         for filling in self.fillings:
+            # One table mostly fills all chambers.
+            if filling.places.size == len(self.chambers.names):
+                yield filling, state
+                continue
             parts = (np.broadcast_to(part, volume.value.shape)[:, filling.places] for part in state)
             yield filling, ChamberState(*parts)
 
