@@ -212,11 +212,12 @@ def _has_likely_inertia(place: PlacedMechanism, part: str, spec: BodySpec) -> bo
 def _kind_masses(
     places: Sequence[PlacedMechanism], given: Weighed, cranks: Mapping[str, BodySpec | None], n_designs: int
 ) -> MechanismMasses:
-    """Bodies of mechanisms of one kind: one at a time of those for which the file says the same, as of most it does."""
-    seen: dict[object, int] = {}
-    origin = np.array([seen.setdefault(_told(place, given, cranks), len(seen)) for place in places], dtype=np.intp)
-    _numbers, first = np.unique(origin, return_index=True)
-    own = [_place_masses(places[i], given, cranks.get(places[i].name)) for i in first.tolist()]
+    """Masses of mechanisms of one kind, found once for all of which the file says the same: mostly that is all."""
+    told = [_told(place, given, cranks) for place in places]
+    one_of = dict(zip(told, places, strict=True))
+    number = {key: i for i, key in enumerate(one_of)}
+    origin = np.array([number[key] for key in told], dtype=np.intp)
+    own = [_place_masses(place, given, cranks.get(place.name)) for place in one_of.values()]
     return mapped(lambda _name, values: values[:, origin], stacked(own, n_designs))
 
 

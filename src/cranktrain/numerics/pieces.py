@@ -238,7 +238,7 @@ def in_slots(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Array,
 
 
 def in_windows(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Array, NDArray[np.intp]]:
-    """The same, where all that ask of one row at the same angles are in one slot: a top of one curve is near others'."""
+    """The same, with one slot for all that ask of a row at the same angles, as tops of several curves are together."""
     seen: dict[tuple[int, bytes], int] = {}
     each = ((row, own.tobytes()) for row, own in zip(which.tolist(), angle, strict=True))
     number = np.array([seen.setdefault(window, len(seen)) for window in each], dtype=np.intp)

@@ -24,7 +24,7 @@ class ForcesTimesArms:
 
 
 def forces_times_arms(loaded: LoadedMachine, solved: SolvedCycle) -> ForcesTimesArms:
-    """Its largest force by the longest way of its pins for a turn of 1 rad, and its largest moment by its fastest turn."""
+    """The largest force by the longest way of pins for a turn of 1 rad, and the largest moment by the fastest turn."""
     found: list[Array] = []
     for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True):
         links = batch.kind.dynamics.links(one.motion, batch.members.geometry)

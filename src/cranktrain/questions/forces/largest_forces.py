@@ -14,7 +14,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
-from cranktrain.questions.forces.peaks import MachineCurves, ForcePeaks, one_sided, relative
+from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, one_sided, relative
 from cranktrain.questions.forces.piston_forces import FORCE_METHODS, PistonForceSet
 from cranktrain.questions.forces.rods_in_pistons import ForcesOfRods, RodsInPistons, RodsOnGrid, rods_in_pistons
 from cranktrain.record import record
@@ -152,7 +152,9 @@ def largest_forces(
     master = loaded.carriers.master
     is_master = np.zeros(curves.shape[2], dtype=np.bool_)
     is_master[loaded.carriers.piston[master[master >= 0]]] = True
-    names = [f"{_SAID[i]} {loaded.mechanisms.names[j]}" for i, j in zip(which.tolist(), curves.rows.tolist(), strict=True)]
+    names = [
+        f"{_SAID[i]} {loaded.mechanisms.names[j]}" for i, j in zip(which.tolist(), curves.rows.tolist(), strict=True)
+    ]
     # What rests on no mass and no gas is no answer.
     value, at = (np.where(value > 0, part, np.nan) for part in (value, at))
     return LargestForces(

@@ -78,6 +78,7 @@ def largest_together(
         windows_between(crank_angle.shown, one.samples, own - crank_angle.zero)
         for one, own in zip(each, breaks, strict=True)
     ]
+
     def picked(angle: Array) -> Array:
         solved = loaded.solved(angle)
         return np.concatenate([one.pick(solved) for one in each], axis=1)

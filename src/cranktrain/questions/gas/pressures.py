@@ -151,4 +151,6 @@ def _largest(
     after = around_zero(found.angle + zero[..., 0] - firing[:, places])
     after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
     design = np.arange(len(gas.firing))[:, np.newaxis]
-    return (Extreme(*(part[design, gas.among_distinct] for part in one)) for one in zip(after, found.value, strict=True))
+    return (
+        Extreme(*(part[design, gas.among_distinct] for part in one)) for one in zip(after, found.value, strict=True)
+    )

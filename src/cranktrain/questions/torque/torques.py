@@ -90,7 +90,8 @@ def torque_curves(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts) ->
         return np.concatenate([-whole, whole, np.abs(_passed(driving, shafts))], axis=1)
 
     samples = curves(solved.batches)
-    return TorqueCurves(np.full(samples.shape[1], -1, dtype=np.intp), samples, curves)
+    of_all: NDArray[np.intp] = np.full(samples.shape[1], -1, dtype=np.intp)
+    return TorqueCurves(of_all, samples, curves)
 
 
 def shaft_torques(
