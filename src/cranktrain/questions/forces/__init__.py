@@ -27,6 +27,7 @@ from cranktrain.questions.forces import (
     rods_in_pistons,
     rows,
     solved_cycle,
+    torque_curves,
     unlikely,
 )
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
@@ -67,6 +68,7 @@ QUESTION = Question(
         Stage(rods_in_pistons.rods_on_grid),
         Stage(piston_forces.piston_force_set, applies=on_rods),
         Stage(largest_forces.piston_curves, applies=on_rods),
+        Stage(torque_curves.torque_curves),
         Stage(force_peaks.force_peaks, beside=force_peaks.CURVES),
         Stage(largest_forces.largest_forces),
         Stage(rod_methods.rod_methods, applies=piston_forces.have_direct_rods),

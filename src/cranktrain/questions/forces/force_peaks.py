@@ -6,14 +6,8 @@ from cranktrain.questions.forces.guides import GuideCurves
 from cranktrain.questions.forces.joint_forces import JointCurves
 from cranktrain.questions.forces.largest_forces import PistonCurves
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, largest_together
-from cranktrain.record import record
-
-
-@record
-class TorqueCurves(MachineCurves):
-    """Torque of the machine, the same against it, and its size in every journal."""
-
+from cranktrain.questions.forces.peaks import ForcePeaks, largest_together
+from cranktrain.questions.forces.torque_curves import TorqueCurves
 
 CURVES = (JointCurves, PistonCurves, GuideCurves, TorqueCurves)
 

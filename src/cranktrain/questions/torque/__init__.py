@@ -9,7 +9,6 @@ QUESTION = Question(
     "torque",
     stages=(
         Stage(sources.torque_sources),
-        Stage(torques.torque_curves),
         Stage(torques.shaft_torques),
         Stage(torques.gear_torques, applies=torques.are_geared),
         Stage(work_check.work_balance),

@@ -1,6 +1,5 @@
 """Torque of a whole machine: on each shaft, through the gear between shafts, and gathered along each shaft."""
 
-from collections.abc import Sequence
 from dataclasses import field
 
 import numpy as np
@@ -14,13 +13,12 @@ from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.numerics.gathering import gathered
-from cranktrain.questions.forces.force_peaks import TorqueCurves
 from cranktrain.questions.forces.forces_times_arms import ForcesTimesArms
-from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import driving_torques
 from cranktrain.questions.forces.peaks import ForcePeaks, one_sided, without_rounding
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
-from cranktrain.questions.torque.fired import journal_torque
+from cranktrain.questions.forces.torque_curves import TorqueCurves, passed_torques
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
@@ -79,19 +77,6 @@ def _placed(torque: float, angle: float) -> str:
     """Say a torque and where it stands; nothing stands nowhere."""
     said = number(torque, "N*m")
     return said if np.isnan(angle) else _("{value} at {angle}").format(value=said, angle=number(angle, "deg"))
-
-
-def torque_curves(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts) -> TorqueCurves:
-    """Torque of all mechanisms, that against it, and its size in the journals."""
-
-    def curves(found: Sequence[SolvedBatch]) -> Array:
-        driving = driving_torques(loaded, found)
-        whole = np.sum(driving, axis=1, keepdims=True)
-        return np.concatenate([-whole, whole, np.abs(_passed(driving, shafts))], axis=1)
-
-    samples = curves(solved.batches)
-    of_all: NDArray[np.intp] = np.full(samples.shape[1], -1, dtype=np.intp)
-    return TorqueCurves(of_all, samples, curves)
 
 
 def shaft_torques(
@@ -158,18 +143,8 @@ def journal_torques(
 
     What a gear takes or brings is reckoned at the flywheel's end. docs/theory/harmonics-and-orders, eq. (15.13).
     """
-    passed = _passed(driving_torques(loaded, solved.batches), shafts)
+    passed = passed_torques(driving_torques(loaded, solved.batches), shafts)
     return JournalTorques(passed, torques.in_journals, labels={"journal": shafts.journals})
-
-
-def _passed(driving: Array, shafts: Shafts) -> Array:
-    """Torque that every journal passes on, from what must drive each mechanism, shape (design, journal, n)."""
-    rows: list[Array] = []
-    for shaft, n_throws in enumerate(shafts.n_throws):
-        own = shafts.shaft == shaft
-        by_throw = gathered(-driving[:, own], shafts.throw[own], n_throws)
-        rows.append(journal_torque(by_throw))
-    return np.concatenate(rows, axis=1)
 
 
 @record
