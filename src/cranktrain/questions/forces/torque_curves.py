@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
@@ -29,7 +28,7 @@ def torque_curves(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts) ->
         return np.concatenate([-whole, whole, np.abs(passed_torques(driving, shafts))], axis=1)
 
     samples = curves(solved.batches)
-    of_all: NDArray[np.intp] = np.full(samples.shape[1], -1, dtype=np.intp)
+    of_all = np.array([-1] * samples.shape[1], dtype=np.intp)
     return TorqueCurves(of_all, samples, curves)
 
 
