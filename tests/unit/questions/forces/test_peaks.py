@@ -48,3 +48,12 @@ def test_a_fact_does_not_hang_on_what_else_is_asked(machine):
         alone = ct.run(ct.load(machine), quantities=fact)
         for name in (fact, f"{fact}_at"):
             np.testing.assert_allclose(getattr(alone, name), getattr(together, name), rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("fact", FACTS)
+def test_what_never_closes_has_no_largest_force(fact):
+    mechanism = {"kind": "slider_crank", "crank_radius": "40 mm", "rod_length": "30 mm", "offset": "100 mm"}
+    machine = ct.Machine(
+        mechanism=mechanism, shaft={"main": {"speed": "3000 rpm"}}, masses={"piston": {"mass": "1 kg"}}
+    )
+    assert np.all(np.isnan(getattr(ct.run(machine, partial=True, quantities=fact), fact)))
