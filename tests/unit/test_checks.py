@@ -13,6 +13,7 @@ from cranktrain.checks import Check
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Coefficient
 from cranktrain.numerics import derivatives_residual
+from cranktrain.questions.forces.forces_times_arms import forces_times_arms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import mechanism_torques
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
@@ -130,7 +131,8 @@ def test_reactions_that_are_a_little_wrong_are_found(mechanism, masses, joint):
     force = np.max(np.hypot(result.joint_force_x, result.joint_force_y))
     arm = 0.05 if joint else 0.6
     wrong = group.forces._replace(driving_torque=group.forces.driving_torque + 1e-9 * force * arm)
-    (check,) = mechanism_torques(loaded, SolvedCycle((group._replace(forces=wrong),)), None, angle).checks
+    falsified = SolvedCycle((group._replace(forces=wrong),))
+    (check,) = mechanism_torques(loaded, falsified, forces_times_arms(loaded, falsified), None, angle).checks
     assert check.verdict() == "does not hold"
 
 

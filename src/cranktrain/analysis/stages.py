@@ -53,7 +53,7 @@ def leading_to(stages: Sequence[Stage], outcomes: Iterable[type]) -> tuple[Stage
         outcome = open_ends.pop()
         if outcome in by_outcome and outcome not in wanted:
             wanted.add(outcome)
-            open_ends += by_outcome[outcome].needs.values()
+            open_ends += by_outcome[outcome].wanted
     return tuple(one for one in stages if one.gives in wanted)
 
 

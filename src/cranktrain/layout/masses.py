@@ -16,6 +16,7 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces import Body, Gravity
 from cranktrain.mechanisms.geometry import stacked
 from cranktrain.motion import ZERO, Array
+from cranktrain.numerics.nested import mapped
 from cranktrain.quantities import Given
 from cranktrain.record import record
 from cranktrain.wording import precise
@@ -162,9 +163,7 @@ def masses_of(places: Sequence[PlacedMechanism], given: Weighed, n_designs: int)
     """Stack the bodies of designs of one machine by kind, as `mechanisms_of` does."""
     cranks = crank_bodies(places, given.bodies)
     batches = [
-        stacked(
-            [_place_masses(place, given, cranks.get(place.name)) for place in places if place.kind == kind], n_designs
-        )
+        _kind_masses([place for place in places if place.kind == kind], given, cranks, n_designs)
         for kind in dict.fromkeys(place.kind for place in places)
     ]
     moving = [
@@ -208,6 +207,28 @@ def _has_likely_inertia(place: PlacedMechanism, part: str, spec: BodySpec) -> bo
     gyration = np.sqrt(body.inertia / body.mass)
     is_likely = (gyration >= _LEAST_GYRATION * length) & (gyration <= _MOST_GYRATION * length)
     return bool(np.all((body.inertia == 0) | is_likely))
+
+
+def _kind_masses(
+    places: Sequence[PlacedMechanism], given: Weighed, cranks: Mapping[str, BodySpec | None], n_designs: int
+) -> MechanismMasses:
+    """Masses of mechanisms of one kind, found once for all of which the file says the same: mostly that is all."""
+    told = [_told(place, given, cranks) for place in places]
+    one_of = dict(zip(told, places, strict=True))
+    number = {key: i for i, key in enumerate(one_of)}
+    origin = np.array([number[key] for key in told], dtype=np.intp)
+    own = [_place_masses(place, given, cranks.get(place.name)) for place in one_of.values()]
+    return mapped(lambda _name, values: values[:, origin], stacked(own, n_designs))
+
+
+def _told(place: PlacedMechanism, given: Weighed, cranks: Mapping[str, BodySpec | None]) -> object:
+    """All that the masses of a mechanism hang on, but for its kind: what is equal is the same."""
+    lengths = (_length(place, part) for part in place.kind.dynamics.moving)
+    numbers = [ZERO if length is None else length for length in lengths]
+    if given.gravity is not None:
+        numbers.append(frame_of(place, given.orientation)[0])
+    said = tuple(np.asarray(number).tobytes() for number in numbers)
+    return table_paths(place, _TABLE), id(cranks.get(place.name)), place.sense, said
 
 
 def _place_masses(place: PlacedMechanism, given: Weighed, crank: BodySpec | None) -> MechanismMasses:

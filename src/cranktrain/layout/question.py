@@ -62,10 +62,13 @@ class Stage:
     applies : callable, optional
         Whether the step is for this machine, by parts that its parameters name as those of `function` do: True; False,
         and then nobody misses what it would give; or what the file would have to say.
+    beside : tuple of type
+        Needs that may be absent, and are wherever nothing else asks for them: it takes what there is.
     """
 
     function: Callable[..., Any]
     applies: Callable[..., Applies] | None = None
+    beside: tuple[type, ...] = ()
 
     @cached_property
     def gives(self) -> type:
@@ -81,6 +84,11 @@ class Stage:
     def optional(self) -> frozenset[str]:
         """Parameters that may be None: never reported as missing."""
         return needs_of(self.function).optional
+
+    @property
+    def wanted(self) -> frozenset[type]:
+        """Types for which other stages are run."""
+        return frozenset(self.needs.values()).difference(self.beside)
 
     @cached_property
     def required(self) -> frozenset[type]:

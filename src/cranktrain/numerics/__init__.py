@@ -1,7 +1,7 @@
 """Roots and extremes of many curves at once, to rounding: curves are kernels, so nothing is read off a grid."""
 
 from cranktrain.numerics.extremes import Extremes, extremes, largest, smallest, turning_points
-from cranktrain.numerics.pieces import Curves, Peak, in_slots, largest_between
+from cranktrain.numerics.pieces import Curves, Peak, in_slots, in_windows, largest_between, peaks_in, windows_between
 from cranktrain.numerics.roots import Curve, bracketed_roots, near_roots
 from cranktrain.numerics.series import (
     DERIVATIVES_LIMIT,
@@ -36,11 +36,13 @@ __all__ = [
     "extremes",
     "has_ended",
     "in_slots",
+    "in_windows",
     "integral_motion",
     "integral_to",
     "largest",
     "largest_between",
     "near_roots",
+    "peaks_in",
     "points_together",
     "shows",
     "smallest",
@@ -49,4 +51,5 @@ __all__ = [
     "turn_grid",
     "turning_points",
     "unwrapped",
+    "windows_between",
 ]

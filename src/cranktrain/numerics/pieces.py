@@ -51,6 +51,39 @@ class Peak(NamedTuple):
     side: Array
 
 
+class Windows(NamedTuple):
+    """Windows about angles at which curves may be largest, cut into pieces at breaks: what is asked of the curves.
+
+    Attributes
+    ----------
+    row : array of int, shape (p,)
+        Of which curve each piece is, counted through all leading axes.
+    angle : Array, shape (p, k)
+        At which its values are wanted. [rad]
+    middle, half : Array, shape (p,)
+        Of each piece, and half of its width. [rad]
+    level : Array, shape (p,)
+        Where in (−1, 1) a piece that is level begins.
+    is_piece : array of bool, shape (curve, peak, piece)
+    scale : Array, shape (curve,)
+        Largest size of each curve, about.
+    period : float
+        [rad]
+    shape : tuple of int
+        Leading axes of the curves.
+    """
+
+    row: NDArray[np.intp]
+    angle: Array
+    middle: Array
+    half: Array
+    level: Array
+    is_piece: NDArray[np.bool_]
+    scale: Array
+    period: float
+    shape: tuple[int, ...]
+
+
 Curves = Callable[[NDArray[np.intp], Array], Array]
 """Many curves: takes which ones (p,) and angles of each (p, k), gives values (p, k)."""
 
@@ -75,6 +108,11 @@ def largest_between(curves: Curves, grid: Array, samples: Array, breaks: Array) 
         An angle may lie a step beside the grid's period. Of alike peaks the first one in the period. NaN where the
         curve is NaN all over, or about its highest points.
     """
+    return _peaks_of(curves, windows_between(grid, samples, breaks))
+
+
+def windows_between(grid: Array, samples: Array, breaks: Array) -> Windows:
+    """What `largest_between` asks of curves: parameters as there."""
     shape, n_points = samples.shape[:-1], samples.shape[-1]
     step = float(grid[1] - grid[0])
     known = np.fmax(samples.reshape(-1, n_points), -np.inf)
@@ -82,8 +120,7 @@ def largest_between(curves: Curves, grid: Array, samples: Array, breaks: Array) 
     own_breaks = np.broadcast_to(breaks, (*shape, breaks.shape[-1])).reshape(len(known), breaks.shape[-1])
     places = _places(known, scale[:, np.newaxis], _near_breaks(own_breaks, grid, n_points))
     centre = np.where(places >= 0, grid[places], np.nan)
-    best = largest_about(curves, centre, own_breaks, scale, _ABOUT * step, step * n_points)
-    return Peak(*(part.reshape(shape) for part in best))
+    return _windows_about(centre, own_breaks, scale, _ABOUT * step, step * n_points)._replace(shape=shape)
 
 
 def largest_about(curves: Curves, centre: Array, breaks: Array, scale: Array, wide: float, period: float) -> Peak:
@@ -108,10 +145,33 @@ def largest_about(curves: Curves, centre: Array, breaks: Array, scale: Array, wi
     Peak, shapes (curve,)
         As `largest_between` gives it.
     """
+    return _peaks_of(curves, _windows_about(centre, breaks, scale, wide, period))
+
+
+def _windows_about(centre: Array, breaks: Array, scale: Array, wide: float, period: float) -> Windows:
+    """What `largest_about` asks of curves."""
     edges = _edges(breaks, np.where(np.isnan(centre), 0.0, centre), wide, period)
     is_piece = (np.diff(edges, axis=-1) > 0.0) & ~np.isnan(centre)[..., np.newaxis]
-    found = _tops(curves, centre, edges, is_piece, scale)
-    return _first_of_the_best(*found, scale[:, np.newaxis], period)
+    row, peak, piece = np.nonzero(is_piece)
+    start, end = edges[row, peak, piece], edges[row, peak, piece + 1]
+    half, middle = (end - start) / 2, centre[row, peak] + (end + start) / 2
+    # What is level from before its grid point on begins, for us, there.
+    level = np.where((piece == 0) & (start * end < 0), -(end + start) / (end - start), -1.0)
+    angle = middle[:, np.newaxis] + half[:, np.newaxis] * _NODES
+    return Windows(row, angle, middle, half, level, is_piece, scale, period, scale.shape)
+
+
+def _peaks_of(curves: Curves, windows: Windows) -> Peak:
+    """Ask curves in windows, and find their largest values."""
+    with np.errstate(all="ignore"):
+        return peaks_in(windows, curves(windows.row, windows.angle))
+
+
+def peaks_in(windows: Windows, values: Array) -> Peak:
+    """Largest value of each curve, shapes of its leading axes, from its values in the windows, shape (p, k)."""
+    found = _tops(windows, values)
+    best = _first_of_the_best(*found, windows.scale[:, np.newaxis], windows.period)
+    return Peak(*(part.reshape(windows.shape) for part in best))
 
 
 def largest_near(curves: Curves, centre: Array, breaks: Array, scale: Array, wide: float, period: float) -> Peak:
@@ -136,21 +196,16 @@ def _some(curves: Curves, rows: NDArray[np.intp], which: NDArray[np.intp], angle
     return curves(rows[which], angle)
 
 
-def _tops(curves: Curves, centre: Array, edges: Array, is_piece: NDArray[np.bool_], scale: Array) -> Peak:
+def _tops(windows: Windows, values: Array) -> Peak:
     """Top of every piece, shape (curve, peak, piece): −∞ for none."""
-    row, peak, piece = np.nonzero(is_piece)
-    start, end = edges[row, peak, piece], edges[row, peak, piece + 1]
-    half, middle = (end - start) / 2, centre[row, peak] + (end + start) / 2
+    is_piece, scale = windows.is_piece, windows.scale
     with np.errstate(all="ignore"):
-        values = curves(row, middle[:, np.newaxis] + half[:, np.newaxis] * _NODES)
         base = values[:, _N_NODES // 2]
         powers = product(values - base[:, np.newaxis], _TO_POWERS.T)
-        # What is level from before its grid point on begins, for us, there.
-        level = np.where((piece == 0) & (start * end < 0), -(end + start) / (end - start), -1.0)
-        way = _top(powers, scale[row], level)
+        way = _top(powers, scale[windows.row], windows.level)
         value = base + polynomial(powers.T, way).value
     top, angle, at = np.full((3, *is_piece.shape), np.nan)
-    top[is_piece], angle[is_piece], at[is_piece] = value, middle + half * way, way
+    top[is_piece], angle[is_piece], at[is_piece] = value, windows.middle + windows.half * way, way
     ends = np.full((2, *is_piece.shape), np.nan)
     ends[0, is_piece], ends[1, is_piece] = base + product(powers, _FROM_ENDS.T).T
     return Peak(angle, np.where(np.isnan(top), -np.inf, top), _sides(at, ends, scale[:, np.newaxis, np.newaxis]))
@@ -182,6 +237,16 @@ def in_slots(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Array,
     return laid, slot
 
 
+def in_windows(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Array, NDArray[np.intp]]:
+    """The same, with one slot for all that ask of a row at the same angles, as tops of several curves are together."""
+    seen: dict[tuple[int, bytes], int] = {}
+    each = ((row, own.tobytes()) for row, own in zip(which.tolist(), angle, strict=True))
+    number = np.array([seen.setdefault(window, len(seen)) for window in each], dtype=np.intp)
+    _numbers, first = np.unique(number, return_index=True)
+    laid, slot = in_slots(which[first], angle[first], n_rows)
+    return laid, slot[number]
+
+
 def _near_breaks(breaks: Array, grid: Array, n_points: int) -> NDArray[np.bool_]:
     """Whether there is a break next to each point of the grid, shape (curve, n)."""
     near = np.zeros((len(breaks), n_points), dtype=np.bool_)
@@ -196,8 +261,10 @@ def _places(known: Array, scale: Array, has_break: NDArray[np.bool_]) -> NDArray
     """Places of those peaks of the grid about which the largest value may stand, shape (curve, peak): −1 for none."""
     same = np.where(scale > 0, ALIKE * scale, 1.0)
     ring = np.concatenate([known[:, -1:], known, known[:, :1]], axis=-1)
-    is_top = (known >= ring[:, :-2] - same) & (known >= ring[:, 2:] - same) & (known > -np.inf)
-    row, place = np.nonzero(is_top)
+    lower = ring - same
+    row, place = np.nonzero((known >= lower[:, :-2]) & (known >= lower[:, 2:]))
+    is_known = known[row, place] > -np.inf
+    row, place = row[is_known], place[is_known]
     before, at, after = ring[row, place], known[row, place], ring[row, place + 2]
     with np.errstate(all="ignore"):
         # By how much a parabola's top is higher, and what a curve may rise to at a break.
@@ -249,11 +316,11 @@ def _top(powers: Array, scale: Array, level: Array) -> Array:
     place = np.argmax(is_top, axis=-1)
     start, apart = _TRIED[place], float(_TRIED[1] - _TRIED[0])
     slopes = (powers[:, 1:] * np.arange(1, _N_NODES)).T
-    way = start
+    way, low, high = start, np.maximum(start - apart, -1.0), np.minimum(start + apart, 1.0)
     for _step in range(_NEWTON_STEPS):
         first, second, _third = polynomial(slopes, way)
         move = np.where(second < 0, -first / second, np.sign(first) * apart)
-        way = np.clip(way + np.nan_to_num(move), np.maximum(start - apart, -1.0), np.minimum(start + apart, 1.0))
+        way = np.minimum(np.maximum(way + np.where(np.isnan(move), 0.0, move), low), high)
     return np.where(np.sum(is_top, axis=-1) > 1, np.where(place == 0, level, start), way)
 
 

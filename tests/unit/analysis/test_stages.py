@@ -6,7 +6,7 @@ from typing import ClassVar
 import pytest
 
 from cranktrain.analysis import Stage, ordered
-from cranktrain.analysis.stages import lacking, missing_results, run_stages
+from cranktrain.analysis.stages import lacking, leading_to, missing_results, run_stages
 from cranktrain.catalogue import quantity
 
 
@@ -109,3 +109,15 @@ def test_stages_that_need_each_other_cannot_be_ordered():
 
     with pytest.raises(ValueError, match="cycle"):
         ordered((Stage(first), Stage(second)))
+
+
+def test_what_is_beside_makes_no_stage_run():
+    def both(area: Area | None, force: Force | None) -> Odd:
+        return Odd(0.0 if force is None else force.force)
+
+    stages = (Stage(area), Stage(force), Stage(both, beside=(Force,)))
+    chosen = leading_to(stages, [Odd])
+    assert [one.gives for one in chosen] == [Area, Odd]
+    assert run_stages(chosen, {Bore: Bore(3.0)}, {})[Odd].odd == 0.0
+    chosen = leading_to(stages, [Odd, Force])
+    assert run_stages(chosen, {Bore: Bore(3.0)}, {})[Odd].odd == 9.0

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from cranktrain.numerics import integral_to, largest_between, subintervals
+from cranktrain.numerics import in_windows, integral_to, largest_between, subintervals
 from cranktrain.numerics.subintervals import interpolation
 
 CYCLE = 4 * np.pi
@@ -122,3 +122,11 @@ def test_interpolation_is_that_of_the_polynomial_at_its_points_too(n_nodes):
     powers = np.arange(n_nodes)
     found = np.sum(interpolation(ways, n_nodes)[:, np.newaxis] * (node ** powers[:, np.newaxis]), axis=-1)
     np.testing.assert_allclose(found, ways[:, np.newaxis] ** powers, rtol=0, atol=1e-14)
+
+
+def test_who_asks_at_the_same_angles_is_in_one_slot():
+    angle = np.array([[1.0, 2.0], [3.0, 4.0], [1.0, 2.0], [1.0, 2.0]])
+    laid, slot = in_windows(np.array([0, 0, 0, 1]), angle, 2)
+    assert laid.shape == (2, 2, 2)
+    assert slot.tolist() == [0, 1, 0, 0]
+    np.testing.assert_array_equal(laid[[0, 0, 0, 1], slot], angle)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
-from cranktrain.numerics import Peak, in_slots
+from cranktrain.numerics import Peak, in_windows
 from cranktrain.numerics.panel_tops import tops_in_panels
 from cranktrain.numerics.pieces import largest_near
 from cranktrain.questions.crankshaft.acting import LoadedShafts
@@ -162,11 +162,10 @@ def _largest(
     def curves(which: NDArray[np.intp], shown: Array) -> Array:
         """The machine is solved once for all curves that are looked at in one window; each method has its own."""
         design, row = np.divmod(which, scale.shape[1])
-        windows, number = np.unique(np.column_stack([design, shown]), axis=0, return_inverse=True)
-        asked, slots = in_slots(windows[:, 0].astype(np.intp), windows[:, 1:], len(scale))
+        asked, slot = in_windows(design, shown, len(scale))
         acting = loaded.loads(asked.reshape(len(scale), 1, -1) + crank_angle.zero)
         by_loads = torques_of_loads(loaded, acting)
-        slot, of_curves = slots[number], np.searchsorted(first, row, side="right") - 1
+        of_curves = np.searchsorted(first, row, side="right") - 1
         found, n_nodes = np.empty_like(shown), shown.shape[-1]
         for place, one in enumerate(each):
             own = np.flatnonzero(of_curves == place)

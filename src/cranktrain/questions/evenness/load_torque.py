@@ -14,7 +14,7 @@ from cranktrain.layout.load_laws import ByAngle
 from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import ONE, Array
-from cranktrain.numerics import in_slots, largest_between
+from cranktrain.numerics import in_windows, largest_between
 from cranktrain.numerics.periodic import PeriodicCurve, combined, side_by_side, times
 from cranktrain.numerics.polyline import polyline_integral
 from cranktrain.questions.evenness.applied_torque import AppliedTorque
@@ -180,7 +180,7 @@ def _largest(whole: Callable[[Array], Array], corners: Sequence[Array], crank_an
     samples = whole(np.broadcast_to(crank_angle.shown, (len(crank_angle.zero), crank_angle.shown.size)))
 
     def curves(which: NDArray[np.intp], shown: Array) -> Array:
-        asked, slot = in_slots(which, shown, len(samples))
+        asked, slot = in_windows(which, shown, len(samples))
         found = whole(asked.reshape(len(samples), -1)).reshape(asked.shape)
         return found[which, slot]
 

@@ -7,6 +7,8 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
+from cranktrain.record import record
 
 
 def largest_in_joints(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:
@@ -14,19 +16,23 @@ def largest_in_joints(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> A
     return loaded.in_order(_largest_force(one) for one in solved)
 
 
-def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:
-    """What the joints of each mechanism could do to the shaft at most, shape (design, mechanism). [N·m]
+@record
+class ForcesTimesArms:
+    """What the joints of each mechanism could do to the shaft at most, shape (design, mechanism). [N·m]"""
 
-    Its largest force by the longest way of its pins for a turn of 1 rad, and its largest moment by the fastest turn.
-    """
+    value: Array
+
+
+def forces_times_arms(loaded: LoadedMachine, solved: SolvedCycle) -> ForcesTimesArms:
+    """The largest force by the longest way of pins for a turn of 1 rad, and the largest moment by the fastest turn."""
     found: list[Array] = []
-    for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
+    for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True):
         links = batch.kind.dynamics.links(one.motion, batch.members.geometry)
         way = np.sqrt(_largest(link.origin.x.first**2 + link.origin.y.first**2 for link in links))
         turn = _largest(np.abs(link.angle.first) for link in links)
         moment = _largest(np.abs(joint.moment) for joint in one.forces.joints)
         found.append(_largest_force(one) * way + moment * turn)
-    return loaded.in_order(found)
+    return ForcesTimesArms(loaded.in_order(found))
 
 
 def forces_times_places(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:

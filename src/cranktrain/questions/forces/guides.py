@@ -7,7 +7,6 @@ import numpy as np
 from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
-from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.guide_tables import bearing_moments
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
@@ -16,10 +15,9 @@ from cranktrain.linkage.forces import EdgeForces
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.questions.forces.edges import edges_of
-from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.members import Member, mechanisms_of, parts_of
-from cranktrain.questions.forces.peaks import largest_of_each, one_sided
+from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, one_sided
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
@@ -69,24 +67,31 @@ def have_length(mechanisms: Mechanisms, masses: Masses | None) -> bool | str:
     return any(np.any(edges.per_length) for batch in batches for edges in batch.edges) or N_("[guide]")
 
 
-def guide_edges(
-    loaded: LoadedMachine,
-    solved: SolvedCycle,
-    events: ForceEvents,
-    crank_angle: CrankAngle,
-) -> GuideEdges:
+@record
+class GuideCurves(MachineCurves):
+    """What the edge presses that presses more, of every guide; names, and what both press on the grid."""
+
+    names: tuple[str, ...]
+    edges: EdgeForces
+
+
+def guide_curves(loaded: LoadedMachine, solved: SolvedCycle) -> GuideCurves:
     """Forces of the edges, from the reaction in each guide. docs/theory/forces, eq. (13.43)."""
     guides = _with_length(loaded)
-    ahead, behind = found = _pressing(loaded, guides, solved.batches)
-    largest = largest_of_each(
-        loaded,
-        events,
-        crank_angle,
+    edges = _pressing(loaded, guides, solved.batches)
+    return GuideCurves(
         mechanisms_of(guides),
-        _larger(found),
+        _larger(edges),
         lambda batches: _larger(_pressing(loaded, guides, batches)),
+        names=tuple(guide.name for guide in guides),
+        edges=edges,
     )
-    names = tuple(guide.name for guide in guides)
+
+
+def guide_edges(curves: GuideCurves, peaks: ForcePeaks) -> GuideEdges:
+    """Forces of the edges, and the largest."""
+    ahead, behind = curves.edges
+    largest, names = peaks.of(curves), curves.names
     return GuideEdges(
         guide_edge_force_ahead=ahead,
         guide_edge_force_behind=behind,

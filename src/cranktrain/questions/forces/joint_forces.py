@@ -7,15 +7,13 @@ import numpy as np
 from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
-from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.part_tables import part_name
 from cranktrain.mechanisms.dynamics import Reaction
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
-from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.members import Member, mechanisms_of, parts_of
-from cranktrain.questions.forces.peaks import largest_of_each, one_sided
+from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, one_sided
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
@@ -47,21 +45,31 @@ class JointForces(StageResult):
     )
 
 
-def joint_forces(
-    loaded: LoadedMachine, solved: SolvedCycle, events: ForceEvents, crank_angle: CrankAngle
-) -> JointForces:
-    """Reactions of all joints; a master's hold what its slaves do to it."""
+@record
+class JointCurves(MachineCurves):
+    """Sizes of the forces in all joints; names, and the reactions on the grid, (3, design, joint, n)."""
+
+    names: tuple[str, ...]
+    reactions: Array
+
+
+def joint_curves(loaded: LoadedMachine, solved: SolvedCycle) -> JointCurves:
+    """Reactions of all joints on the grid."""
     joints = _joints(loaded)
-    x, y, moment = _reactions(joints, solved.batches)
-    largest = largest_of_each(
-        loaded,
-        events,
-        crank_angle,
+    reactions = _reactions(joints, solved.batches)
+    return JointCurves(
         mechanisms_of(joints),
-        np.hypot(x, y),
+        np.hypot(*reactions[:2]),
         lambda found: np.hypot(*_reactions(joints, found)[:2]),
+        names=tuple(joint.name for joint in joints),
+        reactions=reactions,
     )
-    names = tuple(joint.name for joint in joints)
+
+
+def joint_forces(loaded: LoadedMachine, solved: SolvedCycle, curves: JointCurves, peaks: ForcePeaks) -> JointForces:
+    """Reactions of all joints; a master's hold what its slaves do to it."""
+    x, y, moment = curves.reactions
+    largest, names = peaks.of(curves), curves.names
     return JointForces(
         joint_force_x=x,
         joint_force_y=y,

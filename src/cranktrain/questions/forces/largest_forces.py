@@ -9,15 +9,14 @@ from numpy.typing import NDArray
 from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
-from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.gathering import put
-from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
-from cranktrain.questions.forces.peaks import largest_of_each, one_sided, relative
+from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, one_sided, relative
 from cranktrain.questions.forces.piston_forces import FORCE_METHODS, PistonForceSet
-from cranktrain.questions.forces.rods_in_pistons import rods_in_pistons
+from cranktrain.questions.forces.rods_in_pistons import ForcesOfRods, RodsInPistons, RodsOnGrid, rods_in_pistons
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number, ranged
@@ -103,42 +102,59 @@ class LargestForces(StageResult):
         return f"{said} {off}"
 
 
-def largest_forces(
-    forces: PistonForceSet, loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle
-) -> LargestForces:
-    """Find the largest of the forces of all pistons, refined on the mechanisms."""
-    samples = np.abs(
-        np.stack(
-            [
-                curve[:, _EXACT]
-                for curve in (
-                    forces.piston_force,
-                    forces.side_force,
-                    forces.rod_force_at_piston_pin,
-                    forces.rod_force_at_crank_pin,
-                )
-            ]
-        )
-    )
-    which, asked = _asked(samples)
+@record
+class PistonCurves(MachineCurves):
+    """Sizes of those of P, N, S and S at the crank that are asked for: which, and of which piston, (curve,).
+
+    shape: how many of all there are, and of which designs and pistons.
+    """
+
+    which: NDArray[np.intp]
+    piston: NDArray[np.intp]
+    shape: tuple[int, int, int]
+
+
+def piston_curves(pistons: Pistons, loaded: LoadedMachine, rods: RodsOnGrid) -> PistonCurves:
+    """Sizes of the forces of all pistons by the reactions."""
+    shape = len(_SAID), len(loaded.speed.value), len(pistons.names)
+    samples = _sizes(shape, rods.each)
+    for one, _forces in rods.each:
+        if not one.is_on_pin:
+            samples[3][:, one.piston] = np.nan
+    which, piston = _asked(samples)
 
     def sizes(found: tuple[SolvedBatch, ...]) -> Array:
-        curves = np.full((*samples.shape[:3], found[0].forces.driving_torque.shape[-1]), np.nan)
-        for one in rods_in_pistons(loaded, found):
-            put(curves, one.piston, one.forces[1:])
-        return np.moveaxis(np.abs(curves[which, :, asked]), 0, 1)
+        each = [(one, one.forces) for one in rods_in_pistons(loaded, found)]
+        return np.moveaxis(_sizes(shape, each)[which, :, piston], 0, 1)
 
-    driven = loaded.carriers.driven[asked]
-    peak = largest_of_each(loaded, events, crank_angle, driven, np.moveaxis(samples[which, :, asked], 0, 1), sizes)
-    value, at = np.full((2, *samples.shape[:3]), np.nan)
+    own = np.moveaxis(samples[which, :, piston], 0, 1)
+    return PistonCurves(loaded.carriers.driven[piston], own, sizes, which=which, piston=piston, shape=shape)
+
+
+def _sizes(shape: tuple[int, int, int], rods: Sequence[tuple[RodsInPistons, ForcesOfRods]]) -> Array:
+    """Sizes of P, N and S at either pin of all pistons, shape (force, design, piston, n)."""
+    curves = np.full((*shape, rods[0][1].piston.shape[-1]), np.nan)
+    for one, forces in rods:
+        put(curves, one.piston, forces[1:])
+    return np.abs(curves)
+
+
+def largest_forces(
+    forces: PistonForceSet, loaded: LoadedMachine, curves: PistonCurves, peaks: ForcePeaks
+) -> LargestForces:
+    """Find the largest of the forces of all pistons, refined on the mechanisms."""
+    which, asked, peak = curves.which, curves.piston, peaks.of(curves)
+    value, at = np.full((2, *curves.shape), np.nan)
     value[which, :, asked], at[which, :, asked] = peak.value.T, peak.angle.T
     # Along the rod the larger of both ends counts.
     is_at_crank = value[3] > value[2]
     value[2], at[2] = (np.where(is_at_crank, part[3], part[2]) for part in (value, at))
     master = loaded.carriers.master
-    is_master = np.zeros(samples.shape[2], dtype=np.bool_)
+    is_master = np.zeros(curves.shape[2], dtype=np.bool_)
     is_master[loaded.carriers.piston[master[master >= 0]]] = True
-    names = [f"{_SAID[i]} {loaded.mechanisms.names[j]}" for i, j in zip(which.tolist(), driven.tolist(), strict=True)]
+    names = [
+        f"{_SAID[i]} {loaded.mechanisms.names[j]}" for i, j in zip(which.tolist(), curves.rows.tolist(), strict=True)
+    ]
     # What rests on no mass and no gas is no answer.
     value, at = (np.where(value > 0, part, np.nan) for part in (value, at))
     return LargestForces(

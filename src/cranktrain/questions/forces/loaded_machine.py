@@ -18,7 +18,7 @@ from cranktrain.linkage.forces.load import LoadWay
 from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Coefficient, Link
-from cranktrain.numerics import extremes, in_slots
+from cranktrain.numerics import extremes, in_windows
 from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.carriers import MASTER, Carriers
 from cranktrain.questions.gas.chambers import GasInChambers
@@ -166,7 +166,7 @@ class LoadedMachine:
         Parameters
         ----------
         rows : array of int, shape (curve,)
-            Of which mechanism each curve is.
+            Of which mechanism each curve is; −1 of all.
         which : array of int, shape (p,)
             Which curves are asked for, counted design by design.
         angle : Array, shape (p, k)
@@ -184,11 +184,22 @@ class LoadedMachine:
         """
         n_designs, n_mechanisms = len(self.speed.value), self.sharing.size
         design, row = np.divmod(which, rows.size)
-        label = self.sharing[rows]
-        asked, slot = in_slots(design * n_mechanisms + label[row], angle, n_designs * n_mechanisms)
-        each = asked.reshape(n_designs, n_mechanisms, -1)[:, self.sharing]
-        found = curves(each)
-        return found.reshape(n_designs, rows.size, *asked.shape[1:])[design, row, slot]
+        whole = rows[row] < 0
+        asked, slot = in_windows(
+            np.where(whole, design, n_designs + design * n_mechanisms + self.sharing[rows[row]]),
+            angle,
+            n_designs * (1 + n_mechanisms),
+        )
+        # What is asked of all stands before what each is asked.
+        n_whole = int(np.max(slot[whole], initial=-1)) + 1
+        n_own = int(np.max(slot[~whole], initial=-1)) + 1
+        n_angles = angle.shape[-1]
+        laid = np.empty((n_designs, n_mechanisms, n_whole + n_own, n_angles))
+        laid[:, :, :n_whole] = asked[:n_designs, np.newaxis, :n_whole]
+        laid[:, :, n_whole:] = asked[n_designs:, :n_own].reshape(n_designs, n_mechanisms, -1, n_angles)[:, self.sharing]
+        found = curves(laid.reshape(n_designs, n_mechanisms, -1))
+        place = np.where(whole, slot, n_whole + slot)
+        return found.reshape(n_designs, rows.size, -1, n_angles)[design, row, place]
 
     def _gas_force(self, angle: Array, motions: Sequence[AnyMotion]) -> Array | None:
         """Force of the gas on every piston toward its shaft, shape (design, piston, n); None without gas."""

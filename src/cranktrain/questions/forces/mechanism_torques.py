@@ -11,7 +11,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.linkage.forces import Reduced, torque_by_work
 from cranktrain.motion import Array
-from cranktrain.questions.forces.forces_times_arms import forces_times_arms
+from cranktrain.questions.forces.forces_times_arms import ForcesTimesArms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
@@ -44,7 +44,11 @@ class MechanismTorques(StageResult):
 
 
 def mechanism_torques(
-    loaded: LoadedMachine, solved: SolvedCycle, on_shafts: LoadsOnShafts | None, crank_angle: CrankAngle
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    times_arms: ForcesTimesArms,
+    on_shafts: LoadsOnShafts | None,
+    crank_angle: CrankAngle,
 ) -> MechanismTorques:
     """Torques by virtual work and by reactions, which share little, and the reduced inertia."""
     by_reactions = driving_torques(loaded, solved.batches)
@@ -61,7 +65,7 @@ def mechanism_torques(
     given = () if on_shafts is None else on_shafts.given
     driving = own - sum(load.value(crank_angle.shown, speed)[:, 0] for load in given)
     # Where forces stand across the way of their pins there is no torque, but rounding of forces times arms.
-    scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1) + np.sum(forces_times_arms(loaded, solved.batches), axis=1)
+    scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1) + np.sum(times_arms.value, axis=1)
     residual = np.max(np.abs(own - np.sum(by_work, axis=1)), axis=-1) / np.where(scale > 0, scale, 1.0)
     return MechanismTorques(
         from_mechanisms=own,

@@ -1,6 +1,6 @@
 """Largest forces: the one way to find them, on the mechanisms between the points of the grid, split at events."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,9 +8,10 @@ from numpy.typing import NDArray
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import Array
-from cranktrain.numerics import Curve, Peak, in_slots, largest_between
+from cranktrain.numerics import Curve, Peak, in_windows, largest_between, peaks_in, windows_between
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
+from cranktrain.record import record
 from cranktrain.wording import number
 
 _ROUNDING = 1e-12
@@ -19,40 +20,78 @@ _NAMED = 4
 """How many one-sided extremes a sentence names."""
 
 
-def largest_of_each(
-    loaded: LoadedMachine,
-    events: ForceEvents,
-    crank_angle: CrankAngle,
-    rows: NDArray[np.intp],
-    samples: Array,
-    pick: Callable[[tuple[SolvedBatch, ...]], Array],
-) -> Peak:
-    """Largest value of curves of which each is of one mechanism, over the cycle.
+@record
+class MachineCurves:
+    """Curves of forces.
+
+    Attributes
+    ----------
+    rows : array of int, shape (curve,)
+        Of which mechanism each is; −1 of the machine as a whole, of which all or none are.
+    samples : Array, shape (design, curve, n)
+        On the grid.
+    pick : callable
+        From what `LoadedMachine.solved` gives to all of them, shape (design, curve, …).
+    """
+
+    rows: NDArray[np.intp]
+    samples: Array
+    pick: Callable[[tuple[SolvedBatch, ...]], Array]
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether they are of the machine as a whole."""
+        return bool(np.all(self.rows < 0))
+
+
+@record
+class ForcePeaks:
+    """Largest values of curves, shapes (design, curve), by the class of these."""
+
+    by_class: Mapping[type[MachineCurves], Peak]
+
+    def of(self, curves: MachineCurves) -> Peak:
+        """Largest values of those curves."""
+        return self.by_class[type(curves)]
+
+
+def largest_together(
+    loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle, each: Sequence[MachineCurves]
+) -> list[Peak]:
+    """Largest values of curves over the cycle, for which the machine is solved once.
 
     Parameters
     ----------
     loaded : LoadedMachine
     events : ForceEvents
     crank_angle : CrankAngle
-    rows : array of int, shape (curve,)
-        Of which mechanism each curve is.
-    samples : Array, shape (design, curve, n)
-        The curves on the grid.
-    pick : callable
-        From what `LoadedMachine.solved` gives to all curves, shape (design, curve, …).
+    each : sequence of MachineCurves
 
     Returns
     -------
-    Peak, shapes (design, curve)
+    list of Peak, shapes (design, curve)
         Angles as shown, in [0, cycle). [rad]
     """
+    rows = np.concatenate([one.rows for one in each])
+    breaks = (events.whole[:, np.newaxis] if one.is_whole else events.angle[:, one.rows] for one in each)
+    windows = [
+        windows_between(crank_angle.shown, one.samples, own - crank_angle.zero)
+        for one, own in zip(each, breaks, strict=True)
+    ]
 
-    def curves(which: NDArray[np.intp], shown: Array) -> Array:
-        angle = shown + crank_angle.zero[which // rows.size, 0]
-        return loaded.of_each(rows, which, angle, lambda each: pick(loaded.solved(each)))
+    def picked(angle: Array) -> Array:
+        solved = loaded.solved(angle)
+        return np.concatenate([one.pick(solved) for one in each], axis=1)
 
-    breaks = events.angle[:, rows] - crank_angle.zero
-    return counted(largest_between(curves, crank_angle.shown, samples, breaks), crank_angle)
+    starts = np.cumsum([0, *(one.rows.size for one in each)])
+    asked = [np.divmod(own.row, one.rows.size) for own, one in zip(windows, each, strict=True)]
+    design = np.concatenate([own for own, _row in asked])
+    row = np.concatenate([start + own for start, (_design, own) in zip(starts, asked, strict=False)])
+    shown = np.concatenate([own.angle for own in windows])
+    values = loaded.of_each(rows, design * rows.size + row, shown + crank_angle.zero[design, 0], picked)
+    ends = np.cumsum([own.row.size for own in windows])[:-1]
+    apart = zip(windows, np.split(values, ends), strict=True)
+    return [counted(peaks_in(own, found), crank_angle) for own, found in apart]
 
 
 def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle) -> Peak:
@@ -76,7 +115,7 @@ def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_
 
     def curves(which: NDArray[np.intp], shown: Array) -> Array:
         design, place = np.divmod(which, n_curves)
-        asked, slot = in_slots(design, shown, n_designs)
+        asked, slot = in_windows(design, shown, n_designs)
         found = curve(asked.reshape(n_designs, 1, -1) + crank_angle.zero)
         return found.reshape(n_designs, n_curves, *asked.shape[1:])[design, place, slot]
 

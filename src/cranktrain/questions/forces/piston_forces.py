@@ -22,11 +22,10 @@ from cranktrain.questions.forces.piston_formulas import (
 from cranktrain.questions.forces.rods_in_pistons import (
     ForcesOfRods,
     RodsInPistons,
+    RodsOnGrid,
     end_residual,
     pin_residual,
-    rods_in_pistons,
 )
-from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 
@@ -85,7 +84,7 @@ class PistonForceSet(StageResult):
 def piston_force_set(
     pistons: Pistons,
     loaded: LoadedMachine,
-    solved: SolvedCycle,
+    rods: RodsOnGrid,
     crank_pins: CrankPinLoads,
     crank_angle: CrankAngle,
 ) -> PistonForceSet:
@@ -98,9 +97,8 @@ def piston_force_set(
     """
     phi = crank_angle.angle
     curves = np.full((7, len(phi), len(FORCE_METHODS), len(pistons.names), phi.shape[-1]), np.nan)
-    found = [(one, one.forces) for one in rods_in_pistons(loaded, solved.batches)]
     residuals: list[Array] = []
-    for one, exact in found:
+    for one, exact in rods.each:
         put(curves[:, :, 0], one.piston, (*exact[:-1], *_at_pin(one, exact, crank_pins)))
         if one.batch.kind.name == DIRECT:
             two_harmonics = two_harmonic_inertia_force(
@@ -114,7 +112,7 @@ def piston_force_set(
     return PistonForceSet(
         *curves,
         labels={"force_method": FORCE_METHODS},
-        checks=tuple(_checks(residuals, end_residual(loaded, found), pin_residual(loaded, found))),
+        checks=tuple(_checks(residuals, end_residual(loaded, rods.each), pin_residual(loaded, rods.each))),
     )
 
 

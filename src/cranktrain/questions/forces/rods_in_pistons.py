@@ -14,6 +14,8 @@ from cranktrain.motion import Array
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.piston_formulas import inertia_force, rod_forces
 from cranktrain.questions.forces.rod_masses import TwoMasses, weighed_ends
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
+from cranktrain.record import record
 
 
 class ForcesOfRods(NamedTuple):
@@ -76,6 +78,12 @@ class RodsInPistons(NamedTuple):
         """Of the guide on the piston: friction along it, and N."""
         return self._joint("guide")
 
+    @property
+    def is_on_pin(self) -> bool:
+        """Whether they sit on a crank pin, which those of slaves do not."""
+        place = self.batch.kind.dynamics.joint("crank_pin")
+        return place is not None and self.batch.kind.dynamics.reactions[place].on == "rod"
+
     def _joint(self, *roles: Role) -> Wrench:
         """Reaction in the mechanism's own joint with the first of some roles that any has."""
         places = (self.batch.kind.dynamics.joint(role) for role in roles)
@@ -102,6 +110,18 @@ def rods_in_pistons(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Ite
                 one.conditions.drive,
                 made.gravity,
             )
+
+
+@record
+class RodsOnGrid:
+    """Rods of pistons on the grid of crank angles, kind by kind, and their forces by the reactions."""
+
+    each: tuple[tuple[RodsInPistons, ForcesOfRods], ...]
+
+
+def rods_on_grid(loaded: LoadedMachine, solved: SolvedCycle) -> RodsOnGrid:
+    """Find the rods of pistons in the cycle, and their forces."""
+    return RodsOnGrid(tuple((one, one.forces) for one in rods_in_pistons(loaded, solved.batches)))
 
 
 def end_residual(loaded: LoadedMachine, rods: Sequence[tuple[RodsInPistons, ForcesOfRods]]) -> Array:

@@ -109,17 +109,23 @@ class GasInChambers(StageResult):
             found[:, filling.places] = filling.fluid.pressure(state, filling.ready)
         return found
 
-    def pressure_slope(self, angle: Array, volume: Coefficient) -> Array:
-        """Derivative of `pressure` by the crank angle, (design, chamber, n); of its jumps it has nothing. [Pa/rad]"""
-        found = np.empty(volume.value.shape)
+    def pressure_and_slope(self, angle: Array, volume: Coefficient) -> Array:
+        """`pressure`, and its derivative by φ, which has nothing of jumps, (2, design, chamber, n). [Pa, Pa/rad]"""
+        found = np.empty((2, *volume.value.shape))
         for filling, state in self._states(angle, volume):
-            found[:, filling.places] = filling.fluid.slope(state, volume.first[:, filling.places], filling.ready)
+            own, fluid = filling.places, filling.fluid
+            found[0][:, own] = fluid.pressure(state, filling.ready)
+            found[1][:, own] = fluid.slope(state, volume.first[:, own], filling.ready)
         return found
 
     def _states(self, angle: Array, volume: Coefficient) -> Iterator[tuple[Filling, ChamberState]]:
         """State of the chambers of each table."""
         state = chamber_state(volume, self.limits, angle - self.firing, np.array(self.cycle))
         for filling in self.fillings:
+            # One table mostly fills all chambers.
+            if filling.places.size == len(self.chambers.names):
+                yield filling, state
+                continue
             parts = (np.broadcast_to(part, volume.value.shape)[:, filling.places] for part in state)
             yield filling, ChamberState(*parts)
 

@@ -1,6 +1,6 @@
 """Pressure of the gas over the cycle, its force on every piston, and, whatever the grid, its work and its peak."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,7 @@ from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import Extreme, around_zero, in_slots, largest_between
+from cranktrain.numerics import Extreme, around_zero, in_windows, largest_between
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.cylinders.volumes import RATIO, SweptVolumes
 from cranktrain.questions.gas.chambers import GasInChambers
@@ -98,7 +98,8 @@ def gas_pressures(
     phi = crank_angle.angle
     displacement = motion.piston_displacement
     volume = gas.volume_by(Coefficient(gas.tops - displacement.value, -displacement.first, -displacement.second))
-    pressure = gas.pressure(phi, volume)
+    curves = gas.pressure_and_slope(phi, volume)
+    pressure, slope = curves
     # In closed form, or exactly over what was laid through samples.
     work = gas.by_chamber((one, one.fluid.work(one.ready, one.rooms)) for one in gas.fillings)
     firing, _opposite = gas.dead_centres(travel)
@@ -106,9 +107,7 @@ def gas_pressures(
     def shown(after: Array) -> Array:
         return crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0]
 
-    slope = gas.pressure_slope(phi, volume)
-    crest = _largest(gas, events, firing, crank_angle, pressure, gas.pressure)
-    rise = _largest(gas, events, firing, crank_angle, slope, gas.pressure_slope)
+    crest, rise = _largest(gas, events, firing, crank_angle, curves)
     return GasPressures(
         gas_pressure=pressure,
         gas_pressure_slope=slope,
@@ -131,14 +130,9 @@ def _unlikely_pressures(gas: GasInChambers, fires: NDArray[np.bool_], peak: Arra
 
 
 def _largest(
-    gas: GasInChambers,
-    events: GasEvents,
-    firing: Array,
-    crank_angle: CrankAngle,
-    samples: Array,
-    find: Callable[[Array, Coefficient], Array],
-) -> Extreme:
-    """Largest of what is found in chambers by φ and their volumes, shape (design, chamber).
+    gas: GasInChambers, events: GasEvents, firing: Array, crank_angle: CrankAngle, curves: Array
+) -> Iterator[Extreme]:
+    """Largest pressure and steepest rise in chambers, of which the curves are given, shape (design, chamber).
 
     At an angle after the dead centre at firing.
     """
@@ -146,14 +140,17 @@ def _largest(
     n_rows, zero = len(gas.firing) * len(places), crank_angle.zero
 
     def own(which: NDArray[np.intp], shown: Array) -> Array:
-        """It in the distinct chambers at their own angles, shape (p, k)."""
-        asked, slot = in_slots(which, shown, n_rows)
+        """They in the distinct chambers at their own angles, shape (p, k)."""
+        curve, row = np.divmod(which, n_rows)
+        asked, slot = in_windows(row, shown, n_rows)
         phi = asked.reshape(len(gas.firing), len(places), -1) + zero
-        found = gas.at_own(phi, places, lambda angle: find(angle, gas.volume(angle)))
-        return found.reshape(asked.shape)[which, slot]
+        found = gas.at_own(phi, places, lambda angle: gas.pressure_and_slope(angle, gas.volume(angle)))
+        return found.reshape(len(curves), *asked.shape)[curve, row, slot]
 
-    found = largest_between(own, crank_angle.shown, samples[:, places], events.angle[:, places] - zero)
+    found = largest_between(own, crank_angle.shown, curves[:, :, places], events.angle[:, places] - zero)
     after = around_zero(found.angle + zero[..., 0] - firing[:, places])
     after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
     design = np.arange(len(gas.firing))[:, np.newaxis]
-    return Extreme(after[design, gas.among_distinct], found.value[design, gas.among_distinct])
+    return (
+        Extreme(*(part[design, gas.among_distinct] for part in one)) for one in zip(after, found.value, strict=True)
+    )

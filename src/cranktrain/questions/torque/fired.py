@@ -69,23 +69,3 @@ def fired(torque: Array, firing_angle: Array, cycle: float = TURN) -> Array:
         spread = curve(later, np.arange(n_points, dtype=float) * (cycle / n_points))
     place = np.mod(np.arange(n_points, dtype=float) - whole[..., np.newaxis], n_points).astype(np.intp)
     return np.take_along_axis(spread, np.broadcast_to(place, spread.shape), axis=-1)
-
-
-def journal_torque(throw_torque: Array) -> Array:
-    """Torque that each main journal passes on, gathered from the free end toward the flywheel.
-
-    Parameters
-    ----------
-    throw_torque : Array, shape (..., throw, n)
-        Torque of each throw's pistons, throw 1 at the free end. [N·m]
-
-    Returns
-    -------
-    Array, shape (..., throw + 1, n)
-        Journal 0 stands before throw 1, the last one at the flywheel, where all of it comes out. [N·m]
-
-    Notes
-    -----
-    The shaft is rigid and turns evenly: its own inertia takes no part. docs/theory/harmonics-and-orders, eq. (15.13).
-    """
-    return np.concatenate([np.zeros_like(throw_torque[..., :1, :]), np.cumsum(throw_torque, axis=-2)], axis=-2)

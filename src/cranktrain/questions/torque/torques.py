@@ -1,6 +1,5 @@
 """Torque of a whole machine: on each shaft, through the gear between shafts, and gathered along each shaft."""
 
-from collections.abc import Iterator
 from dataclasses import field
 
 import numpy as np
@@ -14,13 +13,12 @@ from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.numerics.gathering import gathered
-from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.forces_times_arms import forces_times_arms
+from cranktrain.questions.forces.forces_times_arms import ForcesTimesArms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import driving_torques
-from cranktrain.questions.forces.peaks import largest_of_machine, one_sided, without_rounding
+from cranktrain.questions.forces.peaks import ForcePeaks, one_sided, without_rounding
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
-from cranktrain.questions.torque.fired import journal_torque
+from cranktrain.questions.forces.torque_curves import TorqueCurves, passed_torques
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
@@ -84,10 +82,12 @@ def _placed(torque: float, angle: float) -> str:
 def shaft_torques(
     loaded: LoadedMachine,
     solved: SolvedCycle,
+    times_arms: ForcesTimesArms,
     shafts: Shafts,
     crank_angle: CrankAngle,
     sources: TorqueSources,
-    events: ForceEvents,
+    curves: TorqueCurves,
+    peaks: ForcePeaks,
 ) -> ShaftTorques:
     """Torque on every shaft over the cycle, its mean by quadrature, and extremes refined on the mechanisms.
 
@@ -100,8 +100,10 @@ def shaft_torques(
     by_shaft = gathered(by_mechanism, shafts.shaft, len(shafts.names))
     whole = np.sum(by_shaft, axis=1)
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
-    gross = np.sum(forces_times_arms(loaded, solved.batches), axis=-1)
-    largest, opposite, in_journals = _peaks(loaded, solved, shafts, events, crank_angle)
+    gross = np.sum(times_arms.value, axis=-1)
+    largest, opposite, in_journals = (
+        Peak(*(part[:, rows] for part in peaks.of(curves))) for rows in (0, 1, slice(2, None))
+    )
     most = without_rounding(largest, gross)
     least = without_rounding(opposite._replace(value=-opposite.value), gross)
     return ShaftTorques(
@@ -115,24 +117,6 @@ def shaft_torques(
         labels={"shaft": shafts.names},
         flags=tuple(one_sided([(_("largest torque"), most), (_("smallest torque"), least)])),
     )
-
-
-def _peaks(
-    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, events: ForceEvents, crank_angle: CrankAngle
-) -> Iterator[Peak]:
-    """Largest torque of all mechanisms, largest against it, shapes (design,), and size in the journals, all at once."""
-
-    def curves(driving: Array) -> Array:
-        whole = np.sum(driving, axis=1, keepdims=True)
-        return np.concatenate([-whole, whole, np.abs(_passed(driving, shafts))], axis=1)
-
-    found = largest_of_machine(
-        lambda angle: curves(driving_torques(loaded, loaded.solved(angle))),
-        curves(driving_torques(loaded, solved.batches)),
-        events,
-        crank_angle,
-    )
-    return (Peak(*(part[:, rows] for part in found)) for rows in (0, 1, slice(2, None)))
 
 
 @record
@@ -159,18 +143,8 @@ def journal_torques(
 
     What a gear takes or brings is reckoned at the flywheel's end. docs/theory/harmonics-and-orders, eq. (15.13).
     """
-    passed = _passed(driving_torques(loaded, solved.batches), shafts)
+    passed = passed_torques(driving_torques(loaded, solved.batches), shafts)
     return JournalTorques(passed, torques.in_journals, labels={"journal": shafts.journals})
-
-
-def _passed(driving: Array, shafts: Shafts) -> Array:
-    """Torque that every journal passes on, from what must drive each mechanism, shape (design, journal, n)."""
-    rows: list[Array] = []
-    for shaft, n_throws in enumerate(shafts.n_throws):
-        own = shafts.shaft == shaft
-        by_throw = gathered(-driving[:, own], shafts.throw[own], n_throws)
-        rows.append(journal_torque(by_throw))
-    return np.concatenate(rows, axis=1)
 
 
 @record

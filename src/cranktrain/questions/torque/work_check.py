@@ -7,7 +7,7 @@ from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
-from cranktrain.questions.forces.forces_times_arms import forces_times_arms, forces_times_places
+from cranktrain.questions.forces.forces_times_arms import ForcesTimesArms, forces_times_places
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.pressures import GasPressures
@@ -40,6 +40,7 @@ class LoadBalance(StageResult):
 def load_balance(
     loaded: LoadedMachine,
     solved: SolvedCycle,
+    times_arms: ForcesTimesArms,
     loads: LoadWork,
     pressures: GasPressures | None,
     sources: TorqueSources,
@@ -52,18 +53,18 @@ def load_balance(
     if pressures is not None:
         works = np.concatenate([works, pressures.indicated_work], axis=-1)
     done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
-    residual = np.abs(done - np.sum(works, axis=-1)) / _work_size(works, loaded, solved)
+    residual = np.abs(done - np.sum(works, axis=-1)) / _work_size(works, loaded, solved, times_arms)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of loads and gas")
     return LoadBalance(checks=(Check("load_work", sentence, residual, _LIMIT),))
 
 
-def _work_size(works: Array, loaded: LoadedMachine, solved: SolvedCycle) -> Array:
+def _work_size(works: Array, loaded: LoadedMachine, solved: SolvedCycle, times_arms: ForcesTimesArms) -> Array:
     """What works are to be compared with, shape (design,). [J]
 
     They may be none, and what works on the shaft may cancel: that leaves rounding of forces times arms. Where links are
     far longer than the stroke their places are rounded, and the way that is left of them.
     """
-    on_the_way = np.sum(forces_times_arms(loaded, solved.batches), axis=1)
+    on_the_way = np.sum(times_arms.value, axis=1)
     there = np.sum(forces_times_places(loaded, solved.batches), axis=1)
     size = np.maximum(np.sum(np.abs(works), axis=-1), np.maximum(_SHARE * on_the_way, _FAR * there))
     return np.where(size > 0, size, 1.0)
@@ -72,6 +73,7 @@ def _work_size(works: Array, loaded: LoadedMachine, solved: SolvedCycle) -> Arra
 def work_balance(
     loaded: LoadedMachine,
     solved: SolvedCycle,
+    times_arms: ForcesTimesArms,
     pressures: GasPressures,
     sources: TorqueSources,
     crank_angle: CrankAngle,
@@ -90,6 +92,6 @@ def work_balance(
         return WorkBalance(total)
     # What inertia takes at a moment of acceleration, the shaft does not get.
     done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
-    residual = np.abs(done - total) / _work_size(works, loaded, solved)
+    residual = np.abs(done - total) / _work_size(works, loaded, solved, times_arms)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas")
     return WorkBalance(total, checks=(Check("work", sentence, residual, _LIMIT),))

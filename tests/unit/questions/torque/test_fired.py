@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from cranktrain.numerics.harmonics import curve, harmonics
-from cranktrain.questions.torque.fired import fired, firing_angles, journal_torque
+from cranktrain.questions.forces.torque_curves import journal_torque
+from cranktrain.questions.torque.fired import fired, firing_angles
 from cranktrain.questions.torque.stars import phase_stars, shaft_harmonics
 
 FEW = settings(max_examples=40, deadline=None, derandomize=True)

@@ -1,0 +1,27 @@
+"""Largest forces and torques: the machine is solved once, in all windows in which what is asked may be largest."""
+
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.guides import GuideCurves
+from cranktrain.questions.forces.joint_forces import JointCurves
+from cranktrain.questions.forces.largest_forces import PistonCurves
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.peaks import ForcePeaks, largest_together
+from cranktrain.questions.forces.torque_curves import TorqueCurves
+
+CURVES = (JointCurves, PistonCurves, GuideCurves, TorqueCurves)
+
+
+def force_peaks(
+    loaded: LoadedMachine,
+    events: ForceEvents,
+    crank_angle: CrankAngle,
+    joints: JointCurves | None,
+    pistons: PistonCurves | None,
+    guides: GuideCurves | None,
+    torques: TorqueCurves | None,
+) -> ForcePeaks:
+    """Look for the largest values of those curves that there are: only of what is asked."""
+    each = [one for one in (joints, pistons, guides, torques) if one is not None]
+    found = largest_together(loaded, events, crank_angle, each)
+    return ForcePeaks({type(one): peak for one, peak in zip(each, found, strict=True)})
