@@ -20,8 +20,9 @@ def test_example(typed):
     answer = typed("textbook", "--drive", "example")
     assert (answer.status, answer.errors) == (0, "")
     assert all(len(line) <= 80 for line in answer.output.splitlines())
-    active, dry, printed, refuted = rows(answer.output, "(14)")
-    assert active == ["right", "18.56", "29.86", "112.8°", "-25.397", "334.4°", "2.8069", "19.165", "705.4"]
+    active, same, dry, printed, refuted = rows(answer.output, "(14)")
+    assert active == ["right", "18.56", "29.86", "112.8°", "-24.981", "334.4°", "2.9226", "19.053", "734.5"]
+    assert same == ["right", "18.56", "29.86", "112.8°", "-25.397", "334.4°", "2.8069", "19.165", "705.4"]
     assert dry[2:] == ["29.86", "112.8°", "35.485", "334.4°", "19.747", "22.204", "4963.0"]
     assert printed[2:] == ["29.86", "112.8°", "-35.485", "334.4°", "0", "22.204", "0.0"]
     assert refuted[2:6] == ["29.377", "105.2°", "-25.494", "317.0°"]
