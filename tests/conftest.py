@@ -39,11 +39,15 @@ class _Stopwatch:
 
     def __init__(self) -> None:
         self.measured: defaultdict[str, float] = defaultdict(float)
+        self.prepared: defaultdict[str, float] = defaultdict(float)
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Add a part."""
         self.measured[report.nodeid] += report.duration
+        if report.when == "setup":
+            file = report.nodeid.partition("::")[0]
+            self.prepared[file] = max(self.prepared[file], report.duration)
 
     def pytest_sessionfinish(self) -> None:
         """Write all."""
-        write_times(self.measured, read_times())
+        write_times(self.measured, self.prepared, read_times())

@@ -1,7 +1,7 @@
 """Which tests are quick: measured times decide, those of `times.txt` beside this file.
 
 `pytest --measure` writes them anew. A function whose cases take less than a tenth of a second together is quick with
-all of them; of any other the quickest case stands for it, if that is quick itself. The blocks of a document go
+all of them; of any other the quickest case stands for it, if that takes as little. The blocks of a document go
 together, as later ones rest on those before. What was never measured is quick.
 """
 
@@ -10,10 +10,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 TABLE = Path(__file__).parent / "times.txt"
-TOGETHER = 0.1
-"""So long may all cases of a function take to be quick, and a document. [s]"""
-ALONE = 0.15
-"""So long may the quickest case of any other function take. [s]"""
+LONG = 0.1
+"""What takes longer is not quick. [s]"""
 
 
 class Times(NamedTuple):
@@ -39,13 +37,14 @@ def read_times() -> dict[str, Times]:
 def is_quick(case: str, times: Mapping[str, Times]) -> bool:
     """Whether a case belongs to those that are run while working."""
     of = times.get(owner_of(case))
-    return of is None or of.together < TOGETHER or (case == of.quickest and of.alone < ALONE)
+    return of is None or of.together < LONG or (case == of.quickest and of.alone < LONG)
 
 
-def write_times(measured: Mapping[str, float], known: Mapping[str, Times]) -> None:
+def write_times(measured: Mapping[str, float], prepared: Mapping[str, float], known: Mapping[str, Times]) -> None:
     """Write what cases took [s], with what is known of those that were not run.
 
-    A case that is run without others may take longer than among them: what they share, another had found for it.
+    A case that is run without others may take longer than among them: what they share, another had found for it. So
+    what a case of a file was prepared for [s], which others of the file may need, counts for all that the file has.
     """
     cases: dict[str, dict[str, float]] = {}
     for case, seconds in measured.items():
@@ -54,7 +53,8 @@ def write_times(measured: Mapping[str, float], known: Mapping[str, Times]) -> No
     for owner, own in cases.items():
         quickest, before = min(own, key=lambda case: (own[case], case)), known.get(owner)
         is_part = before is not None and set(own) == {before.quickest}
-        together = max(before.together, own[quickest]) if is_part else sum(own.values())
-        found[owner] = Times(together, together if owner.endswith(".md") else own[quickest], quickest)
-    rows = (f"{of.together:8.2f} {of.alone:7.2f} {of.quickest}\n" for of in found.values() if of.together >= TOGETHER)
+        ready = prepared.get(owner.partition("::")[0], 0.0)
+        together = max(before.together, own[quickest]) if is_part else max(sum(own.values()), ready)
+        found[owner] = Times(together, together if owner.endswith(".md") else max(own[quickest], ready), quickest)
+    rows = (f"{of.together:8.2f} {of.alone:7.2f} {of.quickest}\n" for of in found.values() if of.together >= LONG)
     TABLE.write_text("".join(sorted(rows, key=lambda row: row.split(maxsplit=2)[2])), encoding="utf-8")
