@@ -213,15 +213,15 @@ def _kind_masses(
     places: Sequence[PlacedMechanism], given: Weighed, cranks: Mapping[str, BodySpec | None], n_designs: int
 ) -> MechanismMasses:
     """Masses of mechanisms of one kind, found once for all of which the file says the same: mostly that is all."""
-    told = [_told(place, given, cranks) for place in places]
-    one_of = dict(zip(told, places, strict=True))
+    said = [_said_of(place, given, cranks) for place in places]
+    one_of = dict(zip(said, places, strict=True))
     number = {key: i for i, key in enumerate(one_of)}
-    origin = np.array([number[key] for key in told], dtype=np.intp)
+    origin = np.array([number[key] for key in said], dtype=np.intp)
     own = [_place_masses(place, given, cranks.get(place.name)) for place in one_of.values()]
     return mapped(lambda _name, values: values[:, origin], stacked(own, n_designs))
 
 
-def _told(place: PlacedMechanism, given: Weighed, cranks: Mapping[str, BodySpec | None]) -> object:
+def _said_of(place: PlacedMechanism, given: Weighed, cranks: Mapping[str, BodySpec | None]) -> object:
     """All that the masses of a mechanism hang on, but for its kind: what is equal is the same."""
     lengths = (_length(place, part) for part in place.kind.dynamics.moving)
     numbers = [ZERO if length is None else length for length in lengths]
