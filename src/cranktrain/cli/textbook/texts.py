@@ -68,7 +68,8 @@ def show_equation(number: str, source: str | None, *, others: Mapping[str, str |
     texts = [text_called(source)] if source else TEXTS
     found = with_equation(number, texts)
     if not found:
-        numbers = ", ".join(one.number for text in texts for one in text.formulas if one.number.startswith("("))
+        every = dict.fromkeys(one.number for text in texts for one in text.formulas if one.number.startswith("("))
+        numbers = ", ".join(every)
         missing = _("must be the number of a formula or figure: {numbers}").format(numbers=numbers)
         raise InputError([Problem("--equation", number, missing)])
     with page(_("By the number {number}").format(number=number)) as console:
