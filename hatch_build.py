@@ -7,7 +7,7 @@ from typing import Any
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 
-class MadeWhenBuilt(BuildHookInterface):  # type: ignore[type-arg]
+class MadeWhenBuilt(BuildHookInterface):
     """Makes them in the tree, from which the archive of the sources and the package take them."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:

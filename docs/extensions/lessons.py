@@ -139,7 +139,7 @@ class _Followed(NotebookClientBase):
                 cell.execution_count = number
                 try:
                     cell.outputs = shell.follow(cell.source)
-                except Exception as error:
+                except Exception as error:  # a cell may raise anything, and whatever it is ends the build
                     raise ExecutionError(f"{self.path}, cell {number}:\n{cell.source}") from error
 
 

@@ -85,7 +85,7 @@ class Stage:
         """Parameters that may be None: never reported as missing."""
         return needs_of(self.function).optional
 
-    @property
+    @cached_property
     def wanted(self) -> frozenset[type]:
         """Types for which other stages are run."""
         return frozenset(self.needs.values()).difference(self.beside)

@@ -13,6 +13,7 @@ from cranktrain.questions.crankshaft.designs_alike import Alike
 from cranktrain.questions.crankshaft.frame_spans import bent_spans
 from cranktrain.questions.crankshaft.shaft import Crankshaft
 from cranktrain.questions.crankshaft.shaft_loads import ActingPlaces
+from cranktrain.questions.crankshaft.walked_spans import span_by_span
 
 
 class EquivalentStiffness(NamedTuple):
@@ -149,10 +150,8 @@ def _displaced_pin(
     shaft: Crankshaft, line: CrankLine, spans: NDArray[np.intp], first: NDArray[np.intp], n_pieces: int, pin: int
 ) -> Array:
     """Displacement of the pins of some spans, each the piece of the same place among as many, (design, span, 2)."""
-    n_designs, place = shaft.supports.place.shape[0], shaft.supports.place
-    own = line.part(np.tile(np.arange(n_designs, dtype=np.intp), spans.size), np.repeat(first, n_designs), n_pieces)
-    left, right = place[:, spans].T.ravel(), place[:, spans + 1].T.ravel()
-    bounds = [left, *own.pieces.bounds[:, 1:-1].T, right]
+    own, bounds = span_by_span(line, shaft.supports.place, spans, first, n_pieces)
+    left, right = bounds[0], bounds[-1]
     middle = 0.5 * (own.pieces.bounds[:, pin] + own.pieces.bounds[:, pin + 1])
     arm = own.axes[:, pin]
     before, behind = _of_unit_force(left, right, middle, arm)
@@ -170,7 +169,7 @@ def _displaced_pin(
     shift = found.shift + slope * (middle - left)[:, np.newaxis, np.newaxis, np.newaxis]
     twist = -at.twist[..., np.newaxis] * np.stack([-arm[..., 1], arm[..., 0]], axis=-1)
     moved = _along((shift + twist)[:, 0], _axes(own.pieces.angle[:, pin]))
-    return moved.reshape(spans.size, n_designs, 2).swapaxes(0, 1)
+    return moved.reshape(spans.size, -1, 2).swapaxes(0, 1)
 
 
 def _of_unit_force(left: Array, right: Array, middle: Array, arm: Array) -> tuple[Inner, Inner]:

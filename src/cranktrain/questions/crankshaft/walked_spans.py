@@ -93,8 +93,7 @@ class WalkedSpans(NamedTuple):
         self, places: ActingPlaces, loads: NDArray[np.intp], slot: NDArray[np.intp], piece: NDArray[np.intp]
     ) -> Bent:
         """Where loads act on pieces: fixed to the section in which they stand, or to the nearest end of their piece."""
-        rows, designs, piece = self._rows(slot, piece)
-        load = np.repeat(loads, rows.size // loads.size)
+        load, rows, designs, piece = self._rows(loads, slot, piece)
         part = self.line.part(designs, places.piece[load], 1)
         begin, end, z = self.bounds[piece, rows], self.bounds[piece + 1, rows], places.z[designs, load]
         way = np.clip(z - begin, 0.0, end - begin)
@@ -106,8 +105,7 @@ class WalkedSpans(NamedTuple):
         self, places: ActingPlaces, loads: NDArray[np.intp], slot: NDArray[np.intp], web: NDArray[np.intp]
     ) -> Bent:
         """Where loads act on webs: fixed to the section of the web's line that they are beside."""
-        rows, designs, web = self._rows(slot, web)
-        load = np.repeat(loads, rows.size // loads.size)
+        load, rows, designs, web = self._rows(loads, slot, web)
         part = self.line.part(designs, places.piece[load], 2)
         arm = polar(places.radius, places.angle)[designs, load]
         aside, (along, length) = arm - part.axes[:, 0], web_line(part, 0)
@@ -118,13 +116,13 @@ class WalkedSpans(NamedTuple):
         return self._held(displaced(here, rest, z - self.bounds[web + 1, rows]), rows, arm, z)
 
     def _rows(
-        self, slot: NDArray[np.intp], part: NDArray[np.intp]
-    ) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.intp]]:
-        """Rows of loads that are in some of these spans, load by load; their designs, and their pieces or webs."""
+        self, loads: NDArray[np.intp], slot: NDArray[np.intp], part: NDArray[np.intp]
+    ) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.intp], NDArray[np.intp]]:
+        """Each load once for every design: which it is, its row of these spans, its design, its piece or web."""
         n_designs = self.bounds.shape[1] // self.spans.size
         design = np.arange(n_designs, dtype=np.intp)
         rows: NDArray[np.intp] = slot[:, np.newaxis] * n_designs + design
-        return rows.ravel(), np.tile(design, slot.size), np.repeat(part, n_designs)
+        return np.repeat(loads, n_designs), rows.ravel(), np.tile(design, loads.size), np.repeat(part, n_designs)
 
     def _held(self, at: Bent, rows: NDArray[np.intp], arm: Array, z: Array) -> Bent:
         """What is at an arm from the axis and at z, in spans of which both ends stay at their bearings."""
@@ -147,9 +145,8 @@ def walked_spans(line: CrankLine, supports: Supports, webs: NDArray[np.intp], sp
     n_designs, n_bearings = supports.place.shape
     first = np.sum(webs <= spans[:, np.newaxis], axis=-1)
     n_pieces = int(np.sum(webs == spans[0] + 1)) + 1
-    own = line.part(np.tile(np.arange(n_designs, dtype=np.intp), spans.size), np.repeat(first, n_designs), n_pieces)
-    left, right = (supports.place[:, which].T.ravel() for which in (spans, spans + 1))
-    bounds = [left, *own.pieces.bounds[:, 1:-1].T, right]
+    own, bounds = span_by_span(line, supports.place, spans, first, n_pieces)
+    left, right = bounds[0], bounds[-1]
     inner, at = of_unit_moments(left, right), unbent(left.size)
     pieces: list[Bent] = []
     before_webs: list[Bent] = []
@@ -166,6 +163,19 @@ def walked_spans(line: CrankLine, supports: Supports, webs: NDArray[np.intp], sp
     along = np.where(holds_right[:, np.newaxis, np.newaxis], -at.along, 0.0)
     rigid = Bent(np.zeros_like(slope), slope, -at.twist, along)
     return WalkedSpans(line, spans, first, np.stack(bounds), inner, _stacked(pieces), _stacked(before_webs), at, rigid)
+
+
+def span_by_span(
+    line: CrankLine, place: Array, spans: NDArray[np.intp], first: NDArray[np.intp], n_pieces: int
+) -> tuple[CrankLine, list[Array]]:
+    """Lines of spans with as many pieces each, from a first one on, a row for each design; and z of their bounds.
+
+    Bounds are the left bearing, the middle of every web, and the right bearing.
+    """
+    n_designs = len(place)
+    own = line.part(np.tile(np.arange(n_designs, dtype=np.intp), spans.size), np.repeat(first, n_designs), n_pieces)
+    left, right = (place[:, which].T.ravel() for which in (spans, spans + 1))
+    return own, [left, *own.pieces.bounds[:, 1:-1].T, right]
 
 
 def _stacked(each: Sequence[Bent]) -> Bent:
