@@ -4,11 +4,11 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from cranktrain.references import REFERENCES
-from cranktrain.textbook.errata import ERRATA
-from cranktrain.textbook.texts import TEXTS, Formula, Text
+from cranktrain.texts.contents import TEXTS, Formula, Text
+from cranktrain.texts.errata import ERRATA
 
 FOLDER = Path(__file__).parent / "texts"
-_MADE = "% Made by docs/text_pages.py from src/cranktrain/textbook/texts: change it there.\n"
+_MADE = "% Made by docs/text_pages.py from src/cranktrain/texts/contents: change it there.\n"
 _HEAD = ("number", "what it is", "is it right, and in which range?", "to see it")
 
 

@@ -13,7 +13,7 @@ import pytest
 from tests.machines import ROCKER, V12, slave, slider, throws
 
 import cranktrain as ct
-from cranktrain import textbook
+from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import STAGES, ordered
 from cranktrain.analysis.dimensions import DIMENSIONS
@@ -119,7 +119,7 @@ def examples():
 
 GROUPS = {question.name: question.stages for question in QUESTIONS} | {
     "kinds": [stage for stage in STAGES if stage.gives.__module__.startswith("cranktrain.mechanisms.")],
-    "textbook": textbook.STAGES,
+    "textbook": texts.STAGES,
 }
 """Stages by what they answer."""
 

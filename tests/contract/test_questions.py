@@ -10,7 +10,7 @@ from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 import pytest
 
-from cranktrain import textbook
+from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import STAGES
 from cranktrain.analysis.dimensions import DIMENSIONS
@@ -132,7 +132,7 @@ def test_dimensions_are_declared_once():
     declared = (
         *layout.DIMENSIONS,
         *(one for question in QUESTIONS for one in question.dimensions),
-        *textbook.DIMENSIONS,
+        *texts.DIMENSIONS,
     )
     assert [name for name, n in Counter(dimension.name for dimension in declared).items() if n > 1] == []
 

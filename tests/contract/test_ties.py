@@ -31,8 +31,8 @@ EXEMPT = {
     "questions/drive/steady_cycle.py": "the value alone, about the largest sample",
     "questions/pumping/turn_pieces.py": "the sample of a piece about which its top is looked for",
     "synthesis/four_bars.py": "the sample about which a root is looked for",
-    "textbook/drive_errata.py": "the value alone",
-    "textbook/drive_verdicts.py": "the value alone",
+    "texts/drive_errata.py": "the value alone",
+    "texts/drive_verdicts.py": "the value alone",
     "viz/plans/force_rooms.py": "the scale alone",
     "viz/throw/scene.py": "numbers of throws",
 }

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cranktrain.synthesis.slider_crank import slider_crank_from_stroke
-from cranktrain.textbook import slider_crank_synthesis as source
+from cranktrain.texts import slider_crank_synthesis as source
 
 STEPS = {(step.printed, step.step): step for step in source.wrong_steps()}
 

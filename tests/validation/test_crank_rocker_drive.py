@@ -16,12 +16,12 @@ from tests.reference_case import ReferenceCase
 import cranktrain as ct
 from cranktrain.mechanisms.crank_rocker.kinematics import crank_rocker
 from cranktrain.plans.machine_drive import drive_data
-from cranktrain.textbook.crank_rocker_drive import centre_distances, directions, efficiency
-from cranktrain.textbook.drive_curves import carried, curve_facts, dead_positions, drive_curves, integral, values_at
-from cranktrain.textbook.drive_errata import drive_example
-from cranktrain.textbook.drive_table import read_drive
-from cranktrain.textbook.drive_verdicts import absurdities, pin_friction, swing
-from cranktrain.textbook.friction_circles import FrictionRadii, rubbing_links
+from cranktrain.texts.crank_rocker_drive import centre_distances, directions, efficiency
+from cranktrain.texts.drive_curves import carried, curve_facts, dead_positions, drive_curves, integral, values_at
+from cranktrain.texts.drive_errata import drive_example
+from cranktrain.texts.drive_table import read_drive
+from cranktrain.texts.drive_verdicts import absurdities, pin_friction, swing
+from cranktrain.texts.friction_circles import FrictionRadii, rubbing_links
 
 GOLDEN = Path(__file__).parents[1] / "golden/drive"
 EXPECTED = json.loads((GOLDEN / "block_b.json").read_text(encoding="utf-8"))

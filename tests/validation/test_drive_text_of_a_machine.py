@@ -6,7 +6,7 @@ import pytest
 import cranktrain as ct
 from cranktrain.cli.textbook.drive import read_drive_file
 from cranktrain.plans.machine_drive import machine_drive
-from cranktrain.textbook.drive_curves import curve_facts, drive_curves, values_at
+from cranktrain.texts.drive_curves import curve_facts, drive_curves, values_at
 
 OWN = "at the motor, active load, by the stages of [drive]"
 

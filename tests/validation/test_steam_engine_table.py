@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from cranktrain.fluids.indicator.brix import brix_angle
-from cranktrain.textbook import steam_engine
+from cranktrain.texts import steam_engine
 
 ANGLE = np.radians(np.arange(0, 360, 0.02))
 RADIUS = 0.35  # cancels in every relative error

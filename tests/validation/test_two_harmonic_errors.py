@@ -14,8 +14,8 @@ from scipy.optimize import brentq
 
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
-from cranktrain.textbook import articulated_rod
-from cranktrain.textbook.articulated_rod import SlaveHarmonics
+from cranktrain.texts import articulated_rod
+from cranktrain.texts.articulated_rod import SlaveHarmonics
 
 CASE_FOLDER = Path(__file__).parents[1] / "golden/two_harmonic_errors"
 CASE = json.loads((CASE_FOLDER / "case.json").read_text(encoding="utf-8"))

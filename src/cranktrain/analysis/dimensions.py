@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 
-from cranktrain import textbook
+from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.layout import parts
 from cranktrain.layout.question import ResultDimension
@@ -13,7 +13,7 @@ Place = tuple[int | slice, ...]
 
 DIMENSIONS: Mapping[str, ResultDimension] = {
     dimension.name: dimension
-    for dimensions in (parts.DIMENSIONS, *(question.dimensions for question in QUESTIONS), textbook.DIMENSIONS)
+    for dimensions in (parts.DIMENSIONS, *(question.dimensions for question in QUESTIONS), texts.DIMENSIONS)
     for dimension in dimensions
 }
 

@@ -9,7 +9,7 @@ from typing import cast
 
 import numpy as np
 
-from cranktrain import textbook
+from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.brief import brief_fields
 from cranktrain.catalogue import entries
@@ -66,7 +66,7 @@ def homes(stages: tuple[Stage, ...]) -> dict[str, Stage]:
 STAGES: tuple[Stage, ...] = (
     *(stage for question in QUESTIONS for stage in question.stages),
     *(Stage(function) for kind in KINDS for function in kind.stages),
-    *textbook.STAGES,
+    *texts.STAGES,
 )
 """All stages, in the order in which people read their results."""
 

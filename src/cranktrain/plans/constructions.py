@@ -18,13 +18,13 @@ from cranktrain.motion import Array
 from cranktrain.plans.placement import frame, slider_crank_called
 from cranktrain.plans.positions import plan_angles
 from cranktrain.record import record
-from cranktrain.textbook.ranges import RANGES, Range
-from cranktrain.textbook.steam_engine import brix, infinite_rod, largest_difference
+from cranktrain.texts.ranges import RANGES, Range
+from cranktrain.texts.steam_engine import brix, infinite_rod, largest_difference
 
 Method = Literal["arc", "projection", "brix", "brix_backward"]
 
 _RANGES = {"projection": "infinite_rod", "brix": "brix", "brix_backward": "brix"}
-"""Methods of `cranktrain.textbook.ranges` whose range a construction has; the arc has none."""
+"""Methods of `cranktrain.texts.ranges` whose range a construction has; the arc has none."""
 
 
 @record

@@ -7,7 +7,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.questions.evenness.flywheel import FlywheelSize
 from cranktrain.questions.evenness.shaft_work import ShaftWork
-from cranktrain.textbook.flywheel_diagrams import Mertsalov, Wittenbauer, mertsalov, wittenbauer
+from cranktrain.texts.flywheel_diagrams import Mertsalov, Wittenbauer, mertsalov, wittenbauer
 
 
 def wittenbauer_diagram(result: Result) -> Wittenbauer:

@@ -15,8 +15,8 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.questions.drive.running.gearing import stages
 from cranktrain.questions.drive.spec import DriveSpec
-from cranktrain.textbook.crank_rocker_drive import Drivetrain
-from cranktrain.textbook.drive_table import CrankRockerDrive, read_drive
+from cranktrain.texts.crank_rocker_drive import Drivetrain
+from cranktrain.texts.drive_table import CrankRockerDrive, read_drive
 
 _KIND = "crank_rocker"
 _OF_STAGES = frozenset({"i", "eta_p", "eta_sh"})

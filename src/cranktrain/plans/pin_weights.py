@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.machine import Machine
 from cranktrain.plans.machine_drive import inertia_about_pivot
 from cranktrain.plans.schemes import Scheme
-from cranktrain.textbook.crank_rocker_drive import Directions, weight_at_crank_pin, weight_at_rocker_pin
+from cranktrain.texts.crank_rocker_drive import Directions, weight_at_crank_pin, weight_at_rocker_pin
 
 
 class PinWeights(NamedTuple):

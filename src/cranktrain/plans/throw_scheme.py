@@ -3,7 +3,7 @@
 from typing import Literal, NamedTuple
 
 from cranktrain.questions.crankshaft.throw_reactions import throw_length
-from cranktrain.textbook.throw_table import CHAIN, Throw
+from cranktrain.texts.throw_table import CHAIN, Throw
 
 Way = Literal["outward", "inward", "against", "with"]
 At = Literal["journal", "web", "counterweight", "pin", "rod"]

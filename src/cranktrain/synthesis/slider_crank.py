@@ -32,7 +32,7 @@ from cranktrain.synthesis.slider_crank_lengths import (
     shortest_rod_and_offset,
     stroke_of,
 )
-from cranktrain.textbook.slider_crank_synthesis import largest_pressure_angle, rod_by_tangent
+from cranktrain.texts.slider_crank_synthesis import largest_pressure_angle, rod_by_tangent
 from cranktrain.wording import number, precise
 
 Stroke = Literal["toward", "away"]

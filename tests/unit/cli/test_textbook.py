@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from tests.sentences import IS_IT_THE_EXAMPLE, NO_FILE, TEXTBOOK_WITHOUT_FILE
 
-from cranktrain.textbook.errata import ERRATA
+from cranktrain.texts.errata import ERRATA
 
 CENTRAL = """
 [mechanism]

@@ -5,7 +5,7 @@ import shlex
 
 import pytest
 
-from cranktrain.textbook.texts import TEXTS
+from cranktrain.texts.contents import TEXTS
 
 COMMANDS = {one.command: text.name for text in TEXTS for one in text.formulas if one.command}
 

@@ -12,7 +12,7 @@ from cranktrain.fluids.indicator import IndicatorSpec, card_of, indicator_diagra
 from cranktrain.fluids.indicator.chamber import central_ratio
 from cranktrain.fluids.indicator.unrolling import dead_centres_of
 from cranktrain.spec import validated
-from cranktrain.textbook.steam_engine import brix
+from cranktrain.texts.steam_engine import brix
 
 R, L, BORE = 0.045, 0.15, 0.08
 ENGINE = Engine(R, L, BORE, 10.0)

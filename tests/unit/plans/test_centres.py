@@ -12,7 +12,7 @@ import cranktrain as ct
 from cranktrain.errors import InputError
 from cranktrain.mechanisms import KINDS
 from cranktrain.plans.centres import instant_centres
-from cranktrain.textbook.crank_rocker import pin_velocity_ratio
+from cranktrain.texts.crank_rocker import pin_velocity_ratio
 
 ANGLES = (17.0, 75.0, 158.0, 222.0, 301.0)
 R, L, S, G = 0.1, 0.36, 0.28, 0.4

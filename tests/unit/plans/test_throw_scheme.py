@@ -5,7 +5,7 @@ import pytest
 
 from cranktrain.plans.throw_scheme import throw_scheme
 from cranktrain.questions.crankshaft.throw_reactions import throw_constituents, throw_reactions
-from cranktrain.textbook.throw_table import read_throw
+from cranktrain.texts.throw_table import read_throw
 
 SIZES = {"l1": "14 mm", "hL": "22 mm", "l2": "15 mm", "l5": "15 mm", "hP": "24 mm", "l6": "14 mm"}
 MORE = {"rods": "two", "l3": "13 mm", "l4": "14 mm", "lP1": "31 mm", "lP2": "36 mm"}

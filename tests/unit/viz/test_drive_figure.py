@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cranktrain.textbook.drive_errata import drive_example
+from cranktrain.texts.drive_errata import drive_example
 from cranktrain.viz.plans.drive_figure import drive_figure
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from cranktrain.plans.throw_scheme import throw_scheme
-from cranktrain.textbook.throw_table import read_throw
+from cranktrain.texts.throw_table import read_throw
 from cranktrain.viz.plans.throw_scheme import throw_figure, throw_sketch
 
 SIZES = {"l1": "14 mm", "hL": "22 mm", "l2": "15 mm", "l5": "15 mm", "hP": "24 mm", "l6": "14 mm"}

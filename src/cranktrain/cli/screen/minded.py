@@ -8,7 +8,7 @@ from cranktrain.cli.screen.text import folded
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.one_line import visible
-from cranktrain.textbook.comparison import TextbookMotion
+from cranktrain.texts.comparison import TextbookMotion
 
 _MOST_LINES = 3
 """Of one flag; `--full` has the rest."""

@@ -30,7 +30,7 @@ from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest
 from cranktrain.references import REFERENCES
-from cranktrain.textbook.texts import Text, text_called, text_named
+from cranktrain.texts.contents import Text, text_called, text_named
 
 _ERRATA = "errata"
 _OF_CRANK_ROCKERS = "gandzha"

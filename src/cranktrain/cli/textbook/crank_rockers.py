@@ -12,7 +12,7 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
 from cranktrain.numerics import extremes, turn_grid
-from cranktrain.textbook.crank_rocker import pin_velocity_ratio, product_of_sines
+from cranktrain.texts.crank_rocker import pin_velocity_ratio, product_of_sines
 from cranktrain.wording import figure, number, ranged
 
 _STEP = 30

@@ -12,9 +12,9 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
-from cranktrain.textbook.largest_errors import from_bottom, largest_errors
-from cranktrain.textbook.percents import percent
-from cranktrain.textbook.steam_engine import largest_difference, two_harmonics_from_crank_side
+from cranktrain.texts.largest_errors import from_bottom, largest_errors
+from cranktrain.texts.percents import percent
+from cranktrain.texts.steam_engine import largest_difference, two_harmonics_from_crank_side
 from cranktrain.wording import figure, ranged
 
 _STEP = 30

@@ -10,7 +10,7 @@ import numpy as np
 from rich.console import Console
 from rich.text import Text
 
-from cranktrain import textbook
+from cranktrain import texts
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.drive_output import drive_output_problems, write_drive
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
@@ -22,7 +22,7 @@ from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.plans.machine_drive import machine_drive
 from cranktrain.references import REFERENCES
-from cranktrain.textbook.crank_rocker_drive import (
+from cranktrain.texts.crank_rocker_drive import (
     centre_distances,
     crank_pin_force,
     directions,
@@ -30,9 +30,9 @@ from cranktrain.textbook.crank_rocker_drive import (
     rod_force,
     weight_at_rocker_pin,
 )
-from cranktrain.textbook.drive_curves import CurvePeak, curve_facts, dead_positions, drive_curves, values_at
-from cranktrain.textbook.drive_table import DRIVE_KEYS, CrankRockerDrive, read_drive
-from cranktrain.textbook.drive_verdicts import absurdities, pin_friction, swing
+from cranktrain.texts.drive_curves import CurvePeak, curve_facts, dead_positions, drive_curves, values_at
+from cranktrain.texts.drive_table import DRIVE_KEYS, CrankRockerDrive, read_drive
+from cranktrain.texts.drive_verdicts import absurdities, pin_friction, swing
 from cranktrain.wording import figure, number
 
 EXAMPLE = "example"
@@ -134,7 +134,7 @@ def _document(source: str) -> Document:
     """Read the text of a drive's table; a file that says nothing is refused."""
     is_file = os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
     if source.strip().casefold() == EXAMPLE and not is_file:
-        path = Path(textbook.__file__).parent / "drive_example.toml"
+        path = Path(texts.__file__).parent / "drive_example.toml"
         return Document.from_text(path.read_text(encoding="utf-8"), EXAMPLE)
     repair = _("start with: {command}").format(command="cranktrain textbook --drive example -o drive.toml")
     with problems_as(lambda problem: replace(problem, repair=problem.repair or repair)):

@@ -10,9 +10,9 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.io.output import write_machine_file, write_whole
 from cranktrain.language import _
 from cranktrain.one_line import one_line
-from cranktrain.textbook.drive_curves import drive_curves, values_at
-from cranktrain.textbook.drive_table import CrankRockerDrive
-from cranktrain.textbook.friction_circles import rubbing_links
+from cranktrain.texts.drive_curves import drive_curves, values_at
+from cranktrain.texts.drive_table import CrankRockerDrive
+from cranktrain.texts.friction_circles import rubbing_links
 from cranktrain.viz.output import FORMATS, save
 
 _TABLE, _CURVES = ".toml", ".csv"

@@ -11,9 +11,9 @@ from cranktrain.language import _
 from cranktrain.quantities import shown
 from cranktrain.references import REFERENCES
 from cranktrain.synthesis.proposal import quantity_text
-from cranktrain.textbook.errata import ERRATA, SYNTHESIS
-from cranktrain.textbook.slider_crank_synthesis import PIN_SPEED, REQUIREMENTS, ROD_LENGTH, velocity_table
-from cranktrain.textbook.texts import TEXTS, Text
+from cranktrain.texts.contents import TEXTS, Text
+from cranktrain.texts.errata import ERRATA, SYNTHESIS
+from cranktrain.texts.slider_crank_synthesis import PIN_SPEED, REQUIREMENTS, ROD_LENGTH, velocity_table
 
 SOURCE_EXAMPLE = {
     "stroke": quantity_text(REQUIREMENTS.stroke, "mm"),

@@ -6,8 +6,8 @@ from rich.text import Text
 
 from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.motion import Array
-from cranktrain.textbook.largest_errors import LargestErrors
-from cranktrain.textbook.percents import percent
+from cranktrain.texts.largest_errors import LargestErrors
+from cranktrain.texts.percents import percent
 from cranktrain.wording import around_turn, figure
 
 _SYMBOLS = ("Δx", "Δv", "Δj")

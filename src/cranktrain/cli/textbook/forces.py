@@ -13,7 +13,7 @@ from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.plans.force_table import ForceColumn, ForceTable, force_table
-from cranktrain.textbook.percents import percent
+from cranktrain.texts.percents import percent
 from cranktrain.wording import decimals_for, seen, signless
 
 _FIGURES = 5

@@ -13,9 +13,9 @@ from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
-from cranktrain.textbook.comparison import FORMS
-from cranktrain.textbook.percents import percent
-from cranktrain.textbook.ranges import RANGES, Range
+from cranktrain.texts.comparison import FORMS
+from cranktrain.texts.percents import percent
+from cranktrain.texts.ranges import RANGES, Range
 from cranktrain.wording import around_turn, figure, ranged
 
 STEP = 30.0

@@ -15,7 +15,7 @@ from cranktrain.language import _
 from cranktrain.motion import single
 from cranktrain.quantities import Dimension, Quantity
 from cranktrain.questions.torque.rod_harmonics import MOST_RATIO
-from cranktrain.textbook.harmonic_series import (
+from cranktrain.texts.harmonic_series import (
     HarmonicsByMethod,
     acceleration_series,
     torque_series,

@@ -9,8 +9,8 @@ from cranktrain.grouping import grouped, places_of_equal
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line
-from cranktrain.textbook.comparison import TextbookMotion
-from cranktrain.textbook.percents import percent
+from cranktrain.texts.comparison import TextbookMotion
+from cranktrain.texts.percents import percent
 from cranktrain.wording import ranged
 
 _USUAL = ("two_harmonics", "reconstructed")

@@ -15,14 +15,14 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.numerics import around_zero
-from cranktrain.textbook.leads import verdict
-from cranktrain.textbook.opposed import (
+from cranktrain.texts.leads import verdict
+from cranktrain.texts.opposed import (
     combined_stroke,
     opposed_pistons,
     volumetric_dead_centres,
     volumetric_dead_centres_to_first_order,
 )
-from cranktrain.textbook.opposed_errors import OpposedPair, exact_pair, opposed_errors
+from cranktrain.texts.opposed_errors import OpposedPair, exact_pair, opposed_errors
 from cranktrain.wording import figure, number, ranged
 
 _STEP = 30

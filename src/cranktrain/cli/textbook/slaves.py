@@ -11,7 +11,7 @@ from cranktrain.grouping import places_of_equal
 from cranktrain.language import N_, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
-from cranktrain.textbook.articulated_rod import (
+from cranktrain.texts.articulated_rod import (
     SlaveHarmonics,
     derived,
     of_exact_motion,

@@ -9,8 +9,8 @@ from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 from cranktrain.references import REFERENCES
-from cranktrain.textbook.texts import TEXTS, Formula, text_called, with_equation
-from cranktrain.textbook.texts import Text as Source
+from cranktrain.texts.contents import TEXTS, Formula, text_called, with_equation
+from cranktrain.texts.contents import Text as Source
 
 
 def show_texts() -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from rich.console import Console
 from rich.text import Text
 
-from cranktrain import textbook
+from cranktrain import texts
 from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.throw_output import output_problems, write_throw
@@ -27,8 +27,8 @@ from cranktrain.questions.crankshaft.throw_reactions import (
     throw_reactions,
 )
 from cranktrain.references import REFERENCES
-from cranktrain.textbook.throw_conditions import BalanceCondition, balance_conditions
-from cranktrain.textbook.throw_table import CHAIN, Throw, read_throw
+from cranktrain.texts.throw_conditions import BalanceCondition, balance_conditions
+from cranktrain.texts.throw_table import CHAIN, Throw, read_throw
 from cranktrain.wording import figure, number
 
 EXAMPLE = "example"
@@ -107,7 +107,7 @@ def _document(source: str) -> Document:
         raise InputError([Problem("--throw", '""', allowed)])
     is_file = os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
     if source.strip().casefold() == EXAMPLE and not is_file:
-        path = Path(textbook.__file__).parent / "throw_example.toml"
+        path = Path(texts.__file__).parent / "throw_example.toml"
         return Document.from_text(path.read_text(encoding="utf-8"), EXAMPLE)
     repair = _("start with: {command}").format(command="cranktrain textbook --throw example -o throw.toml")
     with problems_as(lambda problem: replace(problem, repair=problem.repair or repair)):

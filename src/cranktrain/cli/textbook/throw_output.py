@@ -8,7 +8,7 @@ from cranktrain.errors import Problem, refuse
 from cranktrain.io.output import write_machine_file
 from cranktrain.language import _
 from cranktrain.one_line import one_line
-from cranktrain.textbook.throw_table import Throw
+from cranktrain.texts.throw_table import Throw
 from cranktrain.viz.output import FORMATS, save
 
 _TABLE = ".toml"

@@ -12,7 +12,7 @@ from cranktrain.plans.centres import Centre, InstantCentres, TurningBody, instan
 from cranktrain.plans.positions import PositionPlan, fitting
 from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.scales import scale_for
-from cranktrain.textbook.crank_rocker import pin_velocity_ratio
+from cranktrain.texts.crank_rocker import pin_velocity_ratio
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Figure, drawing_settings, formula, mathematics

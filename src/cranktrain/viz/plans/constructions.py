@@ -12,8 +12,8 @@ from cranktrain.plans.placement import slider_crank_called
 from cranktrain.plans.positions import chosen_scale, scale_words
 from cranktrain.questions.cylinders.declared import cylinders_of
 from cranktrain.scales import scale_for
-from cranktrain.textbook.largest_errors import errors_by_ratio
-from cranktrain.textbook.percents import percent
+from cranktrain.texts.largest_errors import errors_by_ratio
+from cranktrain.texts.percents import percent
 from cranktrain.viz.figures import aligned, degrees, rounded, with_unit
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings
 from cranktrain.viz.paper.style import MUTED

@@ -11,9 +11,9 @@ from cranktrain.mechanisms.crank_rocker.kinematics import crank_rocker
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of
 from cranktrain.references import REFERENCES
-from cranktrain.textbook.crank_rocker_drive import Directions, centre_distances, crank_pin_force, directions, rod_force
-from cranktrain.textbook.drive_curves import Verdict, curve_facts, dead_positions, drive_curves, values_at
-from cranktrain.textbook.drive_table import CrankRockerDrive
+from cranktrain.texts.crank_rocker_drive import Directions, centre_distances, crank_pin_force, directions, rod_force
+from cranktrain.texts.drive_curves import Verdict, curve_facts, dead_positions, drive_curves, values_at
+from cranktrain.texts.drive_table import CrankRockerDrive
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels

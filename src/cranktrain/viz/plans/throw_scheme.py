@@ -10,7 +10,7 @@ from cranktrain.motion import Array
 from cranktrain.plans.throw_scheme import SchemeForce, SchemeLength, ThrowScheme, throw_scheme
 from cranktrain.references import REFERENCES
 from cranktrain.scales import scale_for
-from cranktrain.textbook.throw_table import Throw
+from cranktrain.texts.throw_table import Throw
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.page import MARGIN, Box, Figure, Page, drawing_settings, fitting_scale, mathematics, paper

@@ -25,7 +25,7 @@ from cranktrain.questions.evenness.flywheel_inertia import (
 from cranktrain.questions.evenness.mean_speed import balancing_coefficient, with_load
 from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, linear_periodic, speed_under_law
 from cranktrain.questions.evenness.speed_over_cycle import steady_speed
-from cranktrain.textbook.flywheel_diagrams import mertsalov, wittenbauer
+from cranktrain.texts.flywheel_diagrams import mertsalov, wittenbauer
 
 FEW = settings(max_examples=40, deadline=None, derandomize=True)
 

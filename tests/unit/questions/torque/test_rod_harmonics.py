@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics, torque_harmonics
-from cranktrain.textbook.harmonic_series import acceleration_series, torque_series, two_harmonic_torque, two_harmonics
+from cranktrain.texts.harmonic_series import acceleration_series, torque_series, two_harmonic_torque, two_harmonics
 
 TABLE = json.loads((Path(__file__).parents[3] / "golden/theory/harmonics_pnskt.json").read_text(encoding="utf-8"))
 TABLE = TABLE["harmonics"]

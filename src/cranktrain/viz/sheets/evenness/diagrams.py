@@ -11,7 +11,7 @@ from cranktrain.motion import Array
 from cranktrain.plans.evenness_diagrams import mertsalov_diagram, wittenbauer_diagram
 from cranktrain.quantities import shown
 from cranktrain.scales import Scale, scale_for
-from cranktrain.textbook.flywheel_diagrams import Tangent
+from cranktrain.texts.flywheel_diagrams import Tangent
 from cranktrain.viz.panel import Curve, OneDesign, Panel, as_shown
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.labels import Wish, placed_labels, together

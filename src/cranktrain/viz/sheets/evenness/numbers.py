@@ -8,7 +8,7 @@ from cranktrain.language import _
 from cranktrain.quantities import shown as in_unit
 from cranktrain.questions.evenness.flywheel import FlywheelSize
 from cranktrain.scales import scale_for
-from cranktrain.textbook.flywheel_diagrams import Tangent
+from cranktrain.texts.flywheel_diagrams import Tangent
 from cranktrain.viz.figures import figure, plain, written_apart
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.page import Page

@@ -1,0 +1,75 @@
+"""The text on reactions of a crankshaft's supports, (44) to (53), fig. 35."""
+
+from cranktrain.language import N_
+from cranktrain.texts.contents.text import Formula, Text
+
+_SPLIT = N_("one throw between two supports, hinged at both")
+_THROW = "cranktrain textbook --throw example"
+_SENSE = N_("x, left open, is against the rotation: only so may it be added to (51), (53); only sums of C8 + C14 occur")
+
+TEXT = Text(
+    name="crankshaft-reactions",
+    title=N_("reactions of a crankshaft's supports, throw by throw"),
+    said_of=N_("crankshafts with their supports, a throw at a time: `cranktrain textbook --throw example`"),
+    letter="E",
+    formulas=(
+        Formula(
+            "(44)",
+            N_("right support, in the crank's plane, of centrifugal forces"),
+            "right",
+            _THROW,
+            _SPLIT,
+            N_("C3 and C5 hold what turns of the rods, so K must not; l is no input but the sum of the chain"),
+        ),
+        Formula(
+            "(45)",
+            N_("right support, across the crank's plane, of centrifugal forces"),
+            "right",
+            _THROW,
+            _SPLIT,
+            _SENSE,
+        ),
+        Formula("(46)", N_("left support, in the crank's plane, of centrifugal forces"), "right", _THROW, _SPLIT),
+        Formula(
+            "(47)", N_("left support, across the crank's plane, of centrifugal forces"), "right", _THROW, _SPLIT, _SENSE
+        ),
+        Formula(
+            "(48)",
+            N_("the first throw's four, with external counterweights"),
+            "right",
+            _THROW,
+            _SPLIT,
+            N_("C10 is with the rotation"),
+        ),
+        Formula(
+            "(49)",
+            N_("the last throw's four, with external counterweights"),
+            "right",
+            _THROW,
+            _SPLIT,
+            N_(
+                "C12 is against the rotation; (48) and (49), or end moments of the continuous beam: both count the "
+                "counterweights twice"
+            ),
+        ),
+        Formula(
+            "fig. 35",
+            N_("loads and lengths of a throw"),
+            "right",
+            "cranktrain textbook --throw example -o throw.svg",
+            note=N_("l7, which it has, occurs in no formula"),
+        ),
+        Formula("(50)", N_("right support, in the crank's plane, of the rods' normal forces"), "right", _THROW, _SPLIT),
+        Formula("(51)", N_("right support, of the rods' tangential forces"), "right", _THROW, _SPLIT),
+        Formula("(52)", N_("left support, in the crank's plane, of the rods' normal forces"), "right", _THROW, _SPLIT),
+        Formula("(53)", N_("left support, of the rods' tangential forces"), "right", _THROW, _SPLIT),
+        Formula(
+            "after (53)",
+            N_("“a fully balanced throw has no reactions of rotating masses”"),
+            "right in a range",
+            _THROW,
+            N_("static and dynamic balance: ΣC = 0 and ΣCz = 0 in both planes"),
+            N_("C4 balanced by C1 alone leaves R_KCP = −C4(2l2 + 2l3 + hL)/2l"),
+        ),
+    ),
+)

@@ -1,0 +1,166 @@
+"""What the texts hold: every number of theirs is there, and what is said of a formula follows from its closed form."""
+
+import re
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+import cranktrain as ct
+from cranktrain.errors import InputError
+from cranktrain.io.examples import example_document, example_names
+from cranktrain.references import REFERENCES
+from cranktrain.texts.contents import TEXTS, text_called, with_equation
+
+NUMBERED = {
+    "steam-engine": [*(f"({n})" for n in range(333, 338)), "fig. 146", "fig. 147"],
+    "gandzha": [*(f"({n})" for n in range(1, 22)), "fig. 1", "fig. 2"],
+    "slider-crank-synthesis": [],
+    "bolotin": ["(I.11)", "(I.12)", "(I.13)", "fig. 1.3", "fig. 1.4"],
+    "crankshaft-reactions": [*(f"({n})" for n in range(44, 54)), "fig. 35"],
+}
+"""Formulas and figures that the texts number themselves."""
+WRONG = {"slider-crank-synthesis": 5, "gandzha": 6, "bolotin": 2, "steam-engine": 0, "crankshaft-reactions": 0}
+
+
+def formulas(name):
+    return {one.number: one for one in text_called(name).formulas}
+
+
+def test_every_text_is_a_source():
+    assert {text.name for text in TEXTS} == set(NUMBERED) <= set(REFERENCES)
+
+
+@pytest.mark.parametrize("name", NUMBERED)
+def test_every_numbered_formula_and_figure_is_there(name):
+    assert set(NUMBERED[name]) <= set(formulas(name))
+    assert sum(one.verdict == "wrong" for one in text_called(name).formulas) == WRONG[name]
+
+
+def test_all_of_the_drive_is_computed():
+    assert all(one.command for one in text_called("gandzha").formulas)
+
+
+@pytest.mark.parametrize("text", TEXTS, ids=lambda text: text.name)
+def test_what_is_wrong_or_right_in_a_range_says_how(text):
+    for one in text.formulas:
+        assert one.subject
+        assert one.verdict == "right" or one.valid or one.note
+        assert ("not computed" in one.said_verdict) == (one.command == "")
+
+
+def largest(error, ratio):
+    """Largest size of an error over half a turn, on a grid of 40-digit numbers."""
+    with mp.workdps(20):
+        return max(abs(error(mp.pi * step / 720, mp.mpf(ratio))) for step in range(721))
+
+
+def displacement(phi, ratio):
+    """Exact, of R = 1."""
+    return 1 - mp.cos(phi) + (1 - mp.sqrt(1 - (ratio * mp.sin(phi)) ** 2)) / ratio
+
+
+def harmonics(phi, ratio):
+    return 1 - mp.cos(phi) + ratio / 2 * mp.sin(phi) ** 2
+
+
+def brix(phi, ratio):
+    return 1 - mp.cos(phi + mp.asin(ratio / 2 * mp.sin(phi)))
+
+
+def test_errors_that_are_said_of_the_steam_engines_forms():
+    """The digest's table, in 20 digits: displacement of the stroke, the others of their peaks."""
+    said = " ".join(one.note for one in text_called("steam-engine").formulas)
+    for ratio, shown in (("0.25", "0.10"), ("0.3", "0.18")):
+        error = largest(lambda phi, lam: (harmonics(phi, lam) - displacement(phi, lam)) / 2, ratio)
+        assert f"{100 * float(error):.2f}" == shown
+        assert f"{shown} %" in said
+    backward = largest(lambda phi, lam: (brix(phi, lam) - displacement(phi, lam)) / 2, "0.25")
+    assert f"{100 * float(backward):.2f} % of the stroke at λ = 0.25" in said
+    # (334) and (335): closed forms at 90°
+    assert f"{50 * (1 - (1 - 0.01) ** 0.5) / 0.1:.1f} % of the stroke" in said
+    assert f"{100 * (4 - 15**0.5 - 0.125) / 0.125:.1f} % more at λ = 0.25" in said
+
+
+@pytest.mark.parametrize(
+    ("order", "shown"), [(1, {"0.25": "0.26", "0.3": "0.44"}), (2, {"0.25": "0.66", "0.3": "1.1"})]
+)
+def test_errors_that_are_said_of_velocity_and_acceleration(order, shown):
+    said = formulas("steam-engine")["(336)" if order == 1 else "(337)"].note
+    assert all(text in said for text in shown.values())
+    for ratio, text in shown.items():
+        with mp.workdps(25):
+            angles = [mp.pi * step / 180 for step in range(181)]
+            lam = mp.mpf(ratio)
+            exact = [mp.diff(lambda phi, lam=lam: displacement(phi, lam), angle, order) for angle in angles]
+            form = [mp.diff(lambda phi, lam=lam: harmonics(phi, lam), angle, order) for angle in angles]
+        error = max(abs(a - b) for a, b in zip(exact, form, strict=True)) / max(map(abs, exact))
+        assert f"{100 * float(error):.{len(text.partition('.')[2])}f}" == text
+
+
+@pytest.mark.parametrize(
+    ("asked", "name"),
+    [
+        ("bolotin", "bolotin"),
+        ("Bolotin", "bolotin"),
+        ("steam engine", "steam-engine"),
+        ("crankshaft", "crankshaft-reactions"),
+    ],
+)
+def test_a_text_by_its_name_or_part_of_it(asked, name):
+    assert text_called(asked).name == name
+
+
+@pytest.mark.parametrize(
+    ("asked", "meant"), [("bolotni", "bolotin"), ("gandza", "gandzha"), ("xyz", None), ("-", None)]
+)
+def test_an_unknown_text_is_refused_with_the_nearest(asked, meant):
+    with pytest.raises(InputError) as refused:
+        text_called(asked)
+    (problem,) = refused.value.problems
+    assert problem.path == "--source"
+    assert problem.repair == (f'write "{meant}"' if meant else None)
+
+
+def test_how_far_the_form_of_articulated_rods_is_off():
+    """On the slaves of all examples that have any: from the least of one to the largest of any, as the page says."""
+    (said,) = (one.note for one in text_called("bolotin").formulas if "real proportions" in one.note)
+    names = [name for name in example_names() if "articulated_rod" in example_document(name).text]
+    assert {"3d12", "r_1340", "m_503"} <= set(names)
+    found = {"displacement": [], "velocity": [], "acceleration": []}
+    for name in names:
+        result = ct.run(name, step_degrees=5.0)
+        place = result.labels["motion_method"].index("reconstructed")
+        for what, errors in found.items():
+            of_slaves = np.abs(getattr(result, f"{what}_error")[place])
+            errors.extend((100 * of_slaves[np.isfinite(of_slaves)]).tolist())
+    ranges = re.findall(r"([\d.]+)–([\d.]+) %", said)
+    for (least, most), errors in zip(ranges, found.values(), strict=True):
+        assert float(least) == pytest.approx(min(errors), abs=0.06)
+        assert float(most) == pytest.approx(max(errors), abs=0.06)
+
+
+@pytest.mark.parametrize(
+    ("number", "wanted"),
+    [
+        ("337", [("steam-engine", "(337)")]),
+        ("(i.13)", [("bolotin", "(I.13)"), ("bolotin", "(I.13)")]),
+        ("І.12", [("bolotin", "(I.12)")]),  # the Cyrillic letter
+        ("fig. 2", [("gandzha", "fig. 2")]),
+        ("20", [("gandzha", "(20)"), ("gandzha", "after (20)"), ("gandzha", "after (20)")]),
+        ("2000", []),
+    ],
+)
+def test_formulas_are_found_by_their_numbers(number, wanted):
+    assert [(text.name, one.number) for text, one in with_equation(number)] == wanted
+
+
+def test_every_number_finds_its_formula():
+    for text in TEXTS:
+        for one in text.formulas:
+            assert (text, one) in with_equation(one.number)
+
+
+@pytest.mark.parametrize(("asked", "name"), [("a", "steam-engine"), ("Ганджа", "gandzha"), ("БОЛОТИН", "bolotin")])
+def test_texts_are_called_by_letter_and_author(asked, name):
+    assert text_called(asked).name == name
