@@ -81,6 +81,10 @@ Two machines
     -0.59 %
     >>> overlaid = compared.plot("piston_velocity")
 
+The texts
+    >>> ct.textbook.drive("tilting_table").numbered("(14)")[0].verdict
+    'right'
+
 Mistakes
     >>> try:
     ...     pump.with_({"mechanism.rod_length": "30 kg"})
@@ -95,7 +99,7 @@ from typing import TYPE_CHECKING
 from cranktrain.version import VERSION
 
 if TYPE_CHECKING:
-    from cranktrain import viz
+    from cranktrain import textbook, viz
     from cranktrain.analysis import Result
     from cranktrain.analysis.comparison import Comparison
     from cranktrain.errors import InputError, Problem
@@ -118,6 +122,7 @@ __all__ = [
     "load",
     "run",
     "start",
+    "textbook",
     "units",
     "viz",
 ]
@@ -137,6 +142,7 @@ _HOMES = {
     "load": "io.any_machine",
     "run": "public",
     "start": "public",
+    "textbook": "textbook",
     "units": "public",
     "viz": "viz",
 }

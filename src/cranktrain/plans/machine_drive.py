@@ -86,12 +86,13 @@ def drivetrain_of(drive: DriveSpec) -> Drivetrain:
     each = [
         (_first(stage.ratio.array), *map(_first, stage.efficiencies), _first(stage.drag.array)) for stage in drive.stage
     ]
-    of_gears, of_pins = (
-        math.prod(own[1] for own, stage in zip(each, drive.stage, strict=True) if (stage.kind == "linkage") is wanted)
-        for wanted in (False, True)
+    is_linkage = [stage.kind == "linkage" for stage in drive.stage]
+    of_gears = math.prod(own[1] for own, is_pins in zip(each, is_linkage, strict=True) if not is_pins)
+    ahead, back = (
+        math.prod(own[way] for own, is_pins in zip(each, is_linkage, strict=True) if is_pins) for way in (1, 2)
     )
     gearing = stages(0.0, *((ratio, forward, back, drag, 0.0) for ratio, forward, back, drag in each))
-    return Drivetrain(gearing, np.array(of_gears), np.array(of_pins), is_of_machine=True)
+    return Drivetrain(gearing, *map(np.array, (of_gears, ahead, back)), is_of_machine=True)
 
 
 def _of_gear(machine: Machine) -> Iterator[tuple[str, object]]:

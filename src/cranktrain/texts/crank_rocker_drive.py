@@ -28,6 +28,8 @@ class Drivetrain(NamedTuple):
         All stages, the linkage's losses as one of them.
     gear_efficiency, linkage_efficiency : Array
         η_p of all gears and η_ш of the linkage, while the motor drives. [1]
+    linkage_back : Array
+        Of the linkage, while the load drives. [1]
     is_of_machine : bool
         Whether its stages are those of a machine, and not of the source's symbols alone.
     """
@@ -35,6 +37,7 @@ class Drivetrain(NamedTuple):
     gearing: Gearing
     gear_efficiency: Array
     linkage_efficiency: Array
+    linkage_back: Array
     is_of_machine: bool = False
 
     @property
@@ -49,7 +52,8 @@ def drivetrain(ratio: Array, gear_efficiency: Array, linkage_efficiency: Array) 
         (turned, own, float(equal_friction(np.array(own))), 0.0, 0.0)
         for turned, own in ((float(ratio), float(gear_efficiency)), (1.0, float(linkage_efficiency)))
     )
-    return Drivetrain(stages(0.0, of_gear, of_linkage), gear_efficiency, linkage_efficiency)
+    gearing = stages(0.0, of_gear, of_linkage)
+    return Drivetrain(gearing, gear_efficiency, linkage_efficiency, equal_friction(linkage_efficiency))
 
 
 def directions(angle: Array, geometry: CrankRocker) -> Directions:
@@ -120,6 +124,11 @@ def centre_distances(rod_length: Array, at: Directions) -> tuple[Array, Array]:
 def crank_torque(load: Array, radius: Array, train: Drivetrain, at: Directions) -> Array:
     """Static torque on the crank's shaft by (12), T r/η_ш; with the rocker's length for r (13) as printed. [N·m]"""
     return crank_pin_force(load, at) * radius / train.linkage_efficiency
+
+
+def at_crank(torque: Array, train: Drivetrain) -> Array:
+    """Torque ahead of the linkage for one behind it: its losses divide where it drives, and help where it is driven."""
+    return np.where(torque > 0, torque / train.linkage_efficiency, torque * train.linkage_back)
 
 
 def efficiency(train: Drivetrain) -> Array:

@@ -1,6 +1,7 @@
 """Curves of a crank-rocker's drive over a turn, with what follows from each: peaks, means, work."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
@@ -15,6 +16,7 @@ from cranktrain.record import record
 from cranktrain.texts.crank_rocker_drive import (
     Drivetrain,
     always_dividing,
+    at_crank,
     by_same_efficiency,
     by_transmitted_torque,
     efficiency,
@@ -28,9 +30,34 @@ from cranktrain.texts.drive_table import CrankRockerDrive
 
 Verdict = Literal["right", "source", "refuted"]
 Carrier = Literal["ratio", "product", "inertia"]
+Thing = Literal[
+    "ratio",
+    "no losses",
+    "at the crank",
+    "active",
+    "friction",
+    "weight",
+    "GD² at the crank",
+    "GD²",
+    "GD² of all",
+    "idle",
+]
 
 _PIECES, _NODES = 8, 24
 _AT_MOTOR = ("(14)", "(20)", "(21)")
+_SYMBOLS: Mapping[Thing, str] = {
+    "ratio": "AC/BC",
+    "no losses": "T r",
+    "at the crank": "M_O",
+    "active": "M_st",
+    "friction": "M_st",
+    "weight": "G_B",
+    "GD² at the crank": "GD²",
+    "GD²": "GD²",
+    "GD² of all": "GD²",
+    "idle": "M_xx",
+    "idle friction": "M_xx",
+}
 _TRIED = 361
 """Angles of a half-period between which its peaks are looked for."""
 
@@ -62,6 +89,8 @@ class DriveCurve:
     ----------
     number : str
         The source's.
+    thing : Thing
+        What it is of; one that is printed or refuted stands beside the first right one of the same thing.
     name : str
         Translated where it is shown.
     unit : str
@@ -75,12 +104,18 @@ class DriveCurve:
     """
 
     number: str
+    thing: Thing
     name: str
     unit: str
     verdict: Verdict
     carrier: Carrier
     of: Callable[[Array], Array]
     turns: Callable[[Array], Array] | None = None
+
+    @property
+    def symbol(self) -> str:
+        """The source's letters."""
+        return _SYMBOLS[self.thing]
 
     @property
     def is_at_motor(self) -> bool:
@@ -167,117 +202,97 @@ def _torques(drive: CrankRockerDrive) -> Iterator[DriveCurve]:
     r, r1, train = drive.geometry.crank_radius, drive.geometry.rocker_length, drive.train
     on_crank, loss = drive.load * r, train.linkage_efficiency
     refuted = on_crank / (efficiency(train) * train.ratio)
-    yield DriveCurve("(10)", N_("AC/BC"), "1", "right", "ratio", lambda ratio: ratio)
-    yield DriveCurve("(10)", N_("AC/BC by Kunitsky and Popov"), "1", "refuted", "product", lambda product: product)
-    yield DriveCurve("(4)", N_("T r, without losses"), "N*m", "right", "ratio", lambda ratio: on_crank * ratio)
-    yield DriveCurve("(12)", N_("at the crank, η_ш dividing"), "N*m", "source", "ratio", lambda k: on_crank * k / loss)
-    yield DriveCurve(
-        "(13)", N_("at the crank, with r₁ for r"), "N*m", "source", "ratio", lambda k: drive.load * r1 * k / loss
+    yield DriveCurve("(10)", "ratio", N_("AC/BC"), "1", "right", "ratio", _itself)
+    yield DriveCurve("(10)", "ratio", N_("AC/BC by Kunitsky and Popov"), "1", "refuted", "product", _itself)
+    yield _torque("(4)", "no losses", N_("T r, without losses"), "right", lambda k: on_crank * k)
+    yield _torque(
+        "(12)",
+        "at the crank",
+        N_("at the crank, by which way power goes"),
+        "right",
+        lambda k: at_crank(on_crank * k, train),
+    )
+    yield _torque("(12)", "at the crank", N_("at the crank, η_ш dividing"), "source", lambda k: on_crank * k / loss)
+    yield _torque(
+        "(13)", "at the crank", N_("at the crank, with r₁ for r"), "source", lambda k: drive.load * r1 * k / loss
     )
     by_law = (
         N_("at the motor, active load, by the stages of [drive]")
         if train.is_of_machine
         else N_("at the motor, active load, friction torque the same both ways")
     )
-    yield _at_motor("(14)", by_law, on_crank, train)
-    yield DriveCurve(
-        "(14)",
-        N_("at the motor, active load, efficiency back the same as forward"),
-        "N*m",
-        "right",
-        "ratio",
-        lambda ratio: by_same_efficiency(on_crank * ratio, train),
-    )
-    yield _of_friction("(14)", N_("at the motor, dry friction"), on_crank, train)
-    yield DriveCurve("(14)", N_("at the motor, η always dividing"), "N*m", "source", "ratio", lambda k: refuted * k)
-    yield DriveCurve(
-        "(14)", N_("at the motor, by Kunitsky and Popov"), "N*m", "refuted", "product", lambda one: refuted * one
-    )
+    yield _at_motor("(14)", "active", by_law, on_crank, train)
+    same = N_("at the motor, active load, efficiency back the same as forward")
+    yield _torque("(14)", "active", same, "right", lambda k: by_same_efficiency(on_crank * k, train))
+    yield _of_friction("(14)", "friction", N_("at the motor, dry friction"), on_crank, train)
+    yield _torque("(14)", "active", N_("at the motor, η always dividing"), "source", lambda k: refuted * k)
+    kunitsky = N_("at the motor, by Kunitsky and Popov")
+    yield DriveCurve("(14)", "active", kunitsky, "N*m", "refuted", "product", lambda one: refuted * one)
 
 
-def _at_motor(number: str, name: str, on_crank: Array, train: Drivetrain) -> DriveCurve:
+def _itself(carried: Array) -> Array:
+    return carried
+
+
+def _torque(number: str, thing: Thing, name: str, verdict: Verdict, of: Callable[[Array], Array]) -> DriveCurve:
+    """Torque that follows κ."""
+    return DriveCurve(number, thing, name, "N*m", verdict, "ratio", of)
+
+
+def _at_motor(number: str, thing: Thing, name: str, on_crank: Array, train: Drivetrain) -> DriveCurve:
     """Torque at the motor of a load that keeps its direction, by what the stages pass on."""
-    return DriveCurve(
-        number,
-        name,
-        "N*m",
-        "right",
-        "ratio",
-        lambda ratio: by_transmitted_torque(on_crank * ratio, train),
-        lambda ratio: passed_on(on_crank * ratio, train),
-    )
+
+    def turns(ratio: Array) -> Array:
+        return passed_on(on_crank * ratio, train)
+
+    torque = _torque(number, thing, name, "right", lambda k: by_transmitted_torque(on_crank * k, train))
+    return replace(torque, turns=turns)
 
 
-def _of_friction(number: str, name: str, on_crank: Array, train: Drivetrain) -> DriveCurve:
+def _of_friction(number: str, thing: Thing, name: str, on_crank: Array, train: Drivetrain) -> DriveCurve:
     """Torque at the motor of a load that turns with the rocker's motion, so that every stage drives."""
-    return DriveCurve(
-        number, name, "N*m", "right", "ratio", lambda ratio: by_transmitted_torque(np.abs(on_crank * ratio), train)
-    )
+    return _torque(number, thing, name, "right", lambda k: by_transmitted_torque(np.abs(on_crank * k), train))
 
 
 def _moments(drive: CrankRockerDrive) -> Iterator[DriveCurve]:
     weight = weight_at_rocker_pin(drive.driven_moment, drive.geometry.rocker_length)
     own, on_crank, train = drive.gear_moment, 4 * drive.geometry.crank_radius**2 * weight, drive.train
-    unit = "kg*m^2"
-    yield DriveCurve("(17)", N_("G_B of G_A"), "kg", "right", "ratio", lambda ratio: weight * ratio**2)
-    yield DriveCurve("(18)", N_("at the crank"), unit, "right", "ratio", lambda ratio: on_crank * ratio**2)
-    yield DriveCurve(
-        "(19)",
-        N_("at the crank, over η_ш"),
-        unit,
-        "source",
-        "ratio",
-        lambda k: on_crank * k**2 / train.linkage_efficiency,
+    loss = train.linkage_efficiency
+    yield DriveCurve("(17)", "weight", N_("G_B of G_A"), "kg", "right", "ratio", lambda k: weight * k**2)
+    at_crank: Thing = "GD² at the crank"
+    yield _moment("(18)", at_crank, N_("at the crank"), "right", "ratio", lambda k: on_crank * k**2)
+    yield _moment("(19)", at_crank, N_("at the crank, over η_ш"), "source", "ratio", lambda k: on_crank * k**2 / loss)
+
+    def reduced(carried: Array) -> Array:
+        return motor_flywheel_moment(own, on_crank * carried, train)
+
+    right, whole = N_("at the motor, with i² and no η"), N_("at the motor, rod and crank with their masses")
+    yield _moment("(20)", "GD²", right, "right", "ratio", lambda k: reduced(k**2))
+    yield _moment(
+        "(20)", "GD² of all", whole, "right", "inertia", lambda own_of: motor_flywheel_moment(own, 4 * own_of, train)
     )
-    yield DriveCurve(
-        "(20)",
-        N_("at the motor, with i² and no η"),
-        unit,
-        "right",
-        "ratio",
-        lambda ratio: motor_flywheel_moment(own, on_crank * ratio**2, train),
+    printed, kunitsky = N_("at the motor, with η and i"), N_("at the motor, by Kunitsky and Popov")
+    yield _moment(
+        "(20)", "GD²", printed, "source", "ratio", lambda k: printed_flywheel_moment(own, on_crank * k**2, train)
     )
-    yield DriveCurve(
-        "(20)",
-        N_("at the motor, rod and crank with their masses"),
-        unit,
-        "right",
-        "inertia",
-        lambda inertia: motor_flywheel_moment(own, 4 * inertia, train),
-    )
-    yield DriveCurve(
-        "(20)",
-        N_("at the motor, with η and i"),
-        unit,
-        "source",
-        "ratio",
-        lambda ratio: printed_flywheel_moment(own, on_crank * ratio**2, train),
-    )
-    yield DriveCurve(
-        "(20)",
-        N_("at the motor, by Kunitsky and Popov"),
-        unit,
-        "refuted",
-        "product",
-        lambda product: motor_flywheel_moment(own, on_crank * product, train),
-    )
+    yield _moment("(20)", "GD²", kunitsky, "refuted", "product", reduced)
+
+
+def _moment(
+    number: str, thing: Thing, name: str, verdict: Verdict, carrier: Carrier, of: Callable[[Array], Array]
+) -> DriveCurve:
+    """Flywheel moment."""
+    return DriveCurve(number, thing, name, "kg*m^2", verdict, carrier, of)
 
 
 def _idle(drive: CrankRockerDrive) -> Iterator[DriveCurve]:
     train = drive.train
     on_crank = drive.idle_torque * drive.geometry.crank_radius / drive.geometry.rocker_length
     flat = always_dividing(on_crank, train)
-    yield _of_friction("(21)", N_("idle, dry friction: never less than 0"), on_crank, train)
-    yield _at_motor("(21)", N_("idle, a constant active Q"), on_crank, train)
-    yield DriveCurve("(21)", N_("idle, η always dividing"), "N*m", "source", "ratio", lambda ratio: flat * ratio)
-    yield DriveCurve(
-        "(21)",
-        N_("idle, the flat line of Kunitsky and Popov"),
-        "N*m",
-        "refuted",
-        "ratio",
-        lambda ratio: flat + 0.0 * ratio,
-    )
+    yield _of_friction("(21)", "idle friction", N_("idle, dry friction: never less than 0"), on_crank, train)
+    yield _at_motor("(21)", "idle", N_("idle, a constant active Q"), on_crank, train)
+    yield _torque("(21)", "idle", N_("idle, η always dividing"), "source", lambda k: flat * k)
+    yield _torque("(21)", "idle", N_("idle, the flat line of Kunitsky and Popov"), "refuted", lambda k: flat + 0.0 * k)
 
 
 def values_at(drive: CrankRockerDrive, curve: DriveCurve, angle: Array) -> Array:

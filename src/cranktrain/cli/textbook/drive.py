@@ -4,7 +4,7 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path, PurePath
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from rich.console import Console
@@ -22,24 +22,15 @@ from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.plans.machine_drive import machine_drive
 from cranktrain.references import REFERENCES
-from cranktrain.texts.crank_rocker_drive import (
-    centre_distances,
-    crank_pin_force,
-    directions,
-    refuted_rod_force,
-    rod_force,
-    weight_at_rocker_pin,
-)
-from cranktrain.texts.drive_curves import CurvePeak, curve_facts, dead_positions, drive_curves, values_at
+from cranktrain.textbook.drive_statements import FACTS, PEAKS, SOURCE, USUAL_ANGLE, drive_statements
+from cranktrain.textbook.statements import Statement, Statements
 from cranktrain.texts.drive_table import DRIVE_KEYS, CrankRockerDrive, read_drive
-from cranktrain.texts.drive_verdicts import absurdities, pin_friction, swing
 from cranktrain.wording import figure, number
 
 EXAMPLE = "example"
-_SOURCE = "gandzha"
 _SETTING = Position("--set")
-_ANGLE = 60.0
-"""At which forces and distances are shown. [deg]"""
+_ROUNDING = 1e-12
+"""What is less is 0."""
 
 
 class _DriveFile(NamedTuple):
@@ -84,11 +75,11 @@ def show_drive(
     found = [Problem(name, value or None, allowed) for name, value in others.items() if value is not None]
     refuse([*found, *drive_output_problems(output)])
     file = read_drive_file(source, settings)
-    at = _ANGLE if angle is None else angle
+    at = USUAL_ANGLE if angle is None else angle
     if output is not None:
         write_drive(file.drive, file.text, one_line(PurePath(source).name), output, angle=at, force=force)
         return
-    with page(_("Drive of a crank-rocker, (1) to (21) [{source}]").format(source=_SOURCE)) as console:
+    with page(_("Drive of a crank-rocker, (1) to (21) [{source}]").format(source=SOURCE)) as console:
         _show(console, file.drive, at)
 
 
@@ -146,70 +137,56 @@ def _document(source: str) -> Document:
 
 def _show(console: Console, drive: CrankRockerDrive, angle: float) -> None:
     """Show the linkage, forces at one angle, all curves, what is absurd, and pin friction."""
+    found = drive_statements(drive, angle)
     width = console.width - INDENT
-    section(console, _("The linkage"), _linkage_lines(drive))
+    (linkage, of_linkage), *others = found.notes.items()
+    section(console, linkage, of_linkage)
     heading = _("At α = {angle:g}° from the line of the pivots").format(angle=angle)
-    section(console, heading, _force_lines(drive, np.deg2rad(angle), width))
-    section(console, _("Over a turn"), _curve_lines(drive, np.deg2rad(angle), width))
-    section(console, _("What is absurd about it"), table(("", ""), list(_verdicts(drive)), fold=width))
-    section(console, _("Friction in the pins instead of η_ш, at the crank"), _friction_lines(drive))
-    section(console, _("Source"), [REFERENCES[_SOURCE].text])
+    section(console, heading, _force_lines(found, width))
+    section(console, _("Over a turn"), _curve_lines(found, width))
+    for subject, sentences in others:
+        section(console, subject, _listed(sentences, width))
+    section(console, _("Source"), [REFERENCES[SOURCE].text])
 
 
-def _linkage_lines(drive: CrankRockerDrive) -> Iterator[str]:
-    """Say where the rocker turns round, and how far it swings."""
-    dead = dead_positions(drive.geometry)
-    yield _(
-        "Dead positions at {extended:.4f}° (rod and crank extended) and {folded:.4f}° (folded): there every torque of "
-        "the load is 0, and changes its sign if the load is active. Swing {swing:.4f}°; the rocker advances during "
-        "{advance:.2f}° of a turn and goes back during {back:.2f}°."
-    ).format(
-        extended=np.degrees(dead.extended),
-        folded=np.degrees(dead.folded),
-        swing=np.degrees(swing(drive)),
-        advance=np.degrees(dead.advance.end - dead.advance.start),
-        back=np.degrees(dead.back.end - dead.back.start),
-    )
+def _listed(sentences: Sequence[str], width: int) -> Sequence[str | Text]:
+    """One sentence as a paragraph, several with dashes."""
+    return sentences if len(sentences) == 1 else table(("", ""), [("-", one) for one in sentences], fold=width)
 
 
-def _force_lines(drive: CrankRockerDrive, angle: float, width: int) -> Iterator[Text]:
+def _force_lines(found: Statements, width: int) -> Iterator[Text]:
     """Directions, forces, the instant centre, the weights: (1) to (11), (15) to (17)."""
-    at = directions(np.array(angle), drive.geometry)
-    distances = centre_distances(drive.geometry.rod_length, at)
-    turn, load = 360.0, drive.load
-
-    def degrees(value: Any) -> str:
-        return f"{np.degrees(float(value)) % turn:.4f}°"
-
-    weight = weight_at_rocker_pin(drive.driven_moment, drive.geometry.rocker_length)
+    curves = {one.name for one in found.curves}
     rows = [
-        ("β, α₁", f"{degrees(at.rod)}, {degrees(at.rocker)}", ""),
-        (_("(1) torque on the rocker, Q r₁"), number(float(load * drive.geometry.rocker_length), "N*m"), ""),
-        (_("(2) force in the rod, Q′"), number(float(rod_force(load, at)), "N"), ""),
-        (_("    by Kunitsky and Popov"), number(float(refuted_rod_force(load, at)), "N"), _("refuted")),
-        (_("(3), (4) at the crank pin, T"), number(float(crank_pin_force(load, at)), "N"), ""),
-        (_("(8), (9) the same as Q AC/BC"), number(float(load * distances[0] / distances[1]), "N"), ""),
-        (_("(5), (10) AC"), number(float(distances[0]), "mm"), _("by the sine rule in ABC")),
-        (_("(5), (10) BC"), number(float(distances[1]), "mm"), ""),
-        (_("(11) sin ∠BAC"), f"{abs(float(np.sin(at.rocker - at.rod))):.6f}", ""),
-        (_("(15) weight at A, G_A"), number(float(weight), "kg"), ""),
-        (_("(16), (17) weight at B, G_B"), number(float(weight * (distances[0] / distances[1]) ** 2), "kg"), ""),
+        (
+            f"{one.equation} {one.name}, {one.symbol}".strip(),
+            _amount(one),
+            "" if one.verdict == "right" else _(one.verdict),
+        )
+        for one in found
+        if one.name not in curves
     ]
     yield from table(("", "", ""), rows, right=(1,), fold=width)
 
 
-def _curve_lines(drive: CrankRockerDrive, angle: float, width: int) -> Iterator[Text]:
+def _amount(one: Statement) -> str:
+    """A number with its unit."""
+    if one.unit == "rad":
+        return f"{np.degrees(one.value):.4f}°"
+    return f"{one.value:.6f}" if one.unit == "1" else number(one.value, "mm" if one.unit == "m" else one.unit)
+
+
+def _curve_lines(found: Statements, width: int) -> Iterator[Text]:
     """Every curve with its value at the angle, its peaks in both half-periods, means and work."""
-    words = {"right": _("right"), "source": _("printed"), "refuted": _("refuted")}
+    words = {"right": _("right"), "printed": _("printed"), "refuted": _("refuted")}
     heads = ("", "", _("at α"), _("advancing"), _("going back"), _("mean"), _("rms"), _("a turn"))
     for unit in ("1", "N*m", "kg", "kg*m^2"):
         rows: list[tuple[str, ...]] = []
-        for one in (curve for curve in drive_curves(drive) if curve.unit == unit):
-            facts = curve_facts(drive, one)
-            value = float(values_at(drive, one, np.array([angle]))[0])
-            cells = [_plain(value), *map(_peak, facts[:2]), _plain(facts.mean), _plain(facts.rms)]
-            rows.append((one.number, words[one.verdict], *cells, figure(facts.work, "J") if unit == "N*m" else ""))
-            rows.append(("", _(one.name), "", "", "", "", "", ""))
+        for curve in (one for one in found.curves if one.unit == unit and one.verdict in words):
+            facts = {one.at: one for one in found if (one.equation, one.name) == (curve.equation, curve.name)}
+            cells = [_fact(facts[at]) if at in facts else "" for at in FACTS]
+            rows.append((curve.equation, words[curve.verdict], *cells))
+            rows.append(("", curve.name, "", "", "", "", "", ""))
         yield from _narrow(heads, rows, unit, width)
 
 
@@ -224,74 +201,9 @@ def _narrow(heads: Sequence[str], rows: Sequence[Sequence[str]], unit: str, widt
         yield Text(f"       {name}")
 
 
-def _peak(peak: CurvePeak) -> str:
-    """A value with its angle."""
-    return f"{_plain(peak.value)} {np.degrees(peak.angle):.1f}°"
-
-
-def _plain(value: float) -> str:
-    """Five figures; what is but rounding is 0."""
-    return "0" if abs(value) < 1e-12 else f"{value:.5g}"
-
-
-def _verdicts(drive: CrankRockerDrive) -> Iterator[tuple[str, str]]:
-    """What is wrong, each with its number."""
-    found = absurdities(drive)
-    yield (
-        "-",
-        _(
-            "Kunitsky and Popov: a turn with an active load and no losses takes {work}, which must be 0; their GD² "
-            "falls below (GD²)₀ over {below:.2f}° of a turn, to {least}; their Q′ put into (1) needs sin²(α₁ − β) = 1, "
-            "and it is down to {square:.4f}; their idle torque is a flat line."
-        ).format(
-            work=number(found.refuted_work, "J"),
-            below=np.degrees(found.below),
-            least=number(found.least_moment, "kg*m^2"),
-            square=found.least_square,
-        ),
-    )
-    yield "-", _("(13) prints r₁ for r: {times:g} times the torque of (12).").format(times=found.too_long)
-    yield (
-        "-",
-        _(
-            "(14) divides by η whether the load resists or drives: over a turn of an active load it loses nothing, "
-            "where {lost} are lost."
-        ).format(lost=number(found.lost, "J")),
-    )
-    yield (
-        "-",
-        _("(20) prints i for i², and η: the crank-rocker's part is {times:.4g} times too large.").format(
-            times=found.too_large
-        ),
-    )
-    yield (
-        "-",
-        _("(21) changes its sign with a weight or a spring alone: friction reverses with the rocker and never drives."),
-    )
-
-
-def _friction_lines(drive: CrankRockerDrive) -> Iterator[str]:
-    """Say what friction circles give, if radii are known."""
-    if drive.friction is None:
-        yield _("No pins are given: f with r_O, r_B, r_A, r_O1.")
-        return
-    found = pin_friction(drive, drive.friction)
-    if found is None:
-        yield _("The pins lock the links, or no load drives them.")
-        return
-    parts = _(" and ").join(
-        f"{np.degrees(one.start) % 360:.3f}–{np.degrees(one.end) % 360:.3f}°" for one in found.locked
-    )
-    yield _(
-        "Mean efficiency {driving:.6f} while an active load resists and {driven:.6f} while it drives. Torque from "
-        "{smallest} to {largest}; at the dead positions {extended} and {folded}, not 0. The load cannot drive "
-        "in {parts}."
-    ).format(
-        driving=found.driving,
-        driven=found.driven,
-        smallest=number(found.smallest, "N*m"),
-        largest=number(found.largest, "N*m"),
-        extended=number(found.at_dead[0], "N*m"),
-        folded=number(found.at_dead[1], "N*m"),
-        parts=parts,
-    )
+def _fact(one: Statement) -> str:
+    """A value, of a peak with its angle; five figures, and what is but rounding is 0."""
+    if one.at == "turn":
+        return figure(one.value, "J")
+    plain = "0" if abs(one.value) < _ROUNDING else f"{one.value:.5g}"
+    return f"{plain} {one.crank_angle:.1f}°" if one.at in PEAKS else plain

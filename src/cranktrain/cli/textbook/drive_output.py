@@ -10,9 +10,8 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.io.output import write_machine_file, write_whole
 from cranktrain.language import _
 from cranktrain.one_line import one_line
-from cranktrain.texts.drive_curves import drive_curves, values_at
+from cranktrain.textbook.drive_statements import drive_statements
 from cranktrain.texts.drive_table import CrankRockerDrive
-from cranktrain.texts.friction_circles import rubbing_links
 from cranktrain.viz.output import FORMATS, save
 
 _TABLE, _CURVES = ".toml", ".csv"
@@ -47,16 +46,12 @@ def write_drive(
 
 def curves_csv(drive: CrankRockerDrive) -> str:
     """All curves by whole degrees of the crank from the line of the pivots, in SI, as a table."""
-    degrees = np.arange(361.0)
-    angle = np.deg2rad(degrees)
-    heads, columns = ["crank_angle_deg"], [degrees]
-    for one in drive_curves(drive):
-        heads.append(f"{one.number} {one.verdict}: {_(one.name)} [{one.unit}]")
-        columns.append(values_at(drive, one, angle))
-    if drive.friction is not None:
-        load = drive.load * drive.geometry.rocker_length
-        heads.append(f"{_('torque on the crank with friction circles')} [N*m]")
-        columns.append(rubbing_links(angle, drive.geometry, load, drive.friction).torque)
+    found = drive_statements(drive)
+    heads, columns = ["crank_angle_deg"], [found.crank_angle]
+    for one in found.curves:
+        numbered = f"{one.equation} {one.verdict}: " if one.equation else ""
+        heads.append(f"{numbered}{one.name} [{one.unit}]")
+        columns.append(one.values)
     lines = [",".join(f'"{head}"' for head in heads)]
     lines += [",".join(f"{value + 0.0:.12g}" for value in row) for row in np.stack(columns, axis=1)]
     return "\n".join(lines) + "\n"

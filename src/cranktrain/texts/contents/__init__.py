@@ -9,7 +9,7 @@ from cranktrain.quantities import nearest
 from cranktrain.texts.contents import bolotin, crankshaft, gandzha, steam_engine, synthesis
 from cranktrain.texts.contents.text import Formula, Text
 
-__all__ = ["TEXTS", "Formula", "Text", "text_called", "text_named", "with_equation"]
+__all__ = ["TEXTS", "Formula", "Text", "plain_number", "text_called", "text_named", "with_equation"]
 
 TEXTS: tuple[Text, ...] = (steam_engine.TEXT, gandzha.TEXT, synthesis.TEXT, bolotin.TEXT, crankshaft.TEXT)
 """Every text, in the order in which the project came by them."""
@@ -34,17 +34,17 @@ def with_equation(number: str, texts: Sequence[Text] = TEXTS) -> list[tuple[Text
     >>> with_equation("2000")
     []
     """
-    asked = _plain_number(number)
+    asked = plain_number(number)
     return [
         (text, formula)
         for text in texts
         for formula in text.formulas
-        if asked in {_plain_number(formula.number), *map(_plain_number, re.findall(r"\([^)]*\)", formula.number))}
+        if asked in {plain_number(formula.number), *map(plain_number, re.findall(r"\([^)]*\)", formula.number))}
     ]
 
 
-def _plain_number(number: str) -> str:
-    """A number without what people leave out: brackets, spaces, case; I is a letter in either alphabet."""
+def plain_number(number: str) -> str:
+    """Write a number without what people leave out: brackets, spaces, case; I is a letter in either alphabet."""
     return re.sub(r"[()\s]", "", number.casefold()).replace("і", "i")
 
 

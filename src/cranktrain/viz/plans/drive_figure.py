@@ -12,7 +12,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of
 from cranktrain.references import REFERENCES
 from cranktrain.texts.crank_rocker_drive import Directions, centre_distances, crank_pin_force, directions, rod_force
-from cranktrain.texts.drive_curves import Verdict, curve_facts, dead_positions, drive_curves, values_at
+from cranktrain.texts.drive_curves import Thing, Verdict, curve_facts, dead_positions, drive_curves, values_at
 from cranktrain.texts.drive_table import CrankRockerDrive
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper import shapes
@@ -56,14 +56,14 @@ _PENS: Mapping[str, _Pen] = {
 
 
 class _Kind(NamedTuple):
-    """A curve that is drawn: of which number, verdict and place among those, with which pen and words, on which scale.
+    """A curve that is drawn: of which number, thing and verdict, with which pen and words, on which scale.
 
     What is many times too large has a scale of its own, at the right.
     """
 
     number: str
+    thing: Thing
     verdict: Verdict
-    place: int
     pen: str
     words: str
     is_apart: bool = False
@@ -202,28 +202,28 @@ def _draw_curves(page: Page, drive: CrankRockerDrive, box: Box) -> None:
         (
             _("Static torque at the motor (14), N·m"),
             (
-                _Kind("(14)", "right", 0, "active", _("active load")),
-                _Kind("(14)", "right", 2, "dry", _("dry friction")),
-                _Kind("(14)", "source", 0, "source", _("as printed")),
-                _Kind("(14)", "refuted", 0, "refuted", _("refuted")),
+                _Kind("(14)", "active", "right", "active", _("active load")),
+                _Kind("(14)", "friction", "right", "dry", _("dry friction")),
+                _Kind("(14)", "active", "source", "source", _("as printed")),
+                _Kind("(14)", "active", "refuted", "refuted", _("refuted")),
             ),
         ),
         (
             _("Flywheel moment at the motor (20), kg·m²"),
             (
-                _Kind("(20)", "right", 0, "active", _("without the rod")),
-                _Kind("(20)", "right", 1, "whole", _("rod and crank, too")),
-                _Kind("(20)", "source", 0, "source", _("as printed (right)"), is_apart=True),
-                _Kind("(20)", "refuted", 0, "refuted", _("refuted")),
+                _Kind("(20)", "GD²", "right", "active", _("without the rod")),
+                _Kind("(20)", "GD² of all", "right", "whole", _("rod and crank, too")),
+                _Kind("(20)", "GD²", "source", "source", _("as printed (right)"), is_apart=True),
+                _Kind("(20)", "GD²", "refuted", "refuted", _("refuted")),
             ),
         ),
         (
             _("Idle torque at the motor (21), N·m"),
             (
-                _Kind("(21)", "right", 1, "active", _("active Q")),
-                _Kind("(21)", "right", 0, "dry", _("dry friction")),
-                _Kind("(21)", "source", 0, "source", _("as printed")),
-                _Kind("(21)", "refuted", 0, "refuted", _("refuted")),
+                _Kind("(21)", "idle", "right", "active", _("active Q")),
+                _Kind("(21)", "idle friction", "right", "dry", _("dry friction")),
+                _Kind("(21)", "idle", "source", "source", _("as printed")),
+                _Kind("(21)", "idle", "refuted", "refuted", _("refuted")),
             ),
         ),
     ]
@@ -250,8 +250,9 @@ def _draw_panel(axes: Axes, drive: CrankRockerDrive, kinds: Sequence[_Kind]) -> 
     level = float(drive.gear_moment) if kinds[0].number == "(20)" else 0.0
     axes.axhline(level, color=MUTED, linewidth=0.6, zorder=1)
     for one in kinds:
-        of_sort = [curve for curve in known if (curve.number, curve.verdict) == (one.number, one.verdict)]
-        curve, pen = of_sort[one.place], _PENS[one.pen]
+        wanted = (one.number, one.thing, one.verdict)
+        curve = next(curve for curve in known if (curve.number, curve.thing, curve.verdict) == wanted)
+        pen = _PENS[one.pen]
         line = {"color": pen.colour, "linewidth": pen.width, "linestyle": (0, pen.dashes) if pen.dashes else "-"}
         own = _second_scale(axes) if one.is_apart else axes
         own.plot(degrees, values_at(drive, curve, np.deg2rad(degrees)), **line)

@@ -1,0 +1,166 @@
+"""What a text states of a machine, formula by formula, beside what is right: records, tables of them, curves."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import field, fields, replace
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.record import record
+from cranktrain.texts.contents import plain_number
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["Statement", "StatementCurve", "Statements", "Verdict"]
+
+Verdict: TypeAlias = Literal["right", "approximate", "out of range", "printed", "refuted", "beyond"]
+"""Right: exact; approximate, in the range that the text gives, or out of it; printed: wrong in print; refuted: by the
+text itself; beyond: what the text has no term for."""
+
+
+@record
+class Statement:
+    """One number of a text, of one machine.
+
+    Attributes
+    ----------
+    source : str
+        Name of the text.
+    equation : str
+        Its own number: `(14)`; of several that give one number all of them.
+    symbol : str
+    name : str
+        What it is, in words.
+    of : str
+        Whose it is: a piston, a cylinder, a throw; empty where there is but one.
+    at : str
+        Where or of what: `at` the asked angle, `largest`, `mean`, …
+    value : float
+        By the text. In SI.
+    unit : str
+        Of `value` and `exact`.
+    verdict : Verdict
+    exact : float
+        What is right; NaN where nothing stands beside it.
+    crank_angle : float
+        Where it is so; NaN of what holds for the turn. [deg]
+    """
+
+    source: str
+    equation: str
+    symbol: str
+    name: str
+    of: str
+    at: str
+    value: float
+    unit: str
+    verdict: Verdict
+    exact: float = np.nan
+    crank_angle: float = np.nan
+
+    def with_angle(self, crank_angle: float) -> "Statement":
+        """The same at a crank angle. [deg]"""
+        return replace(self, crank_angle=crank_angle)
+
+    @property
+    def error(self) -> float:
+        """By how much the text is off."""
+        return self.value - self.exact
+
+
+@record
+class StatementCurve:
+    """A text's curve over the crank angle.
+
+    Attributes
+    ----------
+    source, equation, symbol, name, of, unit, verdict
+        As a `Statement` has them.
+    values : Array, shape (crank_angle,)
+        By the text.
+    exact : Array or None
+        What is right; None where nothing stands beside it.
+    """
+
+    source: str
+    equation: str
+    symbol: str
+    name: str
+    of: str
+    unit: str
+    verdict: Verdict
+    values: Array
+    exact: Array | None = None
+
+
+@record
+class Statements:
+    """All that a text states of a machine, in the text's order.
+
+    Attributes
+    ----------
+    title : str
+    each : tuple of Statement
+    crank_angle : Array, shape (crank_angle,)
+        Of the curves. [deg]
+    curves : tuple of StatementCurve
+    notes : mapping of str to tuple of str
+        Sentences on them, by what they are about.
+    """
+
+    title: str
+    each: tuple[Statement, ...]
+    crank_angle: Array
+    curves: tuple[StatementCurve, ...] = ()
+    notes: Mapping[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])
+
+    def __len__(self) -> int:
+        """How many there are."""
+        return len(self.each)
+
+    def __iter__(self) -> Iterator[Statement]:
+        """One after another."""
+        return iter(self.each)
+
+    def numbered(self, equation: str) -> tuple[Statement, ...]:
+        """Those of a formula by its number in the text, with or without brackets; none if there is none."""
+        asked = plain_number(equation)
+        return tuple(one for one in self.each if asked in map(plain_number, one.equation.split()))
+
+    def __repr__(self) -> str:
+        """Show what they are of and how many there are, in one line."""
+        return f"<Statements: {self.title}; {len(self.each)} numbers, {len(self.curves)} curves>"
+
+    @property
+    def frame(self) -> "pandas.DataFrame":
+        """As a data frame, a row for each."""
+        names = [one.name for one in fields(Statement)]
+        return _pandas().DataFrame([[getattr(one, name) for name in names] for one in self.each], columns=names)
+
+    @property
+    def curve_frame(self) -> "pandas.DataFrame":
+        """The curves as a data frame over the crank angle: columns by equation, name, whose, verdict and unit."""
+        pandas = _pandas()
+        columns: dict[tuple[str, ...], Array] = {}
+        for one in self.curves:
+            named = (one.equation, one.name, one.of)
+            columns[*named, one.verdict, one.unit] = one.values
+            if one.exact is not None:
+                columns[*named, "exact", one.unit] = one.exact
+        heads = pandas.MultiIndex.from_tuples(list(columns), names=("equation", "name", "of", "verdict", "unit"))
+        values = np.stack(list(columns.values()), axis=1) if columns else np.zeros((self.crank_angle.size, 0))
+        return pandas.DataFrame(values, pandas.Index(self.crank_angle, name="crank_angle"), heads)
+
+
+def _pandas() -> Any:
+    """Import pandas, which comes with xarray."""
+    try:
+        return import_module("pandas")
+    except ModuleNotFoundError:
+        repair = _("pip install 'cranktrain[dataset]', or take the records themselves")
+        raise InputError([Problem("frame", None, _("needs the package pandas"), repair)]) from None
