@@ -41,6 +41,7 @@ Thing = Literal[
     "GD²",
     "GD² of all",
     "idle",
+    "idle friction",
 ]
 
 _PIECES, _NODES = 8, 24
