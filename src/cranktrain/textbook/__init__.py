@@ -17,10 +17,11 @@ from cranktrain.textbook.statements import Statement, StatementCurve, Statements
 
 if TYPE_CHECKING:
     from cranktrain.textbook.drive_statements import drive
+    from cranktrain.textbook.throw_statements import throw
 
-__all__ = ["Statement", "StatementCurve", "Statements", "drive"]
+__all__ = ["Statement", "StatementCurve", "Statements", "drive", "throw"]
 
-_HOMES = {"drive": "drive_statements"}
+_HOMES = {"drive": "drive_statements", "throw": "throw_statements"}
 """Which module has each of what is called."""
 
 
