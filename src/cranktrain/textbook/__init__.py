@@ -17,10 +17,11 @@ from cranktrain.textbook.statements import Statement, StatementCurve, Statements
 
 if TYPE_CHECKING:
     from cranktrain.textbook.drive_statements import drive
+    from cranktrain.textbook.motion_statements import motion
 
-__all__ = ["Statement", "StatementCurve", "Statements", "drive"]
+__all__ = ["Statement", "StatementCurve", "Statements", "drive", "motion"]
 
-_HOMES = {"drive": "drive_statements"}
+_HOMES = {"drive": "drive_statements", "motion": "motion_statements"}
 """Which module has each of what is called."""
 
 
