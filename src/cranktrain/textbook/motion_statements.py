@@ -14,6 +14,7 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
 from cranktrain.textbook.construction_statements import construction_statements
+from cranktrain.textbook.crank_rocker_statements import alike_rockers, crank_rocker_curves, crank_rocker_statements
 from cranktrain.textbook.distinct_pistons import Alike, alike
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
 from cranktrain.textbook.steam_engine_statements import crank_side_curves, steam_engine_statements
@@ -38,6 +39,8 @@ _SYMBOLS: Mapping[str, tuple[str, str, str]] = {
     "steam-engine": ("S", "c/ω", "j/ω²"),
     "bolotin": ("S", "v/ω", "j/ω²"),
 }
+_KINDS = frozenset(kind for form in FORMS.values() for kind in form)
+"""Of which there are forms."""
 _UNITS = ("m", "m/rad", "m/rad^2")
 
 
@@ -49,7 +52,8 @@ def motion(
     """Give what the texts state of the motion of a machine's pistons and valves, each beside what is exact.
 
     (333) to (337), the exact root, arcs and Brix's construction of [steam-engine], for slider-cranks and for
-    eccentrics; (I.13) of [bolotin], for slaves on articulated rods.
+    eccentrics; (7), (10), (13) and (17) of [gandzha], for crank-rockers; (I.13) of [bolotin], for slaves on articulated
+    rods.
 
     Parameters
     ----------
@@ -61,11 +65,12 @@ def motion(
     Returns
     -------
     Statements
-        Of every distinct piston or valve. Errors of displacement `Δx` are parts of the stroke, of velocity `Δv` and
-        acceleration `Δj` parts of the exact peak [1], `exact` 0 beside them; lengths in m, angles in rad. The verdict
-        is `approximate` in the range that the text gives, else `out of range`. `crank_angle` and the curves' angles
-        count from where the piston's own crank, or the valve's eccentric, points along its line of stroke; what is
-        `from the crank side`, from half a turn later [deg]. Curves by whole degrees. [m, m/rad, m/rad²]
+        Of every distinct piston, valve and crank-rocker. Errors of displacement `Δx` are parts of the stroke, of
+        velocity `Δv` and acceleration `Δj` parts of the exact peak [1], `exact` 0 beside them; lengths in m, angles in
+        rad. The verdict is `approximate` in the range that the text gives, else `out of range`. `crank_angle` and the
+        curves' angles count from where the piston's own crank, or the valve's eccentric, points along its line of
+        stroke; what is `from the crank side`, from half a turn later; a crank-rocker's from the line of its fixed
+        pivots [deg]. Curves by whole degrees. [m, m/rad, m/rad²; 1]
 
     Raises
     ------
@@ -80,9 +85,9 @@ def motion(
     """
     given = source_of(machine, set)
     with problems_as(given.placed):
-        if not alike(given.machine.places, {kind for form in FORMS.values() for kind in form}):
+        if not (alike(given.machine.places, _KINDS) or alike_rockers(given.machine.places)):
             kinds = ", ".join(dict.fromkeys(place.kind.name for place in given.machine.places))
-            allowed = _("must have a piston or valve of a slider-crank, an eccentric or an articulated rod")
+            allowed = _("must have a slider-crank, an eccentric, an articulated rod or a crank-rocker")
             raise InputError([Problem("machine", kinds, allowed)])
         return motion_statements(given.machine, run(given.machine, quantities=NEEDED))
 
@@ -103,20 +108,23 @@ def motion_statements(machine: Machine, result: Result) -> Statements:
         As `motion` has them; the ranges, and who is inside, as notes by the methods' names.
     """
     plain = alike(machine.places, PLAIN)
+    rockers = alike_rockers(machine.places)
     spoken_of = [one for one in RANGES if alike(machine.places, FORMS[one.method])]
     over = np.arange(361.0)
     return Statements(
-        _("Motion of pistons and valves by the texts"),
+        _("Motion by the texts"),
         (
             *(found for one in spoken_of for found in form_statements(machine, result, one)),
             *steam_engine_statements(plain),
             *construction_statements(machine, plain),
+            *(found for one in rockers for found in crank_rocker_statements(one)),
         ),
         over,
         (
             *(curve for one in spoken_of for curve in _form_curves(machine, one, np.deg2rad(over))),
             *(curve for one in plain for curve in _root_curves(one, np.deg2rad(over))),
             *(curve for one in plain for curve in crank_side_curves(one, np.deg2rad(over))),
+            *(curve for one in rockers for curve in crank_rocker_curves(one, np.deg2rad(over))),
         ),
         {
             **{form_heading(one): tuple(form_notes(machine, one)) for one in spoken_of},

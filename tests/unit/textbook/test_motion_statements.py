@@ -74,9 +74,31 @@ def test_the_largest_rods_lose_no_figures():
     assert by["two harmonics"] < 1e-15
 
 
+def test_pins_of_a_crank_rocker():
+    """v_A/v_B by differences of the rocker's angle in a run over 0.2°."""
+    found = ct.textbook.motion({"mechanism": ROCKER})
+    result = ct.run({"mechanism": ROCKER}, step_degrees=0.1)
+    ratio = np.gradient(np.unwrap(result.rocker_angle[0]), np.radians(0.1))
+    lengths = {name: float(ROCKER[name].split()[0]) for name in ("crank_radius", "rocker_length")}
+    ratio = ratio[2:-2] * lengths["rocker_length"] / lengths["crank_radius"]
+    low, high = (one for one in found if one.symbol == "v_A/v_B")
+    assert sorted([abs(low.value), abs(high.value)]) == pytest.approx(
+        sorted([abs(np.min(ratio)), abs(np.max(ratio))]), rel=1e-5
+    )
+    assert (low.value, high.value) == pytest.approx((low.exact, high.exact), rel=1e-12)
+    (printed,) = found.numbered("13")
+    assert (1e3 * printed.value, 1e3 * printed.exact) == pytest.approx(
+        (lengths["rocker_length"], lengths["crank_radius"])
+    )
+    assert {one.verdict for one in found} == {"right", "refuted", "printed"}
+    curves = {(one.equation, one.verdict): one for one in found.curves}
+    np.testing.assert_allclose(curves["(10)", "right"].values, curves["(10)", "right"].exact, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(curves["(17)", "right"].values, curves["(10)", "right"].exact ** 2, rtol=0, atol=1e-12)
+
+
 def test_refused():
-    with pytest.raises(ct.InputError, match=r"crank_rocker: must have a piston or valve of a slider-crank"):
-        ct.textbook.motion({"mechanism": ROCKER})
+    with pytest.raises(ct.InputError, match=r"chain: must have a slider-crank, an eccentric, an articulated rod or"):
+        ct.textbook.motion("shaper")
     with pytest.raises(ct.InputError, match="no such file"):
         ct.textbook.motion("no_engine.toml")
     with pytest.raises(ct.InputError, match="rod_length"):
