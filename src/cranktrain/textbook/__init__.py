@@ -17,11 +17,12 @@ from cranktrain.textbook.statements import Statement, StatementCurve, Statements
 
 if TYPE_CHECKING:
     from cranktrain.textbook.drive_statements import drive
+    from cranktrain.textbook.motion_statements import motion
     from cranktrain.textbook.throw_statements import throw
 
-__all__ = ["Statement", "StatementCurve", "Statements", "drive", "throw"]
+__all__ = ["Statement", "StatementCurve", "Statements", "drive", "motion", "throw"]
 
-_HOMES = {"drive": "drive_statements", "throw": "throw_statements"}
+_HOMES = {"drive": "drive_statements", "motion": "motion_statements", "throw": "throw_statements"}
 """Which module has each of what is called."""
 
 
