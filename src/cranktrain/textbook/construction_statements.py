@@ -8,7 +8,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.numerics.ties import first_largest
 from cranktrain.plans.constructions import construction
-from cranktrain.textbook.distinct_pistons import Alike
+from cranktrain.textbook.distinct_pistons import AlikePistons
 from cranktrain.textbook.statements import Statement
 from cranktrain.texts.ranges import RANGES
 
@@ -21,7 +21,7 @@ _FINE = 720
 """Parts of a stroke or turn among which the largest error is sought."""
 
 
-def construction_statements(machine: Machine, pistons: Sequence[Alike]) -> Iterator[Statement]:
+def construction_statements(machine: Machine, pistons: Sequence[AlikePistons]) -> Iterator[Statement]:
     """Give all of them, of cranks and eccentrics."""
     for one in pistons:
         yield arc_statement(machine, one)
@@ -29,7 +29,7 @@ def construction_statements(machine: Machine, pistons: Sequence[Alike]) -> Itera
         yield from backward_statements(machine, one)
 
 
-def arc_statement(machine: Machine, one: Alike) -> Statement:
+def arc_statement(machine: Machine, one: AlikePistons) -> Statement:
     """Give what positions by arcs are off: rounding, at no certain angle."""
     arcs = construction(machine, "arc", _FINE, mechanism=one.first.name)
     off = float(np.max(np.abs(arcs.displacement - arcs.exact_displacement) / arcs.stroke))
@@ -37,7 +37,7 @@ def arc_statement(machine: Machine, one: Alike) -> Statement:
     return Statement(_SOURCE, "fig. 146", "Δx", name, one.of, "largest", off, "1", "right", 0.0)
 
 
-def backward_statements(machine: Machine, one: Alike) -> tuple[Statement, Statement, Statement]:
+def backward_statements(machine: Machine, one: AlikePistons) -> tuple[Statement, Statement, Statement]:
     """Give Brix's pole, and by how much the angles are off that are read from displacements, where that is most."""
     read = construction(machine, "brix_backward", _FINE, mechanism=one.first.name)
     error = read.angle - read.exact_angle

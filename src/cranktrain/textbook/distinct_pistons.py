@@ -17,7 +17,7 @@ from cranktrain.texts.ranges import Range
 from cranktrain.wording import ranged
 
 
-class Alike(NamedTuple):
+class AlikePistons(NamedTuple):
     """Pistons and valves that move alike from where their own cranks point along their lines: names, the first one."""
 
     of: str
@@ -65,9 +65,11 @@ class Alike(NamedTuple):
         return Coefficient(top - motion.value, -motion.first, -motion.second)
 
 
-def alike(places: Sequence[PlacedMechanism], kinds: Collection[str]) -> tuple[Alike, ...]:
+def alike(places: Sequence[PlacedMechanism], kinds: Collection[str]) -> tuple[AlikePistons, ...]:
     """Put those of some kinds together that move alike, whether crank or eccentric."""
     spoken_of = [place for place in places if place.kind.name in kinds]
     names = [place.name for place in spoken_of]
     keys = [plain_crank(one.geometry) if one.kind.name in PLAIN else one.geometry for one in spoken_of]
-    return tuple(Alike(ranged(names, members), spoken_of[members[0]]) for members in places_of_equal(keys).values())
+    return tuple(
+        AlikePistons(ranged(names, members), spoken_of[members[0]]) for members in places_of_equal(keys).values()
+    )

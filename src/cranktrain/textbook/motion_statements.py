@@ -15,9 +15,9 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
 from cranktrain.textbook.construction_statements import construction_statements
 from cranktrain.textbook.crank_rocker_statements import alike_rockers, crank_rocker_curves, crank_rocker_statements
-from cranktrain.textbook.distinct_pistons import Alike, alike
+from cranktrain.textbook.distinct_pistons import AlikePistons, alike
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
-from cranktrain.textbook.steam_engine_statements import crank_side_curves, steam_engine_statements
+from cranktrain.textbook.steam_engine_statements import crank_side_curves, plain_crank_statements
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.largest_errors import largest_errors
 from cranktrain.texts.plain_cranks import PLAIN, plain_crank
@@ -115,7 +115,7 @@ def motion_statements(machine: Machine, result: Result) -> Statements:
         _("Motion by the texts"),
         (
             *(found for one in spoken_of for found in form_statements(machine, result, one)),
-            *steam_engine_statements(plain),
+            *plain_crank_statements(plain),
             *construction_statements(machine, plain),
             *(found for one in rockers for found in crank_rocker_statements(one)),
         ),
@@ -179,13 +179,13 @@ def form_statements(machine: Machine, result: Result, one: Range) -> Iterator[St
             )
 
 
-def _of_plain(each: Alike, one: Range) -> list[tuple[float, float]]:
+def _of_plain(each: AlikePistons, one: Range) -> list[tuple[float, float]]:
     """Errors and own angles of a crank or an eccentric, however long its rod is. [1, deg]"""
     form = FORMS[one.method]["slider_crank"](each.plain)
     return [(float(error.value), float(np.rad2deg(error.angle))) for error in largest_errors(form, each.exact)]
 
 
-def _of_slave(each: Alike, result: Result, one: Range) -> list[tuple[float, float]]:
+def _of_slave(each: AlikePistons, result: Result, one: Range) -> list[tuple[float, float]]:
     """Errors of a slave, which its run has, and its own angles. [1, deg]"""
     row, piston = result.labels["motion_method"].index(one.method), result.labels["piston"].index(each.first.name)
     along = result.top_dead_centre[piston] - result.top_shift[piston]
@@ -203,7 +203,7 @@ def _form_curves(machine: Machine, one: Range, angle: Array) -> Iterator[Stateme
         yield from _curves(one, each, each.verdict(one), own, each.exact(angle))
 
 
-def _root_curves(each: Alike, angle: Array) -> Iterator[StatementCurve]:
+def _root_curves(each: AlikePistons, angle: Array) -> Iterator[StatementCurve]:
     """Motion by the root that is not approximated."""
     own = exact_root(angle, each.plain.crank_radius, each.plain.crank_radius / each.plain.rod_length)
     verdict: Verdict = "right" if each.offset == 0.0 else "out of range"
@@ -211,7 +211,7 @@ def _root_curves(each: Alike, angle: Array) -> Iterator[StatementCurve]:
 
 
 def _curves(
-    one: Range, each: Alike, verdict: Verdict, own: Coefficient, exact: Coefficient
+    one: Range, each: AlikePistons, verdict: Verdict, own: Coefficient, exact: Coefficient
 ) -> Iterator[StatementCurve]:
     """Displacement, velocity and acceleration."""
     for order, (symbol, unit) in enumerate(zip(_SYMBOLS[one.source], _UNITS, strict=True)):

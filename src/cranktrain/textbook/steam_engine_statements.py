@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient
-from cranktrain.textbook.distinct_pistons import Alike
+from cranktrain.textbook.distinct_pistons import AlikePistons
 from cranktrain.textbook.statements import Statement, StatementCurve, Verdict
 from cranktrain.texts.largest_errors import LargestErrors, from_bottom, from_top, largest_errors
 from cranktrain.texts.ranges import EXACT_ROOT, RANGES
@@ -27,14 +27,14 @@ _CURVES = (("S", "m"), ("c/ω", "m/rad"), ("j/ω²", "m/rad^2"))
 _MINUS = N_("two harmonics from the crank-side dead centre")
 
 
-def steam_engine_statements(pistons: Sequence[Alike]) -> Iterator[Statement]:
+def plain_crank_statements(pistons: Sequence[AlikePistons]) -> Iterator[Statement]:
     """Give all of them."""
     for find in (root_statements, crank_side_statements, difference_statements):
         for one in pistons:
             yield from find(one)
 
 
-def root_statements(one: Alike) -> Iterator[Statement]:
+def root_statements(one: AlikePistons) -> Iterator[Statement]:
     """Give what the exact root is off: of a central mechanism rounding alone, at no certain angle."""
     radius, rod, offset = one.plain
     errors = largest_errors(lambda angle: exact_root(angle, radius, radius / rod), from_top(one.plain))
@@ -57,7 +57,7 @@ def root_statements(one: Alike) -> Iterator[Statement]:
         )
 
 
-def crank_side_statements(one: Alike) -> Iterator[Statement]:
+def crank_side_statements(one: AlikePistons) -> Iterator[Statement]:
     """Give the largest errors of (333), (336), (337) with the minus sign."""
     errors: LargestErrors = largest_errors(lambda angle: _minus(angle, one), from_bottom(one.plain))
     for symbol, equation, error in zip(_ERRORS, _TWO_HARMONICS.equations, errors, strict=True):
@@ -76,7 +76,7 @@ def crank_side_statements(one: Alike) -> Iterator[Statement]:
         )
 
 
-def crank_side_curves(one: Alike, angle: Array) -> Iterator[StatementCurve]:
+def crank_side_curves(one: AlikePistons, angle: Array) -> Iterator[StatementCurve]:
     """Give displacement, velocity and acceleration away from the shaft, from the crank-side dead centre."""
     curves = zip(_CURVES, _TWO_HARMONICS.equations, _minus(angle, one), from_bottom(one.plain)(angle), strict=True)
     for (symbol, unit), equation, own, exact in curves:
@@ -85,7 +85,7 @@ def crank_side_curves(one: Alike, angle: Array) -> Iterator[StatementCurve]:
         )
 
 
-def difference_statements(one: Alike) -> Iterator[Statement]:
+def difference_statements(one: AlikePistons) -> Iterator[Statement]:
     """Give Z, beside the largest difference of the exact displacement and (334); of an offset mechanism alone."""
     source = float(largest_difference(one.plain.crank_radius, one.plain.crank_radius / one.plain.rod_length))
     exact = float(exact_largest_difference(one.plain.crank_radius, one.plain.crank_radius / one.plain.rod_length))
@@ -104,7 +104,7 @@ def difference_statements(one: Alike) -> Iterator[Statement]:
     )
 
 
-def _minus(angle: Array, one: Alike) -> Coefficient:
+def _minus(angle: Array, one: AlikePistons) -> Coefficient:
     """The forms from the crank-side dead centre."""
     radius, rod, _offset = one.plain
     return two_harmonics_from_crank_side(angle, radius, radius / rod)

@@ -13,14 +13,16 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.plans.constructions import construction
 from cranktrain.textbook.construction_statements import arc_statement, backward_statements
-from cranktrain.textbook.distinct_pistons import Alike
+from cranktrain.textbook.distinct_pistons import AlikePistons
 from cranktrain.wording import figure, number
 
 _PARTS = 10
 """Of the stroke, where a table of a construction is shown."""
 
 
-def show_constructions(console: Console, machine: Machine, pistons: Sequence[Alike], *, with_table: bool) -> None:
+def show_constructions(
+    console: Console, machine: Machine, pistons: Sequence[AlikePistons], *, with_table: bool
+) -> None:
     """Show them for slider-cranks and eccentrics."""
     off = max(arc_statement(machine, one).value for one in pistons)
     words = _("exact, for an offset line of stroke too; largest error {off:.0e} of the stroke, from rounding")

@@ -11,7 +11,7 @@ from cranktrain.cli.textbook.error_columns import stated_error_columns
 from cranktrain.cli.textbook.piston_words import called
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.textbook.distinct_pistons import Alike
+from cranktrain.textbook.distinct_pistons import AlikePistons
 from cranktrain.textbook.motion_statements import form_heading, root_notes
 from cranktrain.textbook.steam_engine_statements import (
     crank_side_curves,
@@ -27,7 +27,7 @@ _STEP = 30
 """Of the crank angle in tables. [deg]"""
 
 
-def show_exact_root(console: Console, pistons: Sequence[Alike], places: Sequence[PlacedMechanism]) -> None:
+def show_exact_root(console: Console, pistons: Sequence[AlikePistons], places: Sequence[PlacedMechanism]) -> None:
     """Show the source's displacement before its root is approximated"""
     found = [statement for one in pistons for statement in root_statements(one)]
     rounding = max((one.value for one in found if one.verdict == "right"), default=None)
@@ -37,7 +37,7 @@ def show_exact_root(console: Console, pistons: Sequence[Alike], places: Sequence
     section(console, form_heading(EXACT_ROOT), [*said, *stated_error_columns(found, console.width - INDENT)])
 
 
-def show_from_crank_side(console: Console, pistons: Sequence[Alike], *, with_table: bool) -> None:
+def show_from_crank_side(console: Console, pistons: Sequence[AlikePistons], *, with_table: bool) -> None:
     """Show (333), (336), (337) with the minus sign, and Z."""
     width = console.width - INDENT
     errors = [statement for one in pistons for statement in crank_side_statements(one)]
@@ -58,7 +58,7 @@ def show_from_crank_side(console: Console, pistons: Sequence[Alike], *, with_tab
     section(console, _("Z = λR/2: (335) [steam-engine]"), lines)
 
 
-def _show_table(console: Console, one: Alike) -> None:
+def _show_table(console: Console, one: AlikePistons) -> None:
     """Show S, v and j by (333), (336), (337) with the minus sign, beside the exact ones."""
     angle = np.deg2rad(np.arange(0, 360, _STEP, dtype=float))
     columns: list[Column] = []
