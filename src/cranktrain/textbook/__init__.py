@@ -17,10 +17,12 @@ from cranktrain.textbook.statements import Statement, StatementCurve, Statements
 
 if TYPE_CHECKING:
     from cranktrain.textbook.drive_statements import drive
+    from cranktrain.textbook.errata_statements import errata
+    from cranktrain.textbook.synthesis_statements import synthesis
 
-__all__ = ["Statement", "StatementCurve", "Statements", "drive"]
+__all__ = ["Statement", "StatementCurve", "Statements", "drive", "errata", "synthesis"]
 
-_HOMES = {"drive": "drive_statements"}
+_HOMES = {"drive": "drive_statements", "errata": "errata_statements", "synthesis": "synthesis_statements"}
 """Which module has each of what is called."""
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from rich.text import Text
 
 from cranktrain.analysis import STAGES, Result
-from cranktrain.cli.screen.amounts import typeset
+from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.cli.screen.foot import foot_lines
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.minded import minded_lines

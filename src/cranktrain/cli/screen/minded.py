@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from cranktrain.analysis import Result, sentences
-from cranktrain.cli.screen.amounts import typeset
+from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.cli.screen.text import folded
 from cranktrain.grouping import grouped
 from cranktrain.language import _

@@ -25,7 +25,7 @@ from cranktrain.one_line import one_line
 from cranktrain.quantities import chosen_unit, shown_as_in
 from cranktrain.synthesis.counterweights import CounterweightProposal
 from cranktrain.synthesis.proposal import MachineProposal, Number, Proposal
-from cranktrain.texts.errata import SYNTHESIS
+from cranktrain.textbook.synthesis_statements import SOURCE as SYNTHESIS
 from cranktrain.wording import figure, number
 
 _ROUNDING = 1e-12

@@ -75,7 +75,7 @@ def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterato
 
 def _inside(one: Range, place: PlacedMechanism) -> str:
     """Say whether a mechanism is inside a method's range; outside, for what."""
-    ratio, offset = _sizes(place)
+    ratio, offset = sizes(place)
     if reasons := list(one.reasons(ratio, offset)):
         return _("outside, as {reasons}").format(reasons=_(" and ").join(reasons))
     return _("inside, λ = {ratio:.4g}").format(ratio=ratio)
@@ -125,7 +125,7 @@ def _alike(places: Sequence[PlacedMechanism], chosen: Collection[str]) -> list[l
     return [[spoken_of[i] for i in members] for members in groups.values()]
 
 
-def _sizes(place: PlacedMechanism) -> tuple[float, float]:
+def sizes(place: PlacedMechanism) -> tuple[float, float]:
     """Crank radius by rod and offset of the line of stroke [m], of a slave its master's, as ranges have them."""
     geometry = getattr(place.geometry, "master", place.geometry)
     return float(geometry.crank_radius / geometry.rod_length), float(geometry.offset)
