@@ -130,7 +130,25 @@ def add_textbook(app: typer.Typer) -> None:
             str | None,
             typer.Option(
                 metavar="FILE|example",
-                help=_("Show instead the reactions of a throw's supports, (44) to (53), from a table of its symbols."),
+                help=_(
+                    "Show instead the reactions of a throw's supports, (44) to (53): from a table of its symbols, or "
+                    "of a machine's crankshaft."
+                ),
+            ),
+        ] = None,
+        throw_number: Annotated[
+            str | None,
+            typer.Option(
+                metavar="NUMBER", help=_("Which throw of a machine, such as 3, or main.3; the first unless given.")
+            ),
+        ] = None,
+        masses: Annotated[
+            str | None,
+            typer.Option(
+                metavar="given|sizes",
+                help=_(
+                    "Of a machine's throw: whether cranks weigh what [masses.crank] says, or by [crankshaft]'s sizes."
+                ),
             ),
         ] = None,
         drive: Annotated[
@@ -147,7 +165,10 @@ def add_textbook(app: typer.Typer) -> None:
             typer.Option(
                 metavar="DEG",
                 parser=degrees,
-                help=_("Of a drive: crank angle from the line of the pivots; 60 unless given."),
+                help=_(
+                    "Of a drive: crank angle from the line of the pivots; 60 unless given. Of a machine's throw: crank "
+                    "angle; that of the largest load unless given."
+                ),
             ),
         ] = None,
         output: Annotated[
@@ -157,8 +178,8 @@ def add_textbook(app: typer.Typer) -> None:
                 "--output",
                 metavar="FILE",
                 help=_(
-                    "Of a throw: its table as .toml, or its scheme, fig. 35, as .png, .svg or .pdf. Of a drive: its "
-                    "table, its curves as .csv, or fig. 2."
+                    "Of a throw: its table as .toml, or its scheme, fig. 35, as .png, .svg or .pdf; of a machine's its "
+                    "loads over the cycle as .csv. Of a drive: its table, its curves as .csv, or fig. 2."
                 ),
             ),
         ] = None,
@@ -177,25 +198,30 @@ def add_textbook(app: typer.Typer) -> None:
             "--harmonics": "" if harmonics else None,
             "--crank-to-rod-ratio": crank_to_rod_ratio,
         }
+        of_throw = {"--throw-number": throw_number, "--masses": masses}
         if equation is not None:
             from cranktrain.cli.textbook.texts import show_equation
 
             beside = {name: value for name, value in alone.items() if name != "--source"}
-            show_equation(equation, source, others={**beside, "--throw": throw, "--drive": drive, "-o": output})
+            show_equation(
+                equation, source, others={**beside, **of_throw, "--throw": throw, "--drive": drive, "-o": output}
+            )
             return
         if drive is not None:
             from cranktrain.cli.textbook.drive import show_drive
 
-            show_drive(drive, values, output, angle=at, force=force, others={**alone, "--throw": throw})
+            show_drive(drive, values, output, angle=at, force=force, others={**alone, **of_throw, "--throw": throw})
             return
         if throw is not None:
-            from cranktrain.cli.textbook.throw import show_throw
+            from cranktrain.cli.textbook.throw import OfMachine, show_throw
 
-            show_throw(throw, values, output, force=force, others={**alone, "--at": None if at is None else f"{at:g}"})
+            del alone["--table"]
+            asked = OfMachine(throw_number, at, masses, table)
+            show_throw(throw, values, output, asked=asked, force=force, others=alone)
             return
         from cranktrain.cli.textbook.throw_output import refuse_without_throw
 
-        refuse_without_throw(output, at=at, force=force)
+        refuse_without_throw(output, at=at, force=force, of_throw=of_throw)
         if harmonics or crank_to_rod_ratio is not None:
             from cranktrain.cli.textbook.harmonics import show_harmonics
 

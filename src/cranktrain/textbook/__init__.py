@@ -19,10 +19,16 @@ if TYPE_CHECKING:
     from cranktrain.textbook.drive_statements import drive
     from cranktrain.textbook.errata_statements import errata
     from cranktrain.textbook.synthesis_statements import synthesis
+    from cranktrain.textbook.throw_statements import throw
 
-__all__ = ["Statement", "StatementCurve", "Statements", "drive", "errata", "synthesis"]
+__all__ = ["Statement", "StatementCurve", "Statements", "drive", "errata", "synthesis", "throw"]
 
-_HOMES = {"drive": "drive_statements", "errata": "errata_statements", "synthesis": "synthesis_statements"}
+_HOMES = {
+    "drive": "drive_statements",
+    "errata": "errata_statements",
+    "synthesis": "synthesis_statements",
+    "throw": "throw_statements",
+}
 """Which module has each of what is called."""
 
 

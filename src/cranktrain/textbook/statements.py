@@ -11,7 +11,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.record import record
-from cranktrain.texts.contents import plain_number
+from cranktrain.texts.contents import numbers_in, plain_number
 
 if TYPE_CHECKING:
     import pandas
@@ -130,7 +130,7 @@ class Statements:
     def numbered(self, equation: str) -> tuple[Statement, ...]:
         """Those of a formula by its number in the text, with or without brackets; none if there is none."""
         asked = plain_number(equation)
-        return tuple(one for one in self.each if asked in map(plain_number, one.equation.split()))
+        return tuple(one for one in self.each if asked in numbers_in(one.equation))
 
     def __repr__(self) -> str:
         """Show what they are of and how many there are, in one line."""
@@ -141,6 +141,20 @@ class Statements:
         """As a data frame, a row for each."""
         names = [one.name for one in fields(Statement)]
         return _pandas().DataFrame([[getattr(one, name) for name in names] for one in self.each], columns=names)
+
+    def csv(self) -> str:
+        """The curves as a table over the crank angle, in SI; exact ones beside, where they are none of the others."""
+        heads, columns = ["crank_angle_deg"], [self.crank_angle]
+        for one in self.curves:
+            numbered, unit = (f"{one.equation} " if one.equation else ""), f"[{one.unit}]"
+            heads.append(f"{numbered}{one.symbol} {one.verdict}: {one.name} {unit}")
+            columns.append(one.values)
+            if one.exact is not None and not any(np.array_equal(one.exact, other.values) for other in self.curves):
+                heads.append(f"{one.symbol} exact {unit}")
+                columns.append(one.exact)
+        lines = [",".join(f'"{head}"' for head in heads)]
+        lines += [",".join(f"{value + 0.0:.12g}" for value in row) for row in np.stack(columns, axis=1)]
+        return "\n".join(lines) + "\n"
 
     @property
     def curve_frame(self) -> "pandas.DataFrame":

@@ -17,11 +17,14 @@ from cranktrain.spec import Spec, validated
 CHAIN = ("l1", "hL", "l2", "l3", "l4", "l5", "hP", "l6")
 """Lengths whose sum is l, from the left support to the right one."""
 
+Rods = Literal["one", "two", "articulated"]
+"""On the pin: one, two side by side, or a master with what hangs on it."""
+
 _OF_SECOND_ROD = ("K2", "T2", "C5")
 
 
-def _key(name: str) -> str:
-    """Symbol of a field: c11 is C11, h_l is hL, l_p1 is lP1."""
+def symbol_of(name: str) -> str:
+    """Give the symbol of a field: c11 is C11, h_l is hL, l_p1 is lP1."""
     head, _mark, rest = name.partition("_")
     is_force = not rest and head[1:].isdigit() and not head.startswith("l")
     return head.upper() if is_force else f"{head}{rest.upper()}"
@@ -30,9 +33,9 @@ def _key(name: str) -> str:
 class ThrowTable(Spec, frozen=True):
     """A throw between two supports: lengths and forces by the source's own symbols; forces left out are 0."""
 
-    model_config = ConfigDict(alias_generator=_key)
+    model_config = ConfigDict(alias_generator=symbol_of)
 
-    rods: Literal["one", "two", "articulated"] = "one"
+    rods: Rods = "one"
     l1: NonNegativeLength
     h_l: NonNegativeLength
     l2: NonNegativeLength
@@ -108,7 +111,7 @@ class Throw(NamedTuple):
 
     lengths: ThrowLengths
     forces: ThrowForces
-    rods: Literal["one", "two", "articulated"] = "one"
+    rods: Rods = "one"
 
 
 def read_throw(data: Mapping[str, object]) -> Throw:
@@ -161,7 +164,7 @@ def _no_inputs(data: Mapping[str, object]) -> Iterable[Problem]:
 
 def _field(key: str) -> str:
     """Field of a symbol."""
-    return next(name for name in ThrowTable.model_fields if _key(name) == key)
+    return next(name for name in ThrowTable.model_fields if symbol_of(name) == key)
 
 
 def _number(given: Given | None) -> Array:

@@ -13,9 +13,9 @@ from rich.text import Text
 from cranktrain import texts
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.drive_output import drive_output_problems, write_drive
+from cranktrain.cli.textbook.source import is_machine
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.document import Document
-from cranktrain.io.examples import example_names
 from cranktrain.io.machine_file import read_machine
 from cranktrain.io.syntax import parsed
 from cranktrain.language import _
@@ -90,7 +90,7 @@ def read_drive_file(source: str, settings: Sequence[str]) -> _DriveFile:
         raise InputError([Problem("--drive", '""', allowed)])
     own = [one for one in settings if one.partition("=")[0].strip() in DRIVE_KEYS]
     others = [one for one in settings if one not in own]
-    if _is_machine(source):
+    if is_machine(source):
         return _of_machine(source, own, others)
     typed = document = _document(source)
     for setting in settings:
@@ -102,14 +102,6 @@ def read_drive_file(source: str, settings: Sequence[str]) -> _DriveFile:
     keys = [one.partition("=")[0].strip() for one in settings]
     with problems_as(lambda one: replace(one, position=_SETTING) if one.path in keys else typed.located(one)):
         return _DriveFile(read_drive(parsed(document.text, document.name)), document.text)
-
-
-def _is_machine(source: str) -> bool:
-    """Whether a name is that of a machine: an example, or a file with mechanisms in it."""
-    if not os.path.isfile(source):  # noqa: PTH113 - takes a NUL byte
-        return source.casefold().replace("-", "_") in example_names()
-    document = Document.read(source)
-    return bool({"mechanism", "bank"} & set(parsed(document.text, document.name)))
 
 
 def _of_machine(source: str, own: Sequence[str], settings: Sequence[str]) -> _DriveFile:

@@ -4,8 +4,6 @@ import logging
 from collections.abc import Iterator
 from pathlib import PurePath
 
-import numpy as np
-
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.output import write_machine_file, write_whole
 from cranktrain.language import _
@@ -34,7 +32,7 @@ def write_drive(
             raise InputError([Problem("-o", output, _("is for a drive's table: a machine has a file of its own"))])
         write_machine_file(output, text, force=force)
     elif suffix == _CURVES:
-        write_whole(output, curves_csv(drive), force=force)
+        write_whole(output, drive_statements(drive).csv(), force=force)
     else:
         from cranktrain.viz.plans.drive_figure import drive_figure
 
@@ -42,16 +40,3 @@ def write_drive(
         logging.getLogger("matplotlib").setLevel(logging.ERROR)
         save(lambda: drive_figure(drive, name, angle), output, force=force)
     print(_("written: {name}").format(name=one_line(output)))
-
-
-def curves_csv(drive: CrankRockerDrive) -> str:
-    """All curves by whole degrees of the crank from the line of the pivots, in SI, as a table."""
-    found = drive_statements(drive)
-    heads, columns = ["crank_angle_deg"], [found.crank_angle]
-    for one in found.curves:
-        numbered = f"{one.equation} {one.verdict}: " if one.equation else ""
-        heads.append(f"{numbered}{one.name} [{one.unit}]")
-        columns.append(one.values)
-    lines = [",".join(f'"{head}"' for head in heads)]
-    lines += [",".join(f"{value + 0.0:.12g}" for value in row) for row in np.stack(columns, axis=1)]
-    return "\n".join(lines) + "\n"

@@ -4,36 +4,43 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path, PurePath
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 from rich.console import Console
 from rich.text import Text
 
 from cranktrain import texts
-from cranktrain.cli.screen.columns import Column, column_tables
+from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
 from cranktrain.cli.screen.text import INDENT, page, section, table
-from cranktrain.cli.textbook.throw_output import output_problems, write_throw
+from cranktrain.cli.textbook.source import is_machine
+from cranktrain.cli.textbook.throw_output import output_problems, write_machine_throw, write_throw
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
+from cranktrain.grouping import grouped
 from cranktrain.io.document import Document
+from cranktrain.io.machine_file import read_machine
 from cranktrain.io.syntax import parsed
 from cranktrain.language import _
+from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.one_line import one_line
-from cranktrain.questions.crankshaft.throw_reactions import (
-    ThrowConstituents,
-    ThrowReactions,
-    throw_constituents,
-    throw_length,
-    throw_reactions,
-)
+from cranktrain.plans.machine_throw import CrankMasses, ThrownMachine
 from cranktrain.references import REFERENCES
-from cranktrain.texts.throw_conditions import BalanceCondition, balance_conditions
-from cranktrain.texts.throw_table import CHAIN, Throw, read_throw
+from cranktrain.textbook.statements import Statements
+from cranktrain.textbook.throw_statements import REACTIONS, SOURCE, TOGETHER, machine_statements, throw_statements
+from cranktrain.texts.throw_table import Throw, read_throw
 from cranktrain.wording import figure, number
 
 EXAMPLE = "example"
-_SOURCE = "crankshaft-reactions"
 _SETTING = Position("--set")
+
+
+_NOTHING = 1e-12
+"""Of the largest length or force of a figure; what is less is not shown."""
+_SAID = 5e-3
+"""A smaller difference is written with its power. [N]"""
+_OPTIONS = {"throw_number": "--throw-number", "masses": "--masses"}
+_STEP = 30.0
+"""Of the crank angle in tables. [deg]"""
 
 
 class _ThrowFile(NamedTuple):
@@ -43,19 +50,45 @@ class _ThrowFile(NamedTuple):
     text: str
 
 
+class OfMachine(NamedTuple):
+    """What is asked of a machine's throw: its number, the crank angle [deg], whose masses, a table over the cycle."""
+
+    number: str | None = None
+    at: float | None = None
+    masses: str | None = None
+    with_table: bool = False
+
+    @property
+    def typed(self) -> Mapping[str, str | None]:
+        """The options as typed."""
+        return {
+            "--throw-number": self.number,
+            "--at": None if self.at is None else f"{self.at:g}",
+            "--masses": self.masses,
+            "--table": "" if self.with_table else None,
+        }
+
+
 def show_throw(
-    source: str, settings: Sequence[str], output: str | None, *, force: bool, others: Mapping[str, str | None]
+    source: str,
+    settings: Sequence[str],
+    output: str | None,
+    *,
+    asked: OfMachine,
+    force: bool,
+    others: Mapping[str, str | None],
 ) -> None:
-    """Show a throw's reactions, or write its table or its scheme.
+    """Show a throw's reactions, or write its table, its curves or its scheme.
 
     Parameters
     ----------
     source : str
-        A file with its table, or `example`, if no file is called so.
+        A file with its table, a machine file or an example with [crankshaft], or `example`, if no file is called so.
     settings : sequence of str
-        `SYMBOL=VALUE`
+        `SYMBOL=VALUE`; of a machine `PATH=VALUE`.
     output : str or None
-        File to write instead: .toml, .png, .svg, .pdf.
+        File to write instead: .toml, .png, .svg, .pdf; of a machine .csv, and no .toml.
+    asked : OfMachine
     force : bool
         Replace a file that is there.
     others : mapping of options to str or None
@@ -68,13 +101,46 @@ def show_throw(
     """
     allowed = _("must be left out beside --throw")
     found = [Problem(name, value or None, allowed) for name, value in others.items() if value is not None]
-    refuse([*found, *output_problems(output)])
+    if not source.strip():
+        missing = _("must be a file with a throw's table, a machine file, or `{example}`").format(example=EXAMPLE)
+        found.append(Problem("--throw", '""', missing))
+    refuse(found)
+    of_machine = is_machine(source)
+    refuse(output_problems(output, of_machine=of_machine))
+    if of_machine:
+        _show_of_machine(source, settings, output, asked, force=force)
+        return
+    allowed = _("is for the throw of a machine: name its file")
+    refuse(Problem(name, value or None, allowed) for name, value in asked.typed.items() if value is not None)
     file = read_throw_file(source, settings)
     if output is not None:
         write_throw(file.throw, file.text, one_line(PurePath(source).name), output, force=force)
         return
-    with page(_("Reactions of the supports of a throw, (44) to (53) [{source}]").format(source=_SOURCE)) as console:
-        _show(console, file.throw)
+    statements = throw_statements(file.throw)
+    with page(statements.title) as console:
+        _show(console, statements)
+
+
+def _show_of_machine(
+    source: str, settings: Sequence[str], output: str | None, asked: OfMachine, *, force: bool
+) -> None:
+    """Show the throw of a machine, or write it."""
+    file = read_machine(source, settings)
+    masses = cast("CrankMasses", asked.masses or "given")  # any other is refused
+    with problems_as(lambda one: _as_typed(one) if one.path in _OPTIONS else file.document.located(one)):
+        machine = ThrownMachine(file.machine)
+        of = (asked.number or next(iter(machine.throws)), asked.at, masses)
+        statements = machine_statements(machine, *of)
+    if output is not None:
+        write_machine_throw(machine, of, output, force=force)
+        return
+    with page(statements.title) as console:
+        _show(console, statements, with_table=asked.with_table)
+
+
+def _as_typed(problem: Problem) -> Problem:
+    """A problem at the option that has it."""
+    return replace(problem, path=_OPTIONS[problem.path])
 
 
 def read_throw_file(source: str, settings: Sequence[str]) -> _ThrowFile:
@@ -102,9 +168,6 @@ def read_throw_file(source: str, settings: Sequence[str]) -> _ThrowFile:
 
 def _document(source: str) -> Document:
     """Read the text of a throw's table; a file that says nothing is refused."""
-    if not source.strip():
-        allowed = _("must be the name of a file with a throw's table, or `{example}`").format(example=EXAMPLE)
-        raise InputError([Problem("--throw", '""', allowed)])
     is_file = os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
     if source.strip().casefold() == EXAMPLE and not is_file:
         path = Path(texts.__file__).parent / "throw_example.toml"
@@ -117,88 +180,95 @@ def _document(source: str) -> Document:
     return document
 
 
-def _show(console: Console, throw: Throw) -> None:
-    """Show lengths, reactions, balance, and what is to be minded."""
+def _show(console: Console, found: Statements, *, with_table: bool = False) -> None:
+    """Show lengths, forces, reactions, balance, and what is to be minded."""
     width = console.width - INDENT
-    found = throw_constituents(throw.lengths, throw.forces)
-    section(console, _("The throw"), _throw_lines(throw))
+    (throw, about), (balance, follows), (mind, minded) = found.notes.items()
+    section(console, throw, [*about, *_figure_lines(found, width)])
     section(console, _("Loads of the journals on the bearings L and P"), _reaction_lines(found, width))
-    section(console, _("Whether the rotating masses, C1 to C15, load the bearings"), _balance_lines(throw, width))
-    section(console, _("Mind"), table(("", ""), [("-", one) for one in _notes()], fold=width))
-    section(console, _("Source"), [REFERENCES[_SOURCE].text])
+    if found.curves:
+        section(console, _("Over the cycle, at whole degrees"), _cycle_lines(found, width))
+    if with_table:
+        _show_table(console, found)
+    section(console, balance, [*_balance_lines(found), "", *follows])
+    section(console, mind, table(("", ""), [("-", one) for one in minded], fold=width))
+    section(console, _("Source"), [REFERENCES[SOURCE].text])
 
 
-def _throw_lines(throw: Throw) -> Iterator[str]:
-    """Say what l is, and how many rods there are."""
-    rods = {
-        "one": _("One rod on the pin, K1 and T1."),
-        "two": _("Two rods side by side, K1, T1 and K2, T2."),
-        "articulated": _("An articulated pair: one resultant K1, T1 on the master's axis, K2 = T2 = 0."),
-    }
-    chain = " + ".join(CHAIN)
-    yield f"l = {chain} = {number(float(throw_length(throw.lengths)), 'mm')}"
-    yield rods[throw.rods]
+def _figure_lines(found: Statements, width: int) -> Iterator[Text]:
+    """Lengths and forces of fig. 35, but those that are 0."""
+    for unit, shown in (("m", "mm"), ("N", "N")):
+        own = [one for one in found.numbered("fig. 35") if one.unit == unit and one.symbol != "l"]
+        peak = max((abs(one.value) for one in own), default=0.0)
+        columns = [
+            Column(one.symbol, shown, (figure(one.value, shown),)) for one in own if abs(one.value) > _NOTHING * peak
+        ]
+        if columns:
+            yield from column_tables(columns, [""], width)
 
 
-def _reaction_lines(found: ThrowConstituents, width: int) -> Iterator[str | Text]:
-    """Each constituent in a row, all together in the last, and the resultants."""
-    whole = throw_reactions(found, is_first=True, is_last=True)
-    rows: list[tuple[str, ThrowReactions]] = [
-        (_("rotating masses (44) (45) (46) (47)"), found.rotating),
-        (_("left external counterweight (48)"), found.first),
-        (_("right external counterweight (49)"), found.last),
-        (_("K of the rods (50) (52)"), found.normal),
-        (_("T of the rods (51) (53)"), found.tangential),
-        (_("together"), whole),
-    ]
+def _reaction_lines(found: Statements, width: int) -> Iterator[str | Text]:
+    """Each constituent in a row, all together, what has no letter, and the split shaft; the resultants."""
+    each = [one for one in found if one.symbol in REACTIONS.values()]
+    names = dict.fromkeys(one.name for one in each)
+    rows = [(name, {one.symbol: one for one in each if one.name == name}) for name in names]
+    labels = [f"{name} {' '.join(dict.fromkeys(one.equation for one in own.values()))}".strip() for name, own in rows]
+    cells = [{symbol: one.value for symbol, one in own.items()} for _name, own in rows]
+    whole = dict(rows)[_(TOGETHER)]
+    labels[list(names).index(_(TOGETHER))] = _(TOGETHER)
+    if found.curves:
+        labels.append(_("split shaft"))
+        cells.append({symbol: one.exact for symbol, one in whole.items()})
     columns = [
-        Column(head, "N", tuple(figure(float(getattr(one, name)), "N") for _label, one in rows))
-        for head, name in (("R_KP", "kp"), ("R_TP", "tp"), ("R_KL", "kl"), ("R_TL", "tl"))
+        Column(symbol, "N", tuple(figure(own.get(symbol, 0.0), "N") for own in cells)) for symbol in REACTIONS.values()
     ]
     yield _("K inward, to the axis; T with the rotation, at the crank pin's angle.")
-    yield from column_tables(columns, [label for label, _one in rows], width)
+    yield from column_tables(columns, labels, width)
     yield ""
-    right, left = np.hypot(whole.kp, whole.tp), np.hypot(whole.kl, whole.tl)
+    right, left = (next(one for one in found if one.symbol == symbol) for symbol in ("R_P", "R_L"))
     yield _("Resultants: R_P = {right}, R_L = {left}.").format(
-        right=number(float(right), "N"), left=number(float(left), "N")
+        right=number(right.value, "N"), left=number(left.value, "N")
     )
+    if any(one.verdict == "beyond" for one in each):
+        yield _("Rows without a number are loads for which the text has no letter; the split shaft has them.")
 
 
-def _balance_lines(throw: Throw, width: int) -> Iterator[str | Text]:
-    """Both conditions with what is left over, and what follows."""
-    found = balance_conditions(throw.lengths, throw.forces)
-    names = {"static": _("static, ΣC = 0"), "dynamic": _("dynamic, ΣCz = 0 about L")}
-    rows = [
-        (names[one.name], _left(one, one.outward), _left(one, one.against), _("holds") if one.holds else _("does not"))
-        for one in found
+def _cycle_lines(found: Statements, width: int) -> Iterator[Text]:
+    """Least and largest of each reaction by the text, and how far it is from the split shaft."""
+    columns: list[Column] = []
+    for head, pick in ((_("least"), first_smallest), (_("largest"), first_largest)):
+        places = [pick(one.values) for one in found.curves]
+        values = [float(one.values[at]) for one, at in zip(found.curves, places, strict=True)]
+        columns.append(Column(head, "N", tuple(figure(value, "N") for value in values)))
+        columns.append(Column("φ", "deg", tuple(f"{found.crank_angle[at]:g}" for at in places)))
+    off = [float(np.max(np.abs(one.values - one.exact))) for one in found.curves if one.exact is not None]
+    columns.append(
+        Column(_("off by"), "N", tuple(f"{value:.1e}" if value < _SAID else figure(value, "N") for value in off))
+    )
+    yield from column_tables(columns, [one.symbol for one in found.curves], width)
+
+
+def _show_table(console: Console, found: Statements) -> None:
+    """Show the reactions over the cycle beside those of the split shaft."""
+    rows = np.flatnonzero(found.crank_angle % _STEP == 0.0)
+    columns = [
+        Column(head, "N", tuple(figure(value, "N") for value in values[rows].tolist()))
+        for one in found.curves
+        for head, values in ((one.symbol, one.values), (_("split"), one.exact))
+        if values is not None
     ]
-    heads = (_("balance"), _("outward"), _("against the rotation"), "")
-    yield from table(heads, rows, right=(1, 2))
-    yield ""
-    if found.hold:
-        yield _("Both hold: the rotating masses load no bearing.")
-    elif found.static.holds:
-        yield _(
-            "Static balance alone: the forces are equal and opposite, but a couple is left, and loads both bearings "
-            "alike, in opposite directions."
+    section_of_columns(console, _("Over the cycle"), columns, [f"{angle:g}°" for angle in found.crank_angle[rows]])
+
+
+def _balance_lines(found: Statements) -> Iterator[Text]:
+    """Both conditions with what is left over."""
+    conditions = grouped((one.name, one) for one in found.numbered("after (53)"))
+    rows = [
+        (
+            name,
+            *(number(one.value, one.unit) for one in own),
+            _("does not") if any(one.value for one in own) else _("holds"),
         )
-    elif found.dynamic.holds:
-        yield _("The resultant passes through L: it alone bears it.")
-    else:
-        yield _("Neither holds: (44) to (49) say what the bearings bear.")
-
-
-def _left(one: BalanceCondition, value: float) -> str:
-    """Write what is left over; none but rounding as 0."""
-    unit = "N" if one.name == "static" else "N*m"
-    return number(0.0 if one.holds else value, unit)
-
-
-def _notes() -> Iterator[str]:
-    """What the text leaves open, and how it is read here."""
-    yield _(
-        "C8, C9, C12, C14, C15 count against the rotation: the text is silent, but only so may (45) be added to (51)"
-    )
-    yield _("C3 and C5 hold what turns of the rods: K1 and K2 must not hold it again")
-    yield _("where external counterweights are moments at the ends of a continuous shaft, (48) and (49) count twice")
-    yield _("`cranktrain textbook errata --source crankshaft`: what is wrong in the text and left open by it")
+        for name, own in conditions.items()
+    ]
+    yield from table((_("balance"), _("outward"), _("against the rotation"), ""), rows, right=(1, 2))

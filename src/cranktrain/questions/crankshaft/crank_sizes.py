@@ -1,5 +1,7 @@
 """What pins and webs weigh by their sizes, beside what [masses.crank] says of them."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from cranktrain.catalogue import quantity
@@ -46,14 +48,26 @@ def crank_sizes(laid: LaidCrankshafts, mechanisms: Mechanisms, shafts: Shafts, m
     return CrankSizes(pin, web, moment, labels={"pin": names}, flags=flags)
 
 
-def _sizes(laid: LaidShaft) -> tuple[Array, Array, Array]:
-    """Mass of pins, of their webs, and moment of both, shape (design, pin). [kg, kg, kg·m]"""
+class CrankParts(NamedTuple):
+    """A crankshaft's pins and webs by their sizes.
+
+    pin: mass of each, shape (design, pin) [kg]; web, web_moment: mass of both webs and its moment about the shaft's
+    axis, toward the pin, shape (design, pin, 2) [kg, kg·m].
+    """
+
+    pin: Array
+    web: Array
+    web_moment: Array
+
+
+def crank_parts(laid: LaidShaft) -> CrankParts:
+    """Weigh a shaft's pins and webs by their sizes; docs/theory/crankshaft, eqs. (24.51) and (24.52)."""
     declared, radius = laid.declared, laid.shaft.pieces.radius[:, laid.pins]
     density = declared.density[:, np.newaxis]
     diameter, bore = declared.pin[..., 0], declared.pin[..., 1]
     pin = density * np.pi / 4 * (diameter**2 - bore**2) * declared.pin_length
     journal = declared.journal[..., 0]
-    mass, lever = np.zeros_like(pin), np.zeros_like(pin)
+    webs: list[tuple[Array, Array]] = []
     for side in (0, 1):
         is_there = laid.webs[:, side] >= 0
         is_between = _between(laid, side)
@@ -61,9 +75,17 @@ def _sizes(laid: LaidShaft) -> tuple[Array, Array, Array]:
         height = np.where(np.isnan(declared.web_height), radius + (own + diameter) / 2, declared.web_height)
         web = density * declared.web_width[..., side] * declared.web_thickness[..., side] * height * is_there
         # A web from pin to pin is halved between them: its middle is the mean of both pins' places.
-        mass += web * np.where(is_between, 0.5, 1.0)
-        lever += web * np.where(is_between, 0.5 * radius, (radius + (diameter - own) / 2) / 2)
-    return pin, mass, pin * radius + lever
+        lever = web * np.where(is_between, 0.5 * radius, (radius + (diameter - own) / 2) / 2)
+        webs.append((web * np.where(is_between, 0.5, 1.0), lever))
+    mass, moment = (np.stack(parts, axis=-1) for parts in zip(*webs, strict=True))
+    return CrankParts(pin, mass, moment)
+
+
+def _sizes(laid: LaidShaft) -> tuple[Array, Array, Array]:
+    """Mass of pins, of their webs, and moment of both, shape (design, pin). [kg, kg, kg·m]"""
+    parts = crank_parts(laid)
+    moment = parts.pin * laid.shaft.pieces.radius[:, laid.pins] + np.sum(parts.web_moment, axis=-1)
+    return parts.pin, np.sum(parts.web, axis=-1), moment
 
 
 def _between(laid: LaidShaft, side: int) -> Array:

@@ -18,10 +18,11 @@ from cranktrain.record import record
 
 
 class Pulls(NamedTuple):
-    """Constant forces: z [m] and force toward X and Y [N], shape (design, pull) and (design, pull, 2)."""
+    """Constant forces: z [m] and force toward X and Y [N], shape (design, pull) and (design, pull, 2); their names."""
 
     z: Array
     force: Array
+    names: tuple[str, ...]
 
 
 @record
@@ -220,7 +221,7 @@ def _pulls(designs: Designs, table: CrankshaftTable) -> Pulls:
         designs.by_design([getattr(pull, name).array for pull in pulls]) for name in ("force", "direction")
     )
     force = np.stack([size * np.sin(sense * direction), size * np.cos(direction)], axis=-1)
-    return Pulls(designs.by_design([pull.z.array for pull in pulls]), force)
+    return Pulls(designs.by_design([pull.z.array for pull in pulls]), force, tuple(table.pull))
 
 
 def _half(given: Given | None) -> Array:

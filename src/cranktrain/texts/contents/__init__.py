@@ -9,7 +9,7 @@ from cranktrain.quantities import nearest
 from cranktrain.texts.contents import bolotin, crankshaft, gandzha, steam_engine, synthesis
 from cranktrain.texts.contents.text import Formula, Text
 
-__all__ = ["TEXTS", "Formula", "Text", "plain_number", "text_called", "text_named", "with_equation"]
+__all__ = ["TEXTS", "Formula", "Text", "numbers_in", "plain_number", "text_called", "text_named", "with_equation"]
 
 TEXTS: tuple[Text, ...] = (steam_engine.TEXT, gandzha.TEXT, synthesis.TEXT, bolotin.TEXT, crankshaft.TEXT)
 """Every text, in the order in which the project came by them."""
@@ -35,12 +35,12 @@ def with_equation(number: str, texts: Sequence[Text] = TEXTS) -> list[tuple[Text
     []
     """
     asked = plain_number(number)
-    return [
-        (text, formula)
-        for text in texts
-        for formula in text.formulas
-        if asked in {plain_number(formula.number), *map(plain_number, re.findall(r"\([^)]*\)", formula.number))}
-    ]
+    return [(text, formula) for text in texts for formula in text.formulas if asked in numbers_in(formula.number)]
+
+
+def numbers_in(numbered: str) -> set[str]:
+    """What a formula may be asked for by: all that stands for its number, and each number in brackets there; plain."""
+    return {plain_number(numbered), *map(plain_number, re.findall(r"\([^)]*\)", numbered))}
 
 
 def plain_number(number: str) -> str:

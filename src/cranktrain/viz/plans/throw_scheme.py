@@ -7,6 +7,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.plans.machine_throw import CrankMasses, MachineThrow, ThrownMachine
 from cranktrain.plans.throw_scheme import SchemeForce, SchemeLength, ThrowScheme, throw_scheme
 from cranktrain.references import REFERENCES
 from cranktrain.scales import scale_for
@@ -14,8 +15,9 @@ from cranktrain.texts.throw_table import Throw
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.page import MARGIN, Box, Figure, Page, drawing_settings, fitting_scale, mathematics, paper
+from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
-from cranktrain.viz.paper.style import MUTED, TITLE
+from cranktrain.viz.paper.style import COLOURS, MUTED, TITLE
 from cranktrain.viz.paper.tables import LEAST_ROW, write_table
 
 _RADIUS, _JOURNAL, _PIN, _WEB, _BELOW = 17.0, 4.5, 4.0, 7.0, 10.0
@@ -40,6 +42,10 @@ _FREE = 5.6
 """Of a letter above its arrow. [mm of paper]"""
 
 
+_OVER_CYCLE = 92.0
+"""Height of the curves over the cycle. [mm]"""
+
+
 @drawing_settings()
 def throw_figure(throw: Throw, name: str = "", size: str = "A4") -> Figure:
     """Draw a throw with the symbols of the source's figure, beside what each is.
@@ -55,11 +61,51 @@ def throw_figure(throw: Throw, name: str = "", size: str = "A4") -> Figure:
     -------
     Figure
     """
-    found = throw_scheme(throw)
     page = Page(*paper(size))
+    heads = (name or _("Throw"), _("Scheme with the symbols of fig. 35 of [{source}]"))
+    _draw_scheme(page, throw, heads, MARGIN, is_clockwise=True)
+    return page.figure
+
+
+@drawing_settings()
+def machine_throw_figure(
+    of: ThrownMachine, name: str | None = None, at: float | None = None, masses: CrankMasses = "given", size: str = "A3"
+) -> Figure:
+    """Draw a machine's throw as fig. 35 has it, and the loads on its bearings over the cycle by the text.
+
+    Parameters
+    ----------
+    of : ThrownMachine
+    name : str, optional
+        Of the throw; the first unless given.
+    at : float, optional
+        Crank angle of the forces; where the largest load of both bearings is unless given. [deg]
+    masses : "given" or "sizes"
+    size : "A4" or "A3"
+
+    Returns
+    -------
+    Figure
+    """
+    name = next(iter(of.throws)) if name is None else name
+    at = of.usual_angle(name, masses) if at is None else at
+    one, over = (of.throw(name, angle, masses) for angle in (np.array([at]), of.crank_angle))
+    page = Page(*paper(size))
+    heading = _(
+        "Throw {name} at {at:g}°, bearings {left} (L) and {right} (P), with the symbols of fig. 35 of [{source}]"
+    )
+    said = heading.format(name=name, at=at, left=one.bearings[0], right=one.bearings[1], source=_SOURCE)
+    _draw_scheme(page, one.first(), (of.machine.name, said), MARGIN + _OVER_CYCLE, is_clockwise=one.is_clockwise)
+    _draw_cycle(page, of.crank_angle, over, at)
+    return page.figure
+
+
+def _draw_scheme(page: Page, throw: Throw, heads: tuple[str, str], bottom: float, *, is_clockwise: bool) -> None:
+    """Both views of a throw with its table, from the head of the page down to a height on it."""
+    found = throw_scheme(throw)
     top = page.height - MARGIN
-    page.text(MARGIN, top - 4.5, name or _("Throw"), fontsize=TITLE, fontweight="bold")
-    page.text(MARGIN, top - 10.0, _("Scheme with the symbols of fig. 35 of [{source}]").format(source=_SOURCE))
+    page.text(MARGIN, top - 4.5, heads[0], fontsize=TITLE, fontweight="bold")
+    page.text(MARGIN, top - 10.0, heads[1].format(source=_SOURCE))
     page.text(MARGIN, top - 14.5, REFERENCES[_SOURCE].text, color=MUTED)
     page.rule(top - 17.5)
     wide = page.width - 2 * MARGIN - _TABLE - 8.0
@@ -71,13 +117,62 @@ def throw_figure(throw: Throw, name: str = "", size: str = "A4") -> Figure:
     page.draw(sketch, (left, axis))
     page.heading(MARGIN, top - 23.5, _("From the side: forces in the crank's plane"))
     page.heading(MARGIN, axis - _OVER - 8.5, _("From above: forces across the crank's plane"))
-    _write_table(page, throw, found, Box(page.width - MARGIN - _TABLE, MARGIN, _TABLE, top - 21.0 - MARGIN))
-    bar_end = page.scale_bar(MARGIN, MARGIN, scale)
+    _write_table(page, throw, found, Box(page.width - MARGIN - _TABLE, bottom, _TABLE, top - 21.0 - bottom))
+    bar_end = page.scale_bar(MARGIN, bottom, scale)
     said = _("To scale along the shaft alone. A longer arrow is a larger force; those of 0 are left out.")
-    page.text(bar_end + 36.0, MARGIN - 0.4, said, color=MUTED)
-    seen = _("Seen from the left end the throw turns clockwise: above it moves toward whoever looks from the side.")
-    page.text(MARGIN, MARGIN + 6.0, seen, color=MUTED)
-    return page.figure
+    page.text(bar_end + 36.0, bottom - 0.4, said, color=MUTED)
+    seen = (
+        _("Seen from the left end the throw turns clockwise: above it moves toward whoever looks from the side.")
+        if is_clockwise
+        else _("Drawn as if it turned clockwise, seen from the left end; it turns anticlockwise.")
+    )
+    page.text(MARGIN, bottom + 6.0, seen, color=MUTED)
+
+
+_PENS = {"k": ("K", COLOURS["K"]), "t": ("T", COLOURS["T"])}
+"""Of each part of a load its letter and its colour."""
+
+
+def _draw_cycle(page: Page, degrees: Array, over: MachineThrow, at: float) -> None:
+    """Loads of both bearings over the cycle, by the text and by the split shaft, side by side."""
+    wide = (page.width - 2 * MARGIN - 24.0) / 2
+    by_text, high = over.by_text, _OVER_CYCLE - 34.0
+    loads = [np.broadcast_to(part, degrees.shape) / 1e3 for part in (*by_text, *over.exact)]
+    limits = (min(float(np.min(one)) for one in loads), max(float(np.max(one)) for one in loads))
+    for place, (side, bearing) in enumerate((("l", over.bearings[0]), ("p", over.bearings[1]))):
+        left = MARGIN + 12.0 + place * (wide + 12.0)
+        axes = axes_in(page, Box(left, MARGIN + 12.0, wide - 6.0, high))
+        for part, (letter, colour) in _PENS.items():
+            own, exact = (
+                np.broadcast_to(getattr(one, part + side), degrees.shape) / 1e3 for one in (by_text, over.exact)
+            )
+            axes.plot(degrees, exact, color=MUTED, linewidth=3.2, alpha=0.45, zorder=2)
+            axes.plot(
+                degrees, own, color=colour, linewidth=1.1, linestyle="-" if letter == "K" else (0, (6.0, 2.0)), zorder=3
+            )
+        axes.axhline(0.0, color=MUTED, linewidth=0.6, zorder=1)
+        axes.axvline(at, color=MUTED, linewidth=0.6, linestyle=(0, (2.0, 2.0)), zorder=1)
+        margin = 0.06 * (limits[1] - limits[0])
+        cycle = float(degrees.size * (degrees[1] - degrees[0]))
+        axes.set(xlim=(0.0, cycle), ylim=(limits[0] - margin, limits[1] + margin))
+        axes.set_xticks(np.arange(0.0, cycle + 1.0, cycle / 8.0))
+        heading = _("Load on bearing {name} ({letter}), kN").format(name=bearing, letter=side.upper())
+        page.heading(left, MARGIN + 12.0 + high + 6.4, heading)
+        _write_legend(page, left, MARGIN + 12.0 + high + 2.0)
+    page.text(page.width / 2, MARGIN, _("Crank angle, °; K inward, T with the rotation, at the crank pin"), ha="center")
+
+
+def _write_legend(page: Page, x: float, y: float) -> None:
+    """Samples of the curves."""
+    samples = [
+        ("K", {"color": COLOURS["K"], "linewidth": 1.1}),
+        ("T", {"color": COLOURS["T"], "linewidth": 1.1, "linestyle": (0, (6.0, 2.0))}),
+        (_("both by the split shaft"), {"color": MUTED, "linewidth": 3.2, "alpha": 0.45}),
+    ]
+    for words, pen in samples:
+        page.sample(x, x + 9.0, y + 0.8, **pen)
+        _start, end = page.ends(page.text(x + 10.5, y, words))
+        x = end + 6.0
 
 
 _SOURCE = "crankshaft-reactions"
