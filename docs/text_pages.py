@@ -54,7 +54,12 @@ def _errors(name: str) -> Iterator[str]:
     yield "## What is wrong in it"
     yield ""
     rows = [
-        (one.name, one.symbol, *(dict(amounts(one)).get(head, "") for head in ("gives", "right")), *found.notes[one.name])
+        (
+            one.name,
+            one.symbol,
+            *(dict(amounts(one)).get(head, "") for head in ("gives", "right")),
+            *found.notes[one.name],
+        )
         for one in found
     ]
     yield from _table(("step", "printed", "gives", "right", "because"), rows)

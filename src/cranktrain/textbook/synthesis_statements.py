@@ -1,4 +1,4 @@
-"""What the text on the synthesis of a slider-crank states of stroke, mean speed and pressure angle, beside what is so."""
+"""What the text on the synthesis of a slider-crank states of its requirements, or of others, beside what is so."""
 
 from collections.abc import Iterator
 from math import pi, sin
@@ -153,7 +153,9 @@ def _velocities(wanted: SliderCrankRequirements, *, is_own: bool) -> Iterator[St
     degrees = np.arange(0.0, 360.0, _STEP)
     angle = np.deg2rad(degrees)
     exact = _exact(angle, wanted, is_own=is_own).tolist()
-    columns = [("approximate", _("by its formula"), _by_formula(angle, wanted, is_own=is_own).tolist(), VELOCITY)]
+    columns: list[tuple[Verdict, str, list[float], str]] = [
+        ("approximate", _("by its formula"), _by_formula(angle, wanted, is_own=is_own).tolist(), VELOCITY)
+    ]
     if is_own:
         columns.insert(0, ("printed", _("as printed"), list(PRINTED_VELOCITY), "table"))
     for verdict, name, values, equation in columns:
@@ -164,9 +166,7 @@ def _velocities(wanted: SliderCrankRequirements, *, is_own: bool) -> Iterator[St
 def _curves(wanted: SliderCrankRequirements, angle: Array, *, is_own: bool) -> Iterator[StatementCurve]:
     """Velocity over the turn by its formula, beside the exact one."""
     values, exact = (curve(angle, wanted, is_own=is_own) for curve in (_by_formula, _exact))
-    yield StatementCurve(
-        SOURCE, VELOCITY, "v", _("velocity of the slider"), "", "m/s", "approximate", values, exact
-    )
+    yield StatementCurve(SOURCE, VELOCITY, "v", _("velocity of the slider"), "", "m/s", "approximate", values, exact)
 
 
 def _words(wanted: SliderCrankRequirements, *, is_own: bool) -> str:

@@ -41,7 +41,9 @@ def page(head: str = "") -> Generator[Console]:
             console.print(Text(head, style="bold"))
         yield console
     lines = shown.get().splitlines()
-    sys.stdout.writelines(f"{line.rstrip()}\n".replace(KEPT, " ") for line in (lines if head else dropwhile(lambda line: not line, lines)))
+    sys.stdout.writelines(
+        f"{line.rstrip()}\n".replace(KEPT, " ") for line in (lines if head else dropwhile(lambda line: not line, lines))
+    )
 
 
 def show_lines(console: Console, lines: Iterable[Text]) -> None:

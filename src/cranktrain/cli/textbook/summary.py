@@ -124,9 +124,7 @@ def _lines(rows: Sequence[_Row], width: int) -> Iterator[str | Line]:
     yield _("Δx in parts of the stroke, Δv and Δj of their exact peaks; of several pistons the largest.")
 
 
-def _show_usual(
-    console: Console, places: Sequence[PlacedMechanism], result: Result, ranges: Sequence[Range]
-) -> None:
+def _show_usual(console: Console, places: Sequence[PlacedMechanism], result: Result, ranges: Sequence[Range]) -> None:
     """Show the motion of the first piston of which a text speaks, exact and by the usual one of its methods."""
     turn = result.crank_angle < _TURN
     labels = [f"{angle:g}°" for angle in result.crank_angle[turn]]

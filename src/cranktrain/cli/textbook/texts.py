@@ -65,7 +65,7 @@ def show_text(text: Source, *, has_forms: bool, full: bool) -> None:
 
 
 def _listed(text: Source, formulas: Sequence[Formula], width: int) -> Iterator[Line]:
-    """Formulas one in a line; the numbers of all groups in columns of one width, a subject cut where there is no room."""
+    """Formulas one in a line, a subject cut where there is no room; numbers have one width in all groups."""
     numbers = max(cell_len(one.number) for one in text.formulas)
     room = width - numbers - GAP
     for one in formulas:
