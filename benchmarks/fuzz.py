@@ -76,6 +76,8 @@ def commands(seed: int, path: str, tables: dict) -> list[list[str]]:
     if any_.random() < 0.06:
         what = any_.choice(([], ["--table"], ["--forces", "N"], ["--forces", "bar"], ["--harmonics"]))
         asked.append(["textbook", path, *what])
+        if "crankshaft" in tables:
+            asked.append(["textbook", "--throw", path])
         if tables.get("mechanism", {}).get("kind") == "crank_rocker":
             asked.append(["textbook", "--drive", path])
     return asked

@@ -118,6 +118,7 @@ def commands() -> dict[str, tuple[str, ...]]:
             ("textbook", "FILE", "--forces", "bar"),
             ("textbook", "FILE", "--harmonics"),
             ("textbook", "--drive", "FILE"),
+            ("textbook", "--throw", "FILE"),
             ("compare", "FILE", "FILE"),
             ("compare", "FILE", "--set", "shaft.main.speed=50 rpm"),
             ("plot", "FILE", "-o", "out.gif"),

@@ -142,7 +142,7 @@ def add_textbook(app: typer.Typer) -> None:
                 metavar="NUMBER", help=_("Which throw of a machine, such as 3, or main.3; the first unless given.")
             ),
         ] = None,
-        masses: Annotated[
+        crank_masses: Annotated[
             str | None,
             typer.Option(
                 metavar="given|sizes",
@@ -198,7 +198,7 @@ def add_textbook(app: typer.Typer) -> None:
             "--harmonics": "" if harmonics else None,
             "--crank-to-rod-ratio": crank_to_rod_ratio,
         }
-        of_throw = {"--throw-number": throw_number, "--masses": masses}
+        of_throw = {"--throw-number": throw_number, "--crank-masses": crank_masses}
         if equation is not None:
             from cranktrain.cli.textbook.texts import show_equation
 
@@ -216,7 +216,7 @@ def add_textbook(app: typer.Typer) -> None:
             from cranktrain.cli.textbook.throw import OfMachine, show_throw
 
             del alone["--table"]
-            asked = OfMachine(throw_number, at, masses, table)
+            asked = OfMachine(throw_number, at, crank_masses, table)
             show_throw(throw, values, output, asked=asked, force=force, others=alone)
             return
         from cranktrain.cli.textbook.throw_output import refuse_without_throw

@@ -152,7 +152,7 @@ class ThrownMachine:
         if not np.all(np.isfinite(degrees)):
             yield Problem("at", str(degrees[~np.isfinite(degrees)][0]), _("must be a crank angle in degrees"))
         if masses not in CRANK_MASSES:
-            yield Problem("masses", masses, _("must be one of: {names}").format(names=", ".join(CRANK_MASSES)))
+            yield Problem("crank_masses", masses, _("must be one of: {names}").format(names=", ".join(CRANK_MASSES)))
 
 
 class _Load(NamedTuple):

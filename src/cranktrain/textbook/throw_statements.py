@@ -58,7 +58,7 @@ def throw(
     at: float | None = None,
     *,
     set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
-    masses: CrankMasses = "given",
+    crank_masses: CrankMasses = "given",
 ) -> Statements:
     """Give fig. 35 and (44) to (53) of [crankshaft-reactions] for a throw of an engine, beside its split shaft.
 
@@ -72,7 +72,7 @@ def throw(
         Crank angle as the machine shows it; where the largest load of both bearings is unless given. [deg]
     set : mapping of str, optional
         Other values by path; of the text's own example by its symbols.
-    masses : "given" or "sizes"
+    crank_masses : "given" or "sizes"
         Whether C2, C4 and C6 are what [masses.crank] says, as in `run`, or what pins and webs of [crankshaft] weigh.
 
     Returns
@@ -99,7 +99,7 @@ def throw(
         return throw_statements(read_throw(tomllib.loads(text) | values))
     given = source_of(machine, values)
     with problems_as(given.placed):
-        return machine_statements(ThrownMachine(given.machine), str(throw_number), at, masses)
+        return machine_statements(ThrownMachine(given.machine), str(throw_number), at, crank_masses)
 
 
 def throw_statements(of: Throw) -> Statements:
@@ -231,9 +231,13 @@ def _of_machine(one: MachineThrow, masses: CrankMasses) -> Iterator[str]:
     if masses == "sizes":
         yield _("C2, C4, C6 are what pins and webs of [crankshaft] weigh; in `run` a crank is what [masses.crank] says")
     elif one.has_mass:
-        yield _("C2 and C6 are half of [masses.crank] each, its pin with them, and C4 is 0; --masses sizes parts them")
+        yield _(
+            "C2 and C6 are half of [masses.crank] each, its pin with them, and C4 is 0; --crank-masses sizes parts them"
+        )
     else:
-        yield _("C2, C4, C6 are 0: cranks have no mass without [masses.crank]; --masses sizes has them of [crankshaft]")
+        yield _(
+            "C2, C4, C6 are 0: cranks have no mass without [masses.crank]; --crank-masses sizes weighs [crankshaft]"
+        )
 
 
 def _notes(of: Throw, more: Iterator[str] | tuple[()]) -> dict[str, tuple[str, ...]]:

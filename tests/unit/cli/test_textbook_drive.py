@@ -49,7 +49,7 @@ def test_curves_are_written(typed, tmp_path, monkeypatch):
         read = list(csv.reader(file))
     assert len(read) == 362
     assert read[1][0] == "0"
-    column = next(i for i, head in enumerate(read[0]) if head.startswith("(14) right") and "active" in head)
+    column = next(i for i, head in enumerate(read[0]) if head.startswith("(14) M_st right") and "active" in head)
     assert float(read[61][column]) == pytest.approx(18.560, abs=5e-4)
 
 
@@ -91,7 +91,7 @@ def test_mistakes_in_a_table(typed, written, change, said):
         (["--drive", "vaz_21213"], "must have a crank-rocker"),
         (["--drive", "pumping_unit_c57", *OF_MACHINE], "Q: is missing"),
         (["--drive", " "], "must be a file with a drive's table"),
-        (["tilting_table", "--at", "20"], "is for a drive: ask for --drive FILE, too"),
+        (["tilting_table", "--at", "20"], "is for a throw or a drive: ask for --throw FILE or --drive FILE, too"),
         (["--drive", "example", "--set", "Q"], "must be SYMBOL=VALUE"),
     ],
 )

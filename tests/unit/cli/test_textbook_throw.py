@@ -95,7 +95,7 @@ def test_scheme(typed, tmp_path, monkeypatch):
         (["--throw", "example", "--set", "K1"], "--set  K1: must be SYMBOL=VALUE"),
         (["--throw", "example", "--set", "h_p=1 mm"], f"--set  h_p = 1 mm: {NOT_A_KEY}"),
         (["--throw", "nothing.toml"], "nothing.toml"),
-        (["--throw", ""], "must be the name of a file with a throw's table, or `example`"),
+        (["--throw", ""], "must be a file with a throw's table, a machine file, or `example`"),
         (["--throw", "example", "-o", "throw.doc"], f"{ENDS_IN}.toml, .png, .svg, .pdf"),
         (["3d12", "--throw", "example"], "must be left out beside --throw"),
         (["--throw", "example", "--table", "--harmonics"], "--harmonics: must be left out beside --throw"),
@@ -123,3 +123,62 @@ def test_problems_stand_at_their_lines(typed, written):
     errors = typed("textbook", "--throw", "throw.toml").errors
     assert re.search(r"throw\.toml:8(:\d+)?  K1 = 3 m", errors)
     assert re.search(r"throw\.toml:9(:\d+)?  l = 102 mm: is no input", errors)
+
+
+def test_throw_of_a_machine(typed):
+    """The engine's own lengths, its rods, the split shaft beside the text, and the same over the cycle."""
+    answer = typed("textbook", "--throw", "kamaz_740", "--throw-number", "3", "--at", "420")
+    assert (answer.status, answer.errors) == (0, "")
+    assert all(len(line) <= 80 for line in answer.output.splitlines())
+    assert row(answer.output, "together") == row(answer.output, "split shaft")
+    assert row(answer.output, "together") == pytest.approx([4123.2, -2403.9, 3032.1, -4181.5], abs=0.051)
+    said = re.sub(r"\s+", " ", answer.output)
+    for words in (
+        "bearings 3 (L) and 4 (P)",
+        "= 155.00 mm",
+        "K1, T1: 3L; K2, T2: 3R",
+        "Over the cycle, at whole degrees",
+    ):
+        assert words in said
+    with_table = typed("textbook", "--throw", "kamaz_740", "--throw-number", "3", "--at", "420", "--table").output
+    assert "  690°  " in with_table
+    assert "  690°  " not in answer.output
+
+
+def test_loads_over_the_cycle_are_written(typed, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    asked = ("textbook", "--throw", "deltic", "--throw-number", "main.6")
+    assert typed(*asked, "-o", "throw.csv").output == "written: throw.csv\n"
+    heads, *lines = (tmp_path / "throw.csv").read_text(encoding="utf-8").splitlines()
+    assert heads.count('"') == 2 * 9
+    assert "(44) (49) (50) R_KP approximate: together [N]" in heads
+    assert len(lines) == 360
+    assert typed(*asked, "-o", "throw.svg").status == 0
+    assert "<svg" in (tmp_path / "throw.svg").read_text(encoding="utf-8")
+    again = typed(*asked, "-o", "throw.csv")
+    assert (again.status, "--force" in again.errors) == (2, True)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("kamaz_740", "--throw-number", "9"), "--throw-number = 9: must be the number of a throw: 1, 2, 3, 4"),
+        (("kamaz_740", "--crank-masses", "x"), "--crank-masses = x: must be one of: given, sizes"),
+        (("kamaz_740", "-o", "t.toml"), "must end in one of: .csv, .png, .svg, .pdf"),
+        (("example", "--at", "3", "--table"), "--table: is for the throw of a machine: name its file"),
+        (("kamaz_740", "--set", "K1=3 N"), "K1 = 3 N: is not a key of this table"),
+        (("kamaz_740", "--forces", "N"), "must be left out beside --throw"),
+        (("deltic", "--throw-number", "3"), "must be the number of a throw: main.1"),
+        (("two_throw_compressor",), "is one of 2 between bearings 1 and 3"),
+        (("mill_engine",), "hangs over"),
+        (("great_northern",), "masses: is missing, and [gas] too"),
+        (("tilting_table",), "the loads of its main bearings need [crankshaft]"),
+    ],
+)
+def test_mistakes_with_a_machine(typed, arguments, said):
+    wrong = typed("textbook", "--throw", *arguments)
+    assert (wrong.status, wrong.output) == (2, "")
+    assert said in wrong.errors
+    for option, value in (("--throw-number", "3"), ("--crank-masses", "sizes")):
+        alone = typed("textbook", "kamaz_740", option, value)
+        assert (alone.status, "is for a machine's throw" in alone.errors) == (2, True)

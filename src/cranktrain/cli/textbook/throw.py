@@ -38,7 +38,7 @@ _NOTHING = 1e-12
 """Of the largest length or force of a figure; what is less is not shown."""
 _SAID = 5e-3
 """A smaller difference is written with its power. [N]"""
-_OPTIONS = {"throw_number": "--throw-number", "masses": "--masses"}
+_OPTIONS = {"throw_number": "--throw-number", "crank_masses": "--crank-masses"}
 _STEP = 30.0
 """Of the crank angle in tables. [deg]"""
 
@@ -64,7 +64,7 @@ class OfMachine(NamedTuple):
         return {
             "--throw-number": self.number,
             "--at": None if self.at is None else f"{self.at:g}",
-            "--masses": self.masses,
+            "--crank-masses": self.masses,
             "--table": "" if self.with_table else None,
         }
 
