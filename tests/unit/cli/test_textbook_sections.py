@@ -76,7 +76,9 @@ def test_minus_signs(typed, written):
 def test_largest_difference(typed, written):
     """(335): λR/2 = 6.25 mm; L − √(L² − R²) = 6.351 mm."""
     written(CENTRAL)
-    (values,) = rows(parts(typed("textbook", "machine.toml", "--full").output)["Z = λR/2: (335) [steam-engine]"]).values()
+    (values,) = rows(
+        parts(typed("textbook", "machine.toml", "--full").output)["Z = λR/2: (335) [steam-engine]"]
+    ).values()
     by_hand = 200 - np.sqrt(200**2 - 50**2)
     assert values == [6.25, round(by_hand, 2), round(100 * (6.25 / by_hand - 1), 2)]
 
@@ -169,7 +171,7 @@ def test_pins_of_a_crank_rocker(typed, written):
     _crank, beta, rocker = rocker_directions(grid)
     ratio = np.sin(grid - beta) / np.sin(rocker - beta)
     said = " ".join(answer.output.split())
-    assert f"from {ratio.min():.4f} to {ratio.max():.4f}, where" in said
+    assert f"from −{-ratio.min():.4f} to {ratio.max():.4f}, where" in said
     assert "(13) prints r₁ = 280.00 mm where by (12) and (4) it must be r = 100.00 mm" in said
     assert "Largest errors over the turn" not in said
 

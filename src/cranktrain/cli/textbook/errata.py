@@ -76,8 +76,9 @@ def _listed(each: Sequence[Statement], width: int) -> list[Line]:
     numbers = [[own.get(head, "") for own in cells] for head in (_("gives"), _("right"))]
     heads = (_("gives"), _("right"))
     taken = sum(max(map(cell_len, [head, *column])) + GAP for head, column in zip(heads, numbers, strict=True))
-    names = [shorten(one.name, width - taken - 2 * GAP, placeholder=" …") for one in each]
     keys = [f"{place}." for place in range(1, len(each) + 1)]
+    room = width - taken - max(map(len, keys), default=0) - GAP
+    names = [shorten(one.name, room, placeholder=" …") for one in each]
     return table(("", "", *heads), list(zip(keys, names, *numbers, strict=True)), right=(0, 2, 3))
 
 

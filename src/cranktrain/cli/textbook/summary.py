@@ -117,9 +117,9 @@ def _lines(rows: Sequence[_Row], width: int) -> Iterator[str | Line]:
     """Lay them out, and say what they are errors of."""
     if not rows:
         return
-    cells = [(number, of, *map(percent, errors), said) for number, of, errors, said in rows]
-    heads = ("", _("of"), "Δx", "Δv", "Δj", "")
-    yield from table(heads, [("", "", "%", "%", "%", ""), *cells], right=(2, 3, 4), fold=width)
+    cells = [(number, *map(percent, errors), f"{of}: {said}") for number, of, errors, said in rows]
+    heads = ("", "Δx", "Δv", "Δj", "")
+    yield from table(heads, [("", "%", "%", "%", ""), *cells], right=(1, 2, 3), fold=width)
     yield ""
     yield _("Δx in parts of the stroke, Δv and Δj of their exact peaks; of several pistons the largest.")
 

@@ -39,7 +39,7 @@ TEXT = Text(
             "(335)",
             N_("Z = λR/2, the largest difference of (333) and (334)"),
             "right",
-            _MOTION,
+            "cranktrain textbook great_northern --full",
             note=N_("of the exact displacement and (334) it is L − √(L² − R²), 1.6 % more at λ = 0.25"),
         ),
         Formula(
