@@ -194,7 +194,7 @@ def wrong_steps() -> tuple[WrongStep, ...]:
             0.05,
             period,
             "s",
-            N_("rounded by 1.5 %, which goes into the speed and every velocity"),
+            N_("rounded by 1.6 %, which goes into the speed and every velocity"),
         ),
         WrongStep(
             N_("angular speed of the crank"),

@@ -31,7 +31,9 @@ from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest
 from cranktrain.references import REFERENCES
+from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text, text_called, text_named
+from cranktrain.texts.ranges import RANGES
 
 _ERRATA = "errata"
 _OF_CRANK_ROCKERS = "gandzha"
@@ -150,9 +152,23 @@ def _unspoken(machine: Machine, file: str, text: Text | None) -> Iterator[str]:
     yield _("[{name}] speaks of {subject}; the mechanisms of this machine are: {kinds}.").format(
         name=text.name, subject=_(text.said_of), kinds=kinds
     )
-    yield _("`{command}` shows what the texts have for it, `{list}` what this one holds.").format(
-        command=f"cranktrain textbook {one_line(file)}", list=f"cranktrain textbook --source {text.name}"
-    )
+    yield _("`{list}`: what this text holds").format(list=f"cranktrain textbook --source {text.name}")
+    for command in _speaking(machine, file):
+        yield _("`{command}` has something for this machine").format(command=command)
+
+
+def _speaking(machine: Machine, file: str) -> Iterator[str]:
+    """Commands by which texts have something for a machine."""
+    asked = f"cranktrain textbook {one_line(file)} --source"
+    kinds = {place.kind.name for place in machine.places}
+    sources = dict.fromkeys(one.source for one in RANGES if not kinds.isdisjoint(FORMS[one.method]))
+    if "bolotin" not in sources and opposed_pairs(machine.places):
+        sources["bolotin"] = None
+    if "crank_rocker" in kinds:
+        sources[_OF_CRANK_ROCKERS] = None
+    yield from (f"{asked} {source}" for source in sources)
+    if machine.crankshaft is not None:
+        yield f"cranktrain textbook --throw {one_line(file)}"
 
 
 def _steam(console: Console, machine: Machine, result: Result, *, with_table: bool) -> bool:
