@@ -4,8 +4,9 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from cranktrain.references import REFERENCES
+from cranktrain.textbook import errata
+from cranktrain.textbook.errata_statements import amounts
 from cranktrain.texts.contents import TEXTS, Formula, Text
-from cranktrain.texts.errata import ERRATA
 
 FOLDER = Path(__file__).parent / "texts"
 _MADE = "% Made by docs/text_pages.py from src/cranktrain/texts/contents: change it there.\n"
@@ -49,12 +50,19 @@ def _row(one: Formula) -> tuple[str, ...]:
 
 def _errors(name: str) -> Iterator[str]:
     """The errors of a text, as `textbook errata` has them."""
-    if name in ERRATA:
-        yield "## What is wrong in it"
-        yield ""
-        heads = ("printed", "gives", "right", "because")
-        rows = [(step.step, *(dict(step.said()).get(head, "") for head in heads)) for step in ERRATA[name]()]
-        yield from _table(("step", *heads), rows)
+    found = errata(name)
+    yield "## What is wrong in it"
+    yield ""
+    rows = [
+        (
+            one.name,
+            one.symbol,
+            *(dict(amounts(one)).get(head, "") for head in ("gives", "right")),
+            *found.notes[one.name],
+        )
+        for one in found
+    ]
+    yield from _table(("step", "printed", "gives", "right", "because"), rows)
 
 
 def _index() -> str:

@@ -116,7 +116,7 @@ def in_print(sentence: str) -> str:
 _PRINTED = (
     (r"(?<![\w.)-])-(?=\d)", "−"),
     (r"\b(k?N|kg)\*m\b", r"\1·m"),
-    (r"\b(m/s|kg·m|m/rad)\^2(?!\d)", r"\1²"),
+    (r"\b(m?m/s|kg·m|m?m/rad)\^2(?!\d)", r"\1²"),
 )
 
 

@@ -1,6 +1,8 @@
 """What may be typed after `textbook`."""
 
-from typing import Annotated
+from collections.abc import Callable
+from functools import wraps
+from typing import Annotated, ParamSpec
 
 import typer
 
@@ -8,6 +10,21 @@ from cranktrain.cli.optional_source import OptionalSource
 from cranktrain.cli.options import Force, Settings, degrees
 from cranktrain.cli.task import put_off
 from cranktrain.language import _
+
+_Given = ParamSpec("_Given")
+
+
+def _in_print(command: Callable[_Given, None]) -> Callable[_Given, None]:
+    """Let all that a command shows stand with true minus signs, degrees, dots and powers."""
+
+    @wraps(command)
+    def shown(*given: _Given.args, **named: _Given.kwargs) -> None:
+        from cranktrain.cli.screen.typesetting import printed
+
+        with printed():
+            command(*given, **named)
+
+    return shown
 
 
 def add_textbook(app: typer.Typer) -> None:
@@ -26,6 +43,7 @@ def add_textbook(app: typer.Typer) -> None:
             "  E  crankshaft-reactions    reactions of a crankshaft's supports\n\n"
             "\b\n"
             "  cranktrain textbook 3d12\n"
+            "  cranktrain textbook 3d12 --full\n"
             "  cranktrain textbook 3d12 --table\n"
             "  cranktrain textbook --source\n"
             "  cranktrain textbook --source bolotin\n"
@@ -42,6 +60,7 @@ def add_textbook(app: typer.Typer) -> None:
         cls=OptionalSource,
     )
     @put_off
+    @_in_print
     def _textbook(
         file: Annotated[
             str,
@@ -71,7 +90,10 @@ def add_textbook(app: typer.Typer) -> None:
             ),
         ] = None,
         table: Annotated[
-            bool, typer.Option("--table", help=_("Show the motion by each method, too, in steps of 30°."))
+            bool, typer.Option("--table", help=_("Show instead the motion over the turn, in steps of 30°."))
+        ] = False,
+        full: Annotated[
+            bool, typer.Option("--full", help=_("Show all, not one screen: every formula, form, table or error."))
         ] = False,
         errata: Annotated[bool, typer.Option("--errata", help=_("Show the sources' errors, too."))] = False,
         forces: Annotated[
@@ -169,6 +191,7 @@ def add_textbook(app: typer.Typer) -> None:
             "FILE": file or None,
             "--source": source,
             "--table": "" if table else None,
+            "--full": "" if full else None,
             "--errata": "" if errata else None,
             "--forces": forces,
             **of_forces,
@@ -204,6 +227,7 @@ def add_textbook(app: typer.Typer) -> None:
 
             others = {
                 "--table": "" if table else None,
+                "--full": "" if full else None,
                 "--errata": "" if errata else None,
                 "--source": source,
                 "--forces": forces,
@@ -219,4 +243,4 @@ def add_textbook(app: typer.Typer) -> None:
             show_force_tables(file, values, unit=forces, step=30.0 if step is None else step, piston=piston)
             return
         refuse_without_forces(of_forces)
-        show_textbook(file, values, source=source, with_table=table, with_errata=errata)
+        show_textbook(file, values, source=source, full=full, with_table=table, with_errata=errata)

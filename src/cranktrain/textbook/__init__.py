@@ -17,12 +17,20 @@ from cranktrain.textbook.statements import Statement, StatementCurve, Statements
 
 if TYPE_CHECKING:
     from cranktrain.textbook.drive_statements import drive
+    from cranktrain.textbook.errata_statements import errata
     from cranktrain.textbook.motion_statements import motion
+    from cranktrain.textbook.synthesis_statements import synthesis
     from cranktrain.textbook.throw_statements import throw
 
-__all__ = ["Statement", "StatementCurve", "Statements", "drive", "motion", "throw"]
+__all__ = ["Statement", "StatementCurve", "Statements", "drive", "errata", "motion", "synthesis", "throw"]
 
-_HOMES = {"drive": "drive_statements", "motion": "motion_statements", "throw": "throw_statements"}
+_HOMES = {
+    "drive": "drive_statements",
+    "errata": "errata_statements",
+    "motion": "motion_statements",
+    "synthesis": "synthesis_statements",
+    "throw": "throw_statements",
+}
 """Which module has each of what is called."""
 
 

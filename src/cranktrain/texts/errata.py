@@ -9,12 +9,10 @@ from cranktrain.texts.steam_engine_errata import steam_errata
 from cranktrain.texts.throw_errata import throw_errata
 from cranktrain.texts.wrong_step import WrongStep
 
-SYNTHESIS = "slider-crank-synthesis"
-
 ERRATA: Mapping[str, Callable[[], tuple[WrongStep, ...]]] = {
     "steam-engine": steam_errata,
     "gandzha": drive_errata,
-    SYNTHESIS: wrong_steps,
+    "slider-crank-synthesis": wrong_steps,
     "bolotin": bolotin_errata,
     "crankshaft-reactions": throw_errata,
 }

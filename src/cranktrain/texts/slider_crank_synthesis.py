@@ -95,14 +95,39 @@ def velocity_table() -> VelocityTable:
     VelocityTable, shape (12,)
     """
     angle = np.arange(12, dtype=np.float64) * (pi / 6)
-    sine = CRANK_RADIUS * np.sin(angle)
-    along = np.sqrt(ROD_LENGTH**2 - sine**2)
     return VelocityTable(
         angle=angle,
         printed=np.array(PRINTED_VELOCITY),
         approximate=two_harmonics(angle, single(PIN_SPEED), single(2 * HALF_RATIO)).first,
-        exact=SPEED * sine * (1 + CRANK_RADIUS * np.cos(angle) / along),
+        exact=exact_velocity(angle, CRANK_RADIUS, ROD_LENGTH, SPEED),
     )
+
+
+def exact_velocity(angle: Array, crank_radius: float, rod_length: float, speed: float) -> Array:
+    """Velocity of a central slider toward the shaft, ωr sin φ (1 + r cos φ/√(l² − r² sin²φ)).
+
+    Parameters
+    ----------
+    angle : Array
+        φ [rad]
+    crank_radius, rod_length : float
+        r, l [m]
+    speed : float
+        ω [rad/s]
+
+    Returns
+    -------
+    Array, of the shape of `angle`
+        [m/s]
+
+    Examples
+    --------
+    >>> round(float(exact_velocity(np.array(pi / 3), 0.08, 0.27, 125.6)), 3)
+    10.036
+    """
+    sine = crank_radius * np.sin(angle)
+    along = np.sqrt(rod_length**2 - sine**2)
+    return speed * sine * (1 + crank_radius * np.cos(angle) / along)
 
 
 def wrong_steps() -> tuple[WrongStep, ...]:
@@ -169,7 +194,7 @@ def wrong_steps() -> tuple[WrongStep, ...]:
             0.05,
             period,
             "s",
-            N_("rounded by 1.5 %, which goes into the speed and every velocity"),
+            N_("rounded by 1.6 %, which goes into the speed and every velocity"),
         ),
         WrongStep(
             N_("angular speed of the crank"),

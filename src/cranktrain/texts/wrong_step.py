@@ -1,13 +1,6 @@
 """A step of a source that is wrong."""
 
-from collections.abc import Iterator
 from typing import NamedTuple
-
-from cranktrain.language import _
-from cranktrain.quantities import shown
-
-_FIGURES = {"mm": 5}
-"""Where a source has more than four."""
 
 
 class WrongStep(NamedTuple):
@@ -23,19 +16,3 @@ class WrongStep(NamedTuple):
     right: float | None
     unit: str
     why: str
-
-    def said(self) -> Iterator[tuple[str, str]]:
-        """Give what is said of it in words, each with its head, as far as it has numbers."""
-        yield _("printed"), self.printed
-        if self.got is not None:
-            yield _("gives"), _figure(self.got, self.unit)
-        if self.right is not None:
-            yield _("right"), _figure(self.right, self.unit)
-        yield _("because"), _(self.why)
-
-
-def _figure(value: float, unit: str) -> str:
-    """Write a number with the figures that the sources have at most; an angle in degrees."""
-    if unit == "rad":
-        return f"{shown(value, 'deg'):.4g} deg"
-    return f"{value:.{_FIGURES.get(unit, 4)}g} {unit}".removesuffix(" 1")

@@ -22,7 +22,7 @@ def test_table(typed):
     starts = [lines.index(heading) for heading in HEADINGS]
     assert [lines[start + 1].split() for start in starts] == [LETTERS] * 2 + [[f"Δ{one}" for one in LETTERS]]
     assert lines[starts[0] + 2].split() == ["kgf/cm²"] * 6 + ["kgf·m"]
-    rows = [line.split() for line in lines[starts[0] + 3 : starts[0] + 75]]
+    rows = [line.replace("−", "-").split() for line in lines[starts[0] + 3 : starts[0] + 75]]
     assert [row[0] for row in rows] == [f"{angle}°" for angle in range(0, 720, 10)]
     table = force_table(ct.load("3d12"), step=10.0, unit="kgf/cm2", piston="2L")
     for place, one in enumerate(table.columns):

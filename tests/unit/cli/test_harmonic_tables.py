@@ -32,7 +32,7 @@ def harmonic(ratio, order, *, is_torque):
 
 def tables(output: str) -> dict[str, list[str]]:
     """Cells by the label of their row."""
-    rows = (line.split() for line in output.splitlines() if line.startswith(("  A_", "  D_")))
+    rows = (line.split() for line in output.replace("−", "-").splitlines() if line.startswith(("  A_", "  D_")))
     return {row[0]: row[1:] for row in rows}
 
 

@@ -231,3 +231,17 @@ def test_alone_it_shows_its_problems(typed):
     assert alone == typed("synthesise", "--help")
     for problem in requirements.SYNTHESES:
         assert f"\n  {problem} " in alone.output
+
+
+def test_a_picture_is_the_plan_of_positions(typed, tmp_path):
+    """The text's own rod of 0.27 m at its pressure angle of 30°, twelve positions at its scale of 4 mm/mm."""
+    wanted = ("--stroke", "160 mm", "--pressure-angle", "30 deg", "--rod-length", "270 mm", "--mean-speed", "6.3 m/s")
+    answer = typed("synthesise", "slider-crank", *wanted, "-o", "own.svg")
+    assert (answer.status, answer.errors) == (0, "")
+    assert answer.output.endswith("\nwritten: own.svg\n")
+    drawn = (tmp_path / "own.svg").read_text(encoding="utf-8")
+    assert "scale 1:4" in drawn
+    assert "301.0" in drawn  # x at 60°: 40 + √(270² − 4800) mm
+    assert typed("synthesise", "slider-crank", *wanted, "-o", "own.svg").status == 2
+    refused = typed("synthesise", "counterweights", "vaz_21213", "--bearing", "3", "-o", "own.png")
+    assert "must end in .toml: it is a machine file" in refused.errors

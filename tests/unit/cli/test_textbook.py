@@ -23,14 +23,14 @@ def parts(output: str) -> dict[str, list[str]]:
 
 
 def errors(lines: list[str], piston: str) -> list[float]:
-    (row,) = (line.split()[1:] for line in lines if re.match(rf"  {re.escape(piston)}  +-?\d", line))
-    return [float(cell) for cell in row]
+    (row,) = (line.split()[1:] for line in lines if re.match(rf"  {re.escape(piston)}  +−?\d", line))
+    return [float(cell.replace("−", "-")) for cell in row]
 
 
 def test_methods_of_a_central_slider_crank(typed, written):
     """λ = 0.25: docs/theory/textbook-forms has the errors of each method."""
     written(CENTRAL)
-    answer = typed("textbook", "machine.toml")
+    answer = typed("textbook", "machine.toml", "--full")
     assert (answer.status, answer.errors) == (0, "")
     found = parts(answer.output)
     harmonics = found["Two harmonics: (333), (336), (337) [steam-engine]"]
@@ -47,7 +47,7 @@ def test_methods_of_a_central_slider_crank(typed, written):
 
 
 def test_distinct_pistons_together(typed):
-    answer = typed("textbook", "3d12")
+    answer = typed("textbook", "3d12", "--full")
     assert all(len(line) <= 80 for line in answer.output.splitlines())
     found = parts(answer.output)
     assert len(errors(found["Two harmonics: (333), (336), (337) [steam-engine]"], "1L–6L")) == 6
@@ -61,14 +61,14 @@ def test_angles_count_from_where_the_crank_points_along_the_cylinder(typed, writ
     """Wherever the axis lies and whatever the sense: (333) is off most at 90° or, as it is symmetric, at 270°."""
     for more in ("", 'crank_zero = "70 deg"\n', 'rotation = "anticlockwise"\n', 'running = "astern"\n'):
         written(more + CENTRAL)
-        found = parts(typed("textbook", "machine.toml").output)
+        found = parts(typed("textbook", "machine.toml", "--full").output)
         assert errors(found["Two harmonics: (333), (336), (337) [steam-engine]"], "1")[1] in (90.0, 270.0)
 
 
 def test_table(typed, written):
     """Exact and (333) at 90°: R + L − √(L² − R²), R(1 + λ/2)."""
     written(CENTRAL)
-    output = typed("textbook", "machine.toml", "--table").output
+    output = typed("textbook", "machine.toml", "--full", "--table").output
     assert all(len(line) <= 80 for line in output.splitlines())
     lines = parts(output)["x of piston 1 by the crank angle"]
     heads = lines[0].split()
@@ -81,7 +81,7 @@ def test_table(typed, written):
 
 
 def test_table_once_for_pistons_that_move_alike(typed):
-    output = typed("textbook", "3d12", "--table").output
+    output = typed("textbook", "3d12", "--full", "--table").output
     assert re.findall(r"x of piston (\w+) ", output) == ["1L", "1R"]
     assert "Alike, each from its own top: 2R–6R." in output
 
@@ -94,12 +94,12 @@ def test_a_mechanism_of_which_no_source_speaks(typed):
 
 @pytest.mark.parametrize("arguments", [["errata"], ["--errata"]])
 def test_errata(typed, arguments):
-    output = typed("textbook", *arguments).output
+    output = typed("textbook", *arguments, "--full").output
     assert all(len(line) <= 80 for line in output.splitlines())
     assert len(re.findall(r"^\d+\. ", output, re.MULTILINE)) == sum(len(errors()) for errors in ERRATA.values())
     # r/tan 30° for r = 80 mm, with its true pressure angle asin(tan 30°)
-    assert re.search(r"printed +l = r/tg \[α\]\n +gives +0\.1386 m\n +right +0\.16 m\n +because +the pressure", output)
-    assert f"gives    {np.degrees(np.arcsin(np.tan(np.pi / 6))):.2f} deg" in output
+    assert re.search(r"printed +l = r/tg \[α\]\n +gives +138\.56 mm\n +right +160 mm\n +because +the pressure", output)
+    assert f"gives    {np.degrees(np.arcsin(np.tan(np.pi / 6))):.2f}°" in output
 
 
 def test_errata_beside_a_machine(typed):
@@ -109,12 +109,12 @@ def test_errata_beside_a_machine(typed):
 
 def test_a_file_called_errata_is_a_file(typed, written):
     written(CENTRAL, "errata")
-    assert "Two harmonics" in typed("textbook", "errata").output
+    assert "Two harmonics" in typed("textbook", "errata", "--full").output
 
 
 def test_set(typed, written):
     written(CENTRAL)
-    output = typed("textbook", "machine.toml", "--set", "mechanism.rod_length=500 mm").output
+    output = typed("textbook", "machine.toml", "--full", "--set", "mechanism.rod_length=500 mm").output
     assert "λ = 0.1\n" in output
 
 
@@ -133,7 +133,7 @@ def test_refused(typed, arguments, said):
 def test_brix_backwards_beside_exact(typed, written):
     """λ = 0.25: 0.32° at most, docs/theory/textbook-forms; OP = λR/2; half the stroke at cos φ = (R² + L² − L²)/2RL."""
     written(CENTRAL)
-    found = parts(typed("textbook", "machine.toml", "--table").output)
+    found = parts(typed("textbook", "machine.toml", "--full", "--table").output)
     distance, error, _place = errors(found["Brix's construction backwards: fig. 147 [steam-engine]"], "1")
     assert (distance, abs(error)) == (6.25, 0.32)
     rows = {line.split()[0]: line.split()[2:] for line in found[_heading(found, "φ of piston 1")][2:]}

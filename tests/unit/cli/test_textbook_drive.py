@@ -21,16 +21,16 @@ def test_example(typed):
     assert (answer.status, answer.errors) == (0, "")
     assert all(len(line) <= 80 for line in answer.output.splitlines())
     active, same, dry, printed, refuted = rows(answer.output, "(14)")
-    assert active == ["right", "18.56", "29.86", "112.8°", "-24.981", "334.4°", "2.9226", "19.053", "734.5"]
-    assert same == ["right", "18.56", "29.86", "112.8°", "-25.397", "334.4°", "2.8069", "19.165", "705.4"]
+    assert active == ["right", "18.56", "29.86", "112.8°", "−24.981", "334.4°", "2.9226", "19.053", "734.5"]
+    assert same == ["right", "18.56", "29.86", "112.8°", "−25.397", "334.4°", "2.8069", "19.165", "705.4"]
     assert dry[2:] == ["29.86", "112.8°", "35.485", "334.4°", "19.747", "22.204", "4963.0"]
-    assert printed[2:] == ["29.86", "112.8°", "-35.485", "334.4°", "0", "22.204", "0.0"]
-    assert refuted[2:6] == ["29.377", "105.2°", "-25.494", "317.0°"]
+    assert printed[2:] == ["29.86", "112.8°", "−35.485", "334.4°", "0", "22.204", "0.0"]
+    assert refuted[2:6] == ["29.377", "105.2°", "−25.494", "317.0°"]
     moments = rows(answer.output, "(20)")
     assert [row[2] for row in moments] == ["2.4319", "2.4463", "3.9086", "2.4311"]
     assert [row[4] for row in moments] == ["2.4451", "2.4609", "4.5305", "2.373"]
     said = re.sub(r"\s+", " ", answer.output)
-    for words in ("220.4 J", "47.28 times", "0.922276", "0.916161", "214.622–218.050°", "59.1 N*m", "31.7525°"):
+    for words in ("220.4 J", "47.28 times", "0.922276", "0.916161", "214.622–218.050°", "59.1 N·m", "31.7525°"):
         assert words in said
 
 

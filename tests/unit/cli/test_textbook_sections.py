@@ -48,7 +48,7 @@ def rows(lines):
     """Numbers of the rows of a table by their labels of one word."""
     return {
         cells[0]: [float(cell) for cell in cells[1:]]
-        for cells in map(str.split, lines)
+        for cells in (line.replace("−", "-").split() for line in lines)
         if len(cells) > 1 and all(re.fullmatch(r"-?\d+(\.\d+)?", cell) for cell in cells[1:])
     }
 
@@ -56,7 +56,7 @@ def rows(lines):
 def test_minus_signs(typed, written):
     """R = 50, L = 200 mm: R(1 − cos φ ∓ (λ/2) sin²φ) and its derivatives by hand; from the crank side λ is −1/4."""
     written(CENTRAL)
-    found = parts(typed("textbook", "machine.toml", "--table").output)
+    found = parts(typed("textbook", "machine.toml", "--full", "--table").output)
     table = rows(found["S, v/ω and j/ω² of piston 1 from the crank-side dead centre"])
     assert list(table) == [f"{angle}°" for angle in range(0, 360, 30)]
     for label, values in table.items():
@@ -76,14 +76,16 @@ def test_minus_signs(typed, written):
 def test_largest_difference(typed, written):
     """(335): λR/2 = 6.25 mm; L − √(L² − R²) = 6.351 mm."""
     written(CENTRAL)
-    (values,) = rows(parts(typed("textbook", "machine.toml").output)["Z = λR/2: (335) [steam-engine]"]).values()
+    (values,) = rows(
+        parts(typed("textbook", "machine.toml", "--full").output)["Z = λR/2: (335) [steam-engine]"]
+    ).values()
     by_hand = 200 - np.sqrt(200**2 - 50**2)
     assert values == [6.25, round(by_hand, 2), round(100 * (6.25 / by_hand - 1), 2)]
 
 
 def test_reason_for_which_a_machine_is_outside(typed, written):
     written(CENTRAL + 'offset = "5 mm"\n')
-    output = typed("textbook", "machine.toml").output
+    output = typed("textbook", "machine.toml", "--full").output
     assert "1: outside, as the line of stroke is offset by 5.00 mm" in output
     assert "outside, as λ = 0.25 and the line of stroke is offset by 5.00 mm" in output
 
@@ -91,7 +93,7 @@ def test_reason_for_which_a_machine_is_outside(typed, written):
 def test_opposed_pistons_of_unequal_rods(typed, written):
     """λ = 0.20 and 0.30, Δ = 12°: dead centres +0.24° and −0.40° off half the lead; travel by (I.11), (I.12)."""
     written(OPPOSED)
-    answer = typed("textbook", "machine.toml", "--table")
+    answer = typed("textbook", "machine.toml", "--full", "--table")
     assert (answer.status, answer.errors) == (0, "")
     assert all(len(line) <= 80 for line in answer.output.splitlines())
     found = parts(answer.output)
@@ -114,23 +116,23 @@ def test_opposed_pistons_of_unequal_rods(typed, written):
 
 def test_lead_of_the_10d100_ahead_and_astern(typed):
     """The digest: 60/50 mm ports, Δ = 12°: exhaust 17.8° before the scavenge ports ahead, 6.2° after them astern."""
-    said = " ".join(typed("textbook", "10d100").output.split())
-    assert "12.00 deg: suits engines that turn one way (10–15°), too much for engines that reverse (5–10°)" in said
-    assert "the exhaust ports open 17.81 deg before the scavenge ports" in said
-    assert "the lead is -12.00 deg, and they open 6.19 deg after them: gas blows back into the receiver" in said
+    said = " ".join(typed("textbook", "10d100", "--full").output.split())
+    assert "12.00°: suits engines that turn one way (10–15°), too much for engines that reverse (5–10°)" in said
+    assert "the exhaust ports open 17.81° before the scavenge ports" in said
+    assert "the lead is −12.00°, and they open 6.19° after them: gas blows back into the receiver" in said
 
 
 def test_a_lead_that_suits_a_reversing_engine(typed):
     """The digest: Δ = 5° opens exhaust 10.8° before ahead, and 0.8° before astern."""
-    said = " ".join(typed("textbook", "10d100", "--set", "bank.A.lead=5 deg").output.split())
+    said = " ".join(typed("textbook", "10d100", "--full", "--set", "bank.A.lead=5 deg").output.split())
     assert "too little for engines that turn one way (10–15°), suits engines that reverse (5–10°)" in said
-    assert re.search(r"open 10\.8\d deg before the scavenge ports", said)
-    assert re.search(r"they open 0\.8\d deg before them\.", said)
+    assert re.search(r"open 10\.8\d° before the scavenge ports", said)
+    assert re.search(r"they open 0\.8\d° before them\.", said)
 
 
 def test_constants_of_an_articulated_rod(typed):
     """docs/theory/textbook-forms has those of the rods often quoted, to six digits."""
-    found = parts(typed("textbook", "3d12_quoted_rods").output)
+    found = parts(typed("textbook", "3d12_quoted_rods", "--full").output)
     lines = found["Constants of (I.13) for 1R–6R [bolotin]"]
     assert lines[0].split() == ["E", "Φ", "F", "Θ", "K", "H"]
     table = (re.split(r" {2,}", line.strip()) for line in lines[2:])
@@ -152,7 +154,7 @@ def rocker_directions(alpha):
 def test_pins_of_a_crank_rocker(typed, written):
     """(10) by hand, its exactness by a difference of the rocker's angle over 2·10⁻⁶ rad."""
     written(CRANK_ROCKER)
-    answer = typed("textbook", "machine.toml", "--table")
+    answer = typed("textbook", "machine.toml", "--full", "--table")
     assert (answer.status, answer.errors) == (0, "")
     assert all(len(line) <= 80 for line in answer.output.splitlines())
     table = rows(parts(answer.output)["v_A/v_B by the crank's angle α from the line of the fixed pivots"])
@@ -169,7 +171,7 @@ def test_pins_of_a_crank_rocker(typed, written):
     _crank, beta, rocker = rocker_directions(grid)
     ratio = np.sin(grid - beta) / np.sin(rocker - beta)
     said = " ".join(answer.output.split())
-    assert f"from {ratio.min():.4f} to {ratio.max():.4f}, where" in said
+    assert f"from −{-ratio.min():.4f} to {ratio.max():.4f}, where" in said
     assert "(13) prints r₁ = 280.00 mm where by (12) and (4) it must be r = 100.00 mm" in said
     assert "Largest errors over the turn" not in said
 
@@ -177,5 +179,5 @@ def test_pins_of_a_crank_rocker(typed, written):
 def test_small_errors_have_two_figures(typed, written):
     """λ = 0.1: (333) is off by 6.3e-5 of the stroke."""
     written(CENTRAL.replace("200 mm", "500 mm"))
-    found = parts(typed("textbook", "machine.toml").output)
+    found = parts(typed("textbook", "machine.toml", "--full").output)
     assert rows(found["Two harmonics: (333), (336), (337) [steam-engine]"])["1"][::2] == [0.0063, 0.016, 0.046]

@@ -20,7 +20,7 @@ l6 = "14 mm"
 
 def row(output, head):
     (found,) = re.findall(rf"^  {re.escape(head)} +(.*)$", output, re.MULTILINE)
-    return [float(cell) for cell in found.split()]
+    return [float(cell) for cell in found.replace("−", "-").split()]
 
 
 def test_all_sixteen(typed):

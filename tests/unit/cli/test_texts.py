@@ -7,12 +7,30 @@ import pytest
 
 from cranktrain.texts.contents import TEXTS
 
+SCREEN = 45
+"""Lines of the first screen, at most."""
+SCREENS = [
+    *([name, *more] for name in ("3d12", "10d100", "great_northern", "m_503", "deltic") for more in ([], ["--table"])),
+    ["10d100", "--source", "bolotin", "--table"],
+    ["errata"],
+    *(["errata", "--source", text.letter] for text in TEXTS),
+]
+OTHERS = {
+    "3d12": [
+        "textbook 3d12 --source steam-engine",
+        "textbook 3d12 --source bolotin",
+        "textbook --throw 3d12",
+    ],
+    "pumping_unit_c57": ["textbook pumping_unit_c57 --source gandzha"],
+    "shaper": [],
+}
+"""What has something for a machine of which a text does not speak."""
 COMMANDS = {one.command: text.name for text in TEXTS for one in text.formulas if one.command}
 
 
 @pytest.mark.parametrize("text", TEXTS, ids=lambda text: text.name)
 def test_every_formula_is_listed_with_what_it_is(typed, text):
-    answer = typed("textbook", "--source", text.name)
+    answer = typed("textbook", "--source", text.name, "--full")
     assert (answer.status, answer.errors) == (0, "")
     assert all(len(line) <= 80 for line in answer.output.splitlines())
     for one in text.formulas:
@@ -21,12 +39,52 @@ def test_every_formula_is_listed_with_what_it_is(typed, text):
     assert answer.output.count("\n  it is  ") == len(text.formulas)
 
 
+@pytest.mark.parametrize("text", TEXTS, ids=lambda text: text.name)
+def test_the_first_screen_of_a_text_has_every_formula_in_a_line(typed, text):
+    lines = typed("textbook", "--source", text.name).output.splitlines()
+    assert len(lines) <= SCREEN
+    assert all(len(line) <= 80 for line in lines)
+    heads = {line: place for place, line in enumerate(lines) if line and not line.startswith(" ")}
+    for one in text.formulas:
+        (place, *_more) = [place for place, line in enumerate(lines) if line.startswith(f"  {one.number}  ")]
+        said = max((head for head in heads if heads[head] < place), key=heads.get)
+        assert said == one.said_verdict[:1].upper() + one.said_verdict[1:]
+    assert re.search(r"^  `cranktrain textbook --source . --full`: all of them so$", "\n".join(lines), re.MULTILINE)
+    (example,) = re.findall(r"`(cranktrain textbook --source . --equation \S+)`", "\n".join(lines))
+    assert "\n  it is  " in typed(*shlex.split(example)[1:]).output
+
+
+@pytest.mark.parametrize("arguments", SCREENS, ids=" ".join)
+def test_a_page_begins_with_one_screen(typed, arguments):
+    """With no sign or unit that is not as in print, and with the command for the rest, which can be typed."""
+    answer = typed("textbook", *arguments)
+    assert (answer.status, answer.errors) == (0, "")
+    lines = answer.output.splitlines()
+    assert len(lines) <= SCREEN
+    assert all(len(line) <= 80 for line in lines)
+    assert not re.search(r"\bdeg\b|\*m|\^[23]|(?<![\w.-])-\d", answer.output)
+    rest = re.search(r"`cranktrain (textbook [^`]*--full)`", " ".join(answer.output.split()))
+    assert rest
+    whole = typed(*shlex.split(rest[1]))
+    assert (whole.status, whole.errors) == (0, "")
+    assert whole.output.splitlines()[0] == lines[0]
+    assert not re.search(r"\bdeg\b|\*m|\^[23]", whole.output)
+
+
 def test_without_a_name_the_texts_are_listed(typed):
     answer = typed("textbook", "--source")
     assert (answer.status, answer.errors) == (0, "")
     for text in TEXTS:
         assert f"\n{text.name}\n" in answer.output
         assert f"{len(text.formulas)} formulas and figures: " in answer.output
+
+
+@pytest.mark.parametrize("text", [text for text in TEXTS if text.name != "bolotin"], ids=lambda text: text.name)
+def test_commands_of_a_page_can_be_typed_in_order(text):
+    """No two write one file."""
+    commands = dict.fromkeys(one.command for one in text.formulas if " -o " in one.command)
+    written = [command.rpartition(" -o ")[2] for command in commands]
+    assert len(set(written)) == len(written)
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -76,14 +134,20 @@ def test_a_machine_of_which_a_text_does_not_speak(typed, file, source, said):
     answer = typed("textbook", file, "--source", source)
     assert (answer.status, answer.errors) == (0, "")
     assert said in " ".join(answer.output.split())
-    assert f"`cranktrain textbook {file}`" in " ".join(answer.output.split())
+    commands = re.findall(r"`cranktrain ([^`]+)` has something for this machine", " ".join(answer.output.split()))
+    assert commands == OTHERS[file]
+    for command in commands:
+        shown = typed(*shlex.split(command))
+        assert (shown.status, shown.errors) == (0, "")
+        assert "speaks of" not in shown.output
 
 
 def test_one_text_alone_for_a_machine(typed):
-    output = typed("textbook", "3d12", "--source", "bolotin").output
-    assert "(I.13)" in output
-    assert "(333)" not in output
-    assert "[steam-engine]" not in output
+    for more in ([], ["--table"], ["--full"]):
+        output = typed("textbook", "3d12", "--source", "bolotin", *more).output
+        assert "(I.13)" in output
+        assert "(333)" not in output
+        assert "[steam-engine]" not in output
 
 
 def test_errata_of_one_text(typed):

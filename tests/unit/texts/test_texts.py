@@ -164,3 +164,82 @@ def test_every_number_finds_its_formula():
 @pytest.mark.parametrize(("asked", "name"), [("a", "steam-engine"), ("Ганджа", "gandzha"), ("БОЛОТИН", "bolotin")])
 def test_texts_are_called_by_letter_and_author(asked, name):
     assert text_called(asked).name == name
+
+
+def said_of(name):
+    return " ".join(f"{one.valid} {one.note}" for one in text_called(name).formulas)
+
+
+def test_what_is_said_of_brixs_construction_backwards():
+    """φ by S = R(1 − cos φ_O), φ_O = φ + asin((λ/2) sin φ), against S exact: bisection in 25 digits, λ = 0.25."""
+    with mp.workdps(25):
+        ratio = mp.mpf("0.25")
+        errors = []
+        for step in range(1, 180):
+            phi = mp.pi * step / 180
+            on_circle = mp.acos(1 - displacement(phi, ratio))
+            read = mp.findroot(lambda a, on=on_circle: a + mp.asin(ratio / 2 * mp.sin(a)) - on, phi)
+            errors.append(abs(read - phi))
+    assert f"the angle is off by {float(mp.degrees(max(errors))):.2f}° at λ = 0.25" in said_of("steam-engine")
+
+
+def test_brix_is_twice_as_far_off_as_two_harmonics():
+    found = [
+        largest(lambda phi, lam, form=form: form(phi, lam) - displacement(phi, lam), "0.25")
+        for form in (brix, harmonics)
+    ]
+    assert round(float(found[0] / found[1])) == 2
+    assert "twice as much as (333)" in said_of("steam-engine")
+
+
+def test_numbers_that_are_said_of_the_synthesis():
+    said = said_of("slider-crank-synthesis")
+    with mp.workdps(20):
+        assert f"tan 30° is {float(mp.tan(mp.pi / 6)):.3f}" in said
+        assert f"at most {float(mp.degrees(mp.asin(mp.mpf(80) / 270))):.1f}°" in said
+        # the pressure angle of the rod r/tan[α] is where crank and rod stand square: φ = 90° − [α]
+        assert "the text says 60°" in said
+        period = mp.mpf(2) * mp.mpf("0.16") / mp.mpf("6.3")
+        assert f"{float(100 * (mp.mpf('125.6') * period / (2 * mp.pi) - 1)):.1f} % too large" in said
+        rounded = ct.textbook.errata("synthesis").notes["Period of a turn"][0]
+        assert f"rounded by {float(100 * (1 - mp.mpf('0.05') / period)):.1f} %" in rounded
+        assert f"r/2l is {float(mp.mpf(80) / 540):.3f}" in said
+    table = {60: 9.99, 300: -9.99}
+    for angle, printed in table.items():
+        phi = np.radians(angle)
+        assert abs(printed - 10.048 * (np.sin(phi) + 0.15 * np.sin(2 * phi))) > 0.005
+        assert f"{angle}°" in said
+    slips = {150: 0.9, 210: -0.9}
+    for angle, printed in slips.items():
+        assert np.sin(2 * np.radians(angle)) * printed < 0
+        assert f"{angle}°" in said
+
+
+def test_what_is_said_of_gandzhas_formulas():
+    """The absurd product, and the idle torque at the dead positions, of links of 250, 700, 500 and 800 mm."""
+    said = said_of("gandzha")
+    found = ct.textbook.drive("tilting_table")
+    (q_prime,) = (one for one in found.numbered("(2)") if one.verdict == "refuted")
+    load = found.numbered("(1)")[0].value / 0.5
+    # put into (1) it is Q sin²(α₁ − β), and Q only where that is 1
+    assert q_prime.value * (q_prime.value / load) == pytest.approx(load * (q_prime.value / load) ** 2)
+    assert (q_prime.value / load) ** 2 < 1
+    assert "sin²(α₁ − β) = 1" in said
+    idle = next(one for one in found.curves if one.equation == "(21)" and one.verdict == "right")
+    extended = 31.7525
+    crossing = np.interp(extended, found.crank_angle, idle.values)
+    assert abs(crossing) < 0.02 * np.max(np.abs(idle.values))
+    assert "it is 0 at the dead positions" in said
+
+
+def test_a_balance_by_the_inner_counterweight_alone_leaves_a_reaction():
+    """C1 = C4, all else 0: (44) by hand is −C4(2l2 + 2l3 + hL)/2l."""
+    sizes = {"l1": 30, "l2": 20, "l3": 7, "l4": 9, "l5": 22, "l6": 31, "hL": 24, "hP": 26}
+    length = sum(sizes.values())
+    others = {f"C{number}": "0 N" for number in (2, 3, 5, 6, 7, 8, 9)} | {"C10": "0 N", "C11": "0 N"}
+    given = {name: f"{size} mm" for name, size in sizes.items()} | {"C1": "1 kN", "C4": "1 kN"} | others
+    found = ct.textbook.throw(set=given)
+    right = next(one for one in found.numbered("(44)") if one.symbol == "R_KP" and one.name == "rotating masses")
+    by_hand = -1000 * (2 * sizes["l2"] + 2 * sizes["l3"] + sizes["hL"]) / (2 * length)
+    assert right.value == pytest.approx(by_hand)
+    assert "R_KCP = −C4(2l2 + 2l3 + hL)/2l" in said_of("crankshaft-reactions")

@@ -1,19 +1,18 @@
 """Values on the one screen: with how many digits each is written, in the unit that is chosen for it."""
 
-import re
 from collections.abc import Mapping, Sequence
 from math import floor, log10
 from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.cli.screen.text import KEPT
+from cranktrain.cli.screen.typesetting import KEPT
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.quantities import chosen_unit
 from cranktrain.rows import Amount, Extent, Piece
 from cranktrain.scales import scale_for
-from cranktrain.wording import ABSENT, decimals_for, in_print, seen, signless
+from cranktrain.wording import ABSENT, decimals_for, seen, signless
 
 _FIGURES = 4
 _MOST_DECIMALS = 8
@@ -123,24 +122,3 @@ def _text(value: float, decimals: int, sign: str) -> str:
     if not np.isfinite(value):
         return ABSENT
     return signless(f"{round(value, decimals):{sign}.{max(decimals, 0)}f}").replace("-", "−")
-
-
-def typeset(sentence: str) -> str:
-    """Write the units and signs of a stage's sentence as they stand in rows.
-
-    Examples
-    --------
-    >>> typeset("at -4.50 deg, 3 N*m").replace(KEPT, " ")
-    'at −4.50°, 3 N·m'
-    """
-    sentence = in_print(sentence)
-    for pattern, instead in _TYPESET:
-        sentence = re.sub(pattern, instead, sentence)
-    return sentence
-
-
-_TYPESET = (
-    (r"(?<=\d) deg\b", "°"),
-    (r"(?<=\d) (?=%|[a-zA-Z]+[/·²³]|[kM]?[NWJ]\b|bar\b|mm\b|m\b|L\b|rpm\b)", KEPT),
-)
-"""Patterns of how sentences write units and signs, and what they are here."""

@@ -5,12 +5,12 @@ from collections.abc import Iterator
 from rich.text import Text
 
 from cranktrain.analysis import STAGES, Result
-from cranktrain.cli.screen.amounts import typeset
 from cranktrain.cli.screen.foot import foot_lines
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.minded import minded_lines
 from cranktrain.cli.screen.text import folded
 from cranktrain.cli.screen.title import title_lines
+from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.one_line import visible
 

@@ -9,7 +9,8 @@ from rich.cells import cell_len
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import Missing, Result
 from cranktrain.cli.screen.amounts import filled
-from cranktrain.cli.screen.text import KEPT, folded
+from cranktrain.cli.screen.text import folded
+from cranktrain.cli.screen.typesetting import KEPT
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import MachineFile, inputs_of
 from cranktrain.language import N_, _

@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Sequence
 
 from cranktrain.analysis import Result, sentences
-from cranktrain.cli.screen.amounts import typeset
 from cranktrain.cli.screen.text import folded
+from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.one_line import visible

@@ -12,6 +12,7 @@ from rich.cells import cell_len
 from rich.console import Console
 from rich.text import Text
 
+from cranktrain.cli.screen.typesetting import KEPT, as_printed
 from cranktrain.language import _
 from cranktrain.one_line import visible
 
@@ -23,9 +24,6 @@ GAP = 2
 
 _WIDTH = 80
 """Where there is no terminal."""
-
-KEPT = "\N{NO-BREAK SPACE}"
-"""Stands where a line is not to be folded, as between a value and its unit, until it is."""
 
 _LEAST_FOLDED = 9
 """A cell is not folded narrower than this, however narrow the screen."""
@@ -43,7 +41,9 @@ def page(head: str = "") -> Generator[Console]:
             console.print(Text(head, style="bold"))
         yield console
     lines = shown.get().splitlines()
-    sys.stdout.writelines(f"{line.rstrip()}\n" for line in (lines if head else dropwhile(lambda line: not line, lines)))
+    sys.stdout.writelines(
+        f"{line.rstrip()}\n".replace(KEPT, " ") for line in (lines if head else dropwhile(lambda line: not line, lines))
+    )
 
 
 def show_lines(console: Console, lines: Iterable[Text]) -> None:
@@ -65,13 +65,13 @@ def section(console: Console, heading: str, lines: Iterable[str | Text]) -> None
     parts = [part for line in lines for part in ([line] if isinstance(line, Text) else paragraph(console, line))]
     if parts:
         console.print()
-        console.print(Text(visible(heading), style="bold"))
+        console.print(Text(as_printed(visible(heading)), style="bold"))
         console.print(Text("\n").join(Text(" " * INDENT) + part for part in parts), soft_wrap=True)
 
 
 def paragraph(console: Console, text: str, style: str = "") -> list[Text]:
     """Fold a text to the width of the screen less the indent; an empty one is an empty line."""
-    lines = textwrap.wrap(visible(text), console.width - INDENT, break_on_hyphens=False)
+    lines = textwrap.wrap(as_printed(visible(text)), console.width - INDENT, break_on_hyphens=False)
     return [Text(line, style) for line in lines] or [Text()]
 
 
@@ -136,7 +136,7 @@ def table(
     """
     # Rich's own table takes thirty times as long, a tenth of the time in which `run` answers, and folds elsewhere.
     has_heads = any(heads)
-    every = [[visible(cell) for cell in row] for row in ([heads, *rows] if has_heads else rows)]
+    every = [[as_printed(visible(cell)) for cell in row] for row in ([heads, *rows] if has_heads else rows)]
     widths = [max(cell_len(row[i]) for row in every) for i in range(len(heads))]
     gap = GAP
     if fold is not None:

@@ -39,6 +39,8 @@ _HELP = {
         '    --mean-speed "6.3 m/s"\n'
         '  cranktrain synthesise slider-crank --stroke "160 mm" --pressure-angle "20 deg" \\\n'
         '    --return-pressure-angle "40 deg" --offset free -o press.toml\n'
+        '  cranktrain synthesise slider-crank --stroke "160 mm" --pressure-angle "30 deg" \\\n'
+        '    --rod-length "270 mm" -o plan.svg\n'
         "  cranktrain synthesise slider-crank --textbook"
     ),
     "crank-rocker": N_(
@@ -98,7 +100,15 @@ _HELP = {
 _Textbook = Annotated[
     bool, typer.Option("--textbook", help=_("Show the source's steps, wrong ones named; alone: its own example."))
 ]
-_Output = Annotated[str | None, typer.Option("-o", "--output", metavar="FILE", help=_("Write the machine file here."))]
+_Output = Annotated[
+    str | None,
+    typer.Option(
+        "-o",
+        "--output",
+        metavar="FILE",
+        help=_("Write the machine file here: .toml; or draw twelve positions: .png, .svg, .pdf."),
+    ),
+]
 
 
 def _command(problem: str) -> Callable[..., Task]:

@@ -5,6 +5,7 @@ import shlex
 from collections.abc import Iterator, Sequence
 from contextlib import nullcontext
 from functools import partial as with_arguments
+from pathlib import PurePath
 
 from rich.console import Console
 from rich.text import Text
@@ -12,6 +13,8 @@ from rich.text import Text
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.screen.columns import Column, column_tables, worded_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
+from cranktrain.cli.screen.typesetting import printed
+from cranktrain.cli.synthesis.plan import PLANS, write_plan
 from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_errors_of
 from cranktrain.grouping import grouped
@@ -25,7 +28,7 @@ from cranktrain.one_line import one_line
 from cranktrain.quantities import chosen_unit, shown_as_in
 from cranktrain.synthesis.counterweights import CounterweightProposal
 from cranktrain.synthesis.proposal import MachineProposal, Number, Proposal
-from cranktrain.texts.errata import SYNTHESIS
+from cranktrain.textbook.synthesis_statements import SOURCE as SYNTHESIS
 from cranktrain.wording import figure, number
 
 _ROUNDING = 1e-12
@@ -51,7 +54,8 @@ def give_proposal(
     typed : mapping
         The requirements.
     output : str or None
-        File to write; `-` for the machine file alone on the standard output.
+        File to write; `-` for the machine file alone on the standard output; a picture for its plan of positions, of
+        what is for no machine that there is.
     force : bool
         Replace a file that is there.
     with_source : bool
@@ -71,17 +75,23 @@ def _give_proposal(
     wanted = SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed
     with says_how_far():
         proposal = proposed(problem, wanted, file, None if file is None else _progress)
-    if output is not None:
+    is_plan = output is not None and PurePath(output).suffix.lower() in PLANS and file is None
+    if is_plan:
+        write_plan(output or "", proposal.machine_file(), force=force)
+    elif output is not None:
         write_machine_file(output, _machine_file(proposal, file), force=force)
     if output in STANDARD_OUTPUT:
         return
     with page(one_line(proposal.title)) as console:
         show_proposal(console, proposal)
         if with_source:
-            show_errors_of(console, SYNTHESIS)
+            with printed():
+                show_errors_of(console, SYNTHESIS)
         console.print()
         if output is None:
             said = _("-o FILE.toml writes it as a machine file, for: cranktrain run FILE.toml")
+        elif is_plan:
+            said = _("written: {name}").format(name=one_line(output))
         else:
             command = shlex.join(["cranktrain", "run", one_line(output)])
             said = _("written: {name}; go on with: {command}").format(name=one_line(output), command=command)

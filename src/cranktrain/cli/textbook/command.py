@@ -21,6 +21,7 @@ from cranktrain.cli.textbook.opposed import NEEDED as OPPOSED_NEEDED
 from cranktrain.cli.textbook.opposed import opposed_pairs, show_opposed
 from cranktrain.cli.textbook.slaves import show_constants
 from cranktrain.cli.textbook.source import machine_file
+from cranktrain.cli.textbook.summary import go_on, show_summary
 from cranktrain.cli.textbook.texts import show_text, show_texts
 from cranktrain.errors import InputError, Position, Problem, refuse
 from cranktrain.io.examples import example_names
@@ -30,17 +31,19 @@ from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.distinct_pistons import alike
+from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text, text_called, text_named
 from cranktrain.texts.plain_cranks import PLAIN
+from cranktrain.texts.ranges import RANGES
 
 _ERRATA = "errata"
 _OF_CRANK_ROCKERS = "gandzha"
 
 
 def show_textbook(
-    file: str, settings: Sequence[str], *, source: str | None = None, with_table: bool, with_errata: bool
+    file: str, settings: Sequence[str], *, source: str | None = None, full: bool, with_table: bool, with_errata: bool
 ) -> None:
-    """Show the texts, one of them, their errors, or their forms for a machine with ranges and largest errors.
+    """Show the texts, one of them, their errors, or how far their forms are off for a machine.
 
     Parameters
     ----------
@@ -51,8 +54,10 @@ def show_textbook(
         `PATH=VALUE`
     source : str, optional
         Name of the one text that is to be shown; with no name in it, all texts are listed.
+    full : bool
+        Whether to show all, not the first screen alone.
     with_table : bool
-        Whether to show the motion by each method.
+        Whether to show the motion over the turn.
     with_errata : bool
         Whether to show the sources' errors.
 
@@ -65,17 +70,17 @@ def show_textbook(
     is_errata = file.casefold() == _ERRATA and not os.path.isfile(file)  # noqa: PTH113 - takes a NUL byte
     if is_errata or (with_errata and not file):
         with page(_("Errors of the sources, each with what is right")) as console:
-            show_errata(console, text)
+            show_errata(console, text, full=full)
     elif source is not None and not file:
         refuse(_without_machine(settings, with_table=with_table))
-        show_texts() if text is None else show_text(text, has_forms=text.name in _SHOWN)
+        show_texts() if text is None else show_text(text, has_forms=text.name in _SHOWN, full=full)
     else:
         if text_named(file) and not os.path.exists(file):  # noqa: PTH110 - takes a NUL byte
             allowed = _("is a text, and no machine file is called so")
             repair = _("such as: {example}").format(example=f"cranktrain textbook --source {file}")
             raise InputError([Problem("", None, allowed, repair, Position(file))])
         _refuse_misspelt(file)
-        _show_machine(file, settings, text, with_table=with_table, with_errata=with_errata)
+        _show_machine(file, settings, text, full=full, with_table=with_table, with_errata=with_errata)
 
 
 def _refuse_misspelt(file: str) -> None:
@@ -106,28 +111,37 @@ def _text(name: str) -> Text:
 
 
 def _show_machine(
-    file: str, settings: Sequence[str], text: Text | None, *, with_table: bool, with_errata: bool
+    file: str, settings: Sequence[str], text: Text | None, *, full: bool, with_table: bool, with_errata: bool
 ) -> None:
-    """Show what the texts, or one of them, have for a machine."""
+    """Show what the texts, or one of them, have for a machine: all, or the first screen."""
     machine = machine_file(file, settings, "cranktrain textbook 3d12, or cranktrain textbook --source").machine
     with says_how_far():
         result = run(machine, step_degrees=STEP, quantities=(*FORMS_NEEDED, *OPPOSED_NEEDED))
-    shown = {name: show for name, show in _SHOWN.items() if text is None or name == text.name}
     with page(title(machine)) as console:
-        spoken = [name for name, show in shown.items() if show(console, machine, result, with_table=with_table)]
-        if spoken:
-            if spoken != [_OF_CRANK_ROCKERS]:
-                explain_forms(console)
-            if with_table:
-                show_motion(console, machine, result, spoken)
-            rows = [(f"[{name}]", REFERENCES[name].text) for name in spoken]
-            section(console, _("Sources"), table(("", ""), rows, fold=console.width - INDENT))
-        else:
+        if full:
+            is_spoken_of = _show_all(console, machine, result, text, with_table=with_table)
+        elif is_spoken_of := show_summary(console, machine, result, text, with_table=with_table):
+            section(console, _("To go on"), go_on(machine, file, text, with_table=with_table))
+        if not is_spoken_of:
             section(console, _("Textbook forms"), _unspoken(machine, file, text))
         if with_errata:
             console.print()
             console.print(Line(_("Errors of the sources, each with what is right"), style="bold"))
-            show_errata(console, text)
+            show_errata(console, text, full=full)
+
+
+def _show_all(console: Console, machine: Machine, result: Result, text: Text | None, *, with_table: bool) -> bool:
+    """Show all that the texts, or one, have for a machine; whether there is anything."""
+    shown = {name: show for name, show in _SHOWN.items() if text is None or name == text.name}
+    spoken = [name for name, show in shown.items() if show(console, machine, result, with_table=with_table)]
+    if spoken:
+        if spoken != [_OF_CRANK_ROCKERS]:
+            explain_forms(console)
+        if with_table:
+            show_motion(console, machine, result, spoken)
+        rows = [(f"[{name}]", REFERENCES[name].text) for name in spoken]
+        section(console, _("Sources"), table(("", ""), rows, fold=console.width - INDENT))
+    return bool(spoken)
 
 
 def _unspoken(machine: Machine, file: str, text: Text | None) -> Iterator[str]:
@@ -139,9 +153,23 @@ def _unspoken(machine: Machine, file: str, text: Text | None) -> Iterator[str]:
     yield _("[{name}] speaks of {subject}; the mechanisms of this machine are: {kinds}.").format(
         name=text.name, subject=_(text.said_of), kinds=kinds
     )
-    yield _("`{command}` shows what the texts have for it, `{list}` what this one holds.").format(
-        command=f"cranktrain textbook {one_line(file)}", list=f"cranktrain textbook --source {text.name}"
-    )
+    yield _("`{list}`: what this text holds").format(list=f"cranktrain textbook --source {text.name}")
+    for command in _speaking(machine, file):
+        yield _("`{command}` has something for this machine").format(command=command)
+
+
+def _speaking(machine: Machine, file: str) -> Iterator[str]:
+    """Commands by which texts have something for a machine."""
+    asked = f"cranktrain textbook {one_line(file)} --source"
+    kinds = {place.kind.name for place in machine.places}
+    sources = dict.fromkeys(one.source for one in RANGES if not kinds.isdisjoint(FORMS[one.method]))
+    if "bolotin" not in sources and opposed_pairs(machine.places):
+        sources["bolotin"] = None
+    if "crank_rocker" in kinds:
+        sources[_OF_CRANK_ROCKERS] = None
+    yield from (f"{asked} {source}" for source in sources)
+    if machine.crankshaft is not None:
+        yield f"cranktrain textbook --throw {one_line(file)}"
 
 
 def _steam(console: Console, machine: Machine, result: Result, *, with_table: bool) -> bool:

@@ -1,19 +1,24 @@
 """The sources' errors: each step that is wrong, what it gives, what is right, and how we know."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from textwrap import shorten
 
+from rich.cells import cell_len
 from rich.console import Console
 from rich.text import Text as Line
 
 from cranktrain.cli.screen.columns import Column, column_tables
-from cranktrain.cli.screen.text import INDENT, section, table
+from cranktrain.cli.screen.text import GAP, INDENT, section, table
+from cranktrain.grouping import grouped
 from cranktrain.language import _
-from cranktrain.quantities import shown
 from cranktrain.references import REFERENCES
 from cranktrain.synthesis.proposal import quantity_text
+from cranktrain.textbook.errata_statements import amounts, errata
+from cranktrain.textbook.statements import Statement, Statements
+from cranktrain.textbook.synthesis_statements import SOURCE as SYNTHESIS
+from cranktrain.textbook.synthesis_statements import synthesis
 from cranktrain.texts.contents import TEXTS, Text
-from cranktrain.texts.errata import ERRATA, SYNTHESIS
-from cranktrain.texts.slider_crank_synthesis import PIN_SPEED, REQUIREMENTS, ROD_LENGTH, velocity_table
+from cranktrain.texts.slider_crank_synthesis import REQUIREMENTS
 
 SOURCE_EXAMPLE = {
     "stroke": quantity_text(REQUIREMENTS.stroke, "mm"),
@@ -22,38 +27,65 @@ SOURCE_EXAMPLE = {
 }
 """What the source of the slider-crank's synthesis wants, as it would be typed."""
 
+_OF_EACH = 4
+"""Of a text's errors, where those of all are listed."""
 
-def show_errata(console: Console, text: Text | None = None) -> None:
-    """Show the errors of every text, or of one."""
-    for one in TEXTS if text is None else (text,):
-        if one.name in ERRATA:
+
+def show_errata(console: Console, text: Text | None = None, *, full: bool = True) -> None:
+    """Show the errors of every text, or of one: all that is said of them, or one in a line."""
+    texts = TEXTS if text is None else (text,)
+    for one in texts:
+        if full:
             show_errors_of(console, one.name)
         else:
-            section(console, f"[{one.name}]", [REFERENCES[one.name].text, _without_numbers(one)])
+            _list_errors_of(console, one, _OF_EACH if text is None else None)
+    if not full:
+        asked = f" --source {text.letter}" if text else ""
+        section(console, _("To go on"), _go_on(asked))
 
 
 def show_errors_of(console: Console, name: str) -> None:
-    """Show the errors of one text; of the slider-crank's synthesis its table of velocities beside the right one."""
+    """Show all that is said of a text's errors."""
     width = console.width - INDENT
     about = [REFERENCES[name].text]
     if name == SYNTHESIS:
         about.append(_("Its example: {requirements}.").format(requirements=_requirements()))
     section(console, f"[{name}]", about)
-    for place, step in enumerate(ERRATA[name](), start=1):
-        words = _(step.step)
-        section(console, f"{place}. {words[:1].upper()}{words[1:]}", table(("", ""), list(step.said()), fold=width))
-    if name == SYNTHESIS:
-        section(console, _("Its table of slider velocities, m/s"), _velocities(width))
+    found = errata(name)
+    for place, one in enumerate(found, start=1):
+        rows = [(_("printed"), one.symbol), *amounts(one), (_("because"), *found.notes[one.name])]
+        section(console, f"{place}. {one.name}", table(("", ""), rows, fold=width))
+    _show_velocities(console, name)
 
 
-def _without_numbers(text: Text) -> str:
-    """Say of a text that no numbers stand beside its errors, or that it has none."""
-    words = (
-        _("No numbers stand beside its errors; `{command}` says of each wrong formula what is right.")
-        if any(one.verdict == "wrong" for one in text.formulas)
-        else _("No error of its formulas is known; `{command}` lists them.")
+def _list_errors_of(console: Console, text: Text, most: int | None) -> None:
+    """Show a text's errors one in a line, or so many of them; of the synthesis all with its table of velocities."""
+    each = list(errata(text.name))
+    heading = _("[{name}] {n} wrong steps").format(name=text.name, n=len(each))
+    lines = list(_listed(each[:most], console.width - INDENT))
+    if most is not None and len(each) > most:
+        lines.append(Line(f"… `cranktrain textbook errata --source {text.letter}`"))
+    section(console, heading, lines)
+    if most is None:
+        _show_velocities(console, text.name)
+
+
+def _listed(each: Sequence[Statement], width: int) -> list[Line]:
+    """Errors one in a line: what it is, cut where there is no room, what it gives, and what is right."""
+    cells = [dict(amounts(one)) for one in each]
+    numbers = [[own.get(head, "") for own in cells] for head in (_("gives"), _("right"))]
+    heads = (_("gives"), _("right"))
+    taken = sum(max(map(cell_len, [head, *column])) + GAP for head, column in zip(heads, numbers, strict=True))
+    keys = [f"{place}." for place in range(1, len(each) + 1)]
+    room = width - taken - max(map(len, keys), default=0) - GAP
+    names = [shorten(one.name, room, placeholder=" …") for one in each]
+    return table(("", "", *heads), list(zip(keys, names, *numbers, strict=True)), right=(0, 2, 3))
+
+
+def _go_on(asked: str) -> Iterator[str]:
+    yield _("`{command}`: each as printed, and why it is wrong").format(
+        command=f"cranktrain textbook errata{asked} --full"
     )
-    return words.format(command=f"cranktrain textbook --source {text.name}")
 
 
 def _requirements() -> str:
@@ -63,17 +95,19 @@ def _requirements() -> str:
     )
 
 
-def _velocities(width: int) -> Iterator[str | Line]:
+def _show_velocities(console: Console, name: str) -> None:
+    """Show the synthesis's table of velocities beside the right one."""
+    if name == SYNTHESIS:
+        found = synthesis()
+        section(console, _("Its table of slider velocities, m/s"), _velocities(found, console.width - INDENT))
+
+
+def _velocities(found: Statements, width: int) -> Iterator[str | Line]:
     """The source's table, and the same columns as they should be."""
-    velocities = velocity_table()
-    heads = (_("printed"), _("its formula"), _("exact"))
-    columns = [
-        Column(head, "", tuple(f"{value + 0.0:.3f}" for value in column))
-        for head, column in zip(heads, (velocities.printed, velocities.approximate, velocities.exact), strict=True)
-    ]
-    yield from column_tables(columns, [f"{angle:.0f}°" for angle in shown(velocities.angle, "deg")], width)
+    by_name = grouped((one.name, one) for one in found if one.symbol == "v" and one.at == "at")
+    columns = [Column(name, "", tuple(f"{one.value + 0.0:.3f}" for one in each)) for name, each in by_name.items()]
+    first = next(iter(by_name.values()))
+    columns.append(Column(_("exact"), "", tuple(f"{one.exact + 0.0:.3f}" for one in first)))
+    yield from column_tables(columns, [f"{one.crank_angle:.0f}°" for one in first], width)
     yield ""
-    yield _(
-        "Its formula and the exact law have its own numbers, rω = {speed} m/s and l = {rod} m. "
-        "Positive is toward the shaft."
-    ).format(speed=PIN_SPEED, rod=ROD_LENGTH)
+    yield from found.notes[_("Its velocities")]

@@ -1,15 +1,19 @@
 """The texts on the screen: which there are, and what one of them holds, formula by formula."""
 
+import shlex
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from textwrap import shorten
 
-from rich.text import Text
+from rich.cells import cell_len
+from rich.text import Text as Line
 
-from cranktrain.cli.screen.text import INDENT, page, section, table
+from cranktrain.cli.screen.text import GAP, INDENT, page, paragraph, section, show_lines, table
 from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.references import REFERENCES
-from cranktrain.texts.contents import TEXTS, Formula, text_called, with_equation
+from cranktrain.texts.contents import TEXTS, Formula, plain_number, text_called, with_equation
 from cranktrain.texts.contents import Text as Source
 
 
@@ -35,17 +39,38 @@ def _counted(text: Source) -> str:
     )
 
 
-def show_text(text: Source, *, has_forms: bool) -> None:
-    """Show every formula and figure of a text: what it is, whether it is right, and the command that shows it.
+def show_text(text: Source, *, has_forms: bool, full: bool) -> None:
+    """Show the formulas and figures of a text, one in a line by what they are: right, right in a range, or wrong.
 
-    `has_forms` says whether it has any for machines.
+    Parameters
+    ----------
+    text : Text
+    has_forms : bool
+        Whether it has forms for machines.
+    full : bool
+        Whether to show of each its range, what to mind, and the command that shows it.
     """
     with page(f"[{text.name}] {_(text.title)}") as console:
         width = console.width - INDENT
-        section(console, _("Source"), [REFERENCES[text.name].text])
-        for one in text.formulas:
-            section(console, f"{one.number}  {_(one.subject)}", _lines(one, width))
-        section(console, _("To go on"), _go_on(text, has_forms=has_forms))
+        source = REFERENCES[text.name].text
+        if full:
+            section(console, _("Source"), [source])
+            for one in text.formulas:
+                section(console, f"{one.number}  {_(one.subject)}", _lines(one, width))
+        else:
+            show_lines(console, [Line(" " * INDENT) + line for line in paragraph(console, source)])
+            for verdict, formulas in grouped((one.said_verdict, one) for one in text.formulas).items():
+                section(console, verdict[:1].upper() + verdict[1:], _listed(text, formulas, width))
+        section(console, _("To go on"), _go_on(text, has_forms=has_forms, full=full))
+
+
+def _listed(text: Source, formulas: Sequence[Formula], width: int) -> Iterator[Line]:
+    """Formulas one in a line, a subject cut where there is no room; numbers have one width in all groups."""
+    numbers = max(cell_len(one.number) for one in text.formulas)
+    room = width - numbers - GAP
+    for one in formulas:
+        said = shorten(_(one.subject), room, placeholder=" …")
+        yield Line(f"{one.number}{' ' * (numbers - cell_len(one.number) + GAP)}{said}")
 
 
 def show_equation(number: str, source: str | None, *, others: Mapping[str, str | None]) -> None:
@@ -78,7 +103,7 @@ def show_equation(number: str, source: str | None, *, others: Mapping[str, str |
             section(console, heading, _lines(one, console.width - INDENT))
 
 
-def _lines(one: Formula, width: int) -> Iterator[Text]:
+def _lines(one: Formula, width: int) -> Iterator[Line]:
     """What is said of a formula below its heading; the command is not folded, so that it can be copied."""
     rows = [(_("it is"), one.said_verdict), (_("range"), _(one.valid)), (_("mind"), _(one.note)), (_("see"), "")]
     lines = table(("", ""), [row for row in rows if row[1]], fold=width)
@@ -87,8 +112,13 @@ def _lines(one: Formula, width: int) -> Iterator[Text]:
         yield table(("", ""), [*rows, (_("see"), one.command)])[-1]
 
 
-def _go_on(text: Source, *, has_forms: bool) -> Iterator[str]:
+def _go_on(text: Source, *, has_forms: bool, full: bool) -> Iterator[str]:
     """Say what else shows the text."""
+    if not full:
+        number = plain_number(next(one.number for one in text.formulas if one.verdict != "right"))
+        asked = shlex.join(["cranktrain", "textbook", "--source", text.letter, "--equation", number])
+        yield _("`{one}`: one, with its range and the command that shows it").format(one=asked)
+        yield _("`{all}`: all of them so").format(all=f"cranktrain textbook --source {text.letter} --full")
     if has_forms:
-        yield _("`cranktrain textbook FILE --source {name}`: its forms for a machine of yours").format(name=text.name)
-    yield _("`cranktrain textbook errata --source {name}`: its errors").format(name=text.name)
+        yield _("`cranktrain textbook FILE --source {name}`: its forms for a machine of yours").format(name=text.letter)
+    yield _("`cranktrain textbook errata --source {name}`: its errors").format(name=text.letter)

@@ -111,5 +111,27 @@ TEXT = Text(
             _DRIVE,
             note=N_("it is 0 at the dead positions"),
         ),
+        Formula(
+            "purpose",
+            N_("transients: a start of the drive over time, by its motor's torque and its masses"),
+            "right in a range",
+            "cranktrain start tilting_table",
+            N_("named, not given"),
+            N_("M − M_st = J dω/dt + ½ω² dJ/dφ: GD² by the angle lacks the second term"),
+        ),
+        Formula(
+            "purpose",
+            N_("power of the motor: the smallest typical one that is enough"),
+            "right",
+            "cranktrain synthesise drive tilting_table",
+            note=N_("named, not given; what governs on this example is the start at the worst angle"),
+        ),
+        Formula(
+            "purpose",
+            N_("load diagrams: torque and power of the motor over time and angle"),
+            "right",
+            "cranktrain plot tilting_table --sheet drive -o sheet.svg",
+            note=N_("named, not given"),
+        ),
     ),
 )

@@ -47,7 +47,7 @@ TEXT = Text(
             "(335)",
             N_("Z = λR/2, the largest difference of (333) and (334)"),
             "right",
-            _MOTION,
+            "cranktrain textbook great_northern --full",
             note=N_("of the exact displacement and (334) it is L − √(L² − R²), 1.6 % more at λ = 0.25"),
         ),
         Formula(
@@ -84,6 +84,20 @@ TEXT = Text(
             _MOTION,
             _CENTRAL,
             N_("off by 0.66 % of the peak at λ = 0.25, 1.1 % at 0.3"),
+        ),
+        Formula(
+            "eccentric",
+            N_("the drive of the slide valve: the same mechanism, R its eccentricity"),
+            "right",
+            "cranktrain plot great_northern --plan positions --mechanism 1valve -o valve.svg",
+            note=N_("exact by its own geometry"),
+        ),
+        Formula(
+            "scale",
+            N_("positions drawn so that 1 mm is μ of the machine, and read back times μ"),
+            "right",
+            "cranktrain plot great_northern --plan arc --scale 1:40 -o scale.svg",
+            note=N_("the plan says its μ_l"),
         ),
     ),
 )

@@ -4,6 +4,10 @@ from cranktrain.language import N_
 from cranktrain.texts.contents.text import Formula, Text
 
 _STEPS = "cranktrain synthesise slider-crank --textbook"
+_OWN = (
+    'cranktrain synthesise slider-crank --stroke "160 mm" --pressure-angle "30 deg" --rod-length "270 mm" '
+    '--mean-speed "6.3 m/s" -o own.svg'
+)
 
 TEXT = Text(
     name="slider-crank-synthesis",
@@ -55,6 +59,20 @@ TEXT = Text(
             "wrong",
             _STEPS,
             note=N_("slips at 60° and 300°, in sin 2φ and the bracket at 150° and 210°; r/2l is 0.148, not 0.15"),
+        ),
+        Formula(
+            "plans",
+            N_("the same with its own numbers, l = 0.27 m, at the scale of the text, 4 mm/mm"),
+            "right",
+            _OWN,
+            note=N_("of a rod of 270 mm the pressure angle is at most 17.2°"),
+        ),
+        Formula(
+            "guide",
+            N_("the slider's side force on its guide, and the friction there"),
+            "right",
+            'cranktrain synthesise slider-crank --stroke "160 mm" --pressure-angle "30 deg" --friction 0.1',
+            note=N_("the reason that the text gives for [α], and does not compute: N/P = tan β/(1 − μ tan β)"),
         ),
     ),
 )

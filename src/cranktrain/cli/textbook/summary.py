@@ -1,0 +1,161 @@
+"""The first screen of `textbook FILE`: how far each form is off, or with `--table` the motion by the usual one."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from rich.console import Console
+from rich.text import Text as Line
+
+from cranktrain.analysis import Result
+from cranktrain.cli.screen.columns import Column, section_of_columns
+from cranktrain.cli.screen.text import INDENT, section, table
+from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
+from cranktrain.cli.textbook.forms import STEP
+from cranktrain.cli.textbook.opposed import Pairs, opposed_pairs
+from cranktrain.language import _
+from cranktrain.layout.places import PlacedMechanism
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.one_line import one_line
+from cranktrain.textbook.distinct_pistons import AlikePistons, alike
+from cranktrain.textbook.motion_statements import form_statements
+from cranktrain.texts.comparison import FORMS
+from cranktrain.texts.contents import Text
+from cranktrain.texts.opposed import opposed_pistons
+from cranktrain.texts.opposed_errors import exact_pair, opposed_errors
+from cranktrain.texts.percents import percent
+from cranktrain.texts.ranges import RANGES, Range
+from cranktrain.wording import figure, ranged
+
+_TURN = 360.0
+_USUAL = {"steam-engine": "two_harmonics", "bolotin": "reconstructed"}
+"""The method of a text that is shown over the turn; the others with `--full`."""
+_CURVES = (
+    ("x", "displacement_by_method", "mm"),
+    ("v/ω", "velocity_coefficient_by_method", "mm/rad"),
+    ("j/ω²", "acceleration_coefficient_by_method", "mm/rad^2"),
+)
+
+_Row = tuple[str, str, tuple[float, float, float], str]
+"""Equations, whose, errors of displacement, velocity and acceleration, and what is to be said."""
+
+
+def show_summary(console: Console, machine: Machine, result: Result, text: Text | None, *, with_table: bool) -> bool:
+    """Show the first screen of all texts, or of one; whether any speaks of the machine."""
+    ranges = _ranges(machine.places, text)
+    pairs = opposed_pairs(machine.places) if text is None or text.name == "bolotin" else {}
+    if with_table:
+        _show_usual(console, machine.places, result, ranges)
+        if not ranges or text is not None:
+            _show_travel(console, pairs)
+    else:
+        rows = [*_of_forms(machine, result, ranges), *_of_pairs(pairs)]
+        section(console, _("Largest errors over the turn"), _lines(rows, console.width - INDENT))
+    rockers = text is None or text.name == "gandzha"
+    has_rockers = rockers and show_crank_rockers(console, machine.places, with_table=with_table)
+    return bool(ranges or pairs) or has_rockers
+
+
+def go_on(machine: Machine, file: str, text: Text | None, *, with_table: bool) -> Iterator[str]:
+    """Say what shows the rest."""
+    if any(place.kind.name == "crank_rocker" for place in machine.places):
+        yield _("`{command}`: (1) to (21), its drive with them").format(
+            command=f"cranktrain textbook --drive {one_line(file)}"
+        )
+        return
+    asked = f"cranktrain textbook {one_line(file)}" + (f" --source {text.name}" if text else "")
+    if with_table:
+        yield _("`{command}`: every method, and all else that the texts have over the turn").format(
+            command=f"{asked} --table --full"
+        )
+        yield _("`{command}`: how far the forms are off").format(command=asked)
+    else:
+        yield _("`{command}`: ranges, where the errors are largest, constructions, constants").format(
+            command=f"{asked} --full"
+        )
+        yield _("`{command}`: the motion over the turn").format(command=f"{asked} --table")
+
+
+def _ranges(places: Sequence[PlacedMechanism], text: Text | None) -> list[Range]:
+    """Methods of all texts, or of one, that speak of one of the mechanisms."""
+    kinds = {place.kind.name for place in places}
+    return [
+        one for one in RANGES if (text is None or one.source == text.name) and not kinds.isdisjoint(FORMS[one.method])
+    ]
+
+
+def _of_forms(machine: Machine, result: Result, ranges: Sequence[Range]) -> Iterator[_Row]:
+    """The largest errors of each method, of any piston."""
+    for one in ranges:
+        found = list(form_statements(machine, result, one))
+        largest = [max(each.value for each in found if each.symbol == symbol) for symbol in ("Δx", "Δv", "Δj")]
+        names = [place.name for place in machine.places if place.kind.name in FORMS[one.method]]
+        said = "; ".join(filter(None, (_(one.name), _inside(one, alike(machine.places, FORMS[one.method])))))
+        yield ", ".join(one.equations), ranged(names, range(len(names))), (largest[0], largest[1], largest[2]), said
+
+
+def _inside(one: Range, pistons: Sequence[AlikePistons]) -> str:
+    """Say whether pistons are inside a method's range, and for what not; nothing where the text gives no range."""
+    if one.most_ratio is None:
+        return _("the text gives no range")
+    outside = dict.fromkeys(reason for each in pistons for reason in one.reasons(each.ratio, each.offset))
+    return _("outside, as {reasons}").format(reasons=_(" and ").join(outside)) if outside else _("inside its range")
+
+
+def _of_pairs(pairs: Pairs) -> Iterator[_Row]:
+    """The largest errors of (I.11), (I.12) and of their sum, of the first cylinders that are alike."""
+    for pair, cylinders in list(pairs.items())[:1]:
+        heads = (("(I.11)", _("exhaust piston")), ("(I.12)", _("scavenge piston")), ("", _("both together")))
+        of = ranged(cylinders, range(len(cylinders)))
+        for (number, said), errors in zip(heads, opposed_errors(pair), strict=True):
+            displacement, velocity, acceleration = (float(one.value) for one in errors)
+            yield number, of, (displacement, velocity, acceleration), said
+
+
+def _lines(rows: Sequence[_Row], width: int) -> Iterator[str | Line]:
+    """Lay them out, and say what they are errors of."""
+    if not rows:
+        return
+    cells = [(number, *map(percent, errors), f"{of}: {said}") for number, of, errors, said in rows]
+    heads = ("", "Δx", "Δv", "Δj", "")
+    yield from table(heads, [("", "%", "%", "%", ""), *cells], right=(1, 2, 3), fold=width)
+    yield ""
+    yield _("Δx in parts of the stroke, Δv and Δj of their exact peaks; of several pistons the largest.")
+
+
+def _show_usual(console: Console, places: Sequence[PlacedMechanism], result: Result, ranges: Sequence[Range]) -> None:
+    """Show the motion of the first piston of which a text speaks, exact and by the usual one of its methods."""
+    turn = result.crank_angle < _TURN
+    labels = [f"{angle:g}°" for angle in result.crank_angle[turn]]
+    for one in (one for one in ranges if _USUAL.get(one.source) == one.method):
+        first = next(place for place in places if place.kind.name in FORMS[one.method])
+        piston = result.labels["piston"].index(first.name)
+        exact, by_form = (result.labels["motion_method"].index(name) for name in ("exact", one.method))
+        numbers = one.equations if len(one.equations) == len(_CURVES) else one.equations * len(_CURVES)
+        columns = [
+            Column(head, unit, _written(getattr(result, name)[row, piston][turn]))
+            for (symbol, name, unit), equation in zip(_CURVES, numbers, strict=True)
+            for head, row in ((symbol, exact), (equation, by_form))
+        ]
+        heading = _("Motion of piston {piston}, exact and by {method}").format(piston=first.name, method=_(one.name))
+        section_of_columns(console, heading, columns, labels)
+
+
+def _show_travel(console: Console, pairs: Pairs) -> None:
+    """Show the travel of opposed pistons by (I.11), (I.12), and of both together."""
+    for pair, cylinders in list(pairs.items())[:1]:
+        angle = np.deg2rad(np.arange(0.0, _TURN, STEP))
+        source, exact = opposed_pistons(angle, pair.size), exact_pair(angle, pair)
+        columns = [
+            Column(text, "mm", _written(motion.value))
+            for head, own, true in zip(("(I.11)", "(I.12)", _("both")), source, exact, strict=True)
+            for text, motion in ((head, own), (_("exact"), true))
+        ]
+        heading = _("Travel S of the pistons of {cylinders} by the exhaust crank's angle")
+        labels = [f"{step:g}°" for step in np.arange(0.0, _TURN, STEP)]
+        said = ranged(cylinders, range(len(cylinders)))
+        section_of_columns(console, heading.format(cylinders=said), columns, labels)
+
+
+def _written(values: Array) -> tuple[str, ...]:
+    return tuple(figure(value, "mm") for value in values)
