@@ -16,11 +16,13 @@ from typing import TYPE_CHECKING, Any
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements
 
 if TYPE_CHECKING:
+    from cranktrain.textbook.constants_statements import constants
     from cranktrain.textbook.drive_statements import drive
+    from cranktrain.textbook.opposed_statements import opposed
 
-__all__ = ["Statement", "StatementCurve", "Statements", "drive"]
+__all__ = ["Statement", "StatementCurve", "Statements", "constants", "drive", "opposed"]
 
-_HOMES = {"drive": "drive_statements"}
+_HOMES = {"constants": "constants_statements", "drive": "drive_statements", "opposed": "opposed_statements"}
 """Which module has each of what is called."""
 
 

@@ -17,8 +17,7 @@ from cranktrain.cli.textbook.crank_side import show_from_crank_side
 from cranktrain.cli.textbook.errata import show_errata
 from cranktrain.cli.textbook.forms import NEEDED as FORMS_NEEDED
 from cranktrain.cli.textbook.forms import STEP, explain_forms, show_forms, show_motion
-from cranktrain.cli.textbook.opposed import NEEDED as OPPOSED_NEEDED
-from cranktrain.cli.textbook.opposed import opposed_pairs, show_opposed
+from cranktrain.cli.textbook.opposed import show_opposed
 from cranktrain.cli.textbook.slaves import show_constants
 from cranktrain.cli.textbook.source import machine_file
 from cranktrain.cli.textbook.texts import show_text, show_texts
@@ -30,6 +29,8 @@ from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest
 from cranktrain.references import REFERENCES
+from cranktrain.textbook.opposed_statements import NEEDED as OPPOSED_NEEDED
+from cranktrain.textbook.opposed_statements import opposed_cylinders
 from cranktrain.texts.contents import Text, text_called, text_named
 
 _ERRATA = "errata"
@@ -158,9 +159,10 @@ def _bolotin(console: Console, machine: Machine, result: Result, *, with_table: 
     """Show slaves on articulated rods and opposed pistons; whether there are any."""
     is_spoken_of = show_forms(console, machine, result, "bolotin")
     show_constants(console, machine.places)
-    pairs = opposed_pairs(machine.places)
-    show_opposed(console, pairs, result, with_table=with_table)
-    return is_spoken_of or bool(pairs)
+    cylinders = opposed_cylinders(machine.places)
+    if cylinders:
+        show_opposed(console, cylinders, result, with_table=with_table)
+    return is_spoken_of or bool(cylinders)
 
 
 def _gandzha(console: Console, machine: Machine, result: Result, *, with_table: bool) -> bool:
