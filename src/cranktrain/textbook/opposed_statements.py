@@ -43,7 +43,7 @@ NEEDED = (
 LARGEST, INNER, OUTER = "largest", "inner", "outer"
 """Where an error is given: where it is largest over the turn; and which dead centre one is."""
 
-_DIGITS = 9
+_DIGITS = 13
 """Of a lead in rad, in which leads of one machine are alike."""
 _EQUATIONS = ("(I.11)", "(I.12)", "(I.11) (I.12)")
 _ERRORS = ("Δx", "Δv", "Δj")

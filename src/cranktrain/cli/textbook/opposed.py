@@ -44,7 +44,7 @@ def show_opposed(console: Console, cylinders: Sequence[OpposedCylinders], result
 def _scheme(one: OpposedCylinders) -> str:
     """Say what draws fig. 1.3 of a cylinder."""
     command = f"cranktrain plot FILE --plan scheme --mechanism {one.places[0][0].cylinder} -o scheme.svg"
-    return _("fig. 1.3 of it: {command}").format(command=command)
+    return _("fig. 1.3: {command}").format(command=command)
 
 
 def _errors(own: Sequence[Statement], width: int) -> Iterator[Text]:
