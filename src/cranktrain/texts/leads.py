@@ -1,7 +1,7 @@
 """The rule of [bolotin] for the lead of opposed pistons: its ranges, as data, and what is outside them, and why.
 
 Of the exhaust crank: 10–15° in engines that turn one way, 5–10° in those that reverse, because astern the lead Δ is
-−Δ, the scavenge ports open first, and gas blows back into the receiver.
+−Δ: if it is more than the ports' heights give, the scavenge ports open first, and gas blows back into the receiver.
 """
 
 from collections.abc import Iterator, Sequence

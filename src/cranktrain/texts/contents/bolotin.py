@@ -18,7 +18,10 @@ TEXT = Text(
             N_("lead Δ of the exhaust crank: 10–15° in engines that turn one way, 5–10° in those that reverse"),
             "right",
             "cranktrain textbook 10d100 --source bolotin",
-            note=N_("astern the lead is −Δ and the scavenge ports open first; with a machine's ports this is computed"),
+            note=N_(
+                "astern the lead is −Δ, and where it is more than the ports' heights give, the scavenge ports open "
+                "first; with a machine's ports this is computed"
+            ),
         ),
         Formula(
             "fig. 1.3",
@@ -31,7 +34,9 @@ TEXT = Text(
             N_("б: of one whose shafts turn against each other"),
             "right",
             "cranktrain plot deltic --plan scheme --mechanism 1B -o scheme.svg",
-            note=N_("travel, velocity and acceleration are alike in both; side forces change their sign"),
+            note=N_(
+                "travel, velocity and acceleration of central mechanisms are alike in both; side forces change sign"
+            ),
         ),
         Formula(
             "p. 15",
