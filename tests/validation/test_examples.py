@@ -5,6 +5,8 @@ Sources, by machine:
 * 3D12: slave stroke 186.7 mm from Bolotin's list of engines and sovavto.net; 38.88 L = 6 · π/4 · 150² · (180 + 186.7)
   mm³ (published: 38.8 L); compression ratios 14.5 and 15 from a German reference page and sovavto.net. Dead centres and
   pin heights of the three sets of rods: closed form in 40 digits, and the reference case articulated_V2.
+* M-50 and 40D: slave strokes 209.8 and 304.3 mm from Bolotin's list of engines; 4.9 and 1.4 % = 209.8/200, 304.3/300.
+  Pin heights 100 + 356 and 150 + 533 mm, dead centres by 30 digits.
 * VAZ-21213: order from vaz2121.ru; 1689.9 cm³ = 4 · π/4 · 82² · 80 mm³; dead centres at asin(e/(L + R)) =
   asin(−1.2/176) and asin(e/(L − R)) = asin(−1.2/96).
 * In-line six: discs, shafts and dimensions of openTorsion's example (MIT), after Mendes, Meirelles and Zampieri 2008,
@@ -111,6 +113,24 @@ def test_3d12_other_rods_give_the_published_stroke_too():
     assert of_bank(result, "R", result.stroke) * 1e3 == printed("186.70")
     assert of_bank(result, "R", result.top_shift) == printed("1.03")
     assert of_bank(result, "R", result.bottom_shift) == printed("-4.59")
+
+
+@pytest.mark.parametrize(
+    ("name", "stroke", "own", "height", "top", "bottom", "more"),
+    [
+        ("m_50", "209.8", "200.0", "456.00", "0.51", "-4.70", "4.9"),
+        ("40d", "304.3", "300.0", "683.00", "0.56", "-1.78", "1.4"),
+    ],
+)
+def test_other_engines_whose_slave_strokes_are_printed(name, stroke, own, height, top, bottom, more):
+    result = run(name)
+    found = {bank: of_bank(result, bank, result.stroke) * 1e3 for bank in "LR"}
+    assert found["L"] == printed(own)
+    assert found["R"] == printed(stroke)
+    assert of_bank(result, "R", result.top_position) * 1e3 == printed(height)
+    assert of_bank(result, "R", result.top_shift) == printed(top)
+    assert of_bank(result, "R", result.bottom_shift) == printed(bottom)
+    assert 100 * (found["R"] / found["L"] - 1) == printed(more)
 
 
 def test_vaz_21213():

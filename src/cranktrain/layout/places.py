@@ -98,6 +98,11 @@ class PlacedMechanism(_Slot):
         """φ at which the crank points along the mechanism's x. [rad]"""
         return self.axis - self.throw_angle
 
+    @property
+    def inner_dead_centre(self) -> Array:
+        """φ at which the crank lies along the cylinder, its piston innermost: of a far piston it points away. [rad]"""
+        return self.nominal_top + np.pi if self.is_far else self.nominal_top
+
 
 def places_of(
     shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], *, astern: bool

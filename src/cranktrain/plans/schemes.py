@@ -212,30 +212,35 @@ def _slider_crank(view: _View) -> _Marks:
 
 def _opposed(view: _View) -> _Marks:
     """Fig. 1.3 of [bolotin]: exhaust and scavenge piston (indices в and п), the exhaust crank ahead by Δ."""
-    ends = [place.name.rpartition(".")[2] for place in view.places]
+    ends = {place.name.rpartition(".")[2]: place for place in view.places}
+    turns = {end: _turn_from_inner(view, place) for end, place in ends.items()}
+    lead = float((turns["exhaust"] - turns["scavenge"] + np.pi) % (2 * np.pi) - np.pi)
+    on_one_shaft = len({place.shaft for place in view.places}) == 1
     letters: dict[str, str] = {}
     angles: list[MarkedAngle] = []
     lengths: list[MarkedLength] = []
     thin: list[Array] = []
-    turns = {end: _turn(view, place) for end, place in zip(ends, view.places, strict=True)}
-    lead = float((turns["exhaust"] - turns["scavenge"] + np.pi) % (2 * np.pi) - np.pi)
-    for i, (end, place) in enumerate(zip(ends, view.places, strict=True)):
+    for i, (end, place) in enumerate(ends.items()):
         number, mark = (str(i + 1) if i else ""), _INDICES[end]
-        letters |= {f"{pin}{number}": f"{pin}_{mark}" for pin in "OAB"}
-        shaft, along = f"O{number}", view.along(place)
+        letters |= {f"{pin}{number}": f"{pin}_{mark}" for pin in ("AB" if on_one_shaft else "OAB")}
+        shaft, inner = f"O{number}", view.along(place, np.pi if place.is_far else 0.0)
+        arm = float(np.hypot(*(view.pins[f"A{number}"] - view.pins[shaft])))
+        if place.is_far:
+            thin.append(np.stack([view.pins[shaft], view.pins[shaft] + 1.2 * arm * _unit(inner)], axis=1))
         if end == "exhaust":
             words = N_("exhaust crank from its inner dead centre")
-            angles.append(view.angle("α", words, shaft, place, along, turns[end]))
+            angles.append(view.angle("α", words, shaft, place, inner, turns[end]))
         else:
             words = N_("scavenge crank from its inner dead centre")
-            angles.append(view.angle("α − Δ", words, shaft, place, along, turns[end]))
-            start = view.turned(place, along, turns[end])
+            angles.append(view.angle("α − Δ", words, shaft, place, inner, turns[end]))
+            start = view.turned(place, inner, turns[end])
             angles.append(view.angle("Δ", N_("lead of the exhaust crank"), shaft, place, start, lead))
-            arm = float(np.hypot(*(view.pins[f"A{number}"] - view.pins[shaft])))
             tip = view.pins[shaft] + 1.2 * arm * _unit(view.turned(place, start, lead))
             thin.append(np.stack([view.pins[shaft], tip], axis=1))
         lengths.append(view.length(f"R_{mark}", _crank_words(end), shaft, f"A{number}"))
         lengths.append(view.length(f"L_{mark}", _rod_words(end), f"A{number}", f"B{number}"))
+    if on_one_shaft:
+        letters["O"] = "O"
     return _Marks(letters, tuple(angles), tuple(lengths), thin=tuple(thin))
 
 
@@ -332,6 +337,11 @@ def _crank_rocker(view: _View) -> _Marks:
 def _turn(view: _View, place: PlacedMechanism) -> float:
     """Angle of a place's crank, 0 to 2π. [rad]"""
     return float((view.phi + place.phase) % (2 * np.pi))
+
+
+def _turn_from_inner(view: _View, place: PlacedMechanism) -> float:
+    """Angle of a place's crank from its piston's inner dead centre, 0 to 2π. [rad]"""
+    return float((view.phi - place.inner_dead_centre) % (2 * np.pi))
 
 
 def _unit(direction: float) -> Array:

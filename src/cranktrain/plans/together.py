@@ -1,4 +1,4 @@
-"""What a plan shows: one mechanism, or those of both pistons of a cylinder together, each on its own shaft."""
+"""What a plan shows: one mechanism, or those of both pistons of a cylinder together."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -16,8 +16,7 @@ from cranktrain.plans.placement import place_called, placed, shaft_places
 def places_called(machine: Machine, name: str | None) -> tuple[PlacedMechanism, ...]:
     """Find the mechanisms that a plan shows: one; of a cylinder with opposed pistons those of both.
 
-    A cylinder is meant by its name, or where nothing is named. What is on a shaft whose place is not known is left out,
-    and what side rods drive.
+    A cylinder is meant by its name, or where nothing is named. What is on a shaft whose place is not known is left out.
 
     Raises
     ------
@@ -40,7 +39,7 @@ def places_called(machine: Machine, name: str | None) -> tuple[PlacedMechanism, 
     others = (
         place
         for place in machine.places
-        if place.cylinder == first.cylinder and not place.is_far and place.shaft in centres and place is not first
+        if place.cylinder == first.cylinder and place.shaft in centres and place is not first
     )
     return (first, *(others if first.shaft in centres else ()))
 

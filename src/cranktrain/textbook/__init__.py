@@ -16,18 +16,33 @@ from typing import TYPE_CHECKING, Any
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements
 
 if TYPE_CHECKING:
+    from cranktrain.textbook.constants_statements import constants
     from cranktrain.textbook.drive_statements import drive
     from cranktrain.textbook.errata_statements import errata
     from cranktrain.textbook.motion_statements import motion
+    from cranktrain.textbook.opposed_statements import opposed
     from cranktrain.textbook.synthesis_statements import synthesis
     from cranktrain.textbook.throw_statements import throw
 
-__all__ = ["Statement", "StatementCurve", "Statements", "drive", "errata", "motion", "synthesis", "throw"]
+__all__ = [
+    "Statement",
+    "StatementCurve",
+    "Statements",
+    "constants",
+    "drive",
+    "errata",
+    "motion",
+    "opposed",
+    "synthesis",
+    "throw",
+]
 
 _HOMES = {
+    "constants": "constants_statements",
     "drive": "drive_statements",
     "errata": "errata_statements",
     "motion": "motion_statements",
+    "opposed": "opposed_statements",
     "synthesis": "synthesis_statements",
     "throw": "throw_statements",
 }

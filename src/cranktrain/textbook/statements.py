@@ -145,12 +145,14 @@ class Statements:
     def csv(self) -> str:
         """The curves as a table over the crank angle, in SI; exact ones beside, where they are none of the others."""
         heads, columns = ["crank_angle_deg"], [self.crank_angle]
+        are_several = len({one.of for one in self.curves}) > 1
         for one in self.curves:
             numbered, unit = (f"{one.equation} " if one.equation else ""), f"[{one.unit}]"
-            heads.append(f"{numbered}{one.symbol} {one.verdict}: {one.name} {unit}")
+            whose = f", {one.of}" if are_several else ""
+            heads.append(f"{numbered}{one.symbol} {one.verdict}: {one.name}{whose} {unit}")
             columns.append(one.values)
             if one.exact is not None and not any(np.array_equal(one.exact, other.values) for other in self.curves):
-                heads.append(f"{one.symbol} exact {unit}")
+                heads.append(f"{one.symbol} exact{whose} {unit}")
                 columns.append(one.exact)
         lines = [",".join(f'"{head}"' for head in heads)]
         lines += [",".join(f"{value + 0.0:.12g}" for value in row) for row in np.stack(columns, axis=1)]

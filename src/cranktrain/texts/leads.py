@@ -1,11 +1,11 @@
 """The rule of [bolotin] for the lead of opposed pistons: its ranges, as data, and what is outside them, and why.
 
 Of the exhaust crank: 10–15° in engines that turn one way, 5–10° in those that reverse, because astern the lead Δ is
-−Δ, the scavenge ports open first, and gas blows back into the receiver.
+−Δ: if it is more than the ports' heights give, the scavenge ports open first, and gas blows back into the receiver.
 """
 
 from collections.abc import Iterator, Sequence
-from math import isfinite
+from math import isfinite, nan
 from typing import NamedTuple
 
 import numpy as np
@@ -57,6 +57,66 @@ def verdict(lead: float) -> str:
     """
     said = ", ".join(_one_verdict(one, abs(lead)) for one in _ranges(lead))
     return _("behind, as only astern: {verdict}").format(verdict=said) if lead < 0 else said
+
+
+def reasons(lead: float, opens_before: float = nan, closes_before: float = nan) -> Iterator[str]:
+    """Say what a lead does to the ports, as it turns and with the same metal turning the other way.
+
+    Parameters
+    ----------
+    lead : float
+        Δ of the exhaust crank. [rad]
+    opens_before, closes_before : float
+        By how much the exhaust ports open and close before the scavenge ports; NaN where no ports are known. [rad]
+
+    Yields
+    ------
+    str
+
+    Notes
+    -----
+    The ports' heights alone open the exhaust ports by s sooner, so the lead by s + Δ; the other way by s − Δ, which is
+    the closing of the ports read backwards.
+
+    Examples
+    --------
+    >>> print(list(reasons(*np.radians([12.0, 17.81, 6.19])))[-1])
+    The ports' heights alone give the exhaust ports 5.81 deg: a lead of more than that blows back astern.
+    """
+    if not isfinite(opens_before + closes_before):
+        yield from _without_ports(lead)
+        return
+    yield _("As it turns, the exhaust ports open {gap}.").format(gap=_gap(opens_before, _("the scavenge ports")))
+    yield _("With the same metal turning the other way the lead is {lead}, and they open {gap}.").format(
+        lead=number(0.0 - lead, "deg"), gap=_gap(-closes_before, _("them"))
+    )
+    by_height = lead - closes_before if lead >= 0 else opens_before - lead
+    if by_height > 0:
+        yield _(
+            "The ports' heights alone give the exhaust ports {head}: a lead of more than that blows back astern."
+        ).format(head=number(by_height, "deg"))
+    else:
+        yield _("The ports' heights alone do not open the exhaust ports sooner: any lead blows back astern.")
+
+
+def _gap(opens_before: float, others: str) -> str:
+    """Say by how much the exhaust ports open before others, and what follows if they open after them."""
+    size = number(abs(opens_before), "deg")
+    if opens_before >= 0:
+        return _("{angle} before {others}").format(angle=size, others=others)
+    return _("{angle} after {others}: gas blows back into the receiver").format(angle=size, others=others)
+
+
+def _without_ports(lead: float) -> Iterator[str]:
+    """Say what holds whatever the ports are."""
+    yield _("A lead opens the exhaust ports by as much sooner, so that the pressure has fallen when the others open.")
+    if abs(lead) > _ROUNDING:
+        yield _(
+            "With the same metal turning the other way the lead is {lead}: it opens them by as much later. If the "
+            "ports' heights do not make up for that, the scavenge ports open first, and gas blows back into the "
+            "receiver."
+        ).format(lead=number(-lead, "deg"))
+    yield _("With exhaust_port and scavenge_port this is computed.")
 
 
 def is_unsuited(lead: float) -> bool:

@@ -22,7 +22,11 @@ class OpposedMotion(NamedTuple):
 
 
 class OpposedSize(NamedTuple):
-    """Crank radius R [m] and ratio λ = R/L to the rod [1] of each piston; lead Δ of the exhaust crank [rad]."""
+    """Crank radius R [m] and ratio λ = R/L to the rod [1] of each piston; lead Δ of the exhaust crank [rad].
+
+    λ is negative of a far piston, which side rods drive: at its inner dead centre its crank points away from the
+    cylinder, and the formulas have the minus sign that (333), (336), (337) have from the crank-side dead centre.
+    """
 
     exhaust_radius: Array
     exhaust_ratio: Array
@@ -101,7 +105,7 @@ def volumetric_dead_centres_to_first_order(size: OpposedSize) -> FirstOrderDeadC
     Notes
     -----
     (Δ/2)(1 + (w_s − w_e)/(w_s + w_e)), w = R(1 + λ) inside and R(1 − λ) outside, where π is added: each piston leaves
-    its dead centre as wθ²/2. Derived here; the source has Δ/2 for all.
+    its dead centre as wθ²/2. Derived here; the source has Δ/2 for all. Of a far piston λ is negative.
 
     Examples
     --------

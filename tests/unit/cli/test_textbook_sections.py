@@ -100,6 +100,7 @@ def test_opposed_pistons_of_unequal_rods(typed, written):
     centres = rows(found["Volumetric dead centres [bolotin]"])
     assert centres["inner"] == [6.0, pytest.approx(6.24, abs=0.006), 6.24]
     assert centres["outer"] == [186.0, pytest.approx(185.6, abs=0.006), 185.6]
+    assert "fig. 1.3 а: two shafts that turn alike." in answer.output
     assert "Cranks or rods differ: half the lead is no dead centre." in " ".join(answer.output.split())
     table = rows(found["Travel S of the pistons of 1 by the exhaust crank's angle"])
     for label, values in table.items():
@@ -130,16 +131,66 @@ def test_a_lead_that_suits_a_reversing_engine(typed):
     assert re.search(r"they open 0\.8\d° before them\.", said)
 
 
+ONE_SHAFT = """
+name = "one shaft"
+rotation = "clockwise"
+[shaft.main]
+throws = ["0 deg", "170 deg"]
+speed = "300 rpm"
+[bank.A.exhaust]
+throws = [1]
+[bank.A.exhaust.mechanism]
+kind = "slider_crank"
+crank_radius = "450 mm"
+rod_length = "1800 mm"
+[bank.A.scavenge]
+side_rods = true
+throws = [2]
+[bank.A.scavenge.mechanism]
+kind = "slider_crank"
+crank_radius = "350 mm"
+rod_length = "3000 mm"
+[cylinder]
+bore = "600 mm"
+cycle = "two-stroke"
+"""
+
+
+def test_opposed_pistons_on_one_shaft(typed, written):
+    """The far piston by hand: R(1 − cos θ − (λ/2) sin²θ) from where its crank points away, 10° behind the exhaust's."""
+    written(ONE_SHAFT)
+    answer = typed("textbook", "machine.toml", "--source", "bolotin", "--table")
+    assert (answer.status, answer.errors) == (0, "")
+    assert all(len(line) <= 80 for line in answer.output.splitlines())
+    said, found = " ".join(answer.output.split()), parts(answer.output)
+    assert "10.00 deg: suits engines that turn one way (10–15°), suits engines that reverse (5–10°)" in said
+    assert "The scavenge piston is the far one, on side rods" in said
+    first_order = 10 * 350 * (1 - 350 / 3000) / (450 * 1.25 + 350 * (1 - 350 / 3000))
+    centres = rows(found["Volumetric dead centres [bolotin]"])
+    assert centres["inner"] == [5.0, pytest.approx(first_order, abs=0.0051), 3.55]
+    for label, values in rows(found["Travel S of the pistons of 1 by the exhaust crank's angle"]).items():
+        alpha = np.radians(float(label.rstrip("°")))
+        theta = alpha - np.radians(10)
+        near = 450 * (1 - np.cos(alpha) + 0.125 * np.sin(alpha) ** 2)
+        far = 350 * (1 - np.cos(theta) - 350 / 6000 * np.sin(theta) ** 2)
+        assert values[::2] == [pytest.approx(value, abs=0.0051) for value in (near, far, near + far)]
+
+
 def test_constants_of_an_articulated_rod(typed):
     """docs/theory/textbook-forms has those of the rods often quoted, to six digits."""
     found = parts(typed("textbook", "3d12_quoted_rods", "--full").output)
     lines = found["Constants of (I.13) for 1R–6R [bolotin]"]
-    assert lines[0].split() == ["E", "Φ", "F", "Θ", "K", "H"]
-    table = (re.split(r" {2,}", line.strip()) for line in lines[2:])
-    cells = {label: [float(cell) for cell in numbers] for label, *numbers in table}
-    assert cells["exact motion"][:5] == [1.038943, 1.2938, 0.257358, 20.929, 310.325]
+    second = lines.index("")
+    tables = [lines[:second], lines[second + 1 :]]
+    assert [table[0].split() for table in tables] == [["E", "Φ", "F", "Θ"], ["K", "H"]]
+    cells: dict[str, list[float]] = {}
+    for line in (line for table in tables for line in table[2:]):
+        label, *numbers = re.split(r" {2,}", line.strip())
+        cells.setdefault(label, []).extend(map(float, numbers))
+    assert cells["first two harmonics of the exact motion"][:5] == [1.038943, 1.2938, 0.257358, 20.929, 310.325]
     assert cells["derived anew"][:5] == [1.038345, 1.2207, 0.248843, 20.810, 310.514]
     assert cells["reconstructed"][:5] == [1.038409, 1.2162, 0.246656, 20.927, 310.749]
+    assert cells["exact motion"] == [pytest.approx(409.1306827999, abs=5e-4)]  # of the reference case articulated_V2
 
 
 def rocker_directions(alpha):

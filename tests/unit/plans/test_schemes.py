@@ -94,6 +94,36 @@ def test_opposed_pistons_have_the_letters_of_figure_1_3(name, lead):
             np.testing.assert_allclose(arm / np.hypot(*arm), [np.cos(one.end), np.sin(one.end)], atol=1e-9)
 
 
+@pytest.mark.parametrize("far", ["exhaust", "scavenge"])
+def test_opposed_pistons_on_one_shaft_have_the_letters_of_figure_1_3(far):
+    """One shaft O; the far piston's crank counts from where it points away from the cylinder. By hand at φ = 50°."""
+    bank = {
+        end: {
+            "throws": [place],
+            "side_rods": end == far,
+            "mechanism": {"kind": "slider_crank", "crank_radius": f"{radius} mm", "rod_length": f"{rod} mm"},
+        }
+        for place, (end, radius, rod) in enumerate((("exhaust", 450, 1800), ("scavenge", 350, 3000)), 1)
+    }
+    machine = ct.Machine(
+        shaft={"main": {"throws": ["0 deg", "170 deg"]}}, bank={"A": bank}, cylinder={"cycle": "two-stroke"}
+    )
+    found = scheme(machine, 50.0)
+    marks = values(found)
+    assert (found.source, found.figure) == ("bolotin", "1.3")
+    assert set(found.letters.values()) == {"O", "A_в", "B_в", "A_п", "B_п"}
+    own = 50.0 if far == "scavenge" else 230.0
+    assert np.degrees(marks["α"]) == pytest.approx(own, abs=1e-9)
+    assert np.degrees(marks["Δ"]) == pytest.approx(10.0, abs=1e-9)
+    assert np.degrees(marks["α − Δ"]) == pytest.approx(own - 10.0, abs=1e-9)
+    assert (marks["R_п"], marks["L_п"]) == pytest.approx((0.35, 3.0), rel=1e-12)
+    pins = {pin: place[:, 0] for pin, place in found.drawing.positions.items()}
+    for letter, pin in (("α", "A"), ("α − Δ", "A2")):
+        (one,) = (one for one in found.angles if one.letter == letter)
+        arm = pins[pin] / np.hypot(*pins[pin])
+        np.testing.assert_allclose(arm, [np.cos(one.end), np.sin(one.end)], atol=1e-9)
+
+
 def test_a_source_without_such_a_figure_is_refused():
     with pytest.raises(InputError, match="has no figure of such a mechanism"):
         scheme(ct.load("3d12"), letters="gandzha")

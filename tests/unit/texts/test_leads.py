@@ -5,7 +5,7 @@ import pytest
 from tests.machines import slider
 
 import cranktrain as ct
-from cranktrain.texts.leads import is_unsuited, lead_flags, verdict
+from cranktrain.texts.leads import is_unsuited, lead_flags, reasons, verdict
 
 
 @pytest.mark.parametrize(
@@ -58,3 +58,35 @@ def test_reason_is_the_one_that_holds():
     assert "for 1, as the line of stroke is offset by 4.00 mm [" in said["offset"]
     assert "for 1, as λ = 0.4 [" in said["long"]
     assert "for 1, as λ = 0.4 and the line of stroke is offset by 4.00 mm [" in said["both"]
+
+
+def said_of(*degrees):
+    return " ".join(reasons(*np.radians(np.array(degrees, dtype=float)).tolist()))
+
+
+@pytest.mark.parametrize(("lead", "sense"), [(12.0, 1), (5.0, 1), (5.81, 1), (-12.0, -1), (-5.0, -1)])
+def test_reason_is_what_the_ports_do(lead, sense):
+    """Heights give s = 5.81°: s + Δ as it turns, s − Δ the other way; blown back exactly where that is negative."""
+    head = 5.81
+    said = said_of(lead, head + lead, lead - head)
+    as_it_turns, other_way = head + lead, head - lead
+    assert ("scavenge ports: gas blows back" in said) == (as_it_turns < 0)
+    assert ("them: gas blows back" in said) == (other_way < 0)
+    assert f"{abs(other_way):.2f} deg {'before' if other_way >= 0 else 'after'} them" in said
+    assert "give the exhaust ports 5.81 deg: a lead of more than that blows back astern" in said
+    assert f"the lead is {-lead:.2f} deg" in said
+    assert sense * lead > 0
+
+
+def test_ports_of_one_height_blow_back_with_any_lead():
+    said = said_of(8.0, 8.0, 8.0)
+    assert "8.00 deg after them: gas blows back" in said
+    assert "do not open the exhaust ports sooner: any lead blows back astern" in said
+
+
+def test_no_lead_has_no_other_way():
+    """Of Δ = 0 nothing changes with the sense of rotation."""
+    said = said_of(0.0, np.nan, np.nan)
+    assert "With the same metal" not in said
+    assert "the pressure has fallen" in said
+    assert "the lead is -8.00 deg: it opens them by as much later" in said_of(8.0, np.nan, np.nan)

@@ -8,7 +8,6 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.errors import InputError
-from cranktrain.io.examples import example_document, example_names
 from cranktrain.references import REFERENCES
 from cranktrain.texts.contents import TEXTS, text_called, with_equation
 
@@ -122,22 +121,65 @@ def test_an_unknown_text_is_refused_with_the_nearest(asked, meant):
     assert problem.repair == (f'write "{meant}"' if meant else None)
 
 
-def test_how_far_the_form_of_articulated_rods_is_off():
-    """On the slaves of all examples that have any: from the least of one to the largest of any, as the page says."""
-    (said,) = (one.note for one in text_called("bolotin").formulas if "real proportions" in one.note)
-    names = [name for name in example_names() if "articulated_rod" in example_document(name).text]
-    assert {"3d12", "r_1340", "m_503"} <= set(names)
-    found = {"displacement": [], "velocity": [], "acceleration": []}
-    for name in names:
-        result = ct.run(name, step_degrees=5.0)
-        place = result.labels["motion_method"].index("reconstructed")
-        for what, errors in found.items():
-            of_slaves = np.abs(getattr(result, f"{what}_error")[place])
-            errors.extend((100 * of_slaves[np.isfinite(of_slaves)]).tolist())
-    ranges = re.findall(r"([\d.]+)–([\d.]+) %", said)
-    for (least, most), errors in zip(ranges, found.values(), strict=True):
-        assert float(least) == pytest.approx(min(errors), abs=0.06)
-        assert float(most) == pytest.approx(max(errors), abs=0.06)
+def slave_by_integers(alpha):
+    """Distance of the slave's pin of 3d12 from the shaft, in numbers of the example. [mm]"""
+    bank, joint = mp.pi / 3, mp.radians(mp.mpf("67.458"))
+    turn = joint - bank - mp.asin(90 * mp.sin(alpha) / 320)
+    along = 90 * mp.cos(alpha - bank) + mp.mpf("78.256") * mp.cos(turn)
+    across = 90 * mp.sin(alpha - bank) + mp.mpf("78.256") * mp.sin(turn)
+    return along + mp.sqrt(mp.mpf("242.426") ** 2 - across**2)
+
+
+def slave_by_reconstructed_form(alpha):
+    """R[E cos(α_l + Φ) + ¼F cos(2α_l − Θ)] of 3d12, with the constants as the digest writes them. [mm]"""
+    bank, psi = mp.pi / 3, mp.radians(mp.mpf("7.458"))
+    crank, master, knuckle, rod = 90, 320, mp.mpf("78.256"), mp.mpf("242.426")
+    rho, reach = knuckle / master, 1 + knuckle / rod
+    own = alpha - bank
+    first = (1 + reach * rho * mp.sin(bank) * mp.sin(psi), (knuckle / rod - rho * reach * mp.cos(bank)) * mp.sin(psi))
+    second = (
+        crank / rod * (1 - 2 * rho * mp.cos(bank)) + mp.mpf(crank) / master * rho * reach * mp.cos(2 * bank),
+        2 * rho * crank / rod * mp.sin(bank) * (1 - reach * rod / master * mp.cos(bank)),
+    )
+    return crank * (
+        first[0] * mp.cos(own)
+        - first[1] * mp.sin(own)
+        + (second[0] * mp.cos(2 * own) + second[1] * mp.sin(2 * own)) / 4
+    )
+
+
+@pytest.mark.parametrize("order", [0, 1, 2])
+def test_how_far_the_form_of_articulated_rods_is_off(order):
+    """Of the example 3d12 that the page names, in 30 digits on a grid of half degrees."""
+    (said,) = (one.note for one in text_called("bolotin").formulas if "example 3d12" in one.note)
+    with mp.workdps(30):
+        angles = [mp.pi * step / 360 for step in range(720)]
+        exact = [mp.diff(slave_by_integers, angle, order) for angle in angles]
+        form = [mp.diff(slave_by_reconstructed_form, angle, order) for angle in angles]
+        if order == 0:  # each from its own top
+            exact, form = ([max(curve) - value for value in curve] for curve in (exact, form))
+        error = max(abs(a - b) for a, b in zip(exact, form, strict=True)) / max(map(abs, exact))
+    assert re.findall(r"([\d.]+) %", said)[order] == f"{100 * float(error):.2f}"
+
+
+def test_both_opposed_pistons_together_are_as_far_off_as_the_page_says():
+    (said,) = (one.note for one in text_called("bolotin").formulas if one.number == "(I.12)")
+    with mp.workdps(20):
+        ratio, lead = mp.mpf("0.25"), mp.pi / 15
+        angles = [mp.pi * step / 360 for step in range(720)]
+        off = [sum(harmonics(at, ratio) - displacement(at, ratio) for at in (one, one - lead)) for one in angles]
+    assert f"{100 * float(max(map(abs, off)) / (4 * mp.cos(lead / 2))):.2f} % of the travel" in said
+
+
+@pytest.mark.parametrize(("name", "more"), [("m_50", "4.9"), ("40d", "1.4"), ("3d12", "3.7")])
+def test_power_by_bank_is_said_with_what_the_printed_strokes_give(name, more):
+    strokes = {"m_50": (200, 209.8), "40d": (300, 304.3), "3d12": (180, 186.7)}[name]
+    assert f"{100 * (strokes[1] / strokes[0] - 1):.1f}" == more
+    (said,) = (one.note for one in text_called("bolotin").formulas if "power" in one.subject)
+    assert more in said
+    result = ct.run(name, step_degrees=5.0)
+    own = {bank: one for one, bank in zip(result.stroke, (name[-1] for name in result.labels["piston"]), strict=True)}
+    assert own["R"] / own["L"] == pytest.approx(strokes[1] / strokes[0], abs=1e-5)
 
 
 @pytest.mark.parametrize(

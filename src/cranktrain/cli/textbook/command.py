@@ -17,8 +17,7 @@ from cranktrain.cli.textbook.crank_side import show_exact_root, show_from_crank_
 from cranktrain.cli.textbook.errata import show_errata
 from cranktrain.cli.textbook.forms import NEEDED as FORMS_NEEDED
 from cranktrain.cli.textbook.forms import STEP, explain_forms, show_forms, show_motion
-from cranktrain.cli.textbook.opposed import NEEDED as OPPOSED_NEEDED
-from cranktrain.cli.textbook.opposed import opposed_pairs, show_opposed
+from cranktrain.cli.textbook.opposed import show_opposed
 from cranktrain.cli.textbook.slaves import show_constants
 from cranktrain.cli.textbook.source import machine_file
 from cranktrain.cli.textbook.summary import go_on, show_summary
@@ -31,6 +30,8 @@ from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.distinct_pistons import alike
+from cranktrain.textbook.opposed_statements import NEEDED as OPPOSED_NEEDED
+from cranktrain.textbook.opposed_statements import opposed_cylinders
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text, text_called, text_named
 from cranktrain.texts.plain_cranks import PLAIN
@@ -163,7 +164,7 @@ def _speaking(machine: Machine, file: str) -> Iterator[str]:
     asked = f"cranktrain textbook {one_line(file)} --source"
     kinds = {place.kind.name for place in machine.places}
     sources = dict.fromkeys(one.source for one in RANGES if not kinds.isdisjoint(FORMS[one.method]))
-    if "bolotin" not in sources and opposed_pairs(machine.places):
+    if "bolotin" not in sources and opposed_cylinders(machine.places):
         sources["bolotin"] = None
     if "crank_rocker" in kinds:
         sources[_OF_CRANK_ROCKERS] = None
@@ -187,9 +188,10 @@ def _bolotin(console: Console, machine: Machine, result: Result, *, with_table: 
     """Show slaves on articulated rods and opposed pistons; whether there are any."""
     is_spoken_of = show_forms(console, machine, result, "bolotin")
     show_constants(console, machine.places)
-    pairs = opposed_pairs(machine.places)
-    show_opposed(console, pairs, result, with_table=with_table)
-    return is_spoken_of or bool(pairs)
+    cylinders = opposed_cylinders(machine.places)
+    if cylinders:
+        show_opposed(console, cylinders, result, with_table=with_table)
+    return is_spoken_of or bool(cylinders)
 
 
 def _gandzha(console: Console, machine: Machine, result: Result, *, with_table: bool) -> bool:

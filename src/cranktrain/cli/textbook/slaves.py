@@ -1,63 +1,46 @@
 """The constants of (I.13) as numbers: as derived, as reconstructed, and those of the exact motion."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from rich.console import Console
 
 from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, section
-from cranktrain.grouping import places_of_equal
-from cranktrain.language import N_, _
+from cranktrain.grouping import grouped
+from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.mechanisms.articulated_rod import ArticulatedRod
-from cranktrain.texts.articulated_rod import (
-    SlaveHarmonics,
-    derived,
-    of_exact_motion,
-    own_top_distance,
-    reconstructed,
-)
+from cranktrain.textbook.constants_statements import EQUATION, SOURCE, alike_slaves, constants_statements
+from cranktrain.textbook.statements import Statement
 from cranktrain.wording import ranged, signless
 
-_SETS = {
-    N_("reconstructed"): reconstructed,
-    N_("derived anew"): derived,
-    N_("exact motion"): of_exact_motion,
-}
+_DECIMALS = {"E": 6, "Φ": 4, "F": 6, "Θ": 3, "K": 3, "H": 3}
 
 
 def show_constants(console: Console, places: Sequence[PlacedMechanism]) -> None:
-    """Show K, E, F, Φ and Θ of every distinct slave on an articulated rod."""
-    slaves = [place for place in places if place.kind.name == "articulated_rod"]
+    """Show K, E, F, Φ, Θ and H of every distinct slave on an articulated rod."""
+    slaves = alike_slaves(places)
     if not slaves:
         return
-    names = [place.name for place in slaves]
-    groups: Mapping[ArticulatedRod, list[int]] = places_of_equal([place.geometry for place in slaves])
-    rows = [
-        (_(name) if len(groups) == 1 else f"{ranged(names, members)}, {_(name)}", rod, constants(rod))
-        for rod, members in groups.items()
-        for name, constants in _SETS.items()
-    ]
-    tops = [float(own_top_distance(rod, one)) for _label, rod, one in rows]
-    heading = _("Constants of (I.13) for {pistons} [bolotin]").format(pistons=ranged(names, range(len(names))))
-    columns = _columns([one for _label, _rod, one in rows], tops)
-    section(console, heading, column_tables(columns, [label for label, *_rest in rows], console.width - INDENT))
-    said = _(
-        "S = H − K − R[E cos(α_l + Φ) + ¼F cos(2α_l − Θ)], with α_l after the crank points along the slave's cylinder. "
-        "The source's constants are illegible: reconstructed; those of the exact motion are its first two harmonics. "
-        "H is the curve's own top."
+    found = constants_statements(slaves)
+    rows = grouped(((one.name if len(slaves) == 1 else f"{one.of}, {one.name}"), one) for one in found)
+    sets = [{one.symbol: one for one in members} for members in rows.values()]
+    columns = [_column(symbol, [each.get(symbol) for each in sets]) for symbol in _DECIMALS]
+    names = [place.name for place in places if place.kind.name == "articulated_rod"]
+    heading = _("Constants of {equation} for {pistons} [{source}]").format(
+        equation=EQUATION, pistons=ranged(names, range(len(names))), source=SOURCE
     )
-    section(console, _("What they are"), [said])
+    section(console, heading, column_tables(columns, list(rows), console.width - INDENT))
+    for subject, sentences in found.notes.items():
+        section(console, subject, sentences)
 
 
-def _columns(sets: Sequence[SlaveHarmonics], tops: Sequence[float]) -> list[Column]:
-    """A column for each constant."""
-    return [
-        Column("E", "", tuple(f"{float(one.first_amplitude):.6f}" for one in sets)),
-        Column("Φ", "deg", tuple(signless(f"{np.rad2deg(float(one.first_phase)):.4f}") for one in sets)),
-        Column("F", "", tuple(f"{float(one.second_amplitude):.6f}" for one in sets)),
-        Column("Θ", "deg", tuple(signless(f"{np.rad2deg(float(one.second_phase)):.3f}") for one in sets)),
-        Column("K", "mm", tuple(f"{1e3 * float(one.mean_distance):.3f}" for one in sets)),
-        Column("H", "mm", tuple(f"{1e3 * top:.3f}" for top in tops)),
-    ]
+def _column(symbol: str, members: Sequence[Statement | None]) -> Column:
+    """One constant of every set; blank where a set has none."""
+    unit = {"1": "", "rad": "deg", "m": "mm"}[next(one.unit for one in members if one is not None)]
+    return Column(symbol, unit, tuple("" if one is None else _written(one) for one in members))
+
+
+def _written(one: Statement) -> str:
+    value = {"1": one.value, "rad": np.rad2deg(one.value), "m": 1e3 * one.value}[one.unit]
+    return signless(f"{value:.{_DECIMALS[one.symbol]}f}")

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 
-import numpy as np
 from rich.console import Console
 from rich.text import Text as Line
 
@@ -11,7 +10,7 @@ from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.text import INDENT, section, table
 from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
 from cranktrain.cli.textbook.forms import STEP
-from cranktrain.cli.textbook.opposed import Pairs, opposed_pairs
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
@@ -19,10 +18,9 @@ from cranktrain.motion import Array
 from cranktrain.one_line import one_line
 from cranktrain.textbook.distinct_pistons import AlikePistons, alike
 from cranktrain.textbook.motion_statements import form_statements
+from cranktrain.textbook.opposed_statements import LARGEST, OpposedCylinders, opposed_cylinders, opposed_statements
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text
-from cranktrain.texts.opposed import opposed_pistons
-from cranktrain.texts.opposed_errors import exact_pair, opposed_errors
 from cranktrain.texts.percents import percent
 from cranktrain.texts.ranges import RANGES, Range
 from cranktrain.wording import figure, ranged
@@ -43,17 +41,17 @@ _Row = tuple[str, str, tuple[float, float, float], str]
 def show_summary(console: Console, machine: Machine, result: Result, text: Text | None, *, with_table: bool) -> bool:
     """Show the first screen of all texts, or of one; whether any speaks of the machine."""
     ranges = _ranges(machine.places, text)
-    pairs = opposed_pairs(machine.places) if text is None or text.name == "bolotin" else {}
+    cylinders = opposed_cylinders(machine.places) if text is None or text.name == "bolotin" else ()
     if with_table:
         _show_usual(console, machine.places, result, ranges)
         if not ranges or text is not None:
-            _show_travel(console, pairs)
+            _show_travel(console, cylinders, result)
     else:
-        rows = [*_of_forms(machine, result, ranges), *_of_pairs(pairs)]
+        rows = [*_of_forms(machine, result, ranges), *_of_opposed(cylinders, result)]
         section(console, _("Largest errors over the turn"), _lines(rows, console.width - INDENT))
     rockers = text is None or text.name == "gandzha"
     has_rockers = rockers and show_crank_rockers(console, machine.places, with_table=with_table)
-    return bool(ranges or pairs) or has_rockers
+    return bool(ranges or cylinders) or has_rockers
 
 
 def go_on(machine: Machine, file: str, text: Text | None, *, with_table: bool) -> Iterator[str]:
@@ -102,14 +100,13 @@ def _inside(one: Range, pistons: Sequence[AlikePistons]) -> str:
     return _("outside, as {reasons}").format(reasons=_(" and ").join(outside)) if outside else _("inside its range")
 
 
-def _of_pairs(pairs: Pairs) -> Iterator[_Row]:
+def _of_opposed(cylinders: Sequence[OpposedCylinders], result: Result) -> Iterator[_Row]:
     """The largest errors of (I.11), (I.12) and of their sum, of the first cylinders that are alike."""
-    for pair, cylinders in list(pairs.items())[:1]:
-        heads = (("(I.11)", _("exhaust piston")), ("(I.12)", _("scavenge piston")), ("", _("both together")))
-        of = ranged(cylinders, range(len(cylinders)))
-        for (number, said), errors in zip(heads, opposed_errors(pair), strict=True):
-            displacement, velocity, acceleration = (float(one.value) for one in errors)
-            yield number, of, (displacement, velocity, acceleration), said
+    for one in cylinders[:1]:
+        largest = [found for found in opposed_statements(cylinders[:1], result) if found.at == LARGEST]
+        for name, own in grouped((found.name, found) for found in largest).items():
+            displacement, velocity, acceleration = (found.error for found in own)
+            yield own[0].equation, one.of[2], (displacement, velocity, acceleration), name
 
 
 def _lines(rows: Sequence[_Row], width: int) -> Iterator[str | Line]:
@@ -141,20 +138,21 @@ def _show_usual(console: Console, places: Sequence[PlacedMechanism], result: Res
         section_of_columns(console, heading, columns, labels)
 
 
-def _show_travel(console: Console, pairs: Pairs) -> None:
+def _show_travel(console: Console, cylinders: Sequence[OpposedCylinders], result: Result) -> None:
     """Show the travel of opposed pistons by (I.11), (I.12), and of both together."""
-    for pair, cylinders in list(pairs.items())[:1]:
-        angle = np.deg2rad(np.arange(0.0, _TURN, STEP))
-        source, exact = opposed_pistons(angle, pair.size), exact_pair(angle, pair)
+    for one in cylinders[:1]:
+        found = opposed_statements(cylinders[:1], result)
+        every = round(STEP)
         columns = [
-            Column(text, "mm", _written(motion.value))
-            for head, own, true in zip(("(I.11)", "(I.12)", _("both")), source, exact, strict=True)
-            for text, motion in ((head, own), (_("exact"), true))
+            Column(text, "mm", _written(values[:-1:every]))
+            for curve in found.curves
+            if curve.symbol == "S"
+            for text, values in ((curve.equation, curve.values), (_("exact"), curve.exact))
+            if values is not None
         ]
         heading = _("Travel S of the pistons of {cylinders} by the exhaust crank's angle")
-        labels = [f"{step:g}°" for step in np.arange(0.0, _TURN, STEP)]
-        said = ranged(cylinders, range(len(cylinders)))
-        section_of_columns(console, heading.format(cylinders=said), columns, labels)
+        labels = [f"{step:g}°" for step in found.crank_angle[:-1:every]]
+        section_of_columns(console, heading.format(cylinders=one.of[2]), columns, labels)
 
 
 def _written(values: Array) -> tuple[str, ...]:
