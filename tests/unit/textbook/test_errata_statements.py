@@ -42,7 +42,7 @@ def test_numbers_in_si_by_hand():
     assert (projection.unit, projection.at) == ("1", "largest error")
     stroke = ct.textbook.errata("bolotin").each[4]
     assert stroke.exact == pytest.approx(0.1867)
-    assert [one.name for one in ct.textbook.errata("gandzha").numbered("20")][0].startswith(
+    assert next(one.name for one in ct.textbook.errata("gandzha").numbered("20")).startswith(
         "Flywheel moment at the motor"
     )
 
