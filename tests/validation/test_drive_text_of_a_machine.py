@@ -91,3 +91,29 @@ def test_linkage_is_told_from_gears():
 def test_symbols_that_are_typed_stand_for_the_stages():
     drive = read_drive_file("tilting_table", ["eta_p=0.8"]).drive
     assert (float(drive.train.gear_efficiency), drive.train.is_of_machine) == (0.8, False)
+
+
+def test_each_law_of_losses_has_its_range():
+    """Peak and least at the motor: friction torque alike both ways, efficiency alike both ways, and always dividing."""
+    found = ct.run("tilting_table", quantities=("largest_static_motor_torque", "smallest_static_motor_torque"))
+    assert found.largest_static_motor_torque == pytest.approx([29.85978127] * 3, abs=5e-9)
+    assert found.smallest_static_motor_torque[1:] == pytest.approx([-25.39693349, -35.48465242], abs=5e-9)
+    friction_alike = -35.48465242 * 0.94 * 0.9 * (2 - 1 / 0.94) * (2 - 1 / 0.9)
+    assert found.smallest_static_motor_torque[0] == pytest.approx(friction_alike, abs=5e-9)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_ranges_of_laws_hold_their_curves(seed):
+    rng = np.random.default_rng(seed)
+    machine = with_stages([random_stage(rng) for _stage in range(2)])
+    found = ct.run(
+        machine,
+        step_degrees=0.25,
+        quantities=("static_motor_torque", "largest_static_motor_torque", "smallest_static_motor_torque"),
+    )
+    curves = found.static_motor_torque
+    size = np.max(np.abs(curves))
+    for ends, extreme in ((found.largest_static_motor_torque, np.max), (found.smallest_static_motor_torque, np.min)):
+        np.testing.assert_allclose(ends, extreme(curves, axis=-1), rtol=0, atol=1e-4 * size)
+    assert np.all(found.largest_static_motor_torque >= np.max(curves, axis=-1) - 1e-12 * size)
+    assert np.all(found.smallest_static_motor_torque <= np.min(curves, axis=-1) + 1e-12 * size)

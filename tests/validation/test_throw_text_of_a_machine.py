@@ -35,6 +35,9 @@ ALL_LOADS = {
 def loaded(name):
     if name == "of all sorts":
         return ct.load("kamaz_740", set=ALL_LOADS)
+    if name == "with throws that hang over":
+        crank = {"mass": "5 kg", "along": "12 mm", "across": "-3 mm", "inertia": "0.01 kg*m^2"}
+        return ct.load("vaz_21213", set={"crankshaft.bearings": [2, 3, 4], "masses.crank": crank})
     name, _space, running = name.partition(" ")
     return ct.load(name, set={"running": running or "ahead"})
 
@@ -48,25 +51,39 @@ def bearings(name):
     return dict(zip(found.labels["bearing"], load, strict=True)), found.crank_angle
 
 
-@pytest.mark.parametrize("name", [*ONE_THROW_TO_A_SPAN, "ls3 astern", "of all sorts"])
+@pytest.mark.parametrize("name", [*ONE_THROW_TO_A_SPAN, "ls3 astern", "of all sorts", "with throws that hang over"])
 def test_throws_together_bear_what_the_split_shaft_does(name):
     """Each bearing bears what the throws on both its sides do, by the text and with what has no letter there."""
     exact, degrees = bearings(name)
     of = ThrownMachine(loaded(name))
     sums = {bearing: np.zeros_like(load) for bearing, load in exact.items()}
-    for throw in of.throws:
+    for throw in of.throws if name != "with throws that hang over" else ("2", "3"):
         one = of.throw(throw, degrees)
-        by_text = one.by_text
-        total = [
-            sum((getattr(own.share, side) for own in one.beyond), getattr(by_text, side)) for side in by_text._fields
-        ]
-        kp, tp, kl, tl = total
+        kp, tp, kl, tl = with_the_rest(one)
         outward, ahead = directions(of, throw, degrees)
         sums[one.bearings[0]] += -kl * outward + tl * ahead
         sums[one.bearings[1]] += -kp * outward + tp * ahead
     largest = max(float(np.max(np.hypot(*load))) for load in exact.values())
     for bearing, load in exact.items():
         np.testing.assert_allclose(sums[bearing], load, rtol=0, atol=1e-12 * largest, err_msg=bearing)
+
+
+def with_the_rest(one):
+    """What a throw's bearings bear by the text, and of loads that have no letter there."""
+    return [
+        sum((getattr(own.share, side) for own in one.beyond), getattr(one.by_text, side)) for side in one.exact._fields
+    ]
+
+
+@pytest.mark.parametrize("masses", ["given", "sizes"])
+@pytest.mark.parametrize("name", ["kamaz_740", "of all sorts", "with throws that hang over"])
+def test_text_and_the_rest_are_the_split_span(name, masses):
+    """Whosever masses are taken, of a pin that hangs over too."""
+    of = ThrownMachine(loaded(name))
+    one = of.throw("2", np.arange(0.0, 720.0, 45.0), masses)
+    size = max(float(np.max(np.abs(part))) for part in one.exact)
+    for own, exact in zip(with_the_rest(one), one.exact, strict=True):
+        np.testing.assert_allclose(own, exact, rtol=0, atol=1e-12 * size)
 
 
 def directions(of, throw, degrees):

@@ -1,11 +1,11 @@
-"""The sources' drawn constructions of a slider-crank's piston, as points and numbers beside the exact motion.
+"""The sources' drawn constructions of a piston on a slider-crank, or a valve on an eccentric, beside the exact motion.
 
-All are in the mechanism's own axes: x along the line of stroke away from the shaft, y toward +y. The crank angle counts
-from where the crank points along x, and displacements from the top toward the shaft.
+All are in the mechanism's own axes: x along the line of stroke away from the shaft, y toward +y. The crank angle, which
+is the eccentric's, counts from where it points along x, and displacements from the top toward the shaft.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -15,9 +15,10 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.slider_crank import SliderCrank, slider_crank
 from cranktrain.motion import Array
-from cranktrain.plans.placement import frame, slider_crank_called
+from cranktrain.plans.placement import frame, plain_crank_called
 from cranktrain.plans.positions import plan_angles
 from cranktrain.record import record
+from cranktrain.texts.plain_cranks import plain_crank
 from cranktrain.texts.ranges import RANGES, Range
 from cranktrain.texts.steam_engine import brix, infinite_rod, largest_difference
 
@@ -50,6 +51,25 @@ class Readings:
     piston: Array
 
 
+class CrankSide(NamedTuple):
+    """Positions by arcs from the crank-side dead centre, A_M′ of fig. 146.
+
+    Attributes
+    ----------
+    on_circle, piston, foot, projected : Array, shape (2, n)
+        A′, B′, C′ and D′: crank pin, piston's pin, and what arc and perpendicular from A′ mark on the line. [m]
+    displacement, exact_displacement : Array, shape (n,)
+        A_M′C′ and B_M′B′, away from the shaft. [m]
+    """
+
+    on_circle: Array
+    piston: Array
+    foot: Array
+    projected: Array
+    displacement: Array
+    exact_displacement: Array
+
+
 @record
 class Construction(Readings):
     """A construction of one mechanism in several positions.
@@ -58,6 +78,8 @@ class Construction(Readings):
     ----------
     mechanism : str
     method : "arc", "projection", "brix" or "brix_backward"
+    is_of_eccentric : bool
+        Whether the crank is an eccentric, and the piston a valve.
     geometry : SliderCrank
     pole : float
         x of Brix's pole. [m]
@@ -69,6 +91,7 @@ class Construction(Readings):
 
     mechanism: str
     method: Method
+    is_of_eccentric: bool
     geometry: SliderCrank
     pole: float
     limits: Range | None
@@ -87,6 +110,32 @@ class Construction(Readings):
         if self.method != "arc":
             return np.array([self.geometry.crank_radius, 0.0])
         return np.array([_end(self.geometry) - self.geometry.rod_length, self.geometry.offset])
+
+    @property
+    def projected(self) -> Array:
+        """Feet of the perpendiculars from the crank pin onto the line of stroke, D of fig. 146, shape (2, n). [m]
+
+        Of a central mechanism A_M D = R(1 − cos φ) and DC = L(1 − √(1 − λ² sin² φ)), which add up to S.
+        """
+        return _on_line(self.geometry.crank_radius * np.cos(self.exact_angle), self.geometry)
+
+    @property
+    def from_crank_side(self) -> "CrankSide":
+        """A′, B′, C′ and D′ of fig. 146: the same angles counted from the crank-side dead centre.
+
+        The source gives A_M′C′ = A_M′D′ − D′C′, (333) with the minus sign; here C′ is where the arc about B′ truly is.
+        """
+        turned = self.exact_angle + np.pi
+        arcs = _arc(self.geometry, turned)
+        end = _end(self.geometry, -1.0)
+        return CrankSide(
+            on_circle=arcs.on_circle,
+            piston=arcs.piston,
+            foot=arcs.foot,
+            projected=_on_line(self.geometry.crank_radius * np.cos(turned), self.geometry),
+            displacement=arcs.foot[0] - (end - self.geometry.rod_length),
+            exact_displacement=arcs.piston[0] - end,
+        )
 
     @property
     def dead_pins(self) -> tuple[Array, Array]:
@@ -118,10 +167,11 @@ def construction(
     machine : Machine
     method : "arc", "projection", "brix" or "brix_backward"
     angles : int or sequence of float
-        How many crank angles, evenly over a turn, or which, from where the crank points along the cylinder [deg].
+        How many crank angles, evenly over a turn, or which, from where the crank or the eccentric points along the line
+        of stroke [deg].
         Backwards an int is into how many parts the stroke is divided, and angles stand for their exact displacements.
     mechanism : str, optional
-        A slider-crank's name; the first one unless given.
+        A slider-crank's or an eccentric's name; the first slider-crank unless given, or else the first eccentric.
 
     Returns
     -------
@@ -130,7 +180,7 @@ def construction(
     Raises
     ------
     InputError
-        If the mechanism is no slider-crank, or cannot be at such an angle.
+        If the mechanism is neither, or cannot be at such an angle.
 
     Notes
     -----
@@ -144,8 +194,8 @@ def construction(
     >>> [round(1e3 * float(value[0]), 3) for value in (found.displacement, found.exact_displacement)]
     [90.0, 90.161]
     """
-    place = slider_crank_called(machine, mechanism)
-    geometry: SliderCrank = place.geometry
+    place = plain_crank_called(machine, mechanism)
+    geometry = plain_crank(place.geometry)
     phi = np.deg2rad(plan_angles(angles))
     if method == "brix_backward":
         made = _backward(geometry, angles if isinstance(angles, int) else phi)
@@ -158,6 +208,7 @@ def construction(
         **vars(made),
         mechanism=place.name,
         method=method,
+        is_of_eccentric=place.kind.name == "eccentric",
         geometry=geometry,
         pole=-float(largest_difference(geometry.crank_radius, ratio)),
         limits=next((one for one in RANGES if one.method == _RANGES.get(method)), None),

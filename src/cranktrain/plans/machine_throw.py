@@ -186,10 +186,15 @@ class _Span:
         self.piece = int(self.one.laid.pins[self.pin])
         pieces = self.one.shaft.pieces
         self.radius = float(pieces.radius[0, self.piece])
-        turned = self.loads.turned[0] + pieces.angle[0, self.piece]
-        self.outward = np.stack([np.cos(turned), np.sin(turned)])
-        self.ahead = self.one.laid.turn * np.stack([-np.sin(turned), np.cos(turned)])
-        self.none = np.zeros_like(turned)
+        self.outward, self.ahead = self._directions(self.pin)
+        self.none = np.zeros_like(self.speed)
+
+    def _directions(self, pin: int) -> tuple[Array, Array]:
+        """Where a pin points from the shaft's axis, and 90° ahead of that in the sense of rotation."""
+        turned = self.loads.turned[0] + self.one.shaft.pieces.angle[0, self.one.laid.pins[pin]]
+        return np.stack([np.cos(turned), np.sin(turned)]), self.one.laid.turn * np.stack(
+            [-np.sin(turned), np.cos(turned)]
+        )
 
     def _span(self, own: NDArray[np.intp]) -> int:
         """Which span the throw's pin is in, from 1; refuse what the text does not speak of."""
@@ -257,10 +262,8 @@ class _Span:
     def _load(self, load: int, name: str, letter: str = "", force: Array | None = None) -> _Load:
         """One of the shaft's loads, or a part of it."""
         whole = self.on_axis.force[0, load]
-        has_couple = force is None and self.on_axis.couple is not None
-        couple = (
-            self.on_axis.couple[0, load] if has_couple and self.on_axis.couple is not None else np.zeros_like(whole)
-        )
+        couples = self.on_axis.couple
+        couple = np.zeros_like(whole) if couples is None or force is not None else couples[0, load]
         return _Load(name, letter, float(self.loads.z[0, load]), whole if force is None else force, couple)
 
     def _rod(self, load: int, number_of: int) -> Iterator[_Load]:
@@ -297,11 +300,13 @@ class _Span:
         """A crank's part on a web: its inertia, and what else acts on it."""
         number, part = self.one.cranks
         web, webs = int(self.loads.piece[load]), self.one.laid.webs[self.pin].tolist()
-        batch, made, member = self._member(int(number[number_of]))
+        mechanism = int(number[number_of])
+        outward, ahead = self._directions(int(self.one.laid.rods.pin[self.one.laid.rods.mechanism == mechanism][0]))
+        batch, made, member = self._member(mechanism)
         body = batch.kind.dynamics.by_link(made.bodies)["crank"]
         along, across = (_of_member(body.mass * arm, member) for arm in (body.along, body.across))
         share = float(part[0, number_of]) * self.speed**2
-        inertia = share * (along * self.outward + across * self.ahead)
+        inertia = share * (along * outward + across * ahead)
         if web not in webs:
             name = _("crank whose pin hangs over")
             yield self._load(load, name, "", None if masses == "given" else self.on_axis.force[0, load] - inertia)
@@ -320,8 +325,7 @@ class _Span:
             if not self._is_here(centre):
                 continue
             radius = float(self.one.shaft.pieces.radius[0, self.one.laid.pins[pin]])
-            turned = self.loads.turned[0] + self.one.shaft.pieces.angle[0, self.one.laid.pins[pin]]
-            outward = self.speed**2 * np.stack([np.cos(turned), np.sin(turned)])
+            outward = self.speed**2 * self._directions(pin)[0]
             each = [(centre, parts.pin[0, pin] * radius, "pin")]
             each += [(float(planes[side]), parts.web_moment[0, pin, side], f"web {side}") for side in (0, 1)]
             for z, moment, letter in each:

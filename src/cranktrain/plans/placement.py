@@ -1,6 +1,6 @@
 """The mechanisms of a machine where they stand: pins and their derivatives in machine axes."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -19,6 +19,7 @@ from cranktrain.motion import Array, Coefficient, Point, single
 from cranktrain.numerics import turn_grid
 from cranktrain.plans.link_points import with_points
 from cranktrain.questions.cylinders.declared import cylinders_of
+from cranktrain.texts.plain_cranks import PLAIN
 
 
 def first_throw(machine: Machine) -> tuple[PlacedMechanism, ...]:
@@ -141,10 +142,27 @@ def slider_crank_called(machine: Machine, name: str | None) -> PlacedMechanism:
     InputError
         If no place has that name, or it is another mechanism.
     """
-    cranks = [place.name for place in machine.places if place.kind.name == "slider_crank"]
-    place = place_called(machine, name or (cranks[0] if cranks else None))
-    if place.kind.name != "slider_crank":
-        allowed = _("is no slider-crank; this construction is made for no other mechanism")
+    allowed = _("is no slider-crank; this construction is made for no other mechanism")
+    return _of_kinds(machine, name, ("slider_crank",), allowed)
+
+
+def plain_crank_called(machine: Machine, name: str | None) -> PlacedMechanism:
+    """Find a slider-crank or an eccentric by name; the first slider-crank unless given, or else the first eccentric.
+
+    Raises
+    ------
+    InputError
+        If no place has that name, or it is another mechanism.
+    """
+    allowed = _("is no slider-crank or eccentric; this construction is made for no other mechanism")
+    return _of_kinds(machine, name, PLAIN, allowed)
+
+
+def _of_kinds(machine: Machine, name: str | None, kinds: Sequence[str], allowed: str) -> PlacedMechanism:
+    """Find a place by name, or the first of the kinds, as they stand; refuse one of another kind."""
+    first = next((place.name for kind in kinds for place in machine.places if place.kind.name == kind), None)
+    place = place_called(machine, name or first)
+    if place.kind.name not in kinds:
         raise InputError([Problem("", place.name, allowed)])
     return place
 

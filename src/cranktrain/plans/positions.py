@@ -16,9 +16,10 @@ from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.mechanisms.slider_crank import SliderCrankSpec
 from cranktrain.motion import Array
 from cranktrain.plans.lettering import lettered
-from cranktrain.plans.placement import slider_crank_called
+from cranktrain.plans.placement import plain_crank_called
 from cranktrain.plans.together import placed_together, places_called, together_name
 from cranktrain.record import record
+from cranktrain.texts.plain_cranks import own_angle, plain_crank
 
 ROOM = (80.0, 80.0)
 """Width and height for which a scale is chosen, unless given. [mm]"""
@@ -171,7 +172,7 @@ def source_angles(
     ----------
     machine : Machine
     mechanism : str, optional
-        A slider-crank's name; the first one unless given.
+        A slider-crank's or an eccentric's name; the first slider-crank unless given, or else the first eccentric.
     is_shown : bool
         Count as the machine shows crank angles; else from where the crank points along the cylinder.
     permissible : float, optional
@@ -191,13 +192,13 @@ def source_angles(
     >>> [round(angle) for angle in source_angles(pump)]
     [0, 30, 60, 90, 120, 150, 180, 210, 240, 270, 300, 330]
     """
-    place = slider_crank_called(machine, mechanism)
-    geometry = place.geometry
+    place = plain_crank_called(machine, mechanism)
+    geometry = plain_crank(place.geometry)
     largest = np.arcsin((geometry.crank_radius + abs(geometry.offset)) / geometry.rod_length)
     declared = place.spec.permissible_pressure_angle if isinstance(place.spec, SliderCrankSpec) else None
     pressure = np.rad2deg(largest if declared is None else declared.si) if permissible is None else permissible
     half = np.array([0.0, pressure, (pressure + 90.0) / 2, 90.0, 120.0, 150.0])
-    start = np.rad2deg(-place.phase - machine.zero) if is_shown else 0.0
+    start = np.rad2deg(-own_angle(place.phase, place.geometry) - machine.zero) if is_shown else 0.0
     turn = (np.concatenate([half, half + 180.0]) + start) % 360.0
     return tuple(round(float(angle), _DIGITS) % 360.0 for angle in turn)
 

@@ -18,14 +18,16 @@ from cranktrain.textbook.statements import Statement, StatementCurve, Statements
 if TYPE_CHECKING:
     from cranktrain.textbook.drive_statements import drive
     from cranktrain.textbook.errata_statements import errata
+    from cranktrain.textbook.motion_statements import motion
     from cranktrain.textbook.synthesis_statements import synthesis
     from cranktrain.textbook.throw_statements import throw
 
-__all__ = ["Statement", "StatementCurve", "Statements", "drive", "errata", "synthesis", "throw"]
+__all__ = ["Statement", "StatementCurve", "Statements", "drive", "errata", "motion", "synthesis", "throw"]
 
 _HOMES = {
     "drive": "drive_statements",
     "errata": "errata_statements",
+    "motion": "motion_statements",
     "synthesis": "synthesis_statements",
     "throw": "throw_statements",
 }

@@ -13,6 +13,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch, Pistons
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
+from cranktrain.mechanisms.eccentric import Eccentric
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, Extremes, largest, turn_grid
@@ -30,6 +31,7 @@ from cranktrain.texts.articulated_rod import (
 )
 from cranktrain.texts.leads import lead_flags
 from cranktrain.texts.percents import percent
+from cranktrain.texts.plain_cranks import PLAIN, own_angle, plain_crank
 from cranktrain.texts.ranges import RANGES, Range
 from cranktrain.texts.steam_engine import brix, infinite_rod, two_harmonics
 from cranktrain.wording import ABSENT, Names, ranged
@@ -42,18 +44,19 @@ Form = Callable[[Any], Curve]
 """A source's form: from a kernel's geometry to the displacement from the form's own top by the kernel's angle."""
 
 
-def _by_ratio(form: Callable[[Array, Array, Array], Coefficient]) -> Form:
-    """Take λ = R/L from the geometry; the sources' forms know no offset."""
+def _by_ratio(form: Callable[[Array, Array, Array], Coefficient]) -> Mapping[str, Form]:
+    """Take λ = R/L from the geometry, of an eccentric e/l; the sources' forms know no offset."""
 
-    def of(geometry: SliderCrank) -> Curve:
-        return lambda angle: form(angle, geometry.crank_radius, geometry.crank_radius / geometry.rod_length)
+    def of(geometry: SliderCrank | Eccentric) -> Curve:
+        radius, rod, _offset = plain_crank(geometry)
+        return lambda angle: form(own_angle(angle, geometry), radius, radius / rod)
 
-    return of
+    return dict.fromkeys(PLAIN, of)
 
 
-def _infinite(geometry: SliderCrank) -> Curve:
+def _infinite(angle: Array, crank_radius: Array, _ratio: Array) -> Coefficient:
     """Infinitely long rod, (334)."""
-    return lambda angle: infinite_rod(angle, geometry.crank_radius)
+    return infinite_rod(angle, crank_radius)
 
 
 def _slave(constants: Callable[[ArticulatedRod], SlaveHarmonics]) -> Form:
@@ -68,9 +71,9 @@ def _slave(constants: Callable[[ArticulatedRod], SlaveHarmonics]) -> Form:
 
 
 FORMS: Mapping[str, Mapping[str, Form]] = {
-    "infinite_rod": {"slider_crank": _infinite},
-    "two_harmonics": {"slider_crank": _by_ratio(two_harmonics)},
-    "brix": {"slider_crank": _by_ratio(brix)},
+    "infinite_rod": _by_ratio(_infinite),
+    "two_harmonics": _by_ratio(two_harmonics),
+    "brix": _by_ratio(brix),
     "derived": {"articulated_rod": _slave(derived)},
     "reconstructed": {"articulated_rod": _slave(reconstructed)},
 }

@@ -75,22 +75,41 @@ def errors_by_ratio(method: str, ratio: float) -> LargestErrors:
 
 
 def from_top(geometry: SliderCrank) -> Motion:
-    """Exact motion of a piston from its top toward the shaft, by the angle from where its crank points along x."""
-    top = np.sqrt((geometry.rod_length + geometry.crank_radius) ** 2 - geometry.offset**2)
+    """Exact motion of a piston from its top toward the shaft, by the angle from where its crank points along x.
+
+    The displacement keeps its digits however long the rod is: (6.1) of docs/theory/textbook-forms, with an offset e.
+    """
+    radius, rod, offset = geometry
+    top = np.sqrt((rod + radius) ** 2 - offset**2)
 
     def motion(angle: Array) -> Coefficient:
         slider = slider_crank(angle, geometry).slider
-        return Coefficient(top - slider.value, -slider.first, -slider.second)
+        behind = _reach(angle, geometry)
+        height = radius * np.sin(angle)
+        lost = 2 * radius * offset**2 / (rod + radius + top) + height * (height - 2 * offset)
+        value = 2 * radius * np.sin(angle / 2) ** 2 + lost / (top - radius + behind)
+        return Coefficient(value, -slider.first, -slider.second)
 
     return motion
 
 
 def from_bottom(geometry: SliderCrank) -> Motion:
     """Exact motion of a piston from its bottom away from the shaft, by the angle from half a turn after that."""
-    bottom = np.sqrt((geometry.rod_length - geometry.crank_radius) ** 2 - geometry.offset**2)
+    radius, rod, offset = geometry
+    bottom = np.sqrt((rod - radius) ** 2 - offset**2)
 
     def motion(angle: Array) -> Coefficient:
-        slider = slider_crank(angle + np.pi, geometry).slider
-        return Coefficient(slider.value - bottom, slider.first, slider.second)
+        turned = angle + np.pi
+        slider = slider_crank(turned, geometry).slider
+        height = radius * np.sin(angle)
+        gained = 2 * radius * offset**2 / (rod - radius + bottom) - height * (height + 2 * offset)
+        value = 2 * radius * np.sin(angle / 2) ** 2 + gained / (bottom + radius + _reach(turned, geometry))
+        return Coefficient(value, slider.first, slider.second)
 
     return motion
+
+
+def _reach(angle: Array, geometry: SliderCrank) -> Array:
+    """How far along x the piston's pin is from the crank pin. [m]"""
+    height = geometry.crank_radius * np.sin(angle) - geometry.offset
+    return np.sqrt((geometry.rod_length - height) * (geometry.rod_length + height))

@@ -119,3 +119,8 @@ RANGES: tuple[Range, ...] = (
     ),
 )
 """The ranges of all textbook methods."""
+
+EXACT_ROOT = Range(
+    N_("exact root"), "exact_root", ("fig. 146",), "steam-engine", N_("central mechanism"), most_ratio=1.0
+)
+"""The displacement before its root is taken to first order: no approximation, and no method of a run's."""

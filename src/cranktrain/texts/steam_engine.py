@@ -1,4 +1,4 @@
-"""Piston of a steam engine by the formulas (333)–(337) of [steam-engine] and by Brix's construction.
+"""Piston of a steam engine by [steam-engine]: the exact root, the formulas (333)–(337), and Brix's construction.
 
 Kinematic coefficients: velocity is `first` times ω, acceleration (at constant ω) `second` times ω².
 Equations, errors and ranges: docs/theory/textbook-forms.
@@ -32,6 +32,43 @@ def infinite_rod(angle: Array, crank_radius: Array) -> Coefficient:
         2 * crank_radius * np.sin(angle / 2) ** 2,
         crank_radius * np.sin(angle),
         crank_radius * np.cos(angle),
+    )
+
+
+def exact_root(angle: Array, crank_radius: Array, ratio: Array) -> Coefficient:
+    """Piston as the source has it by fig. 146, before it takes the root to first order: exact for a central mechanism.
+
+    Parameters
+    ----------
+    angle : Array
+        Crank angle φ from the head-side dead centre. [rad]
+    crank_radius : Array, broadcastable with angle
+        R [m]
+    ratio : Array, broadcastable with angle
+        λ = R/L, less than 1. [1]
+
+    Returns
+    -------
+    Coefficient, of the broadcast shape
+        Displacement from the head-side dead centre toward the shaft. [m, m/rad, m/rad²]
+
+    Notes
+    -----
+    S = R(1 − cos φ) + L(1 − √(1 − λ² sin² φ)) = A_M D + DC. The second part is written Rλ sin² φ/(1 + √), which keeps
+    its digits however long the rod is. docs/theory/textbook-forms, eq. (6.1).
+
+    Examples
+    --------
+    >>> round(float(exact_root(np.pi / 2, 0.1, 0.25).value), 6)
+    0.112702
+    """
+    sine, cosine = np.sin(angle), np.cos(angle)
+    root = np.sqrt((1 - ratio * sine) * (1 + ratio * sine))
+    harmonic = infinite_rod(angle, crank_radius)
+    return Coefficient(
+        harmonic.value + crank_radius * ratio * sine**2 / (1 + root),
+        harmonic.first + crank_radius * ratio * sine * cosine / root,
+        harmonic.second + crank_radius * ratio * (np.cos(2 * angle) + ratio**2 * sine**4) / root**3,
     )
 
 
@@ -106,6 +143,17 @@ def largest_difference(crank_radius: Array, ratio: Array) -> Array:
         Z [m]; also the distance of Brix's pole from the shaft centre.
     """
     return ratio * crank_radius / 2
+
+
+def exact_largest_difference(crank_radius: Array, ratio: Array) -> Array:
+    """Largest difference of the exact displacement and (334), L − √(L² − R²), at φ = 90° and 270°; parameters as above.
+
+    Examples
+    --------
+    >>> round(float(exact_largest_difference(0.3, 0.25)), 6), round(float(largest_difference(0.3, 0.25)), 6)
+    (0.038105, 0.0375)
+    """
+    return crank_radius * ratio / (1 + np.sqrt((1 - ratio) * (1 + ratio)))
 
 
 def brix(angle: Array, crank_radius: Array, ratio: Array) -> Coefficient:

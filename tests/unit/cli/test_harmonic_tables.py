@@ -61,7 +61,7 @@ def test_pistons_of_one_ratio_share_a_table(typed):
 
 def test_an_offset_mechanism_has_none(typed):
     assert (
-        "  Only a central slider-crank has them in closed form."
+        "  Only a central slider-crank or eccentric has them in closed form."
         in typed("textbook", "vaz_21213", "--harmonics").output.splitlines()
     )
 

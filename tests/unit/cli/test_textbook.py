@@ -147,3 +147,69 @@ def _heading(found, start):
 
 def test_constructions_are_of_slider_cranks(typed):
     assert "Arcs of" not in typed("textbook", "pumping_unit_c57").output
+
+
+ECC2 = """
+name = "valve"
+rotation = "clockwise"
+[shaft.main]
+speed = "120 rpm"
+[bank.cylinder.mechanism]
+kind = "slider_crank"
+crank_radius = "300 mm"
+rod_length = "1200 mm"
+[bank.valve.mechanism]
+kind = "eccentric"
+eccentricity = "60 mm"
+rod_length = "1200 mm"
+angle_of_advance = "30 deg"
+"""
+
+
+def test_an_eccentric_beside_its_crank(typed, written):
+    """λ = 0.05: (334) is off by (L − √(L² − R²))/2R = 1.2508 %, (333) by λ³/16 = 7.8e-6; Z = 1.5 mm."""
+    written(ECC2)
+    answer = typed("textbook", "machine.toml")
+    assert (answer.status, answer.errors) == (0, "")
+    assert all(len(line) <= 80 for line in answer.output.splitlines())
+    found = parts(answer.output)
+    harmonics = found["Two harmonics: (333), (336), (337) [steam-engine]"]
+    assert harmonics[1] == "  1cylinder: inside, λ = 0.25; 1valve: inside, λ = 0.05"
+    assert errors(harmonics, "1valve")[0] == 0.00078
+    infinite = next(lines for head, lines in found.items() if head.startswith("Infinitely long rod"))
+    assert errors(infinite, "1valve")[:2] == [1.25, 90.0]
+    assert "  1cylinder: outside, as λ = 0.25; 1valve: inside, λ = 0.05" in infinite
+    assert errors(found["Z = λR/2: (335) [steam-engine]"], "1valve") == [1.50, 1.50, -0.063]
+    assert errors(found["Brix's construction backwards: fig. 147 [steam-engine]"], "1valve")[0] == 1.50
+    root = found["Exact root: fig. 146 [steam-engine]"]
+    assert [line.split() for line in root if "1cylinder, 1valve  " in line] == [["1cylinder,", "1valve"] + ["0.00"] * 3]
+    assert any("exact: off by 0" in line for line in root)
+
+
+def test_tables_of_an_eccentric_are_of_a_valve(typed, written):
+    """Of the machine's crank angle 240° the eccentric points along its line, 120° ahead: its top."""
+    written(ECC2)
+    found = parts(typed("textbook", "machine.toml", "--table").output)
+    rows = {line.split()[0]: line.split()[1:] for line in found["x of valve 1valve by the crank angle"][2:]}
+    assert rows["240°"] == ["0.00"] * 4
+    assert rows["60°"] == ["120.00"] * 4
+    minus = found["S, v/ω and j/ω² of valve 1valve from the crank-side dead centre"]
+    # R(1 − 0 − λ/2) and L − … of the triangle: 60 − 1.5, 60 − (1200 − √(1200² − 60²))
+    assert next(line.split()[1:3] for line in minus if line.startswith("  90°")) == ["58.50", "58.50"]
+
+
+def test_harmonics_of_an_eccentric(typed, written):
+    """A_2 = λ by two harmonics."""
+    written(ECC2)
+    output = typed("textbook", "machine.toml", "--harmonics").output
+    heading = "Acceleration of 1valve, λ = 0.05: x″ = R Σ A_k cos kα"
+    (row,) = (line.split() for line in parts(output)[heading] if line.startswith("  A_2 "))
+    assert row[4] == "0.0500000000"
+
+
+def test_an_eccentric_of_the_examples(typed):
+    """λ = 3.5e-5: (333) is off by λ³/16 = 2.7e-15 of the stroke, which is shown as none, however long the rod is."""
+    found = parts(typed("textbook", "great_northern").output)
+    assert errors(found["Two harmonics: (333), (336), (337) [steam-engine]"], "1valve")[::2] == [0.0, 0.0, 0.0]
+    infinite = next(lines for head, lines in found.items() if head.startswith("Infinitely long rod"))
+    assert errors(infinite, "1valve")[0] == 0.00088  # λ/4

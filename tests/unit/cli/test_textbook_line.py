@@ -39,6 +39,14 @@ def test_some_pistons_of_a_bank_are_named_one_by_one():
     assert said == "Textbook forms are off by up to 0.66 % (A), 0.046 % (B): cranktrain textbook x"
 
 
+def test_a_valve_is_named():
+    """(337) of λ = 0.25 is off by 0.66 %, of λ = 0.05 by 0.0060 %."""
+    eccentric = {"kind": "eccentric", "eccentricity": "60 mm", "rod_length": "1200 mm", "angle_of_advance": "30 deg"}
+    bank = {"A": {"mechanism": slider(rod_length="200 mm")}, "valve": {"mechanism": eccentric}}
+    said = textbook_line(ct.run(ct.Machine(bank=bank)), "x")
+    assert said == "Textbook forms are off by up to 0.66 % (A), 0.0060 % (valve): cranktrain textbook x"
+
+
 @pytest.mark.parametrize("mechanism", [ROCKER, {"kind": "scotch_yoke", "crank_radius": "50 mm"}])
 def test_none_where_no_form_is_for_the_machine(mechanism):
     assert textbook_line(ct.run(ct.Machine(mechanism=mechanism)), "x") is None

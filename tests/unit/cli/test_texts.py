@@ -127,7 +127,7 @@ def test_mistakes(typed, arguments, said):
     [
         ("3d12", "gandzha", "[gandzha] speaks of crank-rockers; the mechanisms of this machine are"),
         ("pumping_unit_c57", "bolotin", "[bolotin] speaks of opposed pistons, and slaves on articulated rods"),
-        ("shaper", "steam-engine", "[steam-engine] speaks of central slider-cranks"),
+        ("shaper", "steam-engine", "[steam-engine] speaks of central slider-cranks and eccentrics"),
         ("3d12", "synthesis", "[slider-crank-synthesis] speaks of dimensions that are sought, not a machine"),
         ("3d12", "crankshaft", "[crankshaft-reactions] speaks of crankshafts with their supports"),
     ],

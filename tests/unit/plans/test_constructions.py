@@ -143,3 +143,68 @@ def test_readings_of_arcs_begin_where_the_top_is_read(offset):
     """The displacement on paper is the distance from there to the foot, in every position."""
     found = construction(crank(offset), "arc", ANGLES)
     np.testing.assert_allclose(found.start[0] - found.foot[0], found.exact_displacement, rtol=0, atol=1e-15)
+
+
+def valve(running="ahead", offset=0.0):
+    mechanism = {"kind": "eccentric", "eccentricity": f"{R} m", "rod_length": f"{L} m", "angle_ahead": "120 deg"}
+    return ct.Machine(
+        bank={
+            "A": {"mechanism": {"kind": "slider_crank", "crank_radius": "0.1 m", "rod_length": "0.4 m"}},
+            "B": {"mechanism": mechanism | {"offset": f"{offset} m"}},
+        },
+        running=running,
+    )
+
+
+@pytest.mark.parametrize("running", ["ahead", "astern"])
+@pytest.mark.parametrize("method", ["arc", "projection", "brix", "brix_backward"])
+def test_an_eccentric_is_constructed_as_the_crank_of_its_size(method, running):
+    """By its own angle, however far ahead it stands."""
+    found = construction(valve(running, E), method, ANGLES, mechanism="1B")
+    plain = construction(crank(E, running=running), method, ANGLES)
+    for name in ("displacement", "exact_displacement", "angle", "exact_angle", "foot", "on_circle", "piston"):
+        np.testing.assert_allclose(getattr(found, name), getattr(plain, name), rtol=0, atol=1e-16)
+    assert (found.pole, found.sense, found.stroke) == (plain.pole, plain.sense, plain.stroke)
+    assert found.is_of_eccentric and not plain.is_of_eccentric
+
+
+def test_the_first_slider_crank_comes_before_an_eccentric_and_the_eccentric_alone_is_taken():
+    assert construction(valve(), "arc").mechanism == "1A"
+    alone = {"kind": "eccentric", "eccentricity": "60 mm", "rod_length": "1200 mm", "angle_of_advance": "30 deg"}
+    assert construction(ct.Machine(mechanism=alone), "arc").is_of_eccentric
+
+
+def test_source_angles_of_an_eccentric_are_where_its_own_crank_is_along_and_across():
+    """120° ahead of the crank, whose 0 the machine shows."""
+    found = source_angles(valve(), mechanism="1B")
+    plain = source_angles(crank())
+    np.testing.assert_allclose(np.mod(np.add(found, 120.0), 360.0), plain, rtol=0, atol=1e-8)
+
+
+def test_letters_of_figure_146_from_both_dead_centres():
+    """x_B = A_M D + DC and x_B′ = A_M′D′ − D′C′, in 40 digits: A_M D = R(1 − cos φ), DC = L − √(L² − R² sin² φ)."""
+    found = construction(crank(), "arc", ANGLES)
+    other = found.from_crank_side
+    with mp.workdps(40):
+        radius, rod = mp.mpf(str(R)), mp.mpf(str(L))
+        angles = [mp.radians(mp.mpf(angle)) for angle in ANGLES]
+        along = np.array([float(radius * (1 - mp.cos(phi))) for phi in angles])
+        lost = np.array([float(rod - mp.sqrt(rod**2 - (radius * mp.sin(phi)) ** 2)) for phi in angles])
+    np.testing.assert_allclose(R - found.projected[0], along, rtol=0, atol=1e-16)
+    np.testing.assert_allclose(found.projected[0] - found.foot[0], lost, rtol=0, atol=1e-16)
+    np.testing.assert_allclose(other.projected[0] + R, along, rtol=0, atol=1e-16)
+    np.testing.assert_allclose(other.projected[0] - other.foot[0], lost, rtol=0, atol=1e-16)
+    np.testing.assert_allclose(other.displacement, along - lost, rtol=0, atol=1e-16)
+    np.testing.assert_allclose(other.exact_displacement, along - lost, rtol=0, atol=1e-16)
+    # the crank pin is half a turn from A
+    np.testing.assert_allclose(other.on_circle, -found.on_circle, rtol=0, atol=1e-16)
+
+
+@pytest.mark.parametrize("offset", [E, -E])
+def test_from_the_crank_side_with_an_offset(offset):
+    """At one place of the crank both displacements add up to the stroke."""
+    found = construction(crank(offset), "arc", ANGLES).from_crank_side
+    opposite = [displacement_exact(angle + 180.0, offset) for angle in ANGLES]
+    whole = np.sqrt((L + R) ** 2 - offset**2) - np.sqrt((L - R) ** 2 - offset**2)
+    np.testing.assert_allclose(found.displacement + opposite, whole, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(found.projected[1], offset, atol=0)

@@ -13,7 +13,7 @@ from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.screen.title import title
 from cranktrain.cli.textbook.constructions import show_constructions
 from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
-from cranktrain.cli.textbook.crank_side import show_from_crank_side
+from cranktrain.cli.textbook.crank_side import show_exact_root, show_from_crank_side
 from cranktrain.cli.textbook.errata import show_errata
 from cranktrain.cli.textbook.forms import NEEDED as FORMS_NEEDED
 from cranktrain.cli.textbook.forms import STEP, explain_forms, show_forms, show_motion
@@ -24,15 +24,16 @@ from cranktrain.cli.textbook.source import machine_file
 from cranktrain.cli.textbook.summary import go_on, show_summary
 from cranktrain.cli.textbook.texts import show_text, show_texts
 from cranktrain.errors import InputError, Position, Problem, refuse
-from cranktrain.grouping import places_of_equal
 from cranktrain.io.examples import example_names
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest
 from cranktrain.references import REFERENCES
+from cranktrain.textbook.distinct_pistons import alike
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text, text_called, text_named
+from cranktrain.texts.plain_cranks import PLAIN
 from cranktrain.texts.ranges import RANGES
 
 _ERRATA = "errata"
@@ -172,13 +173,13 @@ def _speaking(machine: Machine, file: str) -> Iterator[str]:
 
 
 def _steam(console: Console, machine: Machine, result: Result, *, with_table: bool) -> bool:
-    """Show the steam engine's forms and constructions; whether there are slider-cranks."""
+    """Show the steam engine's forms and constructions; whether there are slider-cranks or eccentrics."""
     is_spoken_of = show_forms(console, machine, result, "steam-engine")
-    cranks = [place for place in machine.places if place.kind.name == "slider_crank"]
-    if cranks:
-        groups = places_of_equal([place.geometry for place in cranks])
-        show_from_crank_side(console, cranks, groups, with_table=with_table)
-        show_constructions(console, machine, cranks, groups, with_table=with_table)
+    pistons = alike(machine.places, PLAIN)
+    if pistons:
+        show_exact_root(console, pistons, [place for place in machine.places if place.kind.name in PLAIN])
+        show_from_crank_side(console, pistons, with_table=with_table)
+        show_constructions(console, machine, pistons, with_table=with_table)
     return is_spoken_of
 
 

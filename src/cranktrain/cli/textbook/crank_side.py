@@ -1,80 +1,73 @@
-"""The steam engine's forms from the crank-side dead centre, with the minus sign, and Z of (335)."""
+"""The steam engine's exact root, its forms from the crank-side dead centre, with the minus sign, and Z of (335)."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from rich.console import Console
 
 from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
 from cranktrain.cli.screen.text import INDENT, section
-from cranktrain.cli.textbook.error_columns import error_columns
+from cranktrain.cli.textbook.error_columns import stated_error_columns
+from cranktrain.cli.textbook.piston_words import called
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.mechanisms.slider_crank import SliderCrank
-from cranktrain.motion import Array, Coefficient
-from cranktrain.texts.largest_errors import from_bottom, largest_errors
+from cranktrain.textbook.distinct_pistons import AlikePistons
+from cranktrain.textbook.motion_statements import form_heading, root_notes
+from cranktrain.textbook.steam_engine_statements import (
+    crank_side_curves,
+    crank_side_statements,
+    difference_statements,
+    root_statements,
+)
 from cranktrain.texts.percents import percent
-from cranktrain.texts.steam_engine import largest_difference, two_harmonics_from_crank_side
-from cranktrain.wording import figure, ranged
+from cranktrain.texts.ranges import EXACT_ROOT
+from cranktrain.wording import figure
 
 _STEP = 30
 """Of the crank angle in tables. [deg]"""
-_UNITS = ("mm", "mm/rad", "mm/rad^2")
 
 
-def show_from_crank_side(
-    console: Console,
-    places: Sequence[PlacedMechanism],
-    groups: Mapping[SliderCrank, Sequence[int]],
-    *,
-    with_table: bool,
-) -> None:
-    """Show (333), (336), (337) with the minus sign for slider-cranks, and Z; `groups` are places of equal ones."""
+def show_exact_root(console: Console, pistons: Sequence[AlikePistons], places: Sequence[PlacedMechanism]) -> None:
+    """Show the source's displacement before its root is approximated"""
+    found = [statement for one in pistons for statement in root_statements(one)]
+    rounding = max((one.value for one in found if one.verdict == "right"), default=None)
+    said = [*root_notes(places)]
+    if rounding is not None:
+        said += [_("exact: off by 0, in numbers by up to {off:.0e} from rounding").format(off=rounding)]
+    section(console, form_heading(EXACT_ROOT), [*said, *stated_error_columns(found, console.width - INDENT)])
+
+
+def show_from_crank_side(console: Console, pistons: Sequence[AlikePistons], *, with_table: bool) -> None:
+    """Show (333), (336), (337) with the minus sign, and Z."""
     width = console.width - INDENT
-    names = [place.name for place in places]
-    said = [ranged(names, members) for members in groups.values()]
-    errors = [largest_errors(lambda angle, one=one: _minus(angle, one), from_bottom(one)) for one in groups]
+    errors = [statement for one in pistons for statement in crank_side_statements(one)]
     about = _("φ and S from there, S away from the shaft; v and j away from the shaft, too: the minus sign")
-    lines = [about, *error_columns(errors, said, width)]
+    lines = [about, *stated_error_columns(errors, width)]
     section(console, _("(333), (336), (337) from the crank-side dead centre [steam-engine]"), lines)
     if with_table:
-        for one, members in groups.items():
-            _show_table(console, names[members[0]], one)
-    about = _("by how much (333) and (334) differ at most, at 90° and 270°; beside it, exact: L − √(L² − R²)")
-    section(console, _("Z = λR/2: (335) [steam-engine]"), [about, *column_tables(_differences(groups), said, width)])
-
-
-def _minus(angle: Array, one: SliderCrank) -> Coefficient:
-    """The forms from the crank-side dead centre."""
-    return two_harmonics_from_crank_side(angle, one.crank_radius, one.crank_radius / one.rod_length)
-
-
-def _differences(groups: Mapping[SliderCrank, Sequence[int]]) -> list[Column]:
-    """Z by the source, as it is, and its error; of an offset mechanism by the source alone."""
-    source = [float(largest_difference(one.crank_radius, one.crank_radius / one.rod_length)) for one in groups]
-    exact = [
-        # L − √(L² − R²), which loses no figures of a long rod
-        float(one.crank_radius**2 / (one.rod_length + np.sqrt(one.rod_length**2 - one.crank_radius**2)))
-        if one.offset == 0.0
-        else np.nan
-        for one in groups
-    ]
-    errors = [own / true - 1.0 for own, true in zip(source, exact, strict=True)]
-    return [
-        Column("Z", "mm", tuple(figure(value, "mm") for value in source)),
-        Column(_("exact"), "mm", tuple(figure(value, "mm") for value in exact)),
-        Column("ΔZ", "%", tuple(map(percent, errors))),
-    ]
-
-
-def _show_table(console: Console, piston: str, one: SliderCrank) -> None:
-    """Show S, v and j of a piston by (333), (336), (337) with the minus sign, beside the exact ones."""
-    angle = np.deg2rad(np.arange(0, 360, _STEP, dtype=float))
-    own, exact = _minus(angle, one), from_bottom(one)(angle)
+        for one in pistons:
+            _show_table(console, one)
+    found = [statement for one in pistons for statement in difference_statements(one)]
     columns = [
-        Column(head, unit, tuple(figure(value, "mm") for value in values))
-        for form, true, number, unit in zip(own, exact, ("(333)", "(336)", "(337)"), _UNITS, strict=True)
-        for head, values in ((number, form), (_("exact"), true))
+        Column("Z", "mm", tuple(figure(one.value, "mm") for one in found)),
+        Column(_("exact"), "mm", tuple(figure(one.exact, "mm") for one in found)),
+        Column("ΔZ", "%", tuple(percent(one.error / one.exact) for one in found)),
     ]
-    heading = _("S, v/ω and j/ω² of piston {piston} from the crank-side dead centre").format(piston=piston)
+    about = _("by how much (333) and (334) differ at most, at 90° and 270°; beside it, exact: L − √(L² − R²)")
+    lines = [about, *column_tables(columns, [one.of for one in found], width)]
+    section(console, _("Z = λR/2: (335) [steam-engine]"), lines)
+
+
+def _show_table(console: Console, one: AlikePistons) -> None:
+    """Show S, v and j by (333), (336), (337) with the minus sign, beside the exact ones."""
+    angle = np.deg2rad(np.arange(0, 360, _STEP, dtype=float))
+    columns: list[Column] = []
+    for curve in crank_side_curves(one, angle):
+        assert curve.exact is not None  # each has it
+        unit = curve.unit.replace("m", "mm", 1)
+        columns += [
+            Column(head, unit, tuple(figure(value, "mm") for value in values))
+            for head, values in ((curve.equation, curve.values), (_("exact"), curve.exact))
+        ]
+    heading = _("S, v/ω and j/ω² of {piston} from the crank-side dead centre").format(piston=called(one.first))
     section_of_columns(console, heading, columns, [f"{step}°" for step in range(0, 360, _STEP)])

@@ -1,34 +1,34 @@
 """The sources' forms of motion for a machine: range, who is inside, largest errors, and the curves by each method."""
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 
-import numpy as np
 from rich.console import Console
-from rich.text import Text
 
 from cranktrain.analysis import Result
-from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
+from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.text import INDENT, section
+from cranktrain.cli.textbook.error_columns import stated_error_columns
+from cranktrain.cli.textbook.piston_words import called
 from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
+from cranktrain.textbook.motion_statements import NEEDED as STATEMENTS_NEEDED
+from cranktrain.textbook.motion_statements import form_heading, form_notes, form_statements
 from cranktrain.texts.comparison import FORMS
-from cranktrain.texts.percents import percent
-from cranktrain.texts.ranges import RANGES, Range
-from cranktrain.wording import around_turn, figure, ranged
+from cranktrain.texts.ranges import RANGES
+from cranktrain.wording import figure, ranged
 
 STEP = 30.0
 """Of the crank angle in tables. [deg]"""
 _TURN = 360.0
 
-_ERRORS = {"Δx": "displacement_error", "Δv": "velocity_error", "Δj": "acceleration_error"}
 _CURVES = (
     ("displacement_by_method", "mm"),
     ("velocity_coefficient_by_method", "mm/rad"),
     ("acceleration_coefficient_by_method", "mm/rad^2"),
 )
-NEEDED = (*_ERRORS.values(), *(name for name, _unit in _CURVES), "top_dead_centre", "top_shift")
+NEEDED = (*STATEMENTS_NEEDED, *(name for name, _unit in _CURVES))
 """Results that are shown."""
 
 
@@ -37,9 +37,8 @@ def show_forms(console: Console, machine: Machine, result: Result, source: str) 
     kinds = {place.kind.name for place in machine.places}
     ranges = [one for one in RANGES if one.source == source and set(FORMS[one.method]) & kinds]
     for one in ranges:
-        heading = f"{_(one.name)}: {', '.join(one.equations)} [{one.source}]"
-        lines = _method(machine, result, one, console.width - INDENT)
-        section(console, heading[:1].upper() + heading[1:], lines)
+        errors = stated_error_columns(form_statements(machine, result, one), console.width - INDENT)
+        section(console, form_heading(one), [*form_notes(machine, one), *errors])
     return bool(ranges)
 
 
@@ -47,7 +46,8 @@ def explain_forms(console: Console) -> None:
     """Say what the errors are errors of, and from where angles count."""
     explained = _(
         "Δx in parts of the stroke, Δv and Δj of their exact peaks, each curve from its own top; φ after the crank "
-        "points along the cylinder. λ is crank radius by rod, of a slave its master's."
+        "points along the cylinder, or an eccentric to its valve. λ is crank radius by rod, of a slave its master's, "
+        "of an eccentric e/l."
     )
     section(console, _("Largest errors over the turn"), [explained])
 
@@ -57,38 +57,6 @@ def show_motion(console: Console, machine: Machine, result: Result, sources: Col
     methods = [one.method for one in RANGES if one.source in sources]
     for places in _alike(machine.places, methods):
         _show_motion(console, result, places, methods)
-
-
-def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterator[str | Text]:
-    """Range of a method, which pistons are inside, and the largest errors."""
-    places = [place for place in machine.places if place.kind.name in FORMS[one.method]]
-    names = [place.name for place in places]
-    yield _("range: {condition}").format(condition=_(one.condition))
-    if one.most_ratio is not None:
-        said = [_inside(one, place) for place in places]
-        yield "; ".join(f"{ranged(names, members)}: {words}" for words, members in places_of_equal(said).items())
-    groups = places_of_equal([tuple(_errors(result, one.method, name)) for name in names])
-    heads = [head for symbol in _ERRORS for head in ((symbol, "%"), ("φ", "deg"))]
-    columns = [Column(*head, texts) for head, texts in zip(heads, zip(*groups, strict=True), strict=True)]
-    yield from column_tables(columns, [ranged(names, members) for members in groups.values()], width)
-
-
-def _inside(one: Range, place: PlacedMechanism) -> str:
-    """Say whether a mechanism is inside a method's range; outside, for what."""
-    ratio, offset = sizes(place)
-    if reasons := list(one.reasons(ratio, offset)):
-        return _("outside, as {reasons}").format(reasons=_(" and ").join(reasons))
-    return _("inside, λ = {ratio:.4g}").format(ratio=ratio)
-
-
-def _errors(result: Result, method: str, piston: str) -> Iterator[str]:
-    """Largest error of each order and where it is, as text."""
-    row, place = result.labels["motion_method"].index(method), result.labels["piston"].index(piston)
-    zero = result.top_dead_centre[place] - result.top_shift[place]
-    for name in _ERRORS.values():
-        angle = around_turn(np.deg2rad(getattr(result, f"{name}_at")[row, place] - zero))
-        yield percent(float(getattr(result, name)[row, place]))
-        yield figure(float(angle), "deg")
 
 
 def _show_motion(console: Console, result: Result, places: Sequence[PlacedMechanism], chosen: Collection[str]) -> None:
@@ -109,7 +77,7 @@ def _show_motion(console: Console, result: Result, places: Sequence[PlacedMechan
             )
             for method in methods
         ]
-        heading = _("{symbol} of piston {piston} by the crank angle").format(symbol=entry.symbol, piston=first.name)
+        heading = _("{symbol} of {piston} by the crank angle").format(symbol=entry.symbol, piston=called(first))
         section_of_columns(console, heading, columns, labels)
     if len(places) > 1:
         names = [place.name for place in places]
@@ -123,9 +91,3 @@ def _alike(places: Sequence[PlacedMechanism], chosen: Collection[str]) -> list[l
     spoken_of = [place for place in places if any(place.kind.name in FORMS[method] for method in chosen)]
     groups = places_of_equal([(place.kind.name, place.geometry) for place in spoken_of])
     return [[spoken_of[i] for i in members] for members in groups.values()]
-
-
-def sizes(place: PlacedMechanism) -> tuple[float, float]:
-    """Crank radius by rod and offset of the line of stroke [m], of a slave its master's, as ranges have them."""
-    geometry = getattr(place.geometry, "master", place.geometry)
-    return float(geometry.crank_radius / geometry.rod_length), float(geometry.offset)

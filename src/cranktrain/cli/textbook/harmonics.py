@@ -22,7 +22,8 @@ from cranktrain.texts.harmonic_series import (
     two_harmonic_torque,
     two_harmonics,
 )
-from cranktrain.wording import ranged
+from cranktrain.texts.plain_cranks import PLAIN
+from cranktrain.wording import ranged, signless
 
 RATIO_OPTION = "--crank-to-rod-ratio"
 _EXAMPLE = "cranktrain textbook 3d12 --harmonics"
@@ -59,11 +60,11 @@ def show_harmonics(
             _explain(console)
         return
     machine = machine_file(source, settings, _EXAMPLE).machine
-    places = [place for place in machine.places if place.kind.name == "slider_crank" and place.geometry.offset == 0.0]
+    places = [place for place in machine.places if place.kind.name in PLAIN and place.geometry.offset == 0.0]
     ratios = places_of_equal([float(place.geometry.crank_radius / place.geometry.rod_length) for place in places])
     with page(title(machine)) as console:
         if not ratios:
-            section(console, _("Harmonics"), [_("Only a central slider-crank has them in closed form.")])
+            section(console, _("Harmonics"), [_("Only a central slider-crank or eccentric has them in closed form.")])
             return
         for own, members in ratios.items():
             pistons = ranged([place.name for place in places], members)
@@ -124,13 +125,14 @@ def _beside(head: str, method: HarmonicsByMethod, orders: list[int]) -> tuple[Co
 
 
 def _figure(value: float) -> str:
-    return f"{value:.{_DECIMALS}f}" if value != 0.0 else "0"
+    return signless(f"{value:.{_DECIMALS}f}") if value != 0.0 else "0"
 
 
 def _explain(console: Console) -> None:
     explained = _(
-        "α is the angle of the piston's own crank from the top. The series of the texts go to the seventh power of λ, "
-        "of the torque to the sixth; their two harmonics are cos α + λ cos 2α, and the torque is that of these. "
-        "Δ is what a form is off. Orders that are not listed are zero, but for exact ones beyond the last."
+        "α is the angle of the piston's own crank, or of the valve's eccentric, from the top. The series of the texts "
+        "go to the seventh power of λ, of the torque to the sixth; their two harmonics are cos α + λ cos 2α, and the "
+        "torque is that of these. Δ is what a form is off. Orders that are not listed are zero, but for exact ones "
+        "beyond the last."
     )
     section(console, _("What they are"), [explained])

@@ -10,13 +10,15 @@ from cranktrain.analysis import Result
 from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.text import INDENT, section, table
 from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
-from cranktrain.cli.textbook.forms import STEP, sizes
+from cranktrain.cli.textbook.forms import STEP
 from cranktrain.cli.textbook.opposed import Pairs, opposed_pairs
+from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line
+from cranktrain.textbook.distinct_pistons import AlikePistons
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text
 from cranktrain.texts.opposed import opposed_pistons
@@ -84,22 +86,24 @@ def _ranges(places: Sequence[PlacedMechanism], text: Text | None) -> list[Range]
 
 
 def _of_forms(places: Sequence[PlacedMechanism], result: Result, ranges: Sequence[Range]) -> Iterator[_Row]:
-    """The largest errors of each method, of any piston."""
+    """The largest errors of each method, of any piston that is inside its range, and of any outside for one reason."""
     for one in ranges:
         own = [place for place in places if place.kind.name in FORMS[one.method]]
         names = [place.name for place in own]
         method = result.labels["motion_method"].index(one.method)
-        pistons = [result.labels["piston"].index(name) for name in names]
-        errors = [float(np.nanmax(getattr(result, name)[method, pistons])) for name in _ERRORS]
-        said = "; ".join(filter(None, (_(one.name), _inside(one, own))))
-        yield ", ".join(one.equations), ranged(names, range(len(names))), (errors[0], errors[1], errors[2]), said
+        for words, members in places_of_equal(_inside(one, place) for place in own).items():
+            pistons = [result.labels["piston"].index(names[i]) for i in members]
+            errors = [float(np.nanmax(getattr(result, name)[method, pistons])) for name in _ERRORS]
+            said = f"{_(one.name)}; {words}"
+            yield ", ".join(one.equations), ranged(names, members), (errors[0], errors[1], errors[2]), said
 
 
-def _inside(one: Range, places: Sequence[PlacedMechanism]) -> str:
-    """Say whether mechanisms are inside a method's range, and for what not; nothing where the text gives no range."""
+def _inside(one: Range, place: PlacedMechanism) -> str:
+    """Say whether a mechanism is inside a method's range, and for what not."""
     if one.most_ratio is None:
         return _("the text gives no range")
-    outside = dict.fromkeys(reason for place in places for reason in one.reasons(*sizes(place)))
+    piston = AlikePistons(place.name, place)
+    outside = list(one.reasons(piston.ratio, piston.offset))
     return _("outside, as {reasons}").format(reasons=_(" and ").join(outside)) if outside else _("inside its range")
 
 

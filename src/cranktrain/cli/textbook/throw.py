@@ -230,7 +230,10 @@ def _reaction_lines(found: Statements, width: int) -> Iterator[str | Text]:
         right=number(right.value, "N"), left=number(left.value, "N")
     )
     if any(one.verdict == "beyond" for one in each):
-        yield _("Rows without a number are loads for which the text has no letter; the split shaft has them.")
+        yield _(
+            "Rows without a number are loads for which the text has no letter. With them, as the split shaft has it: "
+            "R_P = {right}, R_L = {left}."
+        ).format(right=number(right.exact, "N"), left=number(left.exact, "N"))
 
 
 def _cycle_lines(found: Statements, width: int) -> Iterator[Text]:

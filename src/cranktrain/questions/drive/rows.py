@@ -17,7 +17,7 @@ from cranktrain.rows import Amount, AnswerLine, Extent, worded
 from cranktrain.wording import Names
 
 _NOTHING = 1e-9
-"""Of the motor's power: less is rounding, as of loads that give back in a turn what they took."""
+"""Of what it is beside: less is rounding, as of loads that give back in a turn what they took."""
 
 
 def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[AnswerLine]:
@@ -29,6 +29,11 @@ def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[An
         range=Extent(float(least.value[design, 0]), float(most.value[design, 0]), "N*m"),
         rms=Amount(float(found.rms_static_torque[design, 0]), "N*m"),
     )
+    ends = np.stack([found.smallest_static_motor_torque[design], found.largest_static_motor_torque[design]])
+    own, same_back = ends[:, 0], ends[:, 1]
+    if np.any(np.abs(same_back - own) > _NOTHING * np.max(np.abs(own))):
+        alike = Extent(float(same_back[0]), float(same_back[1]), "N*m")
+        yield worded(_("with η alike both ways"), "{range}", range=alike)
     inertia = found.driven_inertia[design, 0]
     yield worded(
         _("J at {shaft}, GD² = 4 J").format(shaft=labels["drive_shaft"][0]),

@@ -47,6 +47,12 @@ class StaticTorques(StageResult):
         N_("Static torque at the motor, by where losses go"),
         THEORY,
     )
+    largest_static_motor_torque: Array = quantity(
+        "M_st,m,max", "N*m", ("loss_rule",), N_("Largest static torque at the motor, by where losses go"), THEORY
+    )
+    smallest_static_motor_torque: Array = quantity(
+        "M_st,m,min", "N*m", ("loss_rule",), N_("Smallest static torque at the motor, by where losses go"), THEORY
+    )
     driven_inertia: Array = quantity(
         "J_k", "kg*m^2", _CURVE, N_("Inertia of drive and machine together, reduced to each shaft"), THEORY
     )
@@ -106,10 +112,13 @@ def static_torques(drive: DeclaredDrive, machines: ReducedMachines, crank_angle:
     driven = np.stack(inertia)
     of_drive = np.stack([_inertias(np.zeros(1), gearing)[:, 0] for gearing in drive.gearings])
     at_motor = np.stack([own[:1] for own in torque])
+    ranges = [_by_rule(own, gearing) for own, gearing in zip(facts, drive.gearings, strict=True)]
     return StaticTorques(
         labels={"drive_shaft": drive.shafts, "loss_rule": tuple(_(rule) for rule in RULES)},
         static_torque=np.stack(torque),
         static_motor_torque=np.concatenate([at_motor, np.stack(others)], axis=1),
+        largest_static_motor_torque=np.stack([own[1] for own in ranges]),
+        smallest_static_motor_torque=np.stack([own[0] for own in ranges]),
         driven_inertia=driven,
         driven_flywheel_moment=4 * driven,
         gear_flywheel_moment=4 * of_drive,
@@ -124,6 +133,16 @@ def static_torques(drive: DeclaredDrive, machines: ReducedMachines, crank_angle:
 def _other_laws(gearing: Gearing) -> tuple[Gearing, Gearing]:
     """Gearing that is as efficient back as forward; and one whose losses are always against the motor."""
     return gearing._replace(backward=gearing.forward), gearing._replace(backward=1 / gearing.forward)
+
+
+def _by_rule(found: StaticFacts, gearing: Gearing) -> Array:
+    """Least and largest torque at the motor by each law, shape (2, rule). [N·m]
+
+    By the two other laws it grows with the torque on the crank, which is the last shaft's by any.
+    """
+    own = np.array([found.smallest.value[0], found.largest.value[0]])
+    on_crank = np.array([found.smallest.value[-1], found.largest.value[-1]])
+    return np.stack([own, *(torque_through(on_crank, ONE, other)[0] for other in _other_laws(gearing))], axis=1)
 
 
 def _inertias(machine: Array, gearing: Gearing) -> Array:

@@ -9,15 +9,23 @@ _CENTRAL = N_("central mechanism, λ ≤ 0.3")
 TEXT = Text(
     name="steam-engine",
     title=N_("motion of a steam engine's piston"),
-    said_of=N_("central slider-cranks"),
+    said_of=N_("central slider-cranks and eccentrics"),
     letter="A",
     formulas=(
         Formula(
             "fig. 146",
-            N_("the mechanism; the piston's place by arcs of the rod's length"),
+            N_("the mechanism; the piston's place by arcs of the rod's length, from either dead centre: C and C′"),
             "right",
             "cranktrain plot great_northern --plan arc -o arc.svg",
             note=N_("exact, for an offset line of stroke too"),
+        ),
+        Formula(
+            "S = R(1 − cos φ) + L(1 − √(1 − λ² sin² φ))",
+            N_("the displacement before its root is taken to first order, A_M D + DC of fig. 146"),
+            "right",
+            _MOTION,
+            N_("central mechanism"),
+            N_("exact; in numbers off by rounding alone"),
         ),
         Formula(
             "(333)",
@@ -81,8 +89,8 @@ TEXT = Text(
             "eccentric",
             N_("the drive of the slide valve: the same mechanism, R its eccentricity"),
             "right",
-            "cranktrain plot great_northern --plan positions --mechanism 1valve -o valve.svg",
-            note=N_("exact by its own geometry"),
+            "cranktrain plot great_northern --plan arc --mechanism 1valve -o valve.svg",
+            note=N_("all of the text holds of it with R its eccentricity; it leads or trails the crank"),
         ),
         Formula(
             "scale",

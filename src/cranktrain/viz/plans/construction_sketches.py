@@ -100,8 +100,27 @@ def _constructed(found: Construction, scale: float, chosen: Sequence[int]) -> It
             yield Line(np.stack([np.zeros(2), pin], axis=1), "LINKS", "outline", 4)
         for point in (pin, foot):
             yield Circle(point, 0.55 * scale, "LINKS", "rod", 6, "paper")
+    if found.method == "arc":
+        for i in chosen:
+            yield from _perpendiculars(found, scale, i)
     if found.method.startswith("brix"):
         yield Circle(pole, 0.7 * scale, "LINKS", "outline", 7, "ink")
+
+
+def _perpendiculars(found: Construction, scale: float, i: int) -> Iterator[Line | Circle]:
+    """AD; and A′D′ with the arc A′C′, the same angle after the crank-side dead centre."""
+    other = found.from_crank_side
+    radius = 1e3 * float(found.geometry.rod_length)
+    pins, pistons = (1e3 * found.seen(one) for one in (other.on_circle, other.piston))
+    start = angle_of(pins[:, i] - pistons[:, i]) % (2 * np.pi)
+    yield Line(shapes.arc(pistons[:, i], radius, start, np.pi), "LINKS", "outline", 4)
+    yield Line(np.stack([np.zeros(2), pins[:, i]], axis=1), "LINKS", "outline", 4)
+    for pin, foot in ((found.on_circle, found.projected), (other.on_circle, other.projected)):
+        ends = 1e3 * found.seen(np.stack([pin[:, i], foot[:, i]], axis=1))
+        yield Line(ends, "LINKS", "construction", 3)
+        yield Circle(ends[:, 1], 0.55 * scale, "LINKS", "rod", 6, "paper")
+    for point in (pins[:, i], 1e3 * found.seen(other.foot)[:, i]):
+        yield Circle(point, 0.55 * scale, "LINKS", "rod", 6, "paper")
 
 
 def _ruler(found: Construction, low: float, scale: float, chosen: Sequence[int]) -> Iterator[Line | Label]:
@@ -153,7 +172,7 @@ def _dimension(ends: tuple[float, float], top: float, y: float, words: str, scal
 
 
 def _letters(found: Construction, chosen: Sequence[int]) -> Iterator[Wish]:
-    """Letters of the source: O, P; A, C and D of its figure 146, A′ and B′ of its figure 147."""
+    """Letters of the source: O, P; A, C, D, A′, C′ and D′ of its figure 146, A′ and B′ of its figure 147."""
     yield Wish(np.zeros(2), "O", np.pi / 4)
     is_brix = found.method.startswith("brix")
     if is_brix:
@@ -164,6 +183,14 @@ def _letters(found: Construction, chosen: Sequence[int]) -> Iterator[Wish]:
         prime = _PRIMES[number] if is_brix else ""
         yield Wish(pins[:, i], f"A{prime}", angle_of(pins[:, i]) + 0.5)
         yield Wish(feet[:, i], f"{foot_letter}{prime}", -np.pi / 2 * np.sign(pins[1, i]))
+        if found.method == "arc":
+            other = found.from_crank_side
+            away = -np.pi / 2 * float(np.sign(pins[1, i]))
+            named = {"D": (found.projected, away), "C'": (other.foot, -away), "D'": (other.projected, -away)}
+            for letter, (points, towards) in named.items():
+                yield Wish(1e3 * found.seen(points)[:, i], letter, towards)
+            opposite = 1e3 * found.seen(other.on_circle)[:, i]
+            yield Wish(opposite, "A'", angle_of(opposite) + 0.5)
 
 
 def scheme_sketch(found: Construction, scale: float, bore: float | None) -> Sketch:

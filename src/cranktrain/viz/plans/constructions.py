@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.plans.constructions import Construction, Method, construction
-from cranktrain.plans.placement import slider_crank_called
+from cranktrain.plans.placement import plain_crank_called
 from cranktrain.plans.positions import chosen_scale, scale_words
 from cranktrain.questions.cylinders.declared import cylinders_of
 from cranktrain.scales import scale_for
@@ -54,7 +54,7 @@ def plan_arc(
         How many, evenly over a turn, or which crank angles, from where the crank points along the cylinder; 24 at most.
         [deg]
     mechanism : str, optional
-        A slider-crank's name; the first one unless given.
+        A slider-crank's or an eccentric's name; the first slider-crank unless given, or else the first eccentric.
     size : "A4" or "A3"
     scale : float, optional
         Of the construction, millimetres of metal in one of paper; the largest round one that fits, unless given.
@@ -145,7 +145,7 @@ def _sheet(
 
 def _bore(machine: Machine, found: Construction) -> float | None:
     """Bore of the mechanism's cylinder, where the file has one. [mm]"""
-    place = slider_crank_called(machine, found.mechanism)
+    place = plain_crank_called(machine, found.mechanism)
     bore = cylinders_of(machine.cylinder, [place])[0].spec.bore if place.kind.has_chambers else None
     return None if bore is None else 1e3 * bore.si
 
@@ -175,17 +175,30 @@ def _backward_table(found: Construction, scale: float) -> Iterator[tuple[str, ..
 def _notes(found: Construction) -> Iterator[str]:
     """What is drawn, the source's range, and how the construction is read."""
     arcs = _("Arcs about the piston's pin, AB about B, lead the crank pin A to C")
+    if found.is_of_eccentric:
+        arcs = _("Arcs about the valve's pin, AB about B, lead the eccentric's A to C")
     how = {
-        "arc": (arcs, _("on the line of stroke: exact, with an offset too.")),
+        "arc": (
+            arcs,
+            _("on the line of stroke: exact, with an offset too."),
+            _("A', C', D': φ from the crank-side dead centre."),
+        ),
         "brix_backward": (_("On the way to the shaft; on the way back 360° − φ."),),
     }
     yield from how.get(found.method, (_("Bars on the ruler: where the exact readings are."),))
     if found.method.startswith("brix"):
         distance = f"OP = λR/2 = {with_unit(-found.pole, scale_for('m', 0.0))}"
-        yield _("{distance}, away from the cylinder").format(distance=distance)
+        away = (
+            _("{distance}, away from the valve") if found.is_of_eccentric else _("{distance}, away from the cylinder")
+        )
+        yield away.format(distance=distance)
     yield from _range(found)
-    yield _("φ from where the crank points along the cylinder, S from the top;")
-    yield _("seen from the free end and turned, the cylinder at the right.")
+    if found.is_of_eccentric:
+        yield _("φ from where the eccentric points to the valve, S from its top;")
+        yield _("seen from the free end and turned, the valve at the right.")
+    else:
+        yield _("φ from where the crank points along the cylinder, S from the top;")
+        yield _("seen from the free end and turned, the cylinder at the right.")
     yield _("M: dead positions; letters of [{source}].").format(source=_SOURCE)
 
 

@@ -84,6 +84,7 @@ def _facts(shown: OneDesign, demand: ServoDemand | None) -> Iterator[tuple[str, 
     yield _("At the motor's shaft"), ""
     yield of(_("largest static torque"), "largest_static_torque", "N*m", 0)
     yield of(_("smallest static torque"), "smallest_static_torque", "N*m", 0, float(shown("largest_static_torque")[0]))
+    yield of(_("the same, η alike both ways"), "smallest_static_motor_torque", "N*m", 1)
     yield of(_("effective static torque"), "rms_static_torque", "N*m", 0)
     own = float(shown("gear_flywheel_moment")[0])
     yield _("inertia J of the drive alone"), with_unit(own / 4, scale_for("kg*m^2", own / 4))

@@ -1,0 +1,10 @@
+"""A piston or a valve in words."""
+
+from cranktrain.language import _
+from cranktrain.layout.places import PlacedMechanism
+
+
+def called(place: PlacedMechanism) -> str:
+    """Name a mechanism's slider: a piston, or the valve that an eccentric drives."""
+    words = _("piston {name}") if place.kind.has_chambers else _("valve {name}")
+    return words.format(name=place.name)
