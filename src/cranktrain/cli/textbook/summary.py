@@ -142,7 +142,7 @@ def _show_usual(console: Console, places: Sequence[PlacedMechanism], result: Res
             for (symbol, name, unit), equation in zip(_CURVES, numbers, strict=True)
             for head, row in ((symbol, exact), (equation, by_form))
         ]
-        heading = _("Motion of piston {piston}, exact and by {method}").format(piston=first.name, method=_(one.name))
+        heading = _("Motion of {piston}, exact and by {method}").format(piston=first.name, method=_(one.name))
         section_of_columns(console, heading, columns, labels)
 
 
