@@ -18,7 +18,8 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line
-from cranktrain.textbook.distinct_pistons import AlikePistons
+from cranktrain.textbook.distinct_pistons import AlikePistons, alike
+from cranktrain.textbook.motion_statements import form_statements
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text
 from cranktrain.texts.opposed import opposed_pistons
@@ -28,7 +29,6 @@ from cranktrain.texts.ranges import RANGES, Range
 from cranktrain.wording import figure, ranged
 
 _TURN = 360.0
-_ERRORS = ("displacement_error", "velocity_error", "acceleration_error")
 _USUAL = {"steam-engine": "two_harmonics", "bolotin": "reconstructed"}
 """The method of a text that is shown over the turn; the others with `--full`."""
 _CURVES = (
@@ -50,7 +50,7 @@ def show_summary(console: Console, machine: Machine, result: Result, text: Text 
         if not ranges or text is not None:
             _show_travel(console, pairs)
     else:
-        rows = [*_of_forms(machine.places, result, ranges), *_of_pairs(pairs)]
+        rows = [*_of_forms(machine, result, ranges), *_of_pairs(pairs)]
         section(console, _("Largest errors over the turn"), _lines(rows, console.width - INDENT))
     rockers = text is None or text.name == "gandzha"
     has_rockers = rockers and show_crank_rockers(console, machine.places, with_table=with_table)
@@ -85,25 +85,27 @@ def _ranges(places: Sequence[PlacedMechanism], text: Text | None) -> list[Range]
     ]
 
 
-def _of_forms(places: Sequence[PlacedMechanism], result: Result, ranges: Sequence[Range]) -> Iterator[_Row]:
+def _of_forms(machine: Machine, result: Result, ranges: Sequence[Range]) -> Iterator[_Row]:
     """The largest errors of each method, of any piston that is inside its range, and of any outside for one reason."""
     for one in ranges:
-        own = [place for place in places if place.kind.name in FORMS[one.method]]
+        found = list(form_statements(machine, result, one))
+        own = [place for place in machine.places if place.kind.name in FORMS[one.method]]
         names = [place.name for place in own]
-        method = result.labels["motion_method"].index(one.method)
-        for words, members in places_of_equal(_inside(one, place) for place in own).items():
-            pistons = [result.labels["piston"].index(names[i]) for i in members]
-            errors = [float(np.nanmax(getattr(result, name)[method, pistons])) for name in _ERRORS]
+        whose = {each.of: _inside(one, [each]) for each in alike(machine.places, FORMS[one.method])}
+        for words, members in places_of_equal(_inside(one, [AlikePistons(place.name, place)]) for place in own).items():
+            largest = [
+                max(each.value for each in found if each.symbol == symbol and whose[each.of] == words)
+                for symbol in ("Δx", "Δv", "Δj")
+            ]
             said = f"{_(one.name)}; {words}"
-            yield ", ".join(one.equations), ranged(names, members), (errors[0], errors[1], errors[2]), said
+            yield ", ".join(one.equations), ranged(names, members), (largest[0], largest[1], largest[2]), said
 
 
-def _inside(one: Range, place: PlacedMechanism) -> str:
-    """Say whether a mechanism is inside a method's range, and for what not."""
+def _inside(one: Range, pistons: Sequence[AlikePistons]) -> str:
+    """Say whether pistons are inside a method's range, and for what not; nothing where the text gives no range."""
     if one.most_ratio is None:
         return _("the text gives no range")
-    piston = AlikePistons(place.name, place)
-    outside = list(one.reasons(piston.ratio, piston.offset))
+    outside = dict.fromkeys(reason for each in pistons for reason in one.reasons(each.ratio, each.offset))
     return _("outside, as {reasons}").format(reasons=_(" and ").join(outside)) if outside else _("inside its range")
 
 
