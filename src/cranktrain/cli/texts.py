@@ -239,7 +239,7 @@ def add_textbook(app: typer.Typer) -> None:
         from cranktrain.cli.textbook.forces import refuse_with_forces, refuse_without_forces, show_force_tables
 
         if forces is not None:
-            refuse_with_forces({"--source": source})
+            refuse_with_forces({"--source": source, "--full": "" if full else None})
             show_force_tables(file, values, unit=forces, step=30.0 if step is None else step, piston=piston)
             return
         refuse_without_forces(of_forces)

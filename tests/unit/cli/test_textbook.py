@@ -169,7 +169,7 @@ angle_of_advance = "30 deg"
 def test_an_eccentric_beside_its_crank(typed, written):
     """λ = 0.05: (334) is off by (L − √(L² − R²))/2R = 1.2508 %, (333) by λ³/16 = 7.8e-6; Z = 1.5 mm."""
     written(ECC2)
-    answer = typed("textbook", "machine.toml")
+    answer = typed("textbook", "machine.toml", "--full")
     assert (answer.status, answer.errors) == (0, "")
     assert all(len(line) <= 80 for line in answer.output.splitlines())
     found = parts(answer.output)
@@ -189,7 +189,7 @@ def test_an_eccentric_beside_its_crank(typed, written):
 def test_tables_of_an_eccentric_are_of_a_valve(typed, written):
     """Of the machine's crank angle 240° the eccentric points along its line, 120° ahead: its top."""
     written(ECC2)
-    found = parts(typed("textbook", "machine.toml", "--table").output)
+    found = parts(typed("textbook", "machine.toml", "--full", "--table").output)
     rows = {line.split()[0]: line.split()[1:] for line in found["x of valve 1valve by the crank angle"][2:]}
     assert rows["240°"] == ["0.00"] * 4
     assert rows["60°"] == ["120.00"] * 4
@@ -209,7 +209,7 @@ def test_harmonics_of_an_eccentric(typed, written):
 
 def test_an_eccentric_of_the_examples(typed):
     """λ = 3.5e-5: (333) is off by λ³/16 = 2.7e-15 of the stroke, which is shown as none, however long the rod is."""
-    found = parts(typed("textbook", "great_northern").output)
+    found = parts(typed("textbook", "great_northern", "--full").output)
     assert errors(found["Two harmonics: (333), (336), (337) [steam-engine]"], "1valve")[::2] == [0.0, 0.0, 0.0]
     infinite = next(lines for head, lines in found.items() if head.startswith("Infinitely long rod"))
     assert errors(infinite, "1valve")[0] == 0.00088  # λ/4

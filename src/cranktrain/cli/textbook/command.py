@@ -70,6 +70,7 @@ def show_textbook(
     text = _text(source) if source else None
     is_errata = file.casefold() == _ERRATA and not os.path.isfile(file)  # noqa: PTH113 - takes a NUL byte
     if is_errata or (with_errata and not file):
+        refuse(_without_machine(settings, with_table=with_table))
         with page(_("Errors of the sources, each with what is right")) as console:
             show_errata(console, text, full=full)
     elif source is not None and not file:

@@ -10,7 +10,7 @@ from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.text import INDENT, section, table
 from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
 from cranktrain.cli.textbook.forms import STEP
-from cranktrain.grouping import grouped
+from cranktrain.grouping import grouped, places_of_equal
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
@@ -83,20 +83,26 @@ def _ranges(places: Sequence[PlacedMechanism], text: Text | None) -> list[Range]
 
 
 def _of_forms(machine: Machine, result: Result, ranges: Sequence[Range]) -> Iterator[_Row]:
-    """The largest errors of each method, of any piston."""
+    """The largest errors of each method, of any piston that is inside its range, and of any outside for one reason."""
     for one in ranges:
         found = list(form_statements(machine, result, one))
-        largest = [max(each.value for each in found if each.symbol == symbol) for symbol in ("Δx", "Δv", "Δj")]
-        names = [place.name for place in machine.places if place.kind.name in FORMS[one.method]]
-        said = "; ".join(filter(None, (_(one.name), _inside(one, alike(machine.places, FORMS[one.method])))))
-        yield ", ".join(one.equations), ranged(names, range(len(names))), (largest[0], largest[1], largest[2]), said
+        own = [place for place in machine.places if place.kind.name in FORMS[one.method]]
+        names = [place.name for place in own]
+        whose = {each.of: _inside(one, each) for each in alike(machine.places, FORMS[one.method])}
+        for words, members in places_of_equal(_inside(one, AlikePistons(place.name, place)) for place in own).items():
+            largest = [
+                max(each.value for each in found if each.symbol == symbol and whose[each.of] == words)
+                for symbol in ("Δx", "Δv", "Δj")
+            ]
+            said = f"{_(one.name)}; {words}"
+            yield ", ".join(one.equations), ranged(names, members), (largest[0], largest[1], largest[2]), said
 
 
-def _inside(one: Range, pistons: Sequence[AlikePistons]) -> str:
-    """Say whether pistons are inside a method's range, and for what not; nothing where the text gives no range."""
+def _inside(one: Range, piston: AlikePistons) -> str:
+    """Say whether a piston is inside a method's range, and for what not; or that the text gives no range."""
     if one.most_ratio is None:
         return _("the text gives no range")
-    outside = dict.fromkeys(reason for each in pistons for reason in one.reasons(each.ratio, each.offset))
+    outside = list(one.reasons(piston.ratio, piston.offset))
     return _("outside, as {reasons}").format(reasons=_(" and ").join(outside)) if outside else _("inside its range")
 
 
@@ -134,7 +140,7 @@ def _show_usual(console: Console, places: Sequence[PlacedMechanism], result: Res
             for (symbol, name, unit), equation in zip(_CURVES, numbers, strict=True)
             for head, row in ((symbol, exact), (equation, by_form))
         ]
-        heading = _("Motion of piston {piston}, exact and by {method}").format(piston=first.name, method=_(one.name))
+        heading = _("Motion of {piston}, exact and by {method}").format(piston=first.name, method=_(one.name))
         section_of_columns(console, heading, columns, labels)
 
 

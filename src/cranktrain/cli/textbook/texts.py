@@ -16,6 +16,9 @@ from cranktrain.references import REFERENCES
 from cranktrain.texts.contents import TEXTS, Formula, plain_number, text_called, with_equation
 from cranktrain.texts.contents import Text as Source
 
+_LONGEST = 34
+"""A longer number, which is a formula, has a width of its own."""
+
 
 def show_texts() -> None:
     """Show which texts there are, with how many of their formulas are right."""
@@ -65,12 +68,11 @@ def show_text(text: Source, *, has_forms: bool, full: bool) -> None:
 
 
 def _listed(text: Source, formulas: Sequence[Formula], width: int) -> Iterator[Line]:
-    """Formulas one in a line, a subject cut where there is no room; numbers have one width in all groups."""
-    numbers = max(cell_len(one.number) for one in text.formulas)
-    room = width - numbers - GAP
+    """Formulas one in a line, a subject cut where there is no room; numbers have one width, but long ones."""
+    usual = max((cell_len(one.number) for one in text.formulas if cell_len(one.number) <= _LONGEST), default=0)
     for one in formulas:
-        said = shorten(_(one.subject), room, placeholder=" …")
-        yield Line(f"{one.number}{' ' * (numbers - cell_len(one.number) + GAP)}{said}")
+        number = one.number + " " * (usual - cell_len(one.number) + GAP if cell_len(one.number) <= usual else GAP)
+        yield Line(number + shorten(_(one.subject), width - cell_len(number), placeholder=" …"))
 
 
 def show_equation(number: str, source: str | None, *, others: Mapping[str, str | None]) -> None:

@@ -19,6 +19,9 @@ from cranktrain.wording import Names
 _NOTHING = 1e-9
 """Of what it is beside: less is rounding, as of loads that give back in a turn what they took."""
 
+_WORTH_A_ROW = 0.01
+"""Of the largest torque: where another law of losses gives less of a difference, the results alone have it."""
+
 
 def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[AnswerLine]:
     """Range of the static torque at the first shaft, of the inertia there, and what it is of the drive alone."""
@@ -31,7 +34,7 @@ def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[An
     )
     ends = np.stack([found.smallest_static_motor_torque[design], found.largest_static_motor_torque[design]])
     own, same_back = ends[:, 0], ends[:, 1]
-    if np.any(np.abs(same_back - own) > _NOTHING * np.max(np.abs(own))):
+    if np.any(np.abs(same_back - own) > _WORTH_A_ROW * np.max(np.abs(own))):
         alike = Extent(float(same_back[0]), float(same_back[1]), "N*m")
         yield worded(_("with η alike both ways"), "{range}", range=alike)
     inertia = found.driven_inertia[design, 0]

@@ -89,8 +89,8 @@ TEXT = Text(
             "eccentric",
             N_("the drive of the slide valve: the same mechanism, R its eccentricity"),
             "right",
-            "cranktrain plot great_northern --plan positions --mechanism 1valve -o valve.svg",
-            note=N_("exact by its own geometry"),
+            "cranktrain plot great_northern --plan arc --mechanism 1valve -o valve.svg",
+            note=N_("all of the text holds of it with R its eccentricity; it leads or trails the crank"),
         ),
         Formula(
             "scale",
