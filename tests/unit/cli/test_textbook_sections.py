@@ -159,11 +159,11 @@ cycle = "two-stroke"
 def test_opposed_pistons_on_one_shaft(typed, written):
     """The far piston by hand: R(1 − cos θ − (λ/2) sin²θ) from where its crank points away, 10° behind the exhaust's."""
     written(ONE_SHAFT)
-    answer = typed("textbook", "machine.toml", "--source", "bolotin", "--table")
+    answer = typed("textbook", "machine.toml", "--source", "bolotin", "--table", "--full")
     assert (answer.status, answer.errors) == (0, "")
     assert all(len(line) <= 80 for line in answer.output.splitlines())
     said, found = " ".join(answer.output.split()), parts(answer.output)
-    assert "10.00 deg: suits engines that turn one way (10–15°), suits engines that reverse (5–10°)" in said
+    assert "10.00°: suits engines that turn one way (10–15°), suits engines that reverse (5–10°)" in said
     assert "The scavenge piston is the far one, on side rods" in said
     first_order = 10 * 350 * (1 - 350 / 3000) / (450 * 1.25 + 350 * (1 - 350 / 3000))
     centres = rows(found["Volumetric dead centres [bolotin]"])

@@ -81,7 +81,7 @@ def test_without_a_name_the_texts_are_listed(typed):
         assert f"{len(text.formulas)} formulas and figures: " in answer.output
 
 
-@pytest.mark.parametrize("text", [text for text in TEXTS if text.name != "bolotin"], ids=lambda text: text.name)
+@pytest.mark.parametrize("text", TEXTS, ids=lambda text: text.name)
 def test_commands_of_a_page_can_be_typed_in_order(text):
     """No two write one file."""
     commands = dict.fromkeys(one.command for one in text.formulas if " -o " in one.command)

@@ -33,7 +33,7 @@ TEXT = Text(
             "fig. 1.3",
             N_("б: of one whose shafts turn against each other"),
             "right",
-            "cranktrain plot deltic --plan scheme --mechanism 1B -o scheme.svg",
+            "cranktrain plot deltic --plan scheme --mechanism 1B -o triangle.svg",
             note=N_(
                 "travel, velocity and acceleration of central mechanisms are alike in both; side forces change sign"
             ),
@@ -75,7 +75,7 @@ TEXT = Text(
             "fig. 1.4",
             N_("scheme of a master and its slave on an articulated rod"),
             "right",
-            "cranktrain plot 3d12 --plan scheme -o scheme.svg",
+            "cranktrain plot 3d12 --plan scheme -o slave.svg",
         ),
         Formula(
             "(I.13)",
