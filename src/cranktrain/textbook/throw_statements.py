@@ -12,7 +12,8 @@ from cranktrain.errors import problems_as
 from cranktrain.io.any_machine import source_of
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
-from cranktrain.plans.machine_throw import CrankMasses, MachineThrow, ThrownMachine
+from cranktrain.plans.machine_throw import MachineThrow, ThrownMachine
+from cranktrain.plans.throw_loads import CrankMasses
 from cranktrain.questions.crankshaft.throw_reactions import (
     ThrowForces,
     ThrowReactions,

@@ -23,7 +23,8 @@ from cranktrain.io.syntax import parsed
 from cranktrain.language import _
 from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.one_line import one_line
-from cranktrain.plans.machine_throw import CrankMasses, ThrownMachine
+from cranktrain.plans.machine_throw import ThrownMachine
+from cranktrain.plans.throw_loads import CrankMasses
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.statements import Statements
 from cranktrain.textbook.throw_statements import REACTIONS, SOURCE, TOGETHER, machine_statements, throw_statements

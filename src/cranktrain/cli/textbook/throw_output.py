@@ -9,7 +9,8 @@ from cranktrain.errors import Problem, refuse
 from cranktrain.io.output import write_machine_file, write_whole
 from cranktrain.language import _
 from cranktrain.one_line import one_line
-from cranktrain.plans.machine_throw import CrankMasses, ThrownMachine
+from cranktrain.plans.machine_throw import ThrownMachine
+from cranktrain.plans.throw_loads import CrankMasses
 from cranktrain.textbook.throw_statements import machine_statements
 from cranktrain.texts.throw_table import Throw
 from cranktrain.viz.output import FORMATS, save

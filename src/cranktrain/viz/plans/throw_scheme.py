@@ -7,7 +7,8 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.plans.machine_throw import CrankMasses, MachineThrow, ThrownMachine
+from cranktrain.plans.machine_throw import MachineThrow, ThrownMachine
+from cranktrain.plans.throw_loads import CrankMasses
 from cranktrain.plans.throw_scheme import SchemeForce, SchemeLength, ThrowScheme, throw_scheme
 from cranktrain.references import REFERENCES
 from cranktrain.scales import scale_for
