@@ -5,7 +5,6 @@ import tomllib
 from typing import TYPE_CHECKING
 
 from cranktrain.machine import Machine
-from cranktrain.plans.positions import source_angles
 from cranktrain.viz.output import FORMATS, save
 
 if TYPE_CHECKING:
@@ -40,6 +39,7 @@ def write_plan(path: str, text: str, *, force: bool) -> None:
 
 
 def _drawn(machine: Machine) -> "Figure":
+    from cranktrain.plans.positions import source_angles
     from cranktrain.viz.plans.positions import plan_positions
 
     is_slider_crank = machine.places[0].kind.name == "slider_crank"
