@@ -1,6 +1,5 @@
 """`plot`: a machine as a sheet, a plan, a moving picture or a DXF; the file's name says which."""
 
-import logging
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
@@ -9,6 +8,7 @@ from pathlib import PurePath
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, AskedAtSpeed, at_running_speed, units_asked_for
+from cranktrain.cli.quiet_pictures import hush
 from cranktrain.errors import InputError, Position, Problem, problems_as
 from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile
@@ -82,8 +82,7 @@ def write_picture(request: PlotRequest) -> None:
     from cranktrain.plans.placement import place_called
 
     choice = understood(request)
-    # What the plotting library says of its fonts and its folder is nothing that a user asked for.
-    logging.getLogger("matplotlib").setLevel(logging.ERROR)
+    hush()
     file = request.read()
     with (
         shown_as_in(units_of(file.machine)),

@@ -1,7 +1,7 @@
 """A throw of a machine's crankshaft as fig. 35 of [crankshaft-reactions] has it, with what that has no letter for."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, get_args
 
 import numpy as np
 
@@ -27,8 +27,6 @@ from cranktrain.questions.crankshaft.throw_reactions import (
 )
 from cranktrain.record import record
 from cranktrain.texts.throw_table import Rods, Throw
-
-CRANK_MASSES = ("given", "sizes")
 
 _NEEDED = "largest_bearing_load"
 _ONE_PLACE = 1e-9
@@ -116,9 +114,9 @@ class ThrownMachine:
             for throw in sorted(set(one.laid.declared.throw.tolist()))
         }
 
-    def usual_angle(self, name: str, masses: CrankMasses = "given") -> float:
-        """The whole degree at which one of the throw's bearings has the largest load of its cycle. [deg]"""
-        load = self.throw(name, self.crank_angle, masses).exact
+    def usual_angle(self, over: MachineThrow) -> float:
+        """Give the whole degree at which a bearing has its largest load, of a throw at `crank_angle`. [deg]"""
+        load = over.exact
         return float(
             self.crank_angle[first_largest(np.maximum(np.hypot(load.kp, load.tp), np.hypot(load.kl, load.tl)))]
         )
@@ -143,8 +141,8 @@ class ThrownMachine:
             yield Problem("throw_number", name, allowed)
         if not np.all(np.isfinite(degrees)):
             yield Problem("at", str(degrees[~np.isfinite(degrees)][0]), _("must be a crank angle in degrees"))
-        if masses not in CRANK_MASSES:
-            yield Problem("crank_masses", masses, _("must be one of: {names}").format(names=", ".join(CRANK_MASSES)))
+        if masses not in (known := get_args(CrankMasses)):
+            yield Problem("crank_masses", masses, _("must be one of: {names}").format(names=", ".join(known)))
 
 
 class _Letters:

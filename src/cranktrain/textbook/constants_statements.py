@@ -5,13 +5,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from cranktrain.errors import InputError, Problem, problems_as
-from cranktrain.grouping import places_of_equal
+from cranktrain.errors import problems_as
 from cranktrain.io.any_machine import source_of
 from cranktrain.language import N_, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod, articulated_rod
 from cranktrain.numerics import extremes
+from cranktrain.textbook.alike_places import alike_places, unspoken
 from cranktrain.textbook.statements import Statement, Statements, Verdict
 from cranktrain.texts.articulated_rod import (
     SlaveHarmonics,
@@ -20,7 +20,6 @@ from cranktrain.texts.articulated_rod import (
     own_top_distance,
     reconstructed,
 )
-from cranktrain.wording import ranged
 
 if TYPE_CHECKING:
     from cranktrain.io.any_machine import MachineLike
@@ -90,17 +89,15 @@ def constants(
     with problems_as(given.placed):
         slaves = alike_slaves(given.machine.places)
         if not slaves:
-            kinds = ", ".join(dict.fromkeys(place.kind.name for place in given.machine.places))
-            raise InputError([Problem("machine", kinds, _("must have a piston on an articulated rod"))])
+            raise unspoken(given.machine.places, _("must have a piston on an articulated rod"))
         return constants_statements(slaves)
 
 
 def alike_slaves(places: Sequence[PlacedMechanism]) -> tuple[AlikeSlaves, ...]:
     """Put slaves on articulated rods together that have the same geometry."""
     slaves = [place for place in places if isinstance(place.geometry, ArticulatedRod)]
-    names = [place.name for place in slaves]
-    groups = places_of_equal([place.geometry for place in slaves])
-    return tuple(AlikeSlaves(ranged(names, members), rod) for rod, members in groups.items())
+    groups = alike_places(slaves, [place.geometry for place in slaves])
+    return tuple(AlikeSlaves(of, first.geometry) for of, first in groups)
 
 
 def constants_statements(slaves: Sequence[AlikeSlaves]) -> Statements:

@@ -5,15 +5,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
 from cranktrain.numerics import extremes, turn_grid
 from cranktrain.numerics.ties import first_largest
+from cranktrain.textbook.alike_places import alike_places
 from cranktrain.textbook.statements import Statement, StatementCurve
 from cranktrain.texts.crank_rocker import pin_velocity_ratio, product_of_sines
-from cranktrain.wording import ranged
 
 _SOURCE = "gandzha"
 _EQUATIONS = "(7) (10)"
@@ -38,9 +37,7 @@ class PinVelocities(NamedTuple):
 def alike_rockers(places: Sequence[PlacedMechanism]) -> tuple[AlikeRockers, ...]:
     """Put crank-rockers of the same size together."""
     rockers = [place for place in places if place.kind.name == _KIND]
-    names = [place.name for place in rockers]
-    groups = places_of_equal([place.geometry for place in rockers])
-    return tuple(AlikeRockers(ranged(names, members), rockers[members[0]]) for members in groups.values())
+    return tuple(AlikeRockers(*group) for group in alike_places(rockers, [place.geometry for place in rockers]))
 
 
 def pin_velocities(place: PlacedMechanism, angle: Array) -> PinVelocities:

@@ -3,18 +3,17 @@
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
-from cranktrain.grouping import places_of_equal
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.eccentric import Eccentric
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import extremes
+from cranktrain.textbook.alike_places import alike_places
 from cranktrain.textbook.statements import Verdict
 from cranktrain.texts.largest_errors import from_top
 from cranktrain.texts.plain_cranks import PLAIN, plain_crank
 from cranktrain.texts.ranges import Range
-from cranktrain.wording import ranged
 
 
 class AlikePistons(NamedTuple):
@@ -68,8 +67,5 @@ class AlikePistons(NamedTuple):
 def alike(places: Sequence[PlacedMechanism], kinds: Collection[str]) -> tuple[AlikePistons, ...]:
     """Put those of some kinds together that move alike, whether crank or eccentric."""
     spoken_of = [place for place in places if place.kind.name in kinds]
-    names = [place.name for place in spoken_of]
     keys = [plain_crank(one.geometry) if one.kind.name in PLAIN else one.geometry for one in spoken_of]
-    return tuple(
-        AlikePistons(ranged(names, members), spoken_of[members[0]]) for members in places_of_equal(keys).values()
-    )
+    return tuple(AlikePistons(*group) for group in alike_places(spoken_of, keys))

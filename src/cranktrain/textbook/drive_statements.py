@@ -2,12 +2,11 @@
 
 import tomllib
 from collections.abc import Iterator, Mapping
-from pathlib import Path
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from cranktrain import texts
 from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.io.any_machine import source_of
 from cranktrain.language import _
@@ -26,6 +25,7 @@ from cranktrain.texts.crank_rocker_drive import (
 from cranktrain.texts.drive_curves import CurveFacts, DriveCurve, curve_facts, dead_positions, drive_curves, values_at
 from cranktrain.texts.drive_table import DRIVE_KEYS, CrankRockerDrive, read_drive
 from cranktrain.texts.drive_verdicts import absurdities, pin_friction, swing
+from cranktrain.texts.example_tables import example_table
 from cranktrain.texts.friction_circles import rubbing_links
 from cranktrain.wording import number
 
@@ -80,8 +80,7 @@ def drive(
     symbols = {name: values.pop(name) for name in DRIVE_KEYS if name in values}
     if machine is None:
         refuse(Problem(path, str(value), _("is for a machine: name it")) for path, value in values.items())
-        text = (Path(texts.__file__).parent / "drive_example.toml").read_text(encoding="utf-8")
-        return drive_statements(read_drive(tomllib.loads(text) | symbols), at)
+        return drive_statements(read_drive(tomllib.loads(example_table("drive")) | symbols), at)
     given = source_of(machine, values)
     with problems_as(given.placed):
         return drive_statements(machine_drive(given.machine, symbols), at)
@@ -146,7 +145,7 @@ def _at_angle(drive: CrankRockerDrive, angle: float) -> Iterator[Statement]:
     """Directions, forces, the instant centre, the weights: (1) to (11), (15) to (17)."""
     at = directions(np.array(np.deg2rad(angle)), drive.geometry)
     for one in (*_directions(at), *_forces(drive, at), *_distances(drive, at)):
-        yield one.with_angle(angle)
+        yield replace(one, crank_angle=angle)
 
 
 def _directions(at: Directions) -> Iterator[Statement]:

@@ -6,16 +6,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from cranktrain.analysis import Result, run
-from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.errors import problems_as
 from cranktrain.grouping import places_of_equal
 from cranktrain.io.any_machine import source_of
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
+from cranktrain.textbook.alike_places import unspoken
 from cranktrain.textbook.construction_statements import construction_statements
 from cranktrain.textbook.crank_rocker_statements import alike_rockers, crank_rocker_curves, crank_rocker_statements
 from cranktrain.textbook.distinct_pistons import AlikePistons, alike
+from cranktrain.textbook.error_statements import MotionForm, error_statements, with_degrees
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
 from cranktrain.textbook.steam_engine_statements import crank_side_curves, plain_crank_statements
 from cranktrain.texts.comparison import FORMS
@@ -28,11 +30,8 @@ from cranktrain.wording import ranged
 if TYPE_CHECKING:
     from cranktrain.io.any_machine import MachineLike
 
-LARGEST = "largest"
-"""Where an error is given: where it is largest over the turn."""
-
-_ERRORS = {"Δx": "displacement_error", "Δv": "velocity_error", "Δj": "acceleration_error"}
-NEEDED = (*_ERRORS.values(), "top_dead_centre", "top_shift")
+_ERRORS = ("displacement_error", "velocity_error", "acceleration_error")
+NEEDED = (*_ERRORS, "top_dead_centre", "top_shift")
 """Results of a run on which these statements rest."""
 
 _SYMBOLS: Mapping[str, tuple[str, str, str]] = {
@@ -86,9 +85,8 @@ def motion(
     given = source_of(machine, set)
     with problems_as(given.placed):
         if not (alike(given.machine.places, _KINDS) or alike_rockers(given.machine.places)):
-            kinds = ", ".join(dict.fromkeys(place.kind.name for place in given.machine.places))
             allowed = _("must have a slider-crank, an eccentric, an articulated rod or a crank-rocker")
-            raise InputError([Problem("machine", kinds, allowed)])
+            raise unspoken(given.machine.places, allowed)
         return motion_statements(given.machine, run(given.machine, quantities=NEEDED))
 
 
@@ -169,20 +167,15 @@ def _inside(one: Range, place: PlacedMechanism) -> str:
 
 def form_statements(machine: Machine, result: Result, one: Range) -> Iterator[Statement]:
     """Give a method's largest errors for every distinct piston or valve."""
+    form = MotionForm(one.source, one.equations, _(one.name))
     for each in alike(machine.places, FORMS[one.method]):
         found = _of_plain(each, one) if each.first.kind.name in PLAIN else _of_slave(each, result, one)
-        for order, (symbol, (value, angle)) in enumerate(zip(_ERRORS, found, strict=True)):
-            equation = one.equations[min(order, len(one.equations) - 1)]
-            name, verdict = _(one.name), each.verdict(one)
-            yield Statement(
-                one.source, equation, symbol, name, each.of, LARGEST, value, "1", verdict, 0.0, angle % 360.0
-            )
+        yield from error_statements(form, each.of, found, each.verdict(one))
 
 
 def _of_plain(each: AlikePistons, one: Range) -> list[tuple[float, float]]:
     """Errors and own angles of a crank or an eccentric, however long its rod is. [1, deg]"""
-    form = FORMS[one.method]["slider_crank"](each.plain)
-    return [(float(error.value), float(np.rad2deg(error.angle))) for error in largest_errors(form, each.exact)]
+    return with_degrees(largest_errors(FORMS[one.method]["slider_crank"](each.plain), each.exact))
 
 
 def _of_slave(each: AlikePistons, result: Result, one: Range) -> list[tuple[float, float]]:
@@ -191,7 +184,7 @@ def _of_slave(each: AlikePistons, result: Result, one: Range) -> list[tuple[floa
     along = result.top_dead_centre[piston] - result.top_shift[piston]
     return [
         (float(getattr(result, name)[row, piston]), float(getattr(result, f"{name}_at")[row, piston] - along))
-        for name in _ERRORS.values()
+        for name in _ERRORS
     ]
 
 

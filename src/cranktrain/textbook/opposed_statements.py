@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from cranktrain.analysis import Result, run
-from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.errors import problems_as
 from cranktrain.grouping import grouped
 from cranktrain.io.any_machine import source_of
 from cranktrain.language import _
@@ -15,6 +15,8 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero, extremes
+from cranktrain.textbook.alike_places import unspoken
+from cranktrain.textbook.error_statements import MotionForm, error_statements, with_degrees
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
 from cranktrain.texts.largest_errors import LargestErrors
 from cranktrain.texts.leads import SOURCE, is_unsuited, reasons, verdict
@@ -40,13 +42,12 @@ NEEDED = (
     "exhaust_closes_before",
 )
 """Results of a run that stand beside, where a machine gives them."""
-LARGEST, INNER, OUTER = "largest", "inner", "outer"
-"""Where an error is given: where it is largest over the turn; and which dead centre one is."""
+INNER, OUTER = "inner", "outer"
+"""Which dead centre one is."""
 
 _DIGITS = 13
 """Of a lead in rad, in which leads of one machine are alike."""
 _EQUATIONS = ("(I.11)", "(I.12)", "(I.11) (I.12)")
-_ERRORS = ("Δx", "Δv", "Δj")
 _MOTION = (("S", "m"), ("v/ω", "m/rad"), ("j/ω²", "m/rad^2"))
 _INDICES = {"exhaust": "в", "scavenge": "п"}
 """The text's own: выпускной, продувочный."""
@@ -117,9 +118,8 @@ def opposed(
     with problems_as(given.placed):
         cylinders = opposed_cylinders(given.machine.places)
         if not cylinders:
-            kinds = ", ".join(dict.fromkeys(place.kind.name for place in given.machine.places))
             allowed = _("must have cylinders with two opposed pistons on slider-cranks, [bank.A.exhaust] and scavenge")
-            raise InputError([Problem("machine", kinds, allowed)])
+            raise unspoken(given.machine.places, allowed)
         return opposed_statements(cylinders, run(given.machine, quantities=NEEDED))
 
 
@@ -239,9 +239,8 @@ def _errors(
 ) -> Iterator[Statement]:
     """Largest errors of each piston and of both together."""
     for equation, of, name, errors in zip(_EQUATIONS, one.of, names, found, strict=True):
-        for symbol, error in zip(_ERRORS, errors, strict=True):
-            size, where = float(error.value), float(np.degrees(error.angle)) % 360.0
-            yield Statement(SOURCE, equation, symbol, name, of, LARGEST, size, "1", said or one.verdict, 0.0, where)
+        form = MotionForm(SOURCE, (equation,), name)
+        yield from error_statements(form, of, with_degrees(errors), said or one.verdict)
 
 
 def _dead_centres(one: OpposedCylinders, result: Result) -> Iterator[Statement]:

@@ -1,7 +1,7 @@
 """What a text states of a machine, formula by formula, beside what is right: records, tables of them, curves."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import field, fields, replace
+from dataclasses import field, fields
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
@@ -62,10 +62,6 @@ class Statement:
     verdict: Verdict
     exact: float = np.nan
     crank_angle: float = np.nan
-
-    def with_angle(self, crank_angle: float) -> "Statement":
-        """The same at a crank angle. [deg]"""
-        return replace(self, crank_angle=crank_angle)
 
     @property
     def error(self) -> float:

@@ -7,8 +7,9 @@ import numpy as np
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient
 from cranktrain.textbook.distinct_pistons import AlikePistons
+from cranktrain.textbook.error_statements import LARGEST, MotionForm, error_statements, with_degrees
 from cranktrain.textbook.statements import Statement, StatementCurve, Verdict
-from cranktrain.texts.largest_errors import LargestErrors, from_bottom, from_top, largest_errors
+from cranktrain.texts.largest_errors import from_bottom, from_top, largest_errors
 from cranktrain.texts.ranges import EXACT_ROOT, RANGES
 from cranktrain.texts.steam_engine import (
     exact_largest_difference,
@@ -22,7 +23,6 @@ LARGEST_FROM_CRANK_SIDE = "largest, from the crank side"
 
 _SOURCE = EXACT_ROOT.source
 _TWO_HARMONICS = next(one for one in RANGES if one.method == "two_harmonics")
-_ERRORS = ("Δx", "Δv", "Δj")
 _CURVES = (("S", "m"), ("c/ω", "m/rad"), ("j/ω²", "m/rad^2"))
 _MINUS = N_("two harmonics from the crank-side dead centre")
 
@@ -40,40 +40,17 @@ def root_statements(one: AlikePistons) -> Iterator[Statement]:
     errors = largest_errors(lambda angle: exact_root(angle, radius, radius / rod), from_top(one.plain))
     is_central = float(offset) == 0.0
     verdict: Verdict = "right" if is_central else "out of range"
-    for symbol, error in zip(_ERRORS, errors, strict=True):
-        angle = np.nan if is_central else float(np.rad2deg(error.angle))
-        yield Statement(
-            _SOURCE,
-            EXACT_ROOT.equations[0],
-            symbol,
-            _(EXACT_ROOT.name),
-            one.of,
-            "largest",
-            float(error.value),
-            "1",
-            verdict,
-            0.0,
-            angle,
-        )
+    found = [(error, np.nan if is_central else angle) for error, angle in with_degrees(errors)]
+    yield from error_statements(
+        MotionForm(_SOURCE, EXACT_ROOT.equations[:1], _(EXACT_ROOT.name)), one.of, found, verdict
+    )
 
 
 def crank_side_statements(one: AlikePistons) -> Iterator[Statement]:
     """Give the largest errors of (333), (336), (337) with the minus sign."""
-    errors: LargestErrors = largest_errors(lambda angle: _minus(angle, one), from_bottom(one.plain))
-    for symbol, equation, error in zip(_ERRORS, _TWO_HARMONICS.equations, errors, strict=True):
-        yield Statement(
-            _SOURCE,
-            equation,
-            symbol,
-            _(_MINUS),
-            one.of,
-            LARGEST_FROM_CRANK_SIDE,
-            float(error.value),
-            "1",
-            one.verdict(_TWO_HARMONICS),
-            0.0,
-            float(np.rad2deg(error.angle)) % 360.0,
-        )
+    errors = largest_errors(lambda angle: _minus(angle, one), from_bottom(one.plain))
+    form = MotionForm(_SOURCE, _TWO_HARMONICS.equations, _(_MINUS), LARGEST_FROM_CRANK_SIDE)
+    yield from error_statements(form, one.of, with_degrees(errors), one.verdict(_TWO_HARMONICS))
 
 
 def crank_side_curves(one: AlikePistons, angle: Array) -> Iterator[StatementCurve]:
@@ -95,7 +72,7 @@ def difference_statements(one: AlikePistons) -> Iterator[Statement]:
         "Z",
         _("largest difference of (333) and (334)"),
         one.of,
-        "largest",
+        LARGEST,
         source,
         "m",
         one.verdict(_TWO_HARMONICS),

@@ -2,12 +2,10 @@
 
 import tomllib
 from collections.abc import Iterator, Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from cranktrain import texts
 from cranktrain.errors import problems_as
 from cranktrain.io.any_machine import source_of
 from cranktrain.language import N_, _
@@ -22,6 +20,7 @@ from cranktrain.questions.crankshaft.throw_reactions import (
     throw_reactions,
 )
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
+from cranktrain.texts.example_tables import example_table
 from cranktrain.texts.throw_conditions import BalanceConditions, balance_conditions
 from cranktrain.texts.throw_table import CHAIN, Throw, read_throw, symbol_of
 from cranktrain.wording import number
@@ -96,8 +95,7 @@ def throw(
     """
     values = {} if set is None else dict(set)
     if machine is None:
-        text = (Path(texts.__file__).parent / "throw_example.toml").read_text(encoding="utf-8")
-        return throw_statements(read_throw(tomllib.loads(text) | values))
+        return throw_statements(read_throw(tomllib.loads(example_table("throw")) | values))
     given = source_of(machine, values)
     with problems_as(given.placed):
         return machine_statements(ThrownMachine(given.machine), str(throw_number), at, crank_masses)
@@ -122,7 +120,7 @@ class _All(NamedTuple):
 def machine_statements(of: ThrownMachine, name: str, at: float | None, masses: CrankMasses) -> Statements:
     """Give them for a throw of a machine, at one crank angle and over the cycle. [deg]"""
     over = of.throw(name, of.crank_angle, masses)
-    at = of.usual_angle(name, masses) if at is None else at
+    at = of.usual_angle(over) if at is None else at
     one = of.throw(name, np.array([at]), masses)
     each = [
         *_lengths(one.throw, name),

@@ -1,6 +1,5 @@
 """What is wrong in the text on a crank-rocker's drive, and in what it refutes, with numbers of its example."""
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,6 +10,7 @@ from cranktrain.texts.crank_rocker_drive import efficiency
 from cranktrain.texts.drive_curves import CurveFacts, Verdict, carried, curve_facts, drive_curves
 from cranktrain.texts.drive_table import CrankRockerDrive, read_drive
 from cranktrain.texts.drive_verdicts import absurdities
+from cranktrain.texts.example_tables import example_table
 from cranktrain.texts.wrong_step import WrongStep
 
 
@@ -18,7 +18,7 @@ def drive_example() -> CrankRockerDrive:
     """Read the drive of `cranktrain textbook --drive example`."""
     import tomllib
 
-    data: dict[str, Any] = tomllib.loads(Path(__file__).with_name("drive_example.toml").read_text(encoding="utf-8"))
+    data: dict[str, Any] = tomllib.loads(example_table("drive"))
     return read_drive(data)
 
 

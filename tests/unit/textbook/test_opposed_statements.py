@@ -68,7 +68,10 @@ def test_volumetric_dead_centres_of_one_shaft(far):
     assert result.lead[0] == pytest.approx(10.0, abs=1e-9)
     with mp.workdps(40):
         turn = mp.radians(10)
-        both = lambda alpha: motions(alpha, far, travel, turn)[2]  # noqa: E731 - of mpmath
+
+        def both(alpha):
+            return motions(alpha, far, travel, turn)[2]
+
         roots = [mp.findroot(lambda a: mp.diff(both, a), start) for start in (turn / 2, mp.pi + turn / 2)]
         stroke = both(roots[1]) - both(roots[0])
     ratios = [mp.mpf(radius) / mp.mpf(rod) * (-1 if end == far else 1)

@@ -1,15 +1,14 @@
 """The table of a throw's symbols: what it is read as, and everything wrong with it at once."""
 
 import tomllib
-from pathlib import Path
 
 import numpy as np
 import pytest
 from tests.reference_case import ReferenceCase
 from tests.sentences import NOT_A_KEY
 
-from cranktrain import texts
 from cranktrain.errors import InputError
+from cranktrain.texts.example_tables import example_table
 from cranktrain.texts.throw_table import read_throw
 
 CASE = ReferenceCase.load("formulas_44_53")
@@ -25,7 +24,7 @@ def refused(**more):
 
 
 def test_example_is_the_reference_case():
-    text = (Path(texts.__file__).parent / "throw_example.toml").read_text(encoding="utf-8")
+    text = example_table("throw")
     throw = read_throw(tomllib.loads(text))
     given = {key.lower().rpartition("_")[0]: value for key, value in CASE.machine.items()}
     for name, value in throw.lengths._asdict().items():

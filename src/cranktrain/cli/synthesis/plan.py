@@ -1,17 +1,14 @@
 """A proposed mechanism as a picture: its plan of positions."""
 
-import logging
 import tomllib
 from typing import TYPE_CHECKING
 
+from cranktrain.cli.quiet_pictures import save_quietly
 from cranktrain.machine import Machine
-from cranktrain.viz.output import FORMATS, save
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-PLANS = FORMATS
-"""Suffixes of names that ask for the plan instead of the machine file."""
 _POSITIONS = 12
 
 
@@ -21,7 +18,7 @@ def write_plan(path: str, text: str, *, force: bool) -> None:
     Parameters
     ----------
     path : str
-        Ends in one of `PLANS`.
+        Ends in one of `cranktrain.viz.output.FORMATS`.
     text : str
         The machine file.
     force : bool
@@ -32,10 +29,8 @@ def write_plan(path: str, text: str, *, force: bool) -> None:
     InputError
         If the picture cannot be written.
     """
-    # What the plotting library says of its fonts and its folder is nothing that a user asked for.
-    logging.getLogger("matplotlib").setLevel(logging.ERROR)
     machine = Machine(**tomllib.loads(text))
-    save(lambda: _drawn(machine), path, force=force)
+    save_quietly(lambda: _drawn(machine), path, force=force)
 
 
 def _drawn(machine: Machine) -> "Figure":

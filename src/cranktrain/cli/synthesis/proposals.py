@@ -14,7 +14,7 @@ from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.screen.columns import Column, column_tables, worded_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.screen.typesetting import printed
-from cranktrain.cli.synthesis.plan import PLANS, write_plan
+from cranktrain.cli.synthesis.plan import write_plan
 from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_errors_of
 from cranktrain.grouping import grouped
@@ -29,6 +29,7 @@ from cranktrain.quantities import chosen_unit, shown_as_in
 from cranktrain.synthesis.counterweights import CounterweightProposal
 from cranktrain.synthesis.proposal import MachineProposal, Number, Proposal
 from cranktrain.textbook.synthesis_statements import SOURCE as SYNTHESIS
+from cranktrain.viz.output import FORMATS
 from cranktrain.wording import figure, number
 
 _ROUNDING = 1e-12
@@ -75,7 +76,7 @@ def _give_proposal(
     wanted = SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed
     with says_how_far():
         proposal = proposed(problem, wanted, file, None if file is None else _progress)
-    is_plan = output is not None and PurePath(output).suffix.lower() in PLANS and file is None
+    is_plan = output is not None and PurePath(output).suffix.lower() in FORMATS and file is None
     if is_plan:
         write_plan(output or "", proposal.machine_file(), force=force)
     elif output is not None:

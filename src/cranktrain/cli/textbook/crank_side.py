@@ -28,7 +28,7 @@ _STEP = 30
 
 
 def show_exact_root(console: Console, pistons: Sequence[AlikePistons], places: Sequence[PlacedMechanism]) -> None:
-    """Show the source's displacement before its root is approximated"""
+    """Show the source's displacement before its root is approximated."""
     found = [statement for one in pistons for statement in root_statements(one)]
     rounding = max((one.value for one in found if one.verdict == "right"), default=None)
     said = [*root_notes(places)]

@@ -3,16 +3,16 @@
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path, PurePath
+from pathlib import PurePath
 from typing import NamedTuple
 
 import numpy as np
 from rich.console import Console
 from rich.text import Text
 
-from cranktrain import texts
 from cranktrain.cli.screen.text import INDENT, page, section, table
-from cranktrain.cli.textbook.drive_output import drive_output_problems, write_drive
+from cranktrain.cli.textbook.drive_output import write_drive
+from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
 from cranktrain.cli.textbook.source import is_machine
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.document import Document
@@ -25,6 +25,7 @@ from cranktrain.references import REFERENCES
 from cranktrain.textbook.drive_statements import FACTS, PEAKS, SOURCE, USUAL_ANGLE, drive_statements
 from cranktrain.textbook.statements import Statement, Statements
 from cranktrain.texts.drive_table import DRIVE_KEYS, CrankRockerDrive, read_drive
+from cranktrain.texts.example_tables import example_table
 from cranktrain.wording import figure, number
 
 EXAMPLE = "example"
@@ -73,7 +74,7 @@ def show_drive(
     """
     allowed = _("must be left out beside --drive")
     found = [Problem(name, value or None, allowed) for name, value in others.items() if value is not None]
-    refuse([*found, *drive_output_problems(output)])
+    refuse([*found, *output_problems(output, TABLE, CURVES)])
     file = read_drive_file(source, settings)
     at = USUAL_ANGLE if angle is None else angle
     if output is not None:
@@ -117,8 +118,7 @@ def _document(source: str) -> Document:
     """Read the text of a drive's table; a file that says nothing is refused."""
     is_file = os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
     if source.strip().casefold() == EXAMPLE and not is_file:
-        path = Path(texts.__file__).parent / "drive_example.toml"
-        return Document.from_text(path.read_text(encoding="utf-8"), EXAMPLE)
+        return Document.from_text(example_table("drive"), EXAMPLE)
     repair = _("start with: {command}").format(command="cranktrain textbook --drive example -o drive.toml")
     with problems_as(lambda problem: replace(problem, repair=problem.repair or repair)):
         document = Document.read(source)

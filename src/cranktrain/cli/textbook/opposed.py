@@ -2,26 +2,25 @@
 
 from collections.abc import Iterator, Sequence
 
-import numpy as np
 from rich.console import Console
 from rich.text import Text
 
 from cranktrain.analysis import Result
 from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
 from cranktrain.cli.screen.text import INDENT, section
+from cranktrain.cli.textbook.error_columns import error_columns
 from cranktrain.grouping import grouped
 from cranktrain.language import _
+from cranktrain.textbook.error_statements import LARGEST
 from cranktrain.textbook.opposed_statements import (
     INNER,
-    LARGEST,
     OUTER,
     OpposedCylinders,
     opposed_statements,
     subjects,
 )
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements
-from cranktrain.texts.percents import percent
-from cranktrain.wording import around_turn, figure
+from cranktrain.wording import figure
 
 _STEP = 30
 """Of the crank angle in tables. [deg]"""
@@ -34,7 +33,8 @@ def show_opposed(console: Console, cylinders: Sequence[OpposedCylinders], result
     for one in cylinders:
         form, dead_centres, lead = subjects(one, several=len(cylinders) > 1)
         own = [statement for statement in found if statement.of in one.of]
-        section(console, form, [*found.notes[form], *_errors(own, width), _scheme(one)])
+        errors = error_columns(grouped((of.name, of) for of in own if of.at == LARGEST), width)
+        section(console, form, [*found.notes[form], *errors, _scheme(one)])
         if with_table:
             _show_motion(console, one, found)
         section(console, dead_centres, _dead_centres(own, found.notes[dead_centres], width))
@@ -45,20 +45,6 @@ def _scheme(one: OpposedCylinders) -> str:
     """Say what draws fig. 1.3 of a cylinder."""
     command = f"cranktrain plot FILE --plan scheme --mechanism {one.places[0][0].cylinder} -o scheme.svg"
     return _("fig. 1.3: {command}").format(command=command)
-
-
-def _errors(own: Sequence[Statement], width: int) -> Iterator[Text]:
-    """Largest errors of each piston and of both together."""
-    parts = grouped((one.name, one) for one in own if one.at == LARGEST)
-    rows = [[text for one in each for text in _written(one)] for each in parts.values()]
-    heads = [head for one in next(iter(parts.values())) for head in ((one.symbol, "%"), ("φ", "deg"))]
-    columns = [Column(*head, texts) for head, texts in zip(heads, zip(*rows, strict=True), strict=True)]
-    yield from column_tables(columns, list(parts), width)
-
-
-def _written(one: Statement) -> tuple[str, str]:
-    """An error and where it is."""
-    return percent(one.error), figure(float(around_turn(np.deg2rad(np.array(one.crank_angle)))), "deg")
 
 
 def _show_motion(console: Console, one: OpposedCylinders, found: Statements) -> None:

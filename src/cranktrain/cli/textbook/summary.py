@@ -17,8 +17,9 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line
 from cranktrain.textbook.distinct_pistons import AlikePistons, alike
+from cranktrain.textbook.error_statements import ERRORS, LARGEST
 from cranktrain.textbook.motion_statements import form_statements
-from cranktrain.textbook.opposed_statements import LARGEST, OpposedCylinders, opposed_cylinders, opposed_statements
+from cranktrain.textbook.opposed_statements import OpposedCylinders, opposed_cylinders, opposed_statements
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text
 from cranktrain.texts.percents import percent
@@ -92,7 +93,7 @@ def _of_forms(machine: Machine, result: Result, ranges: Sequence[Range]) -> Iter
         for words, members in places_of_equal(_inside(one, AlikePistons(place.name, place)) for place in own).items():
             largest = [
                 max(each.value for each in found if each.symbol == symbol and whose[each.of] == words)
-                for symbol in ("Δx", "Δv", "Δj")
+                for symbol in ERRORS
             ]
             said = f"{_(one.name)}; {words}"
             yield ", ".join(one.equations), ranged(names, members), (largest[0], largest[1], largest[2]), said

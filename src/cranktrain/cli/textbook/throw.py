@@ -3,18 +3,18 @@
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path, PurePath
+from pathlib import PurePath
 from typing import NamedTuple, cast
 
 import numpy as np
 from rich.console import Console
 from rich.text import Text
 
-from cranktrain import texts
 from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
 from cranktrain.cli.screen.text import INDENT, page, section, table
+from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
 from cranktrain.cli.textbook.source import is_machine
-from cranktrain.cli.textbook.throw_output import output_problems, write_machine_throw, write_throw
+from cranktrain.cli.textbook.throw_output import write_machine_throw, write_throw
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.grouping import grouped
 from cranktrain.io.document import Document
@@ -28,6 +28,7 @@ from cranktrain.plans.throw_loads import CrankMasses
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.statements import Statements
 from cranktrain.textbook.throw_statements import REACTIONS, SOURCE, TOGETHER, machine_statements, throw_statements
+from cranktrain.texts.example_tables import example_table
 from cranktrain.texts.throw_table import Throw, read_throw
 from cranktrain.wording import figure, number
 
@@ -107,7 +108,7 @@ def show_throw(
         found.append(Problem("--throw", '""', missing))
     refuse(found)
     of_machine = is_machine(source)
-    refuse(output_problems(output, of_machine=of_machine))
+    refuse(output_problems(output, CURVES if of_machine else TABLE))
     if of_machine:
         _show_of_machine(source, settings, output, asked, force=force)
         return
@@ -133,7 +134,7 @@ def _show_of_machine(
         of = (asked.number or next(iter(machine.throws)), asked.at, masses)
         statements = machine_statements(machine, *of)
     if output is not None:
-        write_machine_throw(machine, of, output, force=force)
+        write_machine_throw(machine, of, statements, output, force=force)
         return
     with page(statements.title) as console:
         _show(console, statements, with_table=asked.with_table)
@@ -171,8 +172,7 @@ def _document(source: str) -> Document:
     """Read the text of a throw's table; a file that says nothing is refused."""
     is_file = os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
     if source.strip().casefold() == EXAMPLE and not is_file:
-        path = Path(texts.__file__).parent / "throw_example.toml"
-        return Document.from_text(path.read_text(encoding="utf-8"), EXAMPLE)
+        return Document.from_text(example_table("throw"), EXAMPLE)
     repair = _("start with: {command}").format(command="cranktrain textbook --throw example -o throw.toml")
     with problems_as(lambda problem: replace(problem, repair=problem.repair or repair)):
         document = Document.read(source)

@@ -89,8 +89,9 @@ def machine_throw_figure(
     Figure
     """
     name = next(iter(of.throws)) if name is None else name
-    at = of.usual_angle(name, masses) if at is None else at
-    one, over = (of.throw(name, angle, masses) for angle in (np.array([at]), of.crank_angle))
+    over = of.throw(name, of.crank_angle, masses)
+    at = of.usual_angle(over) if at is None else at
+    one = of.throw(name, np.array([at]), masses)
     page = Page(*paper(size))
     heading = _(
         "Throw {name} at {at:g}°, bearings {left} (L) and {right} (P), with the symbols of fig. 35 of [{source}]"
