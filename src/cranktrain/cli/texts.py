@@ -191,7 +191,6 @@ def add_textbook(app: typer.Typer) -> None:
             "FILE": file or None,
             "--source": source,
             "--table": "" if table else None,
-            "--full": "" if full else None,
             "--errata": "" if errata else None,
             "--forces": forces,
             **of_forces,
@@ -202,22 +201,22 @@ def add_textbook(app: typer.Typer) -> None:
         if equation is not None:
             from cranktrain.cli.textbook.texts import show_equation
 
-            beside = {name: value for name, value in alone.items() if name != "--source"}
-            show_equation(
-                equation, source, others={**beside, **of_throw, "--throw": throw, "--drive": drive, "-o": output}
-            )
+            del alone["--source"]
+            alone |= {"--full": "" if full else None, **of_throw, "--throw": throw, "--drive": drive, "-o": output}
+            show_equation(equation, source, others=alone)
             return
         if drive is not None:
             from cranktrain.cli.textbook.drive import show_drive
 
-            show_drive(drive, values, output, angle=at, force=force, others={**alone, **of_throw, "--throw": throw})
+            others = {**alone, **of_throw, "--throw": throw}
+            show_drive(drive, values, output, angle=at, full=full, force=force, others=others)
             return
         if throw is not None:
             from cranktrain.cli.textbook.throw import OfMachine, show_throw
 
             del alone["--table"]
             asked = OfMachine(throw_number, at, crank_masses, table)
-            show_throw(throw, values, output, asked=asked, force=force, others=alone)
+            show_throw(throw, values, output, asked=asked, full=full, force=force, others=alone)
             return
         from cranktrain.cli.textbook.throw_output import refuse_without_throw
 
@@ -236,11 +235,11 @@ def add_textbook(app: typer.Typer) -> None:
             show_harmonics(file, values, ratio=crank_to_rod_ratio, others=others)
             return
         from cranktrain.cli.textbook.command import show_textbook
-        from cranktrain.cli.textbook.forces import refuse_with_forces, refuse_without_forces, show_force_tables
+        from cranktrain.cli.textbook.forces import STEP, refuse_with_forces, refuse_without_forces, show_force_tables
 
         if forces is not None:
-            refuse_with_forces({"--source": source, "--full": "" if full else None})
-            show_force_tables(file, values, unit=forces, step=30.0 if step is None else step, piston=piston)
+            refuse_with_forces({"--source": source})
+            show_force_tables(file, values, unit=forces, step=STEP if step is None else step, piston=piston, full=full)
             return
         refuse_without_forces(of_forces)
         show_textbook(file, values, source=source, full=full, with_table=table, with_errata=errata)

@@ -119,8 +119,8 @@ def motion_statements(machine: Machine, result: Result) -> Statements:
         ),
         over,
         (
-            *(curve for one in spoken_of for curve in _form_curves(machine, one, np.deg2rad(over))),
-            *(curve for one in plain for curve in _root_curves(one, np.deg2rad(over))),
+            *(curve for one in spoken_of for curve in form_curves(machine, one, np.deg2rad(over))),
+            *(curve for one in plain for curve in root_curves(one, np.deg2rad(over))),
             *(curve for one in plain for curve in crank_side_curves(one, np.deg2rad(over))),
             *(curve for one in rockers for curve in crank_rocker_curves(one, np.deg2rad(over))),
         ),
@@ -188,7 +188,7 @@ def _of_slave(each: AlikePistons, result: Result, one: Range) -> list[tuple[floa
     ]
 
 
-def _form_curves(machine: Machine, one: Range, angle: Array) -> Iterator[StatementCurve]:
+def form_curves(machine: Machine, one: Range, angle: Array) -> Iterator[StatementCurve]:
     """Motion of every distinct piston or valve by a method."""
     for each in alike(machine.places, FORMS[one.method]):
         form = FORMS[one.method][each.first.kind.name]
@@ -196,7 +196,7 @@ def _form_curves(machine: Machine, one: Range, angle: Array) -> Iterator[Stateme
         yield from _curves(one, each, each.verdict(one), own, each.exact(angle))
 
 
-def _root_curves(each: AlikePistons, angle: Array) -> Iterator[StatementCurve]:
+def root_curves(each: AlikePistons, angle: Array) -> Iterator[StatementCurve]:
     """Motion by the root that is not approximated."""
     own = exact_root(angle, each.plain.crank_radius, each.plain.crank_radius / each.plain.rod_length)
     verdict: Verdict = "right" if each.offset == 0.0 else "out of range"

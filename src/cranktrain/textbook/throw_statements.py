@@ -226,7 +226,7 @@ def _curves(over: MachineThrow) -> Iterator[StatementCurve]:
 def _of_machine(one: MachineThrow, masses: CrankMasses) -> Iterator[str]:
     """Say whose rods are on the pin, and of whose masses C2, C4 and C6 are."""
     forces = [f"K{i}, T{i}: {names}" for i, names in enumerate(one.rods, 1)]
-    yield _("rods on the pin: {rods}").format(rods="; ".join(forces))
+    yield _("Rods on the pin: {rods}").format(rods="; ".join(forces))
     if masses == "sizes":
         yield _("C2, C4, C6 are what pins and webs of [crankshaft] weigh; in `run` a crank is what [masses.crank] says")
     elif one.has_mass:
@@ -250,10 +250,9 @@ def _notes(of: Throw, more: Iterator[str] | tuple[()]) -> dict[str, tuple[str, .
     first = ThrowForces(*(np.ravel(force)[0] for force in of.forces))
     conditions = balance_conditions(of.lengths, first)
     return {
-        _("The throw"): (chain, rods[of.rods]),
+        _("The throw"): (chain, rods[of.rods], *more),
         _("Whether the rotating masses, C1 to C15, load the bearings"): (_said_of(conditions),),
         _("Mind"): (
-            *more,
             _(
                 "C8, C9, C12, C14, C15 count against the rotation: the text is silent, but only so may (45) be added "
                 "to (51)"

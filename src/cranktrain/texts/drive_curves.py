@@ -44,8 +44,9 @@ Thing = Literal[
     "idle friction",
 ]
 
+AT_MOTOR = ("(14)", "(20)", "(21)")
+"""Formulas of what is reduced to the motor's shaft."""
 _PIECES, _NODES = 8, 24
-_AT_MOTOR = ("(14)", "(20)", "(21)")
 _SYMBOLS: Mapping[Thing, str] = {
     "ratio": "AC/BC",
     "no losses": "T r",
@@ -121,7 +122,7 @@ class DriveCurve:
     @property
     def is_at_motor(self) -> bool:
         """Whether it is reduced to the motor's shaft."""
-        return self.number in _AT_MOTOR
+        return self.number in AT_MOTOR
 
 
 class CurvePeak(NamedTuple):

@@ -15,7 +15,7 @@ LETTERS = ["P", "N", "S", "S_A", "K", "T", "M"]
 
 
 def test_table(typed):
-    answer = typed("textbook", "3d12", "--forces", "kgf/cm2", "--step", "10", "--piston", "2L")
+    answer = typed("textbook", "3d12", "--forces", "kgf/cm2", "--step", "10", "--piston", "2L", "--full")
     assert (answer.status, answer.errors) == (0, "")
     lines = answer.output.splitlines()
     assert all(len(line) <= 80 for line in lines)
@@ -31,8 +31,8 @@ def test_table(typed):
 
 
 def test_offset_mechanisms_have_two_harmonics_too(typed):
-    lines = typed("textbook", "vaz_21213", "--forces", "N").output.splitlines()
-    at = lines.index("The same with two harmonics of inertia")
+    lines = typed("textbook", "vaz_21213", "--forces", "N", "--full").output.splitlines()
+    at = lines.index("The same by two harmonics of inertia")
     assert lines[at + 3].split()[0] == "0°"
     assert "NaN" not in "".join(lines)
 
@@ -46,7 +46,7 @@ def test_a_slaves_table_says_whose_pin_it_shares(typed):
 
 
 def test_a_rod_that_is_two_masses_needs_no_second_table(typed):
-    lines = typed("textbook", "deltic", "--forces", "kN").output.splitlines()
+    lines = typed("textbook", "deltic", "--forces", "kN", "--full").output.splitlines()
     assert lines[lines.index(HEADINGS[1]) + 1].startswith("  The same: this rod is as two masses")
 
 

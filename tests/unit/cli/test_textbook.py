@@ -70,20 +70,26 @@ def test_table(typed, written):
     written(CENTRAL)
     output = typed("textbook", "machine.toml", "--full", "--table").output
     assert all(len(line) <= 80 for line in output.splitlines())
-    lines = parts(output)["x of piston 1 by the crank angle"]
-    heads = lines[0].split()
-    assert heads[0] == "exact" and lines[1].split() == ["mm"] * len(heads)
-    rows = {line.split()[0]: line.split()[1:] for line in lines[2:]}
-    assert list(rows) == [f"{angle}°" for angle in range(0, 360, 30)]
-    assert rows["90°"][0] == f"{250 - np.sqrt(200**2 - 50**2):.2f}"
-    assert rows["90°"][heads.index("two_harmonics")] == "56.25"
-    assert rows["90°"][heads.index("infinite_rod")] == "50.00"
+    exact = f"{250 - np.sqrt(200**2 - 50**2):.2f}"
+    forms = {
+        "two harmonics": ("(333)", "56.25"),
+        "infinitely long rod": ("(334)", "50.00"),
+        "exact root": ("fig. 146", exact),
+    }
+    for form, (number, by_form) in forms.items():
+        lines = parts(output)[_heading(parts(output), f"S, c/ω, j/ω² of 1 by {form}")]
+        units = lines.index(next(line for line in lines if line.split()[0] == "mm"))
+        assert lines[units - 1].strip().startswith(f"{number}  ")
+        assert lines[units].split() == ["mm", "mm", "mm/rad", "mm/rad", "mm/rad²", "mm/rad²"]
+        rows = {line.split()[0]: line.split()[1:] for line in lines[units + 1 :]}
+        assert list(rows) == [f"{angle}°" for angle in range(0, 360, 30)]
+        assert rows["90°"][:2] == [by_form, exact]
 
 
 def test_table_once_for_pistons_that_move_alike(typed):
     output = typed("textbook", "3d12", "--full", "--table").output
-    assert re.findall(r"x of piston (\w+) ", output) == ["1L", "1R"]
-    assert "Alike, each from its own top: 2R–6R." in output
+    assert re.findall(r"^S, c/ω, j/ω² of (\S+) by", output, re.MULTILINE) == ["1L–6L"] * 4
+    assert re.findall(r"^S, v/ω, j/ω² of (\S+) by", output, re.MULTILINE) == ["1R–6R"] * 2
 
 
 def test_a_mechanism_of_which_no_source_speaks(typed):
@@ -187,12 +193,14 @@ def test_an_eccentric_beside_its_crank(typed, written):
 
 
 def test_tables_of_an_eccentric_are_of_a_valve(typed, written):
-    """Of the machine's crank angle 240° the eccentric points along its line, 120° ahead: its top."""
+    """From where the eccentric points along its line: of 60 mm on a rod of 1200 mm, by hand."""
     written(ECC2)
     found = parts(typed("textbook", "machine.toml", "--full", "--table").output)
-    rows = {line.split()[0]: line.split()[1:] for line in found["x of valve 1valve by the crank angle"][2:]}
-    assert rows["240°"] == ["0.00"] * 4
-    assert rows["60°"] == ["120.00"] * 4
+    form = found["S, c/ω, j/ω² of 1valve by two harmonics"]
+    rows = {line.split()[0]: line.split()[1:] for line in form[2:]}
+    assert rows["0°"][:4] == ["0.00"] * 4
+    assert rows["90°"][:2] == ["61.50", f"{1260 - np.sqrt(1200**2 - 60**2):.2f}"]
+    assert rows["180°"][:2] == ["120.00"] * 2
     minus = found["S, v/ω and j/ω² of valve 1valve from the crank-side dead centre"]
     # R(1 − 0 − λ/2) and L − … of the triangle: 60 − 1.5, 60 − (1200 − √(1200² − 60²))
     assert next(line.split()[1:3] for line in minus if line.startswith("  90°")) == ["58.50", "58.50"]

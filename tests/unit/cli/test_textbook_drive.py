@@ -17,7 +17,7 @@ def rows(output, number):
 
 
 def test_example(typed):
-    answer = typed("textbook", "--drive", "example")
+    answer = typed("textbook", "--drive", "example", "--full")
     assert (answer.status, answer.errors) == (0, "")
     assert all(len(line) <= 80 for line in answer.output.splitlines())
     active, same, dry, printed, refuted = rows(answer.output, "(14)")
@@ -36,8 +36,8 @@ def test_example(typed):
 
 def test_machine_has_the_same_numbers_as_the_table(typed):
     """The example tilting_table is the drive of the table; only its idle torque is Q r₁."""
-    table = typed("textbook", "--drive", "example", "--set", "M_xx0=2000 N*m").output
-    machine = typed("textbook", "--drive", "tilting_table", *OF_MACHINE).output
+    table = typed("textbook", "--drive", "example", "--set", "M_xx0=2000 N*m", "--full").output
+    machine = typed("textbook", "--drive", "tilting_table", *OF_MACHINE, "--full").output
     for number in ("(4)", "(14)", "(20)", "(21)"):
         assert rows(machine, number) == rows(table, number)
 
@@ -56,8 +56,8 @@ def test_curves_are_written(typed, tmp_path, monkeypatch):
 def test_table_is_written_and_read_again(typed, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert typed("textbook", "--drive", "example", "--set", "i=20", "-o", "drive.toml").status == 0
-    again = typed("textbook", "--drive", "drive.toml").output
-    assert again == typed("textbook", "--drive", "example", "--set", "i=20").output
+    again = typed("textbook", "--drive", "drive.toml", "--full").output
+    assert again == typed("textbook", "--drive", "example", "--set", "i=20", "--full").output
     assert typed("textbook", "--drive", "tilting_table", *OF_MACHINE, "-o", "other.toml").status == 2
 
 
@@ -103,4 +103,6 @@ def test_mistakes(typed, options, said):
 
 def test_without_pins_there_is_no_friction(typed, written):
     written(LINKS + DRIVE, "drive.toml")
-    assert "No pins are given: f with r_O, r_B, r_A, r_O1." in typed("textbook", "--drive", "drive.toml").output
+    assert (
+        "No pins are given: f with r_O, r_B, r_A, r_O1." in typed("textbook", "--drive", "drive.toml", "--full").output
+    )

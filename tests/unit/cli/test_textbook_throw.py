@@ -60,7 +60,7 @@ def test_set_and_sums(typed):
 )
 def test_balance(typed, written, forces, said):
     written(ONE + forces, "throw.toml")
-    assert said in typed("textbook", "--throw", "throw.toml").output
+    assert said in typed("textbook", "--throw", "throw.toml", "--full").output
 
 
 def test_articulated_pair(typed, written):
@@ -74,8 +74,8 @@ def test_its_table_is_written_and_read_again(typed, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     written = typed("textbook", "--throw", "example", "--set", "K1=1 kN", "-o", "throw.toml")
     assert written == (0, "written: throw.toml\n", "")
-    again = typed("textbook", "--throw", "throw.toml").output
-    assert again == typed("textbook", "--throw", "example", "--set", "K1=1 kN").output
+    again = typed("textbook", "--throw", "throw.toml", "--full").output
+    assert again == typed("textbook", "--throw", "example", "--set", "K1=1 kN", "--full").output
     assert typed("textbook", "--throw", "example", "-o", "throw.toml").status == 2
     assert typed("textbook", "--throw", "example", "-o", "throw.toml", "--force").status == 0
 

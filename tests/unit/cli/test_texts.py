@@ -4,6 +4,7 @@ import re
 import shlex
 
 import pytest
+from tests.sentences import FOR_MOTION_OR_FORCES
 
 from cranktrain.texts.contents import TEXTS
 
@@ -13,6 +14,11 @@ SCREENS = [
     *([name, *more] for name in ("3d12", "10d100", "great_northern", "m_503", "deltic") for more in ([], ["--table"])),
     ["10d100", "--source", "bolotin", "--table"],
     ["errata"],
+    *(["--drive", name] for name in ("example", "tilting_table")),
+    ["--drive", "example", "--set", "i=20"],
+    *(["--throw", name] for name in ("example", "kamaz_740", "ls3")),
+    ["--throw", "kamaz_740", "--throw-number", "3", "--at", "420", "--table"],
+    *(["--forces", "kN", name] for name in ("3d12", "vaz_21213")),
     *(["errata", "--source", text.letter] for text in TEXTS),
 ]
 OTHERS = {
@@ -65,7 +71,7 @@ def test_a_page_begins_with_one_screen(typed, arguments):
     assert len(lines) <= SCREEN
     assert all(len(line) <= 80 for line in lines)
     assert not re.search(r"\bdeg\b|\*m|\^[23]|(?<![\w.-])-\d", answer.output)
-    rest = re.search(r"`cranktrain (textbook [^`]*--full)`", " ".join(answer.output.split()))
+    rest = re.search(r"`cranktrain (textbook [^`]*--full[^`]*)`", " ".join(answer.output.split()))
     assert rest
     whole = typed(*shlex.split(rest[1]))
     assert (whole.status, whole.errors) == (0, "")
@@ -113,8 +119,8 @@ def test_every_command_shows_its_formula(typed, command):
         (["--source", "bolotin", "--table"], "--table: is for a machine: name FILE\n"),
         (["errata", "--table"], "--table: is for a machine: name FILE\n"),
         (["errata", "--set", "a=1"], "--set  a=1: is for a machine: name FILE\n"),
-        (["3d12", "--forces", "N", "--full"], "--full: is for the motion: ask for it without forces"),
-        (["--drive", "example", "--full"], "--full: must be left out beside --drive"),
+        (["3d12", "--harmonics", "--full"], f"--full: {FOR_MOTION_OR_FORCES}"),
+        (["--equation", "337", "--full"], "--full: must be left out beside --equation"),
         (["--source", "bolotin", "--set", "a=1"], "--set  a=1: is for a machine: name FILE\n"),
         (["3d12", "--source", "bolotin", "--harmonics"], "--source  bolotin: is for the motion or its forces"),
         (["3d12", "--source", "bolotin", "--forces", "N"], "--source  bolotin: is for the motion: ask for it without"),

@@ -15,8 +15,7 @@ from cranktrain.cli.textbook.constructions import show_constructions
 from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
 from cranktrain.cli.textbook.crank_side import show_exact_root, show_from_crank_side
 from cranktrain.cli.textbook.errata import show_errata
-from cranktrain.cli.textbook.forms import NEEDED as FORMS_NEEDED
-from cranktrain.cli.textbook.forms import STEP, explain_forms, show_forms, show_motion
+from cranktrain.cli.textbook.forms import explain_forms, show_forms, show_motion
 from cranktrain.cli.textbook.opposed import show_opposed
 from cranktrain.cli.textbook.slaves import show_constants
 from cranktrain.cli.textbook.source import machine_file
@@ -30,6 +29,7 @@ from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.distinct_pistons import alike
+from cranktrain.textbook.motion_statements import NEEDED as MOTION_NEEDED
 from cranktrain.textbook.opposed_statements import NEEDED as OPPOSED_NEEDED
 from cranktrain.textbook.opposed_statements import opposed_cylinders
 from cranktrain.texts.comparison import FORMS
@@ -38,6 +38,8 @@ from cranktrain.texts.plain_cranks import PLAIN
 from cranktrain.texts.ranges import RANGES
 
 _ERRATA = "errata"
+_STEP = 30.0
+"""Of the run on which statements rest: they hang on no angle of its. [deg]"""
 _OF_CRANK_ROCKERS = "gandzha"
 
 
@@ -118,12 +120,12 @@ def _show_machine(
     """Show what the texts, or one of them, have for a machine: all, or the first screen."""
     machine = machine_file(file, settings, "cranktrain textbook 3d12, or cranktrain textbook --source").machine
     with says_how_far():
-        result = run(machine, step_degrees=STEP, quantities=(*FORMS_NEEDED, *OPPOSED_NEEDED))
+        result = run(machine, step_degrees=_STEP, quantities=(*MOTION_NEEDED, *OPPOSED_NEEDED))
     with page(title(machine)) as console:
         if full:
             is_spoken_of = _show_all(console, machine, result, text, with_table=with_table)
         elif is_spoken_of := show_summary(console, machine, result, text, with_table=with_table):
-            section(console, _("To go on"), go_on(machine, file, text, with_table=with_table))
+            section(console, _("To go on"), go_on(machine, file, settings, text, with_table=with_table))
         if not is_spoken_of:
             section(console, _("Textbook forms"), _unspoken(machine, file, text))
         if with_errata:
@@ -140,7 +142,7 @@ def _show_all(console: Console, machine: Machine, result: Result, text: Text | N
         if spoken != [_OF_CRANK_ROCKERS]:
             explain_forms(console)
         if with_table:
-            show_motion(console, machine, result, spoken)
+            show_motion(console, machine, spoken)
         rows = [(f"[{name}]", REFERENCES[name].text) for name in spoken]
         section(console, _("Sources"), table(("", ""), rows, fold=console.width - INDENT))
     return bool(spoken)

@@ -5,8 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 from rich.console import Console
 
-from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
+from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, section
+from cranktrain.cli.textbook.curve_tables import ROUND_ANGLES, show_curves
 from cranktrain.cli.textbook.error_columns import stated_error_columns
 from cranktrain.cli.textbook.piston_words import called
 from cranktrain.language import _
@@ -22,9 +23,6 @@ from cranktrain.textbook.steam_engine_statements import (
 from cranktrain.texts.percents import percent
 from cranktrain.texts.ranges import EXACT_ROOT
 from cranktrain.wording import figure
-
-_STEP = 30
-"""Of the crank angle in tables. [deg]"""
 
 
 def show_exact_root(console: Console, pistons: Sequence[AlikePistons], places: Sequence[PlacedMechanism]) -> None:
@@ -60,14 +58,6 @@ def show_from_crank_side(console: Console, pistons: Sequence[AlikePistons], *, w
 
 def _show_table(console: Console, one: AlikePistons) -> None:
     """Show S, v and j by (333), (336), (337) with the minus sign, beside the exact ones."""
-    angle = np.deg2rad(np.arange(0, 360, _STEP, dtype=float))
-    columns: list[Column] = []
-    for curve in crank_side_curves(one, angle):
-        assert curve.exact is not None  # each has it
-        unit = curve.unit.replace("m", "mm", 1)
-        columns += [
-            Column(head, unit, tuple(figure(value, "mm") for value in values))
-            for head, values in ((curve.equation, curve.values), (_("exact"), curve.exact))
-        ]
+    curves = crank_side_curves(one, np.deg2rad(ROUND_ANGLES))
     heading = _("S, v/ω and j/ω² of {piston} from the crank-side dead centre").format(piston=called(one.first))
-    section_of_columns(console, heading, columns, [f"{step}°" for step in range(0, 360, _STEP)])
+    show_curves(console, heading, ROUND_ANGLES, ((curve.equation, curve) for curve in curves), _("exact"))

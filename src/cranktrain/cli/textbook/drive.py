@@ -14,6 +14,7 @@ from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.drive_output import write_drive
 from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
 from cranktrain.cli.textbook.source import is_machine
+from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.document import Document
 from cranktrain.io.machine_file import read_machine
@@ -24,14 +25,21 @@ from cranktrain.plans.machine_drive import machine_drive
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.drive_statements import FACTS, PEAKS, SOURCE, USUAL_ANGLE, drive_statements
 from cranktrain.textbook.statements import Statement, Statements
+from cranktrain.texts.drive_curves import AT_MOTOR
 from cranktrain.texts.drive_table import DRIVE_KEYS, CrankRockerDrive, read_drive
 from cranktrain.texts.example_tables import example_table
 from cranktrain.wording import figure, number
 
 EXAMPLE = "example"
 _SETTING = Position("--set")
+_LEADING = ("(1)", "(2)", "(3) (4)", "(16) (17)")
+"""What leads from the load to the motor's shaft, on the first screen."""
 _ROUNDING = 1e-12
 """What is less is 0."""
+
+
+_Asked = tuple[str, float | None, Sequence[str]]
+"""The file, the angle [deg] and the settings that were typed."""
 
 
 class _DriveFile(NamedTuple):
@@ -47,6 +55,7 @@ def show_drive(
     output: str | None,
     *,
     angle: float | None = None,
+    full: bool,
     force: bool,
     others: Mapping[str, str | None],
 ) -> None:
@@ -62,6 +71,8 @@ def show_drive(
         File to write instead: .toml, .csv, .png, .svg, .pdf.
     angle : float, optional
         Crank angle from the line of the fixed pivots at which forces are shown. [deg]
+    full : bool
+        Whether to show all, not the first screen alone.
     force : bool
         Replace a file that is there.
     others : mapping of options to str or None
@@ -81,7 +92,7 @@ def show_drive(
         write_drive(file.drive, file.text, one_line(PurePath(source).name), output, angle=at, force=force)
         return
     with page(_("Drive of a crank-rocker, (1) to (21) [{source}]").format(source=SOURCE)) as console:
-        _show(console, file.drive, at)
+        _show(console, drive_statements(file.drive, at), at, first_of=None if full else (source, angle, settings))
 
 
 def read_drive_file(source: str, settings: Sequence[str]) -> _DriveFile:
@@ -127,18 +138,43 @@ def _document(source: str) -> Document:
     return document
 
 
-def _show(console: Console, drive: CrankRockerDrive, angle: float) -> None:
-    """Show the linkage, forces at one angle, all curves, what is absurd, and pin friction."""
-    found = drive_statements(drive, angle)
+def _show(console: Console, found: Statements, angle: float, *, first_of: _Asked | None) -> None:
+    """Show the linkage, forces at one angle, all curves, what is absurd, and pin friction.
+
+    Or the first screen of what was asked: what leads to the motor, and what shows the rest.
+    """
     width = console.width - INDENT
     (linkage, of_linkage), *others = found.notes.items()
+    shown = _first(found) if first_of else found
     section(console, linkage, of_linkage)
     heading = _("At α = {angle:g}° from the line of the pivots").format(angle=angle)
-    section(console, heading, _force_lines(found, width))
-    section(console, _("Over a turn"), _curve_lines(found, width))
+    section(console, heading, _force_lines(shown, width))
+    section(console, _("Over a turn"), _curve_lines(shown, width))
+    if first_of:
+        section(console, _("To go on"), _go_on(*first_of))
+        return
     for subject, sentences in others:
         section(console, subject, _listed(sentences, width))
     section(console, _("Source"), [REFERENCES[SOURCE].text])
+
+
+def _first(found: Statements) -> Statements:
+    """Take what leads to the motor's shaft, right and printed."""
+    numbers = (*_LEADING, *AT_MOTOR)
+    return replace(
+        found,
+        each=tuple(one for one in found if one.equation in numbers and one.verdict != "refuted"),
+        curves=tuple(one for one in found.curves if one.equation in AT_MOTOR and one.verdict != "refuted"),
+    )
+
+
+def _go_on(source: str, angle: float | None, settings: Sequence[str]) -> Iterator[str]:
+    """Say what shows the rest."""
+    at = [] if angle is None else ["--at", f"{angle:g}"]
+    whole = textbook_command("--drive", source, *at, "--full", settings=settings)
+    yield _("`{command}`: (1) to (21), what is refuted and absurd, friction in the pins").format(command=whole)
+    drawn = textbook_command("--drive", source, *at, "-o", "fig2.svg", settings=settings)
+    yield _("`{command}`: fig. 2, redrawn; as .csv its curves").format(command=drawn)
 
 
 def _listed(sentences: Sequence[str], width: int) -> Sequence[str | Text]:
@@ -179,7 +215,8 @@ def _curve_lines(found: Statements, width: int) -> Iterator[Text]:
             cells = [_fact(facts[at]) if at in facts else "" for at in FACTS]
             rows.append((curve.equation, words[curve.verdict], *cells))
             rows.append(("", curve.name, "", "", "", "", "", ""))
-        yield from _narrow(heads, rows, unit, width)
+        if rows:
+            yield from _narrow(heads, rows, unit, width)
 
 
 def _narrow(heads: Sequence[str], rows: Sequence[Sequence[str]], unit: str, width: int) -> Iterator[Text]:

@@ -2,34 +2,28 @@
 
 from collections.abc import Collection, Sequence
 
+import numpy as np
 from rich.console import Console
 
 from cranktrain.analysis import Result
-from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.text import INDENT, section
+from cranktrain.cli.textbook.curve_tables import ROUND_ANGLES, show_curves
 from cranktrain.cli.textbook.error_columns import stated_error_columns
-from cranktrain.cli.textbook.piston_words import called
-from cranktrain.grouping import places_of_equal
+from cranktrain.grouping import grouped
 from cranktrain.language import _
-from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
-from cranktrain.textbook.motion_statements import NEEDED as STATEMENTS_NEEDED
-from cranktrain.textbook.motion_statements import form_heading, form_notes, form_statements
-from cranktrain.texts.comparison import FORMS
-from cranktrain.texts.ranges import RANGES
-from cranktrain.wording import figure, ranged
-
-STEP = 30.0
-"""Of the crank angle in tables. [deg]"""
-_TURN = 360.0
-
-_CURVES = (
-    ("displacement_by_method", "mm"),
-    ("velocity_coefficient_by_method", "mm/rad"),
-    ("acceleration_coefficient_by_method", "mm/rad^2"),
+from cranktrain.textbook.distinct_pistons import alike
+from cranktrain.textbook.motion_statements import (
+    form_curves,
+    form_heading,
+    form_notes,
+    form_statements,
+    root_curves,
 )
-NEEDED = (*STATEMENTS_NEEDED, *(name for name, _unit in _CURVES))
-"""Results that are shown."""
+from cranktrain.textbook.statements import StatementCurve
+from cranktrain.texts.comparison import FORMS
+from cranktrain.texts.plain_cranks import PLAIN
+from cranktrain.texts.ranges import EXACT_ROOT, RANGES
 
 
 def show_forms(console: Console, machine: Machine, result: Result, source: str) -> bool:
@@ -52,42 +46,21 @@ def explain_forms(console: Console) -> None:
     section(console, _("Largest errors over the turn"), [explained])
 
 
-def show_motion(console: Console, machine: Machine, result: Result, sources: Collection[str]) -> None:
-    """Show the motion of every distinct piston by each method of some sources."""
-    methods = [one.method for one in RANGES if one.source in sources]
-    for places in _alike(machine.places, methods):
-        _show_motion(console, result, places, methods)
+def show_motion(console: Console, machine: Machine, sources: Collection[str]) -> None:
+    """Show the motion of every distinct piston or valve by each form of some sources."""
+    angle = np.deg2rad(ROUND_ANGLES)
+    ranges = [one for one in RANGES if one.source in sources]
+    curves = [curve for one in ranges for curve in form_curves(machine, one, angle)]
+    if EXACT_ROOT.source in sources:
+        curves += [curve for one in alike(machine.places, PLAIN) for curve in root_curves(one, angle)]
+    for each in grouped((curve.of, curve) for curve in curves).values():
+        for by_form in grouped((curve.name, curve) for curve in each).values():
+            show_form(console, by_form)
 
 
-def _show_motion(console: Console, result: Result, places: Sequence[PlacedMechanism], chosen: Collection[str]) -> None:
-    """Show the motion of the first of several pistons by each method."""
-    first = places[0]
-    piston = result.labels["piston"].index(first.name)
-    methods = ["exact", *(method for method, form in FORMS.items() if method in chosen and first.kind.name in form)]
-    turn = result.crank_angle < _TURN
-    labels = [f"{angle:g}°" for angle in result.crank_angle[turn]]
-    for name, unit in _CURVES:
-        entry = result.catalogue[name]
-        curves = getattr(result, name)[:, piston][:, turn]
-        columns = [
-            Column(
-                method,
-                unit,
-                tuple(figure(value, "mm") for value in curves[result.labels["motion_method"].index(method)]),
-            )
-            for method in methods
-        ]
-        heading = _("{symbol} of {piston} by the crank angle").format(symbol=entry.symbol, piston=called(first))
-        section_of_columns(console, heading, columns, labels)
-    if len(places) > 1:
-        names = [place.name for place in places]
-        alike = ranged(names, range(1, len(names)))
-        console.print()
-        console.print(_("Alike, each from its own top: {pistons}.").format(pistons=alike))
-
-
-def _alike(places: Sequence[PlacedMechanism], chosen: Collection[str]) -> list[list[PlacedMechanism]]:
-    """Put pistons together that move alike, as far as there is a form for them."""
-    spoken_of = [place for place in places if any(place.kind.name in FORMS[method] for method in chosen)]
-    groups = places_of_equal([(place.kind.name, place.geometry) for place in spoken_of])
-    return [[spoken_of[i] for i in members] for members in groups.values()]
+def show_form(console: Console, curves: Sequence[StatementCurve]) -> None:
+    """Show displacement, velocity and acceleration of a form at round angles from where the own crank points."""
+    heading = _("{symbols} of {pistons} by {form}").format(
+        symbols=", ".join(one.symbol for one in curves), pistons=curves[0].of, form=curves[0].name
+    )
+    show_curves(console, heading, ROUND_ANGLES, ((one.equation, one) for one in curves), _("exact"))

@@ -6,8 +6,9 @@ from rich.console import Console
 from rich.text import Text
 
 from cranktrain.analysis import Result
-from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
+from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, section
+from cranktrain.cli.textbook.curve_tables import show_curves
 from cranktrain.cli.textbook.error_columns import error_columns
 from cranktrain.grouping import grouped
 from cranktrain.language import _
@@ -19,11 +20,8 @@ from cranktrain.textbook.opposed_statements import (
     opposed_statements,
     subjects,
 )
-from cranktrain.textbook.statements import Statement, StatementCurve, Statements
+from cranktrain.textbook.statements import Statement, Statements
 from cranktrain.wording import figure
-
-_STEP = 30
-"""Of the crank angle in tables. [deg]"""
 
 
 def show_opposed(console: Console, cylinders: Sequence[OpposedCylinders], result: Result, *, with_table: bool) -> None:
@@ -55,19 +53,9 @@ def _show_motion(console: Console, one: OpposedCylinders, found: Statements) -> 
         _("Their v/ω"),
         _("Their j/ω²"),
     )
-    labels = [f"{step}°" for step in range(0, 360, _STEP)]
     for heading, parts in zip(headings, curves.values(), strict=True):
         heads = [*(curve.equation for curve in parts[:-1]), _("both")]
-        columns = [column for head, curve in zip(heads, parts, strict=True) for column in _beside(head, curve)]
-        section_of_columns(console, heading, columns, labels)
-
-
-def _beside(head: str, curve: StatementCurve) -> Iterator[Column]:
-    """A curve by the source, and what is exact."""
-    unit = f"m{curve.unit}"
-    for text, values in ((head, curve.values), (_("exact"), curve.exact)):
-        if values is not None:
-            yield Column(text, unit, tuple(figure(value, "mm") for value in values[:-1:_STEP]))
+        show_curves(console, heading, found.crank_angle, zip(heads, parts, strict=True), _("exact"))
 
 
 def _dead_centres(own: Sequence[Statement], notes: Sequence[str], width: int) -> Iterator[str | Text]:

@@ -2,39 +2,32 @@
 
 from collections.abc import Iterator, Sequence
 
+import numpy as np
 from rich.console import Console
 from rich.text import Text as Line
 
 from cranktrain.analysis import Result
-from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.text import INDENT, section, table
 from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
-from cranktrain.cli.textbook.forms import STEP
+from cranktrain.cli.textbook.curve_tables import ROUND_ANGLES, show_curves
+from cranktrain.cli.textbook.forms import show_form
+from cranktrain.cli.to_type import textbook_command
 from cranktrain.grouping import grouped, places_of_equal
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
-from cranktrain.motion import Array
-from cranktrain.one_line import one_line
 from cranktrain.textbook.distinct_pistons import AlikePistons, alike
 from cranktrain.textbook.error_statements import ERRORS, LARGEST
-from cranktrain.textbook.motion_statements import form_statements
+from cranktrain.textbook.motion_statements import form_curves, form_statements
 from cranktrain.textbook.opposed_statements import OpposedCylinders, opposed_cylinders, opposed_statements
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text
 from cranktrain.texts.percents import percent
 from cranktrain.texts.ranges import RANGES, Range
-from cranktrain.wording import figure, ranged
+from cranktrain.wording import ranged
 
-_TURN = 360.0
 _USUAL = {"steam-engine": "two_harmonics", "bolotin": "reconstructed"}
 """The method of a text that is shown over the turn; the others with `--full`."""
-_CURVES = (
-    ("x", "displacement_by_method", "mm"),
-    ("v/ω", "velocity_coefficient_by_method", "mm/rad"),
-    ("j/ω²", "acceleration_coefficient_by_method", "mm/rad^2"),
-)
-
 _Row = tuple[str, str, tuple[float, float, float], str]
 """Equations, whose, errors of displacement, velocity and acceleration, and what is to be said."""
 
@@ -44,7 +37,7 @@ def show_summary(console: Console, machine: Machine, result: Result, text: Text 
     ranges = _ranges(machine.places, text)
     cylinders = opposed_cylinders(machine.places) if text is None or text.name == "bolotin" else ()
     if with_table:
-        _show_usual(console, machine.places, result, ranges)
+        _show_usual(console, machine, ranges)
         if not ranges or text is not None:
             _show_travel(console, cylinders, result)
     else:
@@ -55,24 +48,25 @@ def show_summary(console: Console, machine: Machine, result: Result, text: Text 
     return bool(ranges or cylinders) or has_rockers
 
 
-def go_on(machine: Machine, file: str, text: Text | None, *, with_table: bool) -> Iterator[str]:
+def go_on(
+    machine: Machine, file: str, settings: Sequence[str], text: Text | None, *, with_table: bool
+) -> Iterator[str]:
     """Say what shows the rest."""
     if any(place.kind.name == "crank_rocker" for place in machine.places):
-        yield _("`{command}`: (1) to (21), its drive with them").format(
-            command=f"cranktrain textbook --drive {one_line(file)}"
-        )
+        command = textbook_command("--drive", file, settings=settings)
+        yield _("`{command}`: (1) to (21), its drive with them").format(command=command)
         return
-    asked = f"cranktrain textbook {one_line(file)}" + (f" --source {text.name}" if text else "")
+    source = ["--source", text.name] if text else []
+    own = textbook_command(file, *source, settings=settings)
     if with_table:
-        yield _("`{command}`: every method, and all else that the texts have over the turn").format(
-            command=f"{asked} --table --full"
-        )
-        yield _("`{command}`: how far the forms are off").format(command=asked)
+        whole = textbook_command(file, *source, "--table", "--full", settings=settings)
+        yield _("`{command}`: every method, and all else that the texts have over the turn").format(command=whole)
+        yield _("`{command}`: how far the forms are off").format(command=own)
     else:
-        yield _("`{command}`: ranges, where the errors are largest, constructions, constants").format(
-            command=f"{asked} --full"
-        )
-        yield _("`{command}`: the motion over the turn").format(command=f"{asked} --table")
+        whole = textbook_command(file, *source, "--full", settings=settings)
+        yield _("`{command}`: ranges, where the errors are largest, constructions, constants").format(command=whole)
+        table = textbook_command(file, *source, "--table", settings=settings)
+        yield _("`{command}`: the motion over the turn").format(command=table)
 
 
 def _ranges(places: Sequence[PlacedMechanism], text: Text | None) -> list[Range]:
@@ -127,40 +121,20 @@ def _lines(rows: Sequence[_Row], width: int) -> Iterator[str | Line]:
     yield _("Δx in parts of the stroke, Δv and Δj of their exact peaks; of several pistons the largest.")
 
 
-def _show_usual(console: Console, places: Sequence[PlacedMechanism], result: Result, ranges: Sequence[Range]) -> None:
-    """Show the motion of the first piston of which a text speaks, exact and by the usual one of its methods."""
-    turn = result.crank_angle < _TURN
-    labels = [f"{angle:g}°" for angle in result.crank_angle[turn]]
+def _show_usual(console: Console, machine: Machine, ranges: Sequence[Range]) -> None:
+    """Show the motion of the first piston of which a text speaks by the usual one of its methods, and exact."""
     for one in (one for one in ranges if _USUAL.get(one.source) == one.method):
-        first = next(place for place in places if place.kind.name in FORMS[one.method])
-        piston = result.labels["piston"].index(first.name)
-        exact, by_form = (result.labels["motion_method"].index(name) for name in ("exact", one.method))
-        numbers = one.equations if len(one.equations) == len(_CURVES) else one.equations * len(_CURVES)
-        columns = [
-            Column(head, unit, _written(getattr(result, name)[row, piston][turn]))
-            for (symbol, name, unit), equation in zip(_CURVES, numbers, strict=True)
-            for head, row in ((symbol, exact), (equation, by_form))
-        ]
-        heading = _("Motion of {piston}, exact and by {method}").format(piston=first.name, method=_(one.name))
-        section_of_columns(console, heading, columns, labels)
+        curves = grouped((curve.of, curve) for curve in form_curves(machine, one, np.deg2rad(ROUND_ANGLES)))
+        show_form(console, next(iter(curves.values())))
+    if ranges:
+        console.print()
+        console.print(_("Angles count from where a crank points along its cylinder, or an eccentric to its valve."))
 
 
 def _show_travel(console: Console, cylinders: Sequence[OpposedCylinders], result: Result) -> None:
     """Show the travel of opposed pistons by (I.11), (I.12), and of both together."""
     for one in cylinders[:1]:
         found = opposed_statements(cylinders[:1], result)
-        every = round(STEP)
-        columns = [
-            Column(text, "mm", _written(values[:-1:every]))
-            for curve in found.curves
-            if curve.symbol == "S"
-            for text, values in ((curve.equation, curve.values), (_("exact"), curve.exact))
-            if values is not None
-        ]
-        heading = _("Travel S of the pistons of {cylinders} by the exhaust crank's angle")
-        labels = [f"{step:g}°" for step in found.crank_angle[:-1:every]]
-        section_of_columns(console, heading.format(cylinders=one.of[2]), columns, labels)
-
-
-def _written(values: Array) -> tuple[str, ...]:
-    return tuple(figure(value, "mm") for value in values)
+        curves = ((curve.equation, curve) for curve in found.curves if curve.symbol == "S")
+        heading = _("Travel S of the pistons of {cylinders} by the exhaust crank's angle").format(cylinders=one.of[2])
+        show_curves(console, heading, found.crank_angle, curves, _("exact"))

@@ -10,11 +10,13 @@ import numpy as np
 from rich.console import Console
 from rich.text import Text
 
-from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
+from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
+from cranktrain.cli.textbook.curve_tables import show_curves
 from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
 from cranktrain.cli.textbook.source import is_machine
 from cranktrain.cli.textbook.throw_output import write_machine_throw, write_throw
+from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.grouping import grouped
 from cranktrain.io.document import Document
@@ -41,8 +43,6 @@ _NOTHING = 1e-12
 _SAID = 5e-3
 """A smaller difference is written with its power. [N]"""
 _OPTIONS = {"throw_number": "--throw-number", "crank_masses": "--crank-masses"}
-_STEP = 30.0
-"""Of the crank angle in tables. [deg]"""
 
 
 class _ThrowFile(NamedTuple):
@@ -71,12 +71,17 @@ class OfMachine(NamedTuple):
         }
 
 
+_OF_TABLE = OfMachine()
+"""Nothing is asked of a throw that is no machine's."""
+
+
 def show_throw(
     source: str,
     settings: Sequence[str],
     output: str | None,
     *,
     asked: OfMachine,
+    full: bool,
     force: bool,
     others: Mapping[str, str | None],
 ) -> None:
@@ -91,6 +96,8 @@ def show_throw(
     output : str or None
         File to write instead: .toml, .png, .svg, .pdf; of a machine .csv, and no .toml.
     asked : OfMachine
+    full : bool
+        Whether to show all, not the first screen alone.
     force : bool
         Replace a file that is there.
     others : mapping of options to str or None
@@ -110,7 +117,7 @@ def show_throw(
     of_machine = is_machine(source)
     refuse(output_problems(output, CURVES if of_machine else TABLE))
     if of_machine:
-        _show_of_machine(source, settings, output, asked, force=force)
+        _show_of_machine(source, settings, output, asked, full=full, force=force)
         return
     allowed = _("is for the throw of a machine: name its file")
     refuse(Problem(name, value or None, allowed) for name, value in asked.typed.items() if value is not None)
@@ -120,11 +127,11 @@ def show_throw(
         return
     statements = throw_statements(file.throw)
     with page(statements.title) as console:
-        _show(console, statements)
+        _show(console, statements, whole=None if full else _whole(source, settings))
 
 
 def _show_of_machine(
-    source: str, settings: Sequence[str], output: str | None, asked: OfMachine, *, force: bool
+    source: str, settings: Sequence[str], output: str | None, asked: OfMachine, *, full: bool, force: bool
 ) -> None:
     """Show the throw of a machine, or write it."""
     file = read_machine(source, settings)
@@ -137,7 +144,13 @@ def _show_of_machine(
         write_machine_throw(machine, of, statements, output, force=force)
         return
     with page(statements.title) as console:
-        _show(console, statements, with_table=asked.with_table)
+        _show(console, statements, with_table=asked.with_table, whole=None if full else _whole(source, settings, asked))
+
+
+def _whole(source: str, settings: Sequence[str], asked: OfMachine = _OF_TABLE) -> str:
+    """The command for all of what was asked."""
+    options = (word for name, value in asked.typed.items() if value is not None for word in (name, value) if word)
+    return textbook_command("--throw", source, *options, "--full", settings=settings)
 
 
 def _as_typed(problem: Problem) -> Problem:
@@ -181,16 +194,25 @@ def _document(source: str) -> Document:
     return document
 
 
-def _show(console: Console, found: Statements, *, with_table: bool = False) -> None:
-    """Show lengths, forces, reactions, balance, and what is to be minded."""
+def _show(console: Console, found: Statements, *, with_table: bool = False, whole: str | None) -> None:
+    """Show lengths, forces, reactions, balance, and what is to be minded; or a first screen.
+
+    The command for the whole stands below the first screen.
+    """
     width = console.width - INDENT
     (throw, about), (balance, follows), (mind, minded) = found.notes.items()
-    section(console, throw, [*about, *_figure_lines(found, width)])
-    section(console, _("Loads of the journals on the bearings L and P"), _reaction_lines(found, width))
-    if found.curves:
-        section(console, _("Over the cycle, at whole degrees"), _cycle_lines(found, width))
+    if whole is None or not with_table:
+        section(console, throw, [*about, *_figure_lines(found, width)])
+        section(console, _("Loads of the journals on the bearings L and P"), _reaction_lines(found, width))
+        if found.curves:
+            section(console, _("Over the cycle, at whole degrees"), _cycle_lines(found, width))
     if with_table:
-        _show_table(console, found)
+        curves = ((one.symbol, one) for one in found.curves)
+        show_curves(console, _("Over the cycle"), found.crank_angle, curves, _("split"))
+    if whole is not None:
+        said = _("`{command}`: all, with both balances of the rotating masses and what is to be minded")
+        section(console, _("To go on"), [said.format(command=whole)])
+        return
     section(console, balance, [*_balance_lines(found), "", *follows])
     section(console, mind, table(("", ""), [("-", one) for one in minded], fold=width))
     section(console, _("Source"), [REFERENCES[SOURCE].text])
@@ -250,18 +272,6 @@ def _cycle_lines(found: Statements, width: int) -> Iterator[Text]:
         Column(_("off by"), "N", tuple(f"{value:.1e}" if value < _SAID else figure(value, "N") for value in off))
     )
     yield from column_tables(columns, [one.symbol for one in found.curves], width)
-
-
-def _show_table(console: Console, found: Statements) -> None:
-    """Show the reactions over the cycle beside those of the split shaft."""
-    rows = np.flatnonzero(found.crank_angle % _STEP == 0.0)
-    columns = [
-        Column(head, "N", tuple(figure(value, "N") for value in values[rows].tolist()))
-        for one in found.curves
-        for head, values in ((one.symbol, one.values), (_("split"), one.exact))
-        if values is not None
-    ]
-    section_of_columns(console, _("Over the cycle"), columns, [f"{angle:g}°" for angle in found.crank_angle[rows]])
 
 
 def _balance_lines(found: Statements) -> Iterator[Text]:

@@ -5,7 +5,7 @@ from cranktrain.texts.contents.text import Formula, Text
 
 _CENTRES = "cranktrain plot pumping_unit_c57 --plan centres --at 60,150 -o unit.svg"
 _RATIO = "cranktrain textbook pumping_unit_c57 --source gandzha --table"
-_DRIVE = "cranktrain textbook --drive example"
+_DRIVE = "cranktrain textbook --drive example --full"
 _DRAWN = "cranktrain textbook --drive example -o drive.svg"
 _LOSSES = N_("η stands in the denominator always; where the mechanism drives the motor losses help it")
 
