@@ -4,12 +4,15 @@ A mechanism with one degree of freedom moves by geometry alone; speed enters las
 velocity q′ω, acceleration q″ω² + q′ε.
 """
 
-from typing import NamedTuple, TypeAlias, cast
+from typing import Annotated, NamedTuple, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array: TypeAlias = NDArray[np.float64]
+
+Handed: TypeAlias = Annotated[Array, "handed"]
+"""Geometry that counts toward +y or in the sense of rotation: seen with y reversed, the same metal has its negative."""
 
 
 class Coefficient(NamedTuple):

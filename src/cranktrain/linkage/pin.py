@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.linkage.point import Ends, fixed
 from cranktrain.linkage.vectors import Vector, between, cross, dot, moving_between, rotated
-from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.motion import Array, Coefficient, Handed, Link, Point
 
 
 class CrankAndGround(NamedTuple):
@@ -40,7 +40,7 @@ class Pin(NamedTuple):
 
     rod_length: Array
     rocker_length: Array
-    side: Array
+    side: Handed
 
 
 class PinMotion(NamedTuple):

@@ -5,14 +5,14 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage.vectors import Vector, rotated, swept
-from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.motion import Array, Coefficient, Handed, Link, Point
 
 
 class LinkPoint(NamedTuple):
     """A point fixed on a link: radius from its first pin [m], angle from the link's direction [rad]."""
 
     radius: Array
-    angle: Array
+    angle: Handed
 
 
 class Ends(NamedTuple):

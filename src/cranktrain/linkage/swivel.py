@@ -8,7 +8,7 @@ from cranktrain.linkage.crank import Crank, crank
 from cranktrain.linkage.point import Ends, fixed
 from cranktrain.linkage.slide import AHEAD
 from cranktrain.linkage.vectors import between, cross, dot, moving_between, rotated
-from cranktrain.motion import Array, Coefficient, Link
+from cranktrain.motion import Array, Coefficient, Handed, Link
 
 
 class Swivel(NamedTuple):
@@ -97,7 +97,7 @@ class CrankAndPivot(NamedTuple):
 
     crank_radius: Array
     ground_length: Array
-    offset: Array
+    offset: Handed
     way: Array
 
 

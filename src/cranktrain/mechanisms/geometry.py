@@ -1,30 +1,39 @@
 """Geometry of mechanisms of one kind: put into one, mirrored, some of it taken, a length of it changed."""
 
-from collections.abc import Callable, Sequence
-from functools import reduce
-from typing import TypeVar, cast
+from collections.abc import Callable, Iterable, Sequence
+from functools import cache, reduce
+from typing import TypeVar, cast, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Handed
 from cranktrain.numerics.nested import by_design, filled, leaves, mapped
 
 Geometry = TypeVar("Geometry", bound=tuple[object, ...])
 Found = TypeVar("Found", bound=tuple[object, ...])
 
-_MIRRORED = frozenset(
-    {
-        *("offset", "shift", "y", "articulation_angle", "bank_angle", "slot_angle", "direction", "ahead", "side"),
-        *("arm_direction", "angle", "across", "moment"),
-    }
-)
-"""What changes sign when the mechanism's y is mirrored: what counts toward +y or in the sense of rotation."""
-
 
 def mirrored(geometry: Geometry) -> Geometry:
-    """Give geometry, bodies or loads seen with y reversed, as a machine that runs astern sees the same metal."""
-    return mapped(lambda name, value: -value if name.rpartition(".")[2] in _MIRRORED else value, geometry)
+    """Give geometry seen with y reversed, as a machine that runs astern sees the same metal: `Handed` parts negated."""
+    handed = handed_fields(type(geometry))
+    names = cast("tuple[str, ...]", getattr(geometry, "_fields", ())) or ("",) * len(geometry)
+    make = cast("Callable[[Iterable[object]], Geometry]", getattr(geometry, "_make", tuple))
+    return make(
+        mirrored(cast("tuple[object, ...]", part))
+        if isinstance(part, tuple)
+        else -cast(Array, part)
+        if name in handed
+        else part
+        for name, part in zip(names, geometry, strict=True)
+    )
+
+
+@cache
+def handed_fields(kind: type[tuple[object, ...]]) -> frozenset[str]:
+    """Names of the fields of a geometry that are `Handed`."""
+    hints = get_type_hints(kind, include_extras=True)
+    return frozenset(name for name, hint in hints.items() if hint == Handed)
 
 
 def stacked(members: Sequence[Geometry], n_designs: int = 1) -> Geometry:

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.linkage import AHEAD, Crank, LinkPoint, Slide, crank, point, slide, slide_gap, turned
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
-from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.motion import Array, Coefficient, Handed, Link, Point
 
 
 class ArticulatedRod(NamedTuple):
@@ -19,10 +19,10 @@ class ArticulatedRod(NamedTuple):
 
     master: SliderCrank
     knuckle_radius: Array
-    articulation_angle: Array
-    bank_angle: Array
+    articulation_angle: Handed
+    bank_angle: Handed
     rod_length: Array
-    offset: Array
+    offset: Handed
 
 
 class ArticulatedRodMotion(NamedTuple):

@@ -3,7 +3,7 @@
 from typing import NamedTuple, TypeAlias
 
 from cranktrain.linkage import LinkPoint, Pin
-from cranktrain.motion import Array, single
+from cranktrain.motion import Array, Handed, single
 
 
 class PinStep(NamedTuple):
@@ -102,14 +102,14 @@ class CrankSize(NamedTuple):
     """Radius [m], and angle ahead of the crank `main` [rad]."""
 
     radius: Array
-    ahead: Array
+    ahead: Handed
 
 
 class Coordinates(NamedTuple):
     """Where a fixed point is. [m]"""
 
     x: Array
-    y: Array
+    y: Handed
 
 
 class SlideSize(NamedTuple):
@@ -117,8 +117,8 @@ class SlideSize(NamedTuple):
 
     rod_length: Array
     way: Array
-    direction: Array
-    offset: Array
+    direction: Handed
+    offset: Handed
 
 
 class SwivelSize(NamedTuple):
@@ -128,7 +128,7 @@ class SwivelSize(NamedTuple):
     where no crank pin drives it, or the pivot moves.
     """
 
-    offset: Array
+    offset: Handed
     way: Array
     outside: Array
 
@@ -136,9 +136,9 @@ class SwivelSize(NamedTuple):
 class YokeSize(NamedTuple):
     """Angle from the guide to the slot [rad]; guide's direction [rad] and offset [m]."""
 
-    slot_angle: Array
-    direction: Array
-    offset: Array
+    slot_angle: Handed
+    direction: Handed
+    offset: Handed
 
 
 class TrammelSize(NamedTuple):
@@ -147,10 +147,10 @@ class TrammelSize(NamedTuple):
     side is the sign of the sine of the angle from the guide to the slot, which must not change.
     """
 
-    shift: Array
-    direction: Array
-    offset: Array
-    side: Array
+    shift: Handed
+    direction: Handed
+    offset: Handed
+    side: Handed
 
 
 class RodLegSize(NamedTuple):
@@ -164,8 +164,8 @@ class GuideLegSize(NamedTuple):
     """Joint on the link; guide's direction [rad] and offset [m]."""
 
     joint: LinkPoint
-    direction: Array
-    offset: Array
+    direction: Handed
+    offset: Handed
 
 
 class StartSize(NamedTuple):
@@ -176,10 +176,10 @@ class StartSize(NamedTuple):
     """
 
     x: Array
-    y: Array
-    direction: Array
+    y: Handed
+    direction: Handed
     sign: Array
-    side: Array
+    side: Handed
 
 
 NO_START = StartSize(single(0.0), single(0.0), single(0.0), single(0.0), single(1.0))

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage import Crank, CrankAndGround, Ends, Pin, crank, fixed, pin_from_crank, pin_gap
-from cranktrain.motion import Array, Link, Point
+from cranktrain.motion import Array, Handed, Link, Point
 from cranktrain.numerics import Extreme
 
 
@@ -19,7 +19,7 @@ class CrankRocker(NamedTuple):
     rod_length: Array
     rocker_length: Array
     ground_length: Array
-    side: Array
+    side: Handed
 
 
 class CrankRockerMotion(NamedTuple):

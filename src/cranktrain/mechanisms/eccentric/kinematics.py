@@ -9,7 +9,7 @@ from cranktrain.mechanisms.slider_crank.kinematics import (
     slider_crank_gap,
     slider_crank_least_gap,
 )
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Handed
 from cranktrain.numerics import Extreme
 
 
@@ -18,8 +18,8 @@ class Eccentric(NamedTuple):
 
     crank_radius: Array
     rod_length: Array
-    offset: Array
-    ahead: Array
+    offset: Handed
+    ahead: Handed
 
 
 def eccentric(angle: Array, geometry: Eccentric) -> SliderCrankMotion:

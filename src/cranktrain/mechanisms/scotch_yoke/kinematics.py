@@ -5,15 +5,15 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage import Crank, Yoke, crank, yoke
-from cranktrain.motion import Array, Coefficient, Point
+from cranktrain.motion import Array, Coefficient, Handed, Point
 
 
 class ScotchYoke(NamedTuple):
     """Crank radius, offset of the line of stroke toward +y [m]; angle from the line of stroke to the slot [rad]."""
 
     crank_radius: Array
-    offset: Array
-    slot_angle: Array
+    offset: Handed
+    slot_angle: Handed
 
 
 class ScotchYokeMotion(NamedTuple):

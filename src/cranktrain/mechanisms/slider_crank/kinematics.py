@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage import AHEAD, Crank, Slide, crank, slide, slide_gap
-from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.motion import Array, Coefficient, Handed, Link, Point
 from cranktrain.numerics import Extreme
 
 
@@ -14,7 +14,7 @@ class SliderCrank(NamedTuple):
 
     crank_radius: Array
     rod_length: Array
-    offset: Array
+    offset: Handed
 
 
 class SliderCrankMotion(NamedTuple):

@@ -21,7 +21,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadSize,
     TriadStep,
 )
-from cranktrain.motion import Array, single
+from cranktrain.motion import Array, Handed, single
 
 _LINK = TriadStep(
     "link",
@@ -55,7 +55,7 @@ class Stephenson(NamedTuple):
     """
 
     eccentricity: Array
-    ahead: Array
+    ahead: Handed
     rod_length: Array
     pin_spacing: Array
     pin_setback: Array
@@ -64,9 +64,9 @@ class Stephenson(NamedTuple):
     lifting_link_length: Array
     reverse_shaft: Coordinates
     arm_length: Array
-    arm_direction: Array
-    offset: Array
-    side: Array
+    arm_direction: Handed
+    offset: Handed
+    side: Handed
     start: StartSize
 
 

@@ -24,7 +24,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadStep,
 )
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
-from cranktrain.motion import Array, single
+from cranktrain.motion import Array, Handed, single
 
 STRUCTURE = Structure(
     ("main", "return"),
@@ -63,9 +63,9 @@ class Walschaerts(NamedTuple):
     """
 
     master: SliderCrank
-    bank_angle: Array
+    bank_angle: Handed
     eccentricity: Array
-    ahead: Array
+    ahead: Handed
     rod_length: Array
     trunnion: Coordinates
     foot: Array
@@ -76,8 +76,8 @@ class Walschaerts(NamedTuple):
     valve_pin: Array
     union_link_length: Array
     drop: Coordinates
-    offset: Array
-    side: Array
+    offset: Handed
+    side: Handed
     start: StartSize
 
 
