@@ -1,12 +1,11 @@
 """Numbers and names put into sentences."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from math import floor, log10
 from string import digits
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.grouping import places_of_equal
 from cranktrain.motion import Array
@@ -156,15 +155,6 @@ def shared_known(names: Sequence[str], values: Array, unit: str) -> str:
     """Say values by name, as `shared` does, of those alone that have one: NaN stands for none."""
     known = np.flatnonzero(~np.isnan(values)).tolist()
     return shared([names[i] for i in known], values[known], unit)
-
-
-def by_sort(
-    words: Sequence[str], names: Sequence[str], sort: NDArray[np.intp], values: Sequence[Array]
-) -> Iterator[tuple[str, list[str], list[Array]]]:
-    """Part sliders by their sort, 0, 1, …: of each that there is, its words, names and values, shape (n,)."""
-    for number_of, said in enumerate(words):
-        if np.any(chosen := sort == number_of):
-            yield said, [names[i] for i in np.flatnonzero(chosen).tolist()], [part[chosen] for part in values]
 
 
 def ranged(names: Sequence[str], members: Sequence[int]) -> str:

@@ -38,7 +38,7 @@ def machine_of(kind):
     table = data["mechanism"] if "mechanism" in data else next(reversed(data["bank"].values()))["mechanism"]
     if links := next(place.kind.links for place in ct.Machine(**data).places if place.kind.name == kind.name):
         table["points"] = {"p": {"link": links[0], "along": "30 mm", "across": "11 mm"}}
-    if kind.output == "slider" and kind.has_chambers:
+    if kind.output.has_chambers:
         data["cylinder"] = {"bore": "90 mm", "compression_ratio": 12.0}
     elif "load_radius" in kind.spec.model_fields:
         table["load_radius"] = "300 mm"

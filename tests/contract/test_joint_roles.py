@@ -27,7 +27,7 @@ def test_rods(kind):
     first = dynamics.joint("knuckle_pin" if dynamics.on_master is not None else "crank_pin")
     assert first is not None and dynamics.reactions[first].on == "rod"
     assert (dynamics.joint("crank_pin", is_own=False) is not None) is (dynamics.on_master is not None)
-    if kind.output == "slider":
+    if kind.output.is_slider:
         pin, guide = dynamics.joint("piston_pin"), dynamics.joint("guide")
         assert pin is not None and (dynamics.reactions[pin].on, dynamics.reactions[pin].by) == ("slider", "rod")
         assert guide is not None and dynamics.reactions[guide].on == "slider"

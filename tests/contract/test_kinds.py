@@ -91,7 +91,9 @@ def test_links_that_carry_points_are_in_the_motion(kind):
     for name in kind.links:
         link = kind.named(motion, name)
         np.testing.assert_allclose(link.cos**2 + link.sin**2, 1, atol=1e-14)
-    assert np.shape(getattr(motion, kind.output).value if kind.output == "slider" else motion.rocker.cos) == PHI.shape
+    assert (
+        np.shape(getattr(motion, kind.output.part).value if kind.output.is_slider else motion.rocker.cos) == PHI.shape
+    )
 
 
 @every_kind
@@ -103,7 +105,7 @@ def test_gap_is_open_where_the_motion_is_nan(kind):
         changed = scaled(place.geometry, name, factor)
         with np.errstate(invalid="ignore", divide="ignore"):
             motion = kind.motion(PHI, changed)
-            value = motion.slider.value if kind.output == "slider" else motion.rocker.angle.value
+            value = motion.slider.value if kind.output.is_slider else motion.rocker.angle.value
             gap = kind.gap(PHI, changed)
         clear = np.abs(gap) > 1e-12
         if "way" in place.geometry._fields and not np.any(np.isnan(value)):
@@ -217,7 +219,7 @@ def test_drawing_agrees_with_the_motion(kind):
     kind = place.kind
     drawing, motion = kind.drawing(PHI, place.geometry), kind.motion(PHI, place.geometry)
     positions = list(drawing.positions.values())
-    if kind.output == "slider":
+    if kind.output.is_slider:
         across = (value for values in distances(drawing, drawing.pins).values() for value in (values, -values))
         directions = [guide.direction for guide in drawing.guides] or [0.0]
         on_guides = (x * np.cos(one) + y * np.sin(one) for one in directions for x, y in positions)
@@ -361,5 +363,5 @@ def test_load_works_along_the_output(kind):
     """Its torque on the crank is force by slider's derivative, or torque by link's; weights are off."""
     place, motion, bodies, loads, _ = dynamics_of(kind)
     found = place.kind.dynamics.reduced(motion, place.geometry, bodies, loads, Gravity(0.0, 0.0)).load
-    output = motion.slider if place.kind.output == "slider" else motion.rocker.angle
+    output = motion.slider if place.kind.output.is_slider else motion.rocker.angle
     np.testing.assert_allclose(found, 250.0 * output.first, atol=1e-13 * 250.0 * np.max(np.abs(output.first)))

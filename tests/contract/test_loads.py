@@ -49,7 +49,7 @@ def loaded(kind, running="ahead"):
     for place in places[:1]:
         for part in map(part_name, place.kind.dynamics.moving):
             slides = part in {"piston", *place.kind.sliders} or part == (
-                getattr(place.spec, "output", "") if place.kind.output == "slider" else ""
+                getattr(place.spec, "output", "") if place.kind.output.is_slider else ""
             )
             for n, (name, sort) in enumerate((ON_SLIDERS if slides else SORTS).items()):
                 load[f"{name} {n} on {part}".replace(" ", "_")] = {"on": part, **sort}

@@ -1,7 +1,5 @@
 """`new` and `schema`: what a machine file starts from."""
 
-from pathlib import Path
-
 from cranktrain.errors import InputError
 from cranktrain.io.output import write_machine_file, write_whole
 from cranktrain.language import _
@@ -10,23 +8,6 @@ from cranktrain.mechanisms.kind import AnyKind
 from cranktrain.quantities import unlisted
 
 _SCHEMA_FILE = "cranktrain.schema.json"
-
-_TABLES = Path(__file__).parent / "starting"
-"""What stands in a new file after the mechanism: of each kind the tables that suit it, most behind comment marks."""
-
-_SPEEDS = {
-    "slider_crank": "1500 rpm",
-    "crank_rocker": "10 rpm",
-    "articulated_rod": "1500 rpm",
-    "scotch_yoke": "600 rpm",
-    "oscillating_cylinder": "300 rpm",
-    "slotted_lever": "30 rpm",
-    "eccentric": "90 rpm",
-    "stephenson": "180 rpm",
-    "walschaerts": "280 rpm",
-    "chain": "40 rpm",
-}
-"""Speeds at which machines of each kind and of these sizes turn: pumping unit, shaper, locomotive, press."""
 
 _HEAD = _("""\
 #:schema ./{schema}
@@ -74,7 +55,7 @@ def starting_file(kind: AnyKind, *, full: bool = False) -> str:
 
     With `full` every table that suits the kind stands in it behind comment marks, and works without these.
     """
-    tables = (_TABLES / f"{kind.name}.toml").read_text(encoding="utf-8")
+    tables = "" if kind.tables is None else kind.tables.read_text(encoding="utf-8")
     if not full:
         tables = tables.partition("\n# [")[0].rstrip("\n") + "\n"
     return "".join(
@@ -83,7 +64,7 @@ def starting_file(kind: AnyKind, *, full: bool = False) -> str:
             _MARKS if full else "",
             _MACHINE.format(title=_(kind.title)),
             _GRAVITY if full else "",
-            _SHAFT.format(speed=f'speed = "{_SPEEDS[kind.name]}"'),
+            _SHAFT.format(speed=f'speed = "{kind.speed}"'),
             f"\n{kind.example}",
             tables if tables.strip() else "",
         )

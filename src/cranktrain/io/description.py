@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, cast
 
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.layout.unit_tables import units_of_table
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import kind_named
@@ -27,16 +27,11 @@ def kind_words(machine: Machine) -> str:
 
 def counted_parts(machine: Machine) -> list[str]:
     """Count pistons, valves, rockers and throws."""
-    places = machine.places
-    rockers = sum(place.kind.output == "rocker" for place in places)
-    pistons = sum(place.kind.output == "slider" and place.kind.has_chambers for place in places)
-    counts = (
-        (pistons, _("1 piston"), _("{n} pistons")),
-        (len(places) - rockers - pistons, _("1 valve"), _("{n} valves")),
-        (rockers, _("1 rocker"), _("{n} rockers")),
-        (len(machine.main_shaft.throws), _("1 throw"), _("{n} throws")),
-    )
-    return [one if n == 1 else many.format(n=n) for n, one, many in counts if n]
+    outputs = Counter(place.kind.output for place in machine.places)
+    in_order = sorted(outputs, key=lambda output: (not output.is_slider, not output.has_chambers))
+    counts = [(outputs[output], output.counted) for output in in_order]
+    counts.append((len(machine.main_shaft.throws), (N_("1 throw"), N_("{n} throws"))))
+    return [_(one) if n == 1 else _(many).format(n=n) for n, (one, many) in counts]
 
 
 def counted_by_status(numbers: Iterable[Given]) -> str:

@@ -85,7 +85,7 @@ def pin_problems(places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
 
 
 def _is_rod_of_piston(kind: AnyKind) -> bool:
-    return kind.has_rod and kind.output == "slider" and kind.dynamics.joint("crank_pin") is not None
+    return kind.has_rod and kind.output.is_slider and kind.dynamics.joint("crank_pin") is not None
 
 
 def _unlike_radii(one: PlacedMechanism, other: PlacedMechanism) -> Iterator[Problem]:

@@ -56,9 +56,9 @@ class Design:
         """Those of its mechanisms that drive a slider."""
         return self.driving("slider")
 
-    def driving(self, output: str) -> tuple[PlacedMechanism, ...]:
-        """Those of its mechanisms that have this output."""
-        return tuple(place for place in self.places if place.kind.output == output)
+    def driving(self, part: str) -> tuple[PlacedMechanism, ...]:
+        """Those of its mechanisms that drive a "slider" or a "rocker"."""
+        return tuple(place for place in self.places if place.kind.output.part == part)
 
     @cached_property
     def _found(self) -> dict[object, Any]:

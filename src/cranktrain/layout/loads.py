@@ -246,7 +246,7 @@ def _slides(place: PlacedMechanism, name: str) -> bool:
 def _output_slider(place: PlacedMechanism) -> tuple[str, ...]:
     """The output, where it is a slider of a name of its own."""
     output = getattr(place.spec, "output", SLIDER)
-    return (output,) if place.kind.output == "slider" else ()
+    return (output,) if place.kind.output.is_slider else ()
 
 
 def load_problems(design: Design) -> Iterator[Problem]:

@@ -10,6 +10,7 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage import in_blocks
 from cranktrain.mechanisms.geometry import rows, stacked
 from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, AnyMotion, Members
+from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array
 from cranktrain.numerics.nested import by_design, side_by_side
 from cranktrain.record import record
@@ -65,6 +66,12 @@ class Mechanisms:
         """Whether each mechanism's output hangs on a rod, shape (mechanism,)."""
         return self.marked(lambda kind: kind.has_rod)
 
+    @property
+    def outputs(self) -> tuple[OutputPart, ...]:
+        """What the output of each is."""
+        found = {member: batch.kind.output for batch in self.batches for member in batch.index.tolist()}
+        return tuple(found[member] for member in range(len(self.names)))
+
     def evaluated(self, pick: Callable[[AnyMotion], Outcome], angle: Array) -> Outcome:
         """Evaluate every mechanism's kernel and pick arrays from its motion.
 
@@ -99,14 +106,9 @@ class Mechanisms:
 
 @record
 class Pistons(Mechanisms):
-    """The mechanisms whose output is a slider: a piston, or the valve of a valve gear."""
+    """The mechanisms whose output is a slider: a piston, a ram, a valve."""
 
     dimension: ClassVar[str] = "piston"
-
-    @property
-    def is_valve(self) -> NDArray[np.bool_]:
-        """Whether each slider is a valve, shape (piston,)."""
-        return self.marked(lambda kind: not kind.has_chambers)
 
 
 @record

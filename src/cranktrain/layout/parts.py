@@ -48,7 +48,7 @@ def laid_out(each: Sequence[Design], together: Design, *, cycle: float, step: fl
         zero=by_design([together.zero], n_designs)[..., np.newaxis],
         cycle=cycle,
     )
-    pistons, rockers = (together.driving(output) for output in ("slider", "rocker"))
+    pistons, rockers = (together.driving(part) for part in ("slider", "rocker"))
     return Designs(
         each=tuple(each),
         together=together,

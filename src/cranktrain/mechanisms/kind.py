@@ -1,7 +1,8 @@
 """What every kind of mechanism gives: its spec, geometry, kernel, drawing, and the lengths that let it close."""
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, Generic, Literal, NamedTuple, TypeAlias, TypeVar
+from pathlib import Path
+from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.mechanisms.dynamics import Dynamics
 from cranktrain.mechanisms.geometry import Geometry
+from cranktrain.mechanisms.output import OutputPart
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
@@ -62,12 +64,12 @@ class Kind(Generic[Motion, Geometry]):
     geometry : callable (spec, master or None) → NamedTuple of floats
         SI geometry of the kernel.
     motion : kernel (angle, geometry) → NamedTuple
-        Has `slider` or `rocker`, as `output` says, and the links in `links`.
+        Has the part that is the output, and the links in `links`.
     gap : kernel (angle, geometry) → Array
         By how much the links can close. [m]
     lengths : tuple of str
         Geometry fields that are lengths; of the slave alone, where there is a master.
-    output : "slider" or "rocker"
+    output : OutputPart
         What load and gas act on.
     has_rod : bool
         Whether the output hangs on a link `rod`, whose motion is then a result.
@@ -85,6 +87,10 @@ class Kind(Generic[Motion, Geometry]):
         What forces act.
     example : str
         A commented `[mechanism]` table to start from.
+    speed : str
+        At which a machine of the example's size turns.
+    tables : Path, optional
+        File with the tables that suit it, as they follow in a new machine file, most behind comment marks.
     sliders : tuple of str
         What else slides, along a link or guide; followed as results by their names.
     joints : tuple of str
@@ -101,8 +107,6 @@ class Kind(Generic[Motion, Geometry]):
         The least gap over a turn in closed form, for a kind of whose gap every length takes as much as it changes.
     openings : callable (geometry) → Openings, optional
         Finds what `closing_margin` looks for; for a kind whose gap has to be walked for.
-    has_chambers : bool
-        Whether its slider is a piston, which can have a cylinder, and not a valve.
     has_own_pin : bool
         Whether its crank is one of its own beside the throw, as an eccentric is, and not the throw itself.
     rows : tuple of callable (labels, design, …) → rows
@@ -116,7 +120,7 @@ class Kind(Generic[Motion, Geometry]):
     motion: Callable[[Array, Geometry], Motion]
     gap: Callable[[Array, Geometry], Array]
     lengths: tuple[str, ...]
-    output: Literal["slider", "rocker"]
+    output: OutputPart
     has_rod: bool
     links: tuple[str, ...]
     drawing: Callable[[Array, Geometry], Drawing]
@@ -125,6 +129,8 @@ class Kind(Generic[Motion, Geometry]):
     stages: tuple[Callable[..., object], ...]
     dynamics: Dynamics[Motion, Geometry]
     example: str
+    speed: str
+    tables: Path | None = None
     sliders: tuple[str, ...] = ()
     joints: tuple[str, ...] = ()
     named: Callable[[Motion, str], Any] = getattr
@@ -133,14 +139,13 @@ class Kind(Generic[Motion, Geometry]):
     closing_field: str | Callable[[Any, Geometry], str] = "rod_length"
     least_gap: Callable[[Geometry], Extreme] | None = None
     openings: Callable[[Geometry], Openings] | None = None
-    has_chambers: bool = True
     has_own_pin: bool = False
     rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
 
     @property
     def followed_links(self) -> tuple[str, ...]:
         """Links that are followed by their names: those whose motion no other result gives."""
-        return tuple(link for link in self.links if link != self.output and not (self.has_rod and link == "rod"))
+        return tuple(link for link in self.links if link != self.output.part and not (self.has_rod and link == "rod"))
 
     @property
     def length_names(self) -> tuple[str, ...]:

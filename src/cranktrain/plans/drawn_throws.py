@@ -62,7 +62,7 @@ def drawn_places(machine: Machine, mechanism: str | None = None) -> Throw:
 
 def _sort(machine: Machine, throw: Sequence[PlacedMechanism]) -> tuple[object, ...]:
     """Say what tells a throw from others on paper."""
-    pistons = [place for place in throw if place.kind.output == "slider"]
+    pistons = [place for place in throw if place.kind.output.is_slider]
     cylinders = cylinders_of(machine.cylinder, pistons)
     return tuple(map(_of_place, throw)), tuple(
         str(getattr(one.spec, field, None)) for one in cylinders for field in ("bore", "piston_rod", "chambers")

@@ -216,7 +216,7 @@ def output_motion(machine: Machine, place: PlacedMechanism, angle: Array) -> Coe
     """
     with np.errstate(all="ignore"):
         motion = place.kind.motion(angle + machine.zero + place.phase, place.geometry)
-    return motion.slider if place.kind.output == "slider" else motion.rocker.angle
+    return motion.slider if place.kind.output.is_slider else motion.rocker.angle
 
 
 def _in_machine_axes(moving: Point, axes: Frame, still: Array) -> Point:

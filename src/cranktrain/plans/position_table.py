@@ -55,7 +55,7 @@ def output_columns(
     motion = output_motion(machine, place, angle)
     first, second = rates(motion, turning(machine, curve, angle + machine.zero))
     has_speed = machine.main_shaft.speed is not None or curve is not None
-    if place.kind.output == "rocker":
+    if not place.kind.output.is_slider:
         symbols = ("ω₃", "ε₃") if has_speed else ("θ′", "θ″")
         units = ("rad/s", "rad/s^2") if has_speed else ("rad/rad", "rad/rad^2")
         return (

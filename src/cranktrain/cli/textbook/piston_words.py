@@ -6,5 +6,4 @@ from cranktrain.layout.places import PlacedMechanism
 
 def called(place: PlacedMechanism) -> str:
     """Name a mechanism's slider: a piston, or the valve that an eccentric drives."""
-    words = _("piston {name}") if place.kind.has_chambers else _("valve {name}")
-    return words.format(name=place.name)
+    return _(place.kind.output.called).format(name=place.name)

@@ -61,13 +61,13 @@ def wish_problems(design: Design) -> Iterator[Problem]:
     if spec is None or not design.places:
         return
     place = design.places[0]
-    output = part_name(place.kind.output)
+    output = part_name(place.kind.output.part)
     names = dict.fromkeys(filter(None, (getattr(place.spec, "output", None), output)))
     if spec.of is not None and spec.of not in names:
         allowed = _("must be what the first mechanism drives: {names}; or leave it out")
         yield Problem(f"{PATH}.of", spec.of, allowed.format(names=", ".join(names)))
         return
-    found = [*_unit_problems(spec, is_slider=place.kind.output == "slider")]
+    found = [*_unit_problems(spec, is_slider=place.kind.output.is_slider)]
     yield from found
     if not found:
         try:
@@ -80,7 +80,7 @@ def wish_parts(designs: Designs) -> WantedMotions | RockingMotions | None:
     """Give the wanted motions that [shaft.main.motion] declares; None where there is none."""
     specs = [design.shafts[MAIN].motion for design in designs.each]
     made = [_made(spec, designs.mechanisms, n) for n, spec in enumerate(specs) if spec is not None]
-    unit = "m" if designs.places[0].kind.output == "slider" else "rad"
+    unit = "m" if designs.places[0].kind.output.is_slider else "rad"
     rocking = tuple(one for one in made if isinstance(one, Rocking))
     turning = tuple(one for one in made if isinstance(one, Following))
     if rocking:

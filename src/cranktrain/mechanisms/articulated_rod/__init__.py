@@ -1,5 +1,7 @@
 """Articulated rod: slave rods on one master rod, in V, W and radial engines."""
 
+from pathlib import Path
+
 from cranktrain.language import N_
 from cranktrain.mechanisms.articulated_rod.drawing import articulated_rod_drawing
 from cranktrain.mechanisms.articulated_rod.facts import ArticulatedRods, articulation
@@ -16,6 +18,7 @@ from cranktrain.mechanisms.articulated_rod.spec import (
     articulated_rod_geometry,
 )
 from cranktrain.mechanisms.kind import Kind
+from cranktrain.mechanisms.output import PISTON
 
 __all__ = ["KIND", "ArticulatedRod", "ArticulatedRodMotion", "ArticulatedRodSpec", "articulated_rod"]
 
@@ -27,7 +30,7 @@ KIND = Kind(
     motion=articulated_rod,
     gap=articulated_rod_gap,
     lengths=("master.crank_radius", "master.rod_length", "master.offset", "knuckle_radius", "rod_length", "offset"),
-    output="slider",
+    output=PISTON,
     has_rod=True,
     links=("rod",),
     drawing=articulated_rod_drawing,
@@ -35,6 +38,8 @@ KIND = Kind(
     members=ArticulatedRods,
     stages=(articulation,),
     dynamics=DYNAMICS,
+    speed="1500 rpm",
+    tables=Path(__file__).with_name("starting.toml"),
     example="""\
 [bank.L]
 angle = "-30 deg"

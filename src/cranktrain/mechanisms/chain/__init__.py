@@ -1,5 +1,7 @@
 """Chain: any linkage of groups on one shaft, as its file composes it."""
 
+from pathlib import Path
+
 from cranktrain.language import N_
 from cranktrain.mechanisms.chain.composed import fields_of, kind_of_structure
 from cranktrain.mechanisms.chain.drawing import chain_drawing
@@ -26,6 +28,8 @@ KIND = Kind(
     stages=(),
     composed=lambda spec: kind_of_structure(KIND, fields_of, structure_of(spec)),
     **fields_of(_SIMPLEST),
+    speed="40 rpm",
+    tables=Path(__file__).with_name("starting.toml"),
     example="""\
 [mechanism]
 kind = "chain"                    # angles count from x toward y; the crank turns that way

@@ -32,6 +32,7 @@ from cranktrain.mechanisms.chain.steps import (
 )
 from cranktrain.mechanisms.geometry import Geometry
 from cranktrain.mechanisms.kind import ClosingPart, Kind
+from cranktrain.mechanisms.output import PISTON, ROCKER, OutputPart
 from cranktrain.motion import Array
 
 _Outcome = TypeVar("_Outcome")
@@ -73,7 +74,10 @@ def _as_it_is(size: ChainSize) -> ChainSize:
 
 
 def as_chain(
-    structure: Structure, size_of: Callable[[Geometry], ChainSize], lengths: Mapping[str, str]
+    structure: Structure,
+    size_of: Callable[[Geometry], ChainSize],
+    lengths: Mapping[str, str],
+    slider: OutputPart = PISTON,
 ) -> dict[str, Any]:
     """What a kind says whose mechanism is a chain: kernels, drawing, forces, and the names in its motion.
 
@@ -84,6 +88,8 @@ def as_chain(
         Numbers of the chain from those of the kind, in the axes of the kind's motion.
     lengths : mapping
         Geometry fields that are lengths, to what the file calls them.
+    slider : OutputPart
+        What the output is where it slides.
 
     Returns
     -------
@@ -109,7 +115,7 @@ def as_chain(
         "openings": partial(chain_openings, structure, tuple(lengths), size_of) if has_triad else None,
         "lengths": tuple(lengths),
         "length_paths": tuple(lengths.values()),
-        "output": "slider" if structure.output in named("slider") else "rocker",
+        "output": slider if structure.output in named("slider") else ROCKER,
         "links": named("link"),
         "sliders": tuple(name for name in named("slider") if name != structure.output),
         "joints": (*(pin_of(name) for name in structure.cranks), *named("point")),

@@ -1,5 +1,7 @@
 """Crank-rocker: the four-bar linkage of pumping units, jaw crushers, tilting tables and shakers."""
 
+from pathlib import Path
+
 from cranktrain.language import N_
 from cranktrain.mechanisms.crank_rocker.drawing import crank_rocker_drawing
 from cranktrain.mechanisms.crank_rocker.facts import CrankRockers, transmission, transmission_rows
@@ -13,6 +15,7 @@ from cranktrain.mechanisms.crank_rocker.kinematics import (
 )
 from cranktrain.mechanisms.crank_rocker.spec import CrankRockerSpec, crank_rocker_advice, crank_rocker_geometry
 from cranktrain.mechanisms.kind import Kind
+from cranktrain.mechanisms.output import ROCKER
 
 __all__ = ["KIND", "CrankRocker", "CrankRockerMotion", "CrankRockerSpec", "crank_rocker"]
 
@@ -25,7 +28,7 @@ KIND = Kind(
     gap=crank_rocker_gap,
     least_gap=crank_rocker_least_gap,
     lengths=("crank_radius", "rod_length", "rocker_length", "ground_length"),
-    output="rocker",
+    output=ROCKER,
     has_rod=True,
     links=("rod", "rocker"),
     drawing=crank_rocker_drawing,
@@ -34,6 +37,8 @@ KIND = Kind(
     stages=(transmission,),
     rows=(transmission_rows,),
     dynamics=DYNAMICS,
+    speed="10 rpm",
+    tables=Path(__file__).with_name("starting.toml"),
     example="""\
 [mechanism]
 kind = "crank_rocker"

@@ -1,5 +1,6 @@
 """Eccentric: a valve, a pump or a shear driven by a slider-crank of small crank, set ahead of the main one."""
 
+from pathlib import Path
 from typing import cast
 
 from cranktrain.language import N_
@@ -8,6 +9,7 @@ from cranktrain.mechanisms.eccentric.drawing import eccentric_drawing
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric, eccentric_gap, eccentric_least_gap
 from cranktrain.mechanisms.eccentric.spec import EccentricSpec, eccentric_advice, eccentric_geometry
 from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.output import VALVE
 from cranktrain.mechanisms.slider_crank.forces import DYNAMICS
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrankMotion
 
@@ -23,7 +25,7 @@ KIND = Kind(
     least_gap=eccentric_least_gap,
     lengths=("crank_radius", "rod_length", "offset"),
     length_paths=("eccentricity", "rod_length", "offset"),
-    output="slider",
+    output=VALVE,
     has_rod=True,
     links=("rod",),
     drawing=eccentric_drawing,
@@ -32,8 +34,9 @@ KIND = Kind(
     closing_advice=eccentric_advice,
     members=Members,
     stages=(),
-    has_chambers=False,
     has_own_pin=True,
+    speed="90 rpm",
+    tables=Path(__file__).with_name("starting.toml"),
     example="""\
 [mechanism]
 kind = "eccentric"

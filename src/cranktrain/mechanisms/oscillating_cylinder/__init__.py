@@ -1,5 +1,7 @@
 """Oscillating cylinder: model and paddle-steamer engines, hydraulic motors, cylinders that drive a crank."""
 
+from pathlib import Path
+
 from cranktrain.language import N_
 from cranktrain.linkage import crank_swivel_gap
 from cranktrain.mechanisms.kind import Kind, Members
@@ -7,6 +9,7 @@ from cranktrain.mechanisms.oscillating_cylinder.drawing import oscillating_cylin
 from cranktrain.mechanisms.oscillating_cylinder.forces import DYNAMICS
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinderMotion, oscillating_cylinder
 from cranktrain.mechanisms.oscillating_cylinder.spec import OscillatingCylinderSpec, oscillating_cylinder_advice
+from cranktrain.mechanisms.output import PISTON
 from cranktrain.mechanisms.rocking_guide import rocking_guide_geometry
 
 __all__ = [
@@ -24,7 +27,7 @@ KIND = Kind(
     motion=oscillating_cylinder,
     gap=crank_swivel_gap,
     lengths=("crank_radius", "ground_length", "offset"),
-    output="slider",
+    output=PISTON,
     has_rod=False,
     links=("cylinder",),
     drawing=oscillating_cylinder_drawing,
@@ -33,6 +36,8 @@ KIND = Kind(
     members=Members,
     stages=(),
     dynamics=DYNAMICS,
+    speed="300 rpm",
+    tables=Path(__file__).with_name("starting.toml"),
     example="""\
 [mechanism]
 kind = "oscillating_cylinder"

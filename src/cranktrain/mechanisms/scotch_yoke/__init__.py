@@ -1,7 +1,10 @@
 """Scotch yoke: pumps, actuators, testing machines; the slider moves as the cosine of the crank angle."""
 
+from pathlib import Path
+
 from cranktrain.language import N_
 from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.output import PISTON
 from cranktrain.mechanisms.scotch_yoke.drawing import scotch_yoke_drawing
 from cranktrain.mechanisms.scotch_yoke.forces import DYNAMICS
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, ScotchYokeMotion, scotch_yoke, scotch_yoke_gap
@@ -17,7 +20,7 @@ KIND = Kind(
     motion=scotch_yoke,
     gap=scotch_yoke_gap,
     lengths=("crank_radius", "offset"),
-    output="slider",
+    output=PISTON,
     has_rod=False,
     links=(),
     drawing=scotch_yoke_drawing,
@@ -26,6 +29,8 @@ KIND = Kind(
     members=Members,
     stages=(),
     dynamics=DYNAMICS,
+    speed="600 rpm",
+    tables=Path(__file__).with_name("starting.toml"),
     example="""\
 [mechanism]
 kind = "scotch_yoke"

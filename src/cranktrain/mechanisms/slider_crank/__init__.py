@@ -1,7 +1,10 @@
 """Slider-crank: piston engines, compressors, pumps, presses, eccentrics; central or offset."""
 
+from pathlib import Path
+
 from cranktrain.language import N_
 from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.output import PISTON
 from cranktrain.mechanisms.slider_crank.drawing import slider_crank_drawing
 from cranktrain.mechanisms.slider_crank.forces import DYNAMICS
 from cranktrain.mechanisms.slider_crank.kinematics import (
@@ -29,7 +32,7 @@ KIND = Kind(
     gap=slider_crank_gap,
     least_gap=slider_crank_least_gap,
     lengths=("crank_radius", "rod_length", "offset"),
-    output="slider",
+    output=PISTON,
     has_rod=True,
     links=("rod",),
     drawing=slider_crank_drawing,
@@ -38,6 +41,8 @@ KIND = Kind(
     members=Members,
     stages=(),
     dynamics=DYNAMICS,
+    speed="1500 rpm",
+    tables=Path(__file__).with_name("starting.toml"),
     example="""\
 [mechanism]
 kind = "slider_crank"

@@ -1,8 +1,11 @@
 """Slotted lever: shapers and slotters; a longer crank than ground is the quick return that Whitworth built."""
 
+from pathlib import Path
+
 from cranktrain.language import N_
 from cranktrain.linkage import crank_swivel_gap
 from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.output import ROCKER
 from cranktrain.mechanisms.rocking_guide import rocking_guide_geometry
 from cranktrain.mechanisms.slotted_lever.drawing import slotted_lever_drawing
 from cranktrain.mechanisms.slotted_lever.forces import DYNAMICS
@@ -19,7 +22,7 @@ KIND = Kind(
     motion=slotted_lever,
     gap=crank_swivel_gap,
     lengths=("crank_radius", "ground_length", "offset"),
-    output="rocker",
+    output=ROCKER,
     has_rod=False,
     links=("rocker",),
     drawing=slotted_lever_drawing,
@@ -28,6 +31,8 @@ KIND = Kind(
     members=Members,
     stages=(),
     dynamics=DYNAMICS,
+    speed="30 rpm",
+    tables=Path(__file__).with_name("starting.toml"),
     example="""\
 [mechanism]
 kind = "slotted_lever"

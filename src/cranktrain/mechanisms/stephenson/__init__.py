@@ -1,12 +1,14 @@
 """Stephenson's link motion: a valve gear of two eccentrics and a link that is raised and lowered."""
 
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from cranktrain.language import N_
 from cranktrain.mechanisms.chain.composed import as_chain, kind_of_structure
 from cranktrain.mechanisms.chain.steps import Structure
 from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.output import VALVE
 from cranktrain.mechanisms.stephenson.drawing import stephenson_drawing
 from cranktrain.mechanisms.stephenson.kinematics import CURVED, STRAIGHT, Stephenson, stephenson_size
 from cranktrain.mechanisms.stephenson.spec import (
@@ -36,7 +38,7 @@ def _fields(structure: Structure) -> dict[str, Any]:
     """What the kind says of gears with a curved slot, or with a straight one."""
     lengths = _LENGTHS if structure is STRAIGHT else _LENGTHS | {"slot_arc": "link_radius"}
     return {
-        **as_chain(structure, partial(stephenson_size, structure), lengths),
+        **as_chain(structure, partial(stephenson_size, structure), lengths, slider=VALVE),
         "drawing": partial(stephenson_drawing, structure),
     }
 
@@ -51,9 +53,10 @@ KIND = Kind(
     closing_field="eccentric_rod_length",
     members=Members,
     stages=(),
-    has_chambers=False,
     composed=lambda spec: kind_of_structure(KIND, _fields, structure_of(spec)),
     **_fields(CURVED),
+    speed="180 rpm",
+    tables=Path(__file__).with_name("starting.toml"),
     example="""\
 [mechanism]
 kind = "stephenson"

@@ -1,8 +1,11 @@
 """Walschaerts' valve gear: a return crank, a link about a fixed trunnion, and a combination lever on the crosshead."""
 
+from pathlib import Path
+
 from cranktrain.language import N_
 from cranktrain.mechanisms.chain.composed import as_chain
 from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.output import VALVE
 from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Walschaerts, walschaerts_size
 from cranktrain.mechanisms.walschaerts.spec import WalschaertsSpec, walschaerts_advice, walschaerts_geometry
 
@@ -37,8 +40,9 @@ KIND = Kind(
     closing_field="radius_rod_length",
     members=Members,
     stages=(),
-    has_chambers=False,
-    **as_chain(STRUCTURE, walschaerts_size, _LENGTHS),
+    **as_chain(STRUCTURE, walschaerts_size, _LENGTHS, slider=VALVE),
+    speed="280 rpm",
+    tables=Path(__file__).with_name("starting.toml"),
     example="""\
 [bank.cylinder]
 angle = "90 deg"

@@ -8,7 +8,7 @@ from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, 
 from cranktrain.layout.uses import keys
 from cranktrain.questions.cylinders import firing, opposed, ports, rows, spec, travel, unlikely, volumes
 from cranktrain.questions.cylinders.parts import parts, problems
-from cranktrain.questions.motion.sorts import InCylinders
+from cranktrain.questions.motion.outputs import InCylinders
 
 
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:

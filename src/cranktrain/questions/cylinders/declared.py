@@ -54,7 +54,7 @@ class Cylinder:
 
 def cylinders_of(common: CylindersSpec, pistons: Sequence[PlacedMechanism]) -> tuple[Cylinder, ...]:
     """Give every cylinder its pistons and its dimensions; a valve has none."""
-    members = grouped((place.cylinder, i) for i, place in enumerate(pistons) if place.kind.has_chambers)
+    members = grouped((place.cylinder, i) for i, place in enumerate(pistons) if place.kind.output.has_chambers)
     return tuple(_cylinder(common, pistons, tuple(index)) for index in members.values())
 
 
@@ -92,7 +92,7 @@ def cylinder_problems(
     common: CylindersSpec, pistons: Sequence[PlacedMechanism], cylinders: Sequence[Cylinder]
 ) -> tuple[Problem, ...]:
     """Find cylinders and overrides of nothing, bores given for some pistons only, piston rods that do not fit."""
-    pistons = [place for place in pistons if place.kind.has_chambers]
+    pistons = [place for place in pistons if place.kind.output.has_chambers]
     if not pistons:
         allowed = _("is not for this machine, which has no pistons")
         return (Problem("cylinder", None, allowed),) if common.model_fields_set else ()

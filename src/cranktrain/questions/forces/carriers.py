@@ -42,5 +42,5 @@ def carriers_of(places: Sequence[PlacedMechanism]) -> Carriers:
         if place.kind.name == MASTER
     }
     master = [masters.get((place.shaft, place.throw, getattr(place.spec, "master", None)), -1) for place in places]
-    is_piston = np.array([place.kind.output == "slider" for place in places])
+    is_piston = np.array([place.kind.output.is_slider for place in places])
     return Carriers(np.array(master, dtype=np.intp), np.where(is_piston, np.cumsum(is_piston) - 1, -1))

@@ -93,7 +93,7 @@ class RodsInPistons(NamedTuple):
 def rods_in_pistons(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Iterator[RodsInPistons]:
     """Find the rods of pistons in what `LoadedMachine.solved` gave."""
     for batch, one, made in zip(loaded.mechanisms.batches, solved, loaded.masses.batches, strict=True):
-        if batch.kind.has_rod and batch.kind.output == "slider":
+        if batch.kind.has_rod and batch.kind.output.is_slider:
             bodies = batch.kind.dynamics.by_link(made.bodies)
             shares = weighed_ends(bodies["rod"], batch.members.geometry.rod_length)
             loads = batch.kind.dynamics.by_link(one.loads)

@@ -3,7 +3,6 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Limit, StageResult, flagged
@@ -12,13 +11,14 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.distinct import Distinct, distinct
 from cranktrain.layout.mechanisms import Mechanisms, Pistons
 from cranktrain.mechanisms.kind import AnyMotion
+from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, turn_grid
 from cranktrain.numerics.nested import mapped
-from cranktrain.questions.motion.sorts import InCylinders, sorts_of
+from cranktrain.questions.motion.outputs import InCylinders, by_output, outputs_of
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
-from cranktrain.wording import Names, by_sort, shared
+from cranktrain.wording import Names, shared
 
 _PISTON = ("piston",)
 ANGLE_ROUNDING = 1e-12
@@ -123,9 +123,9 @@ _DISTANCE = Limit(
 
 @record
 class DeadCentres(StageResult):
-    """Where each piston truly turns back, and how far it travels; sort, shape (piston,): as in `sorts`."""
+    """Where each piston truly turns back, and how far it travels; outputs: what each is."""
 
-    sort: NDArray[np.intp]
+    outputs: tuple[OutputPart, ...]
     stroke: Array = quantity("S", "m", _PISTON, N_("Stroke, between the true dead centres"), _THEORY)
     top_dead_centre: Array = quantity("φ_T", "deg", _PISTON, N_("Crank angle of the true top dead centre"), _THEORY)
     bottom_dead_centre: Array = quantity(
@@ -146,15 +146,10 @@ class DeadCentres(StageResult):
 
     def answer(self, names: Names, design: int) -> str:
         """Say strokes and true dead centres of pistons, travels of what has no cylinder and where it is farthest."""
-        words = (
-            _("Strokes: {strokes}. True top dead centres: {tops} after the crank points along the cylinder."),
-            _("Strokes: {strokes}. Farthest from the shaft: {tops} after the crank points along its line."),
-            _("Valve travel: {strokes}. Farthest from the shaft: {tops} after the crank points along its line."),
-        )
         return " ".join(
-            said.format(strokes=shared(own, strokes, "mm"), tops=shared(own, tops, "deg"))
-            for said, own, (strokes, tops) in by_sort(
-                words, names["piston"], self.sort, [self.stroke[design], self.top_shift[design]]
+            _(words.dead_centres).format(strokes=shared(own, strokes, "mm"), tops=shared(own, tops, "deg"))
+            for words, own, (strokes, tops) in by_output(
+                self.outputs, names, [self.stroke[design], self.top_shift[design]]
             )
         )
 
@@ -167,7 +162,7 @@ def dead_centres(
     bottom, top = (Extreme(one.angle[0], one.value[0]) for one in turn.peaks)
     stroke, position = (different.spread(one)[..., 0] for one in (top.value - bottom.value, top.value))
     return DeadCentres(
-        sort=sorts_of(pistons, cylinders),
+        outputs=outputs_of(pistons, cylinders),
         stroke=stroke,
         top_dead_centre=crank_angle.counted(different.angle(top.angle))[..., 0],
         bottom_dead_centre=crank_angle.counted(different.angle(bottom.angle))[..., 0],

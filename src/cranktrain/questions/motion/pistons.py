@@ -1,7 +1,6 @@
 """Motion of pistons: displacement and its derivatives by the crank angle; with the speed, velocities."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.catalogue import coefficients, extreme, quantity
 from cranktrain.checks import Check, Limit, StageResult, flagged
@@ -9,14 +8,15 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.layout.speed import Speed, rates
+from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivatives_residual, extremes
 from cranktrain.numerics.tops import chosen
 from cranktrain.questions.motion.dead_centres import DeadCentres, PistonGrid, PistonTurn, slider_motion
-from cranktrain.questions.motion.sorts import PISTON, SLIDER
+from cranktrain.questions.motion.outputs import by_output
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
-from cranktrain.wording import Names, by_sort, shared
+from cranktrain.wording import Names, shared
 
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")
@@ -70,9 +70,9 @@ _SLIDER_SPEED = Limit(
 
 @record
 class PistonSpeeds(StageResult):
-    """Velocities and accelerations of pistons; sort: as of `DeadCentres`."""
+    """Velocities and accelerations of pistons; outputs: as of `DeadCentres`."""
 
-    sort: NDArray[np.intp]
+    outputs: tuple[OutputPart, ...]
     piston_velocity: Array = quantity("v", "m/s", _CURVE, N_("Piston velocity toward the shaft"), _THEORY)
     piston_acceleration: Array = quantity("j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY)
     mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY)
@@ -119,21 +119,16 @@ class PistonSpeeds(StageResult):
 
     def answer(self, names: Names, design: int) -> str:
         """Say mean and largest speeds of pistons, of other sliders and of valves."""
-        words = (
-            _("Mean piston speed {mean}, largest {largest}; largest acceleration {acceleration}."),
-            _("Mean speed {mean}, largest {largest}; largest acceleration {acceleration}."),
-            _("Mean valve speed {mean}, largest {largest}; largest acceleration {acceleration}."),
-        )
         of_either_sense = np.fmax(self.largest_piston_acceleration.value, -self.smallest_piston_acceleration.value)
         curves = (self.mean_piston_speed, self.largest_piston_speed.value, of_either_sense)
         return " ".join(
-            said.format(
+            _(words.speeds).format(
                 mean=shared(own, mean, "m/s"),
                 largest=shared(own, largest, "m/s"),
                 acceleration=shared(own, acceleration, "m/s^2"),
             )
-            for said, own, (mean, largest, acceleration) in by_sort(
-                words, names["piston"], self.sort, [curve[design] for curve in curves]
+            for words, own, (mean, largest, acceleration) in by_output(
+                self.outputs, names, [curve[design] for curve in curves]
             )
         )
 
@@ -161,7 +156,7 @@ def piston_speeds(
     is_away = -slowest.value > fastest.value * (1 + _ALIKE)
     mean_speed = dead_centres.stroke * (speed.mean / np.pi)[..., 0]
     return PistonSpeeds(
-        sort=dead_centres.sort,
+        outputs=dead_centres.outputs,
         piston_velocity=velocity,
         piston_acceleration=acceleration,
         mean_piston_speed=mean_speed,
@@ -171,8 +166,11 @@ def piston_speeds(
         largest_piston_acceleration=most,
         smallest_piston_acceleration=least,
         unlikely=(
-            *flagged(_MEAN_SPEED, mean_speed[:, dead_centres.sort == PISTON]),
-            *flagged(_SLIDER_SPEED, mean_speed[:, dead_centres.sort == SLIDER]),
+            *flagged(_MEAN_SPEED, mean_speed[:, [one.has_chambers for one in dead_centres.outputs]]),
+            *flagged(
+                _SLIDER_SPEED,
+                mean_speed[:, [one.is_loaded and not one.has_chambers for one in dead_centres.outputs]],
+            ),
         ),
     )
 

@@ -4,15 +4,16 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import _
+from cranktrain.mechanisms.output import SliderWords
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.motion.closing import Closing
 from cranktrain.questions.motion.dead_centres import DeadCentres
+from cranktrain.questions.motion.outputs import members_by_output
 from cranktrain.questions.motion.pistons import PistonSpeeds
 from cranktrain.questions.motion.rocker_load import LoadMotion
 from cranktrain.questions.motion.rockers import DeadPositions
 from cranktrain.questions.motion.rods import RodMotion
-from cranktrain.questions.motion.sorts import PISTON, SLIDER, VALVE
 from cranktrain.rows import Amount, AnswerLine, Extent, valued, worded
 from cranktrain.wording import Names, around_turn
 
@@ -25,25 +26,23 @@ _NEAR = 0.2
 def slider_rows(
     labels: Names, design: int, centres: DeadCentres, speeds: PistonSpeeds | None, rods: RodMotion | None
 ) -> Iterator[AnswerLine]:
-    """Strokes, dead centres and speeds: of pistons, of other sliders, of valves."""
-    for sort in (PISTON, SLIDER, VALVE):
-        own = np.flatnonzero(centres.sort == sort)
-        if not own.size:
-            continue
-        names = [labels["piston"][i] for i in own.tolist()]
-        yield valued(_("valve travel") if sort == VALVE else _("stroke"), centres.stroke[design, own], "m", names)
+    """Strokes, dead centres and speeds: of pistons, of rams, of valves."""
+    for output, own in members_by_output(centres.outputs):
+        words = output.words
+        assert words is not None  # of sliders
+        names = [labels["piston"][int(member)] for member in own]
+        yield valued(_(words.stroke), centres.stroke[design, own], "m", names)
         if not np.any(np.isfinite(centres.stroke[design, own])):
             yield worded(_("stroke"), _("none: the links do not close all round"))
             continue
         shifts = (centres.top_shift[design, own], centres.bottom_shift[design, own])
         if any(np.any(np.abs(shift) > _ON_AXIS) for shift in shifts):
-            words = _TURNS[sort == PISTON]
-            yield valued(_(words[0]), shifts[0], "rad", names, _(words[1]))
-            if sort != VALVE:
-                yield valued(_(words[2]), shifts[1], "rad", names)
+            yield valued(_(words.top), shifts[0], "rad", names, _(words.after_top))
+            if output.is_loaded:
+                yield valued(_(words.bottom), shifts[1], "rad", names)
         if speeds is not None:
-            yield from _speed_rows(names, design, speeds, own, sort)
-        if rods is not None and sort != VALVE:
+            yield from _speed_rows(names, design, speeds, own, words, is_loaded=output.is_loaded)
+        if rods is not None and output.is_loaded:
             largest = np.fmax(
                 np.abs(rods.largest_pressure_angle.value[design, own]),
                 np.abs(rods.opposite_pressure_angle.value[design, own]),
@@ -51,33 +50,16 @@ def slider_rows(
             yield valued(_("largest pressure angle"), largest, "rad", names)
 
 
-_TURNS = {
-    True: (
-        N_("true top dead centre"),
-        N_("after the crank on the axis"),
-        N_("true bottom dead centre"),
-    ),
-    False: (
-        N_("farthest from the shaft"),
-        N_("after the crank on its line"),
-        N_("nearest to the shaft"),
-    ),
-}
-"""By whether it is a piston: words for where sliders turn back."""
-
-
 def _speed_rows(
-    names: list[str], design: int, speeds: PistonSpeeds, own: np.ndarray, sort: int
+    names: list[str], design: int, speeds: PistonSpeeds, own: np.ndarray, words: SliderWords, *, is_loaded: bool
 ) -> Iterator[AnswerLine]:
-    """Mean and largest speed, and largest acceleration of either sense; of a valve the largest speed."""
+    """Mean and largest speed, and largest acceleration of either sense; of what carries no load the largest speed."""
     fastest = speeds.largest_piston_speed.value[design, own]
-    if sort == VALVE:
-        yield valued(_("largest valve speed"), fastest, "m/s", names)
+    if is_loaded:
+        yield valued(_(words.mean_speed), speeds.mean_piston_speed[design, own], "m/s", names)
+    yield valued(_(words.largest_speed), fastest, "m/s", names)
+    if not is_loaded:
         return
-    words = {PISTON: (_("mean piston speed"), _("largest piston speed")), SLIDER: (_("mean speed"), _("largest speed"))}
-    mean, largest = words[sort]
-    yield valued(mean, speeds.mean_piston_speed[design, own], "m/s", names)
-    yield valued(largest, fastest, "m/s", names)
     acceleration = np.maximum(
         speeds.largest_piston_acceleration.value[design, own], -speeds.smallest_piston_acceleration.value[design, own]
     )

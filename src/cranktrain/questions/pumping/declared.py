@@ -85,7 +85,7 @@ def pumping_problems(design: Design) -> Iterator[Problem]:
     spec = design.table(PumpingSpec)
     if spec is None:
         return
-    if len(design.places) != 1 or design.places[0].kind.output != "rocker":
+    if len(design.places) != 1 or design.places[0].kind.output.is_slider:
         yield Problem("pumping", None, _("is for a machine of one mechanism with a rocker, a crank_rocker"))
         return
     loads = _loads(design)

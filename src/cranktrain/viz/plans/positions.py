@@ -164,7 +164,7 @@ def _least_height(rows: Sequence[tuple[str, ...]], tables: Sequence[_Table], ste
 
 def output_notes(machine: Machine, plan: PositionPlan, places: Sequence[PlacedMechanism]) -> list[str]:
     """Say from where the output counts."""
-    if places[0].kind.output != "slider":
+    if not places[0].kind.output.is_slider:
         return []
     if not plan.drawing.guides:
         return [_("x in the cylinder, positive toward its head; s from the top")]

@@ -45,7 +45,7 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
     wishes = [Wish(point, member.place.name, angle_of(outward), "name") for member, point, outward in places]
     for (member, point, _outward), label in zip(places, placed_labels(wishes, obstacles, scale), strict=True):
         yield label
-        is_valve = member.output is not None and not member.place.kind.has_chambers
+        is_valve = member.output is not None and not member.place.kind.output.has_chambers
         named = member.stroke_line.at(scene.reach(member, angle)) if is_valve else point
         box = label_outline(label, scale)
         nearest = np.clip(named, np.min(box, axis=1), np.max(box, axis=1))

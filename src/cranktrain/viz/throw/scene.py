@@ -75,7 +75,7 @@ class DrawnMechanism:
     @property
     def output(self) -> str | None:
         """Name of the pin that slides in this mechanism's own guide; None for a rocker."""
-        is_slider = self.place.kind.output == "slider"
+        is_slider = self.place.kind.output.is_slider
         return self.turn.guides[0].pin if is_slider and self.turn.guides else None
 
     @property
@@ -262,7 +262,7 @@ def scene_of(
     By the speed go some loads.
     """
     places = first_throw(machine) if throw is None else throw
-    pistons = [place for place in places if place.kind.output == "slider"]
+    pistons = [place for place in places if place.kind.output.is_slider]
     cylinders = cylinders_of(machine.cylinder, pistons)
     bored = ((pistons[i].name, one.spec.bore) for one in cylinders for i in one.pistons)
     bores = {name: shown(bore.si, "mm") for name, bore in bored if bore is not None}

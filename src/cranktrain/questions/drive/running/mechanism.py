@@ -54,7 +54,7 @@ def machine_of(kind: Kind[Any, Any], is_compiled: bool = True) -> Machine:
     docs/theory/transient, eq. (26.9). Compiled, every kind but a chain; plain, of numbers, it is slow.
     """
     own = kind.dynamics
-    output_of = of_slider if kind.output == "slider" else of_rocker
+    output_of = of_slider if kind.output.is_slider else of_rocker
     parts: tuple[Any, ...] = (kind.motion, output_of, own.load, own.links, reduced_of)
     if not is_compiled:
         return _joined(*parts)

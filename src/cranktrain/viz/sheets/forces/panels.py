@@ -74,9 +74,9 @@ def _at_piston(shown: OneDesign, piston: str) -> Panel:
     ]
     if is_off(shown, piston, "side_force_formula_error"):
         curves.append(Curve(_force(shown, piston, "side_force", _FORMULA), "formula", "N", "N_f"))
-    is_valve = not next(one.kind.has_chambers for one in shown.result.machines[0].places if one.name == piston)
-    title = _("Forces at valve {piston}") if is_valve else _("Forces at piston {piston}")
-    return Panel(title.format(piston=piston), "N", shown.cycle, tuple(curves))
+    words = next(one.kind.output.words for one in shown.result.machines[0].places if one.name == piston)
+    assert words is not None  # of a slider
+    return Panel(_(words.forces).format(piston=piston), "N", shown.cycle, tuple(curves))
 
 
 def _at_pin(shown: OneDesign, piston: str) -> Panel:

@@ -103,9 +103,10 @@ def ruler_of(result: Result, design: int = 0, mechanism: str | None = None) -> R
         found = tuple(_marks(shown, "rocker", dict.fromkeys(drawn_names(shown, "rocker"), words)))
         heading = _("Dead positions of the rocker") if found else _("The rocker turns with the crank")
         return Ruler(heading, found)
-    valves = {place.name for place in machine.places if not place.kind.has_chambers}
-    of_valve, of_piston = (_("farthest"), _("nearest")), (_("TDC"), _("BDC"))
-    words = {name: of_valve if name in valves else of_piston for name in drawn_names(shown, "piston")}
+    said = {place.name: place.kind.output.words for place in machine.places}
+    ends = {name: (_(words.ends[0]), _(words.ends[1])) for name, words in said.items() if words is not None}
+    valves = {place.name for place in machine.places if not place.kind.output.is_loaded}
+    words = {name: ends[name] for name in drawn_names(shown, "piston")}
     found = tuple(_marks(shown, "piston", words))
     names = tuple(dict.fromkeys(mark.name for mark in found))
     heading = first_that_holds(

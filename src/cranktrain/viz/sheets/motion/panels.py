@@ -169,14 +169,12 @@ def _titles(shown: OneDesign, dimension: str) -> tuple[str, str, str]:
         return _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
     result, design, _mechanism = shown
     names = drawn_names(shown, "piston")
-    both = _("Travel of piston and valve"), _("Velocity of piston and valve"), _("Acceleration of piston and valve")
-    titles: dict[tuple[bool, ...], tuple[str, str, str]] = {
-        (True,): (_("Piston travel"), _("Piston velocity"), _("Piston acceleration")),
-        (False,): (_("Valve travel"), _("Valve velocity"), _("Valve acceleration")),
-        (False, True): both,
-    }
-    are_pistons = {place.kind.has_chambers for place in result.machines[design].places if place.name in names}
-    return titles[tuple(sorted(are_pistons))]
+    drawn = (place.kind.output.words for place in result.machines[design].places if place.name in names)
+    titles = {words.titles for words in drawn if words is not None}
+    if len(titles) == 1:
+        ((travel, velocity, acceleration),) = titles
+        return _(travel), _(velocity), _(acceleration)
+    return _("Travel of piston and valve"), _("Velocity of piston and valve"), _("Acceleration of piston and valve")
 
 
 def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:

@@ -182,7 +182,7 @@ def _notes(scenes: Sequence[Scene], angle: float) -> Iterator[str]:
     if broken:
         yield _("rod of {names} broken, its slider drawn nearer to the shaft").format(names=", ".join(broken))
     shapes = _("pins to scale, shapes schematic")
-    pistons = [member for member in sliders if member.place.kind.has_chambers]
+    pistons = [member for member in sliders if member.place.kind.output.has_chambers]
     if pistons and all(member.bore is not None for member in pistons):
         shapes = _("pins and bores to scale, other shapes schematic")
     thin = _("thin: volumetric dead centres") if any(scene.pairs for scene in scenes) else _("thin: dead positions")

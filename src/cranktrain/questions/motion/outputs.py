@@ -1,0 +1,39 @@
+"""What sliders are where it is known whether they have a cylinder about them: pistons, rams, valves."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.grouping import grouped
+from cranktrain.layout.mechanisms import Pistons
+from cranktrain.mechanisms.output import OutputPart, SliderWords
+from cranktrain.motion import Array
+from cranktrain.record import record
+from cranktrain.wording import Names
+
+
+@record
+class InCylinders:
+    """Says that the machine's sliders that can have a cylinder have one; without it there are none."""
+
+
+def outputs_of(pistons: Pistons, cylinders: InCylinders | None) -> tuple[OutputPart, ...]:
+    """What each slider is."""
+    return tuple(one if cylinders is not None or one.bare is None else one.bare for one in pistons.outputs)
+
+
+def members_by_output(outputs: Sequence[OutputPart]) -> Iterator[tuple[OutputPart, NDArray[np.intp]]]:
+    """Which sliders are the same: those in cylinders first, those without a load last."""
+    members = grouped((output, member) for member, output in enumerate(outputs))
+    for output in sorted(members, key=lambda output: (not output.has_chambers, not output.is_loaded)):
+        yield output, np.array(members[output])
+
+
+def by_output(
+    outputs: Sequence[OutputPart], names: Names, values: Sequence[Array]
+) -> Iterator[tuple[SliderWords, list[str], list[Array]]]:
+    """Part what is said of sliders by what they are: words, names and values, shape (n,), of each sort there is."""
+    for output, own in members_by_output(outputs):
+        if output.words is not None:
+            yield output.words, [names["piston"][int(member)] for member in own], [part[own] for part in values]
