@@ -45,7 +45,8 @@ def _row(one: Formula) -> tuple[str, ...]:
     """What is said of a formula, and the command that shows it."""
     said = "; ".join(filter(None, (one.valid, one.note)))
     verdict = f"*{one.said_verdict}*"
-    return one.number, one.subject, f"{verdict}: {said}" if said else verdict, one.command and f"`{one.command}`"
+    seen = f"`{one.command}`" + (f"; of a machine `{one.of_machine}`" if one.of_machine else "")
+    return one.number, one.subject, f"{verdict}: {said}" if said else verdict, seen
 
 
 def _errors(name: str) -> Iterator[str]:

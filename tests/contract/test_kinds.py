@@ -2,7 +2,9 @@
 
 import itertools
 import tomllib
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,14 +12,18 @@ from tests.machines import scaled
 from tests.virtual_work import torque_of_work
 
 import cranktrain as ct
+from cranktrain.cli.new import starting_file
+from cranktrain.io.description import counted_parts
 from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity
 from cranktrain.mechanisms import KINDS, kind_named
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.mechanisms.dynamics import FRAME
 from cranktrain.mechanisms.geometry import named_part, stacked
+from cranktrain.mechanisms.output import PISTON, RAM, VALVE
 from cranktrain.numerics.nested import leaves
 from cranktrain.plans.placement import placed
 from cranktrain.plans.polygons import acceleration_polygons, velocity_polygons
+from cranktrain.questions.motion.outputs import InCylinders, outputs_of
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "src/cranktrain/mechanisms"
@@ -365,3 +371,15 @@ def test_load_works_along_the_output(kind):
     found = place.kind.dynamics.reduced(motion, place.geometry, bodies, loads, Gravity(0.0, 0.0)).load
     output = motion.slider if place.kind.output.is_slider else motion.rocker.angle
     np.testing.assert_allclose(found, 250.0 * output.first, atol=1e-13 * 250.0 * np.max(np.abs(output.first)))
+
+
+def test_a_kind_made_elsewhere_is_what_it_says():
+    """A press's ram is no valve, and a new file of it has its speed; nobody has to know its name."""
+    press = replace(kind_named("slider_crank"), name="press", output=RAM, speed="60 rpm", tables=None)
+    machine = SimpleNamespace(places=[SimpleNamespace(kind=press)], main_shaft=SimpleNamespace(throws=("0 deg",)))
+    assert counted_parts(machine) == ["1 ram", "1 throw"]
+    text = starting_file(press, full=True)
+    assert tomllib.loads(text)["shaft"]["main"]["speed"] == "60 rpm"
+    pistons = SimpleNamespace(outputs=(PISTON, press.output, VALVE))
+    assert outputs_of(pistons, None) == (RAM, RAM, VALVE)
+    assert outputs_of(pistons, InCylinders()) == (PISTON, RAM, VALVE)

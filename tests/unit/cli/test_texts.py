@@ -31,7 +31,7 @@ OTHERS = {
     "shaper": [],
 }
 """What has something for a machine of which a text does not speak."""
-COMMANDS = {one.command: text.name for text in TEXTS for one in text.formulas if one.command}
+COMMANDS = {command: text.name for text in TEXTS for one in text.formulas for command in one.commands}
 
 
 @pytest.mark.parametrize("text", TEXTS, ids=lambda text: text.name)
@@ -39,10 +39,11 @@ def test_every_formula_is_listed_with_what_it_is(typed, text):
     answer = typed("textbook", "--source", text.name, "--full")
     assert (answer.status, answer.errors) == (0, "")
     # a command is not folded, so that it can be copied
-    assert all(len(line) <= 80 or line.startswith("  see ") for line in answer.output.splitlines())
+    assert all(len(line) <= 80 or line.startswith(("  see ", "  of a machine ")) for line in answer.output.splitlines())
     for one in text.formulas:
         assert f"\n{one.number}  " in answer.output
-        assert not one.command or re.search(rf"^  see +{re.escape(one.command)}$", answer.output, re.MULTILINE)
+        for command in one.commands:
+            assert re.search(rf"^  (see|of a machine) +{re.escape(command)}$", answer.output, re.MULTILINE)
     assert answer.output.count("\n  it is  ") == len(text.formulas)
 
 
@@ -90,7 +91,7 @@ def test_without_a_name_the_texts_are_listed(typed):
 @pytest.mark.parametrize("text", TEXTS, ids=lambda text: text.name)
 def test_commands_of_a_page_can_be_typed_in_order(text):
     """No two write one file."""
-    commands = dict.fromkeys(one.command for one in text.formulas if " -o " in one.command)
+    commands = dict.fromkeys(command for one in text.formulas for command in one.commands if " -o " in command)
     written = [command.rpartition(" -o ")[2] for command in commands]
     assert len(set(written)) == len(written)
 
@@ -103,7 +104,7 @@ def test_every_command_shows_its_formula(typed, command):
         return
     (text,) = (text for text in TEXTS if text.name == COMMANDS[command])
     for one in text.formulas:
-        if one.command == command and one.number.startswith("("):
+        if command in one.commands and one.number.startswith("("):
             assert one.number in answer.output or one.number in ("(6)", "(8)", "(9)")  # (4) and (10) in other words
 
 

@@ -107,11 +107,12 @@ def show_equation(number: str, source: str | None, *, others: Mapping[str, str |
 
 def _lines(one: Formula, width: int) -> Iterator[Line]:
     """What is said of a formula below its heading; the command is not folded, so that it can be copied."""
-    rows = [(_("it is"), one.said_verdict), (_("range"), _(one.valid)), (_("mind"), _(one.note)), (_("see"), "")]
-    lines = table(("", ""), [row for row in rows if row[1]], fold=width)
-    yield from lines
-    if one.command:
-        yield table(("", ""), [*rows, (_("see"), one.command)])[-1]
+    said = [(_("it is"), one.said_verdict), (_("range"), _(one.valid)), (_("mind"), _(one.note))]
+    seen = [(_("see"), one.command), (_("of a machine"), one.of_machine)]
+    heads = [head for head, text in (*said, *seen) if text]
+    room = max(map(cell_len, heads))
+    yield from table(("", ""), [(head.ljust(room), text) for head, text in said if text], fold=width)
+    yield from table(("", ""), [(head.ljust(room), text) for head, text in seen if text])
 
 
 def _go_on(text: Source, *, has_forms: bool, full: bool) -> Iterator[str]:

@@ -5,12 +5,19 @@ from cranktrain.texts.contents.text import Formula, Text
 
 _SPLIT = N_("one throw between two supports, hinged at both")
 _THROW = "cranktrain textbook --throw example"
+_OF_MACHINE = "cranktrain textbook --throw kamaz_740 --throw-number 3 --at 420"
+_FIRST, _LAST = (f"cranktrain textbook --throw kamaz_740 --throw-number {number}" for number in (1, 4))
+_WEIGHED = """--set 'balance.weight=[{{mass = "1.2 kg", radius = "70 mm", angle = "{angle} deg", z = "{z} mm"}}]'"""
+"""An external counterweight, which the example has none of."""
 _SENSE = N_("x, left open, is against the rotation: only so may it be added to (51), (53); only sums of C8 + C14 occur")
 
 TEXT = Text(
     name="crankshaft-reactions",
     title=N_("reactions of a crankshaft's supports, throw by throw"),
-    said_of=N_("crankshafts with their supports, a throw at a time: `cranktrain textbook --throw example`"),
+    said_of=N_(
+        "crankshafts with their supports, a throw at a time: `cranktrain textbook --throw example`, or of an engine's "
+        "file `cranktrain textbook --throw FILE`"
+    ),
     letter="E",
     formulas=(
         Formula(
@@ -20,6 +27,7 @@ TEXT = Text(
             _THROW,
             _SPLIT,
             N_("C3 and C5 hold what turns of the rods, so K must not; l is no input but the sum of the chain"),
+            of_machine=_OF_MACHINE,
         ),
         Formula(
             "(45)",
@@ -28,10 +36,24 @@ TEXT = Text(
             _THROW,
             _SPLIT,
             _SENSE,
+            of_machine=_OF_MACHINE,
         ),
-        Formula("(46)", N_("left support, in the crank's plane, of centrifugal forces"), "right", _THROW, _SPLIT),
         Formula(
-            "(47)", N_("left support, across the crank's plane, of centrifugal forces"), "right", _THROW, _SPLIT, _SENSE
+            "(46)",
+            N_("left support, in the crank's plane, of centrifugal forces"),
+            "right",
+            _THROW,
+            _SPLIT,
+            of_machine=_OF_MACHINE,
+        ),
+        Formula(
+            "(47)",
+            N_("left support, across the crank's plane, of centrifugal forces"),
+            "right",
+            _THROW,
+            _SPLIT,
+            _SENSE,
+            of_machine=_OF_MACHINE,
         ),
         Formula(
             "(48)",
@@ -40,6 +62,7 @@ TEXT = Text(
             _THROW,
             _SPLIT,
             N_("C10 is with the rotation"),
+            of_machine=f"{_FIRST} {_WEIGHED.format(angle=-190, z=-110)}",
         ),
         Formula(
             "(49)",
@@ -51,6 +74,7 @@ TEXT = Text(
                 "C12 is against the rotation; (48) and (49), or end moments of the continuous beam: both count the "
                 "counterweights twice"
             ),
+            of_machine=f"{_LAST} {_WEIGHED.format(angle=30, z=620)}",
         ),
         Formula(
             "fig. 35",
@@ -58,18 +82,38 @@ TEXT = Text(
             "right",
             "cranktrain textbook --throw example -o throw.svg",
             note=N_("l7, which it has, occurs in no formula"),
+            of_machine=f"{_OF_MACHINE} -o third.svg",
         ),
-        Formula("(50)", N_("right support, in the crank's plane, of the rods' normal forces"), "right", _THROW, _SPLIT),
-        Formula("(51)", N_("right support, of the rods' tangential forces"), "right", _THROW, _SPLIT),
-        Formula("(52)", N_("left support, in the crank's plane, of the rods' normal forces"), "right", _THROW, _SPLIT),
-        Formula("(53)", N_("left support, of the rods' tangential forces"), "right", _THROW, _SPLIT),
+        Formula(
+            "(50)",
+            N_("right support, in the crank's plane, of the rods' normal forces"),
+            "right",
+            _THROW,
+            _SPLIT,
+            of_machine=_OF_MACHINE,
+        ),
+        Formula(
+            "(51)", N_("right support, of the rods' tangential forces"), "right", _THROW, _SPLIT, of_machine=_OF_MACHINE
+        ),
+        Formula(
+            "(52)",
+            N_("left support, in the crank's plane, of the rods' normal forces"),
+            "right",
+            _THROW,
+            _SPLIT,
+            of_machine=_OF_MACHINE,
+        ),
+        Formula(
+            "(53)", N_("left support, of the rods' tangential forces"), "right", _THROW, _SPLIT, of_machine=_OF_MACHINE
+        ),
         Formula(
             "after (53)",
             N_("“a fully balanced throw has no reactions of rotating masses”"),
             "right in a range",
-            _THROW,
+            f"{_THROW} --full",
             N_("static and dynamic balance: ΣC = 0 and ΣCz = 0 in both planes"),
             N_("C4 balanced by C1 alone leaves R_KCP = −C4(2l2 + 2l3 + hL)/2l"),
+            of_machine=f"{_OF_MACHINE} --full",
         ),
         Formula(
             "each throw",

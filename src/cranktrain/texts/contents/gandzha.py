@@ -6,7 +6,9 @@ from cranktrain.texts.contents.text import Formula, Text
 _CENTRES = "cranktrain plot pumping_unit_c57 --plan centres --at 60,150 -o unit.svg"
 _RATIO = "cranktrain textbook pumping_unit_c57 --source gandzha --table"
 _DRIVE = "cranktrain textbook --drive example --full"
+_OF_MACHINE = "cranktrain textbook --drive tilting_table --full"
 _DRAWN = "cranktrain textbook --drive example -o drive.svg"
+_DRAWN_OF_MACHINE = "cranktrain textbook --drive tilting_table -o table.svg"
 _LOSSES = N_("η stands in the denominator always; where the mechanism drives the motor losses help it")
 
 TEXT = Text(
@@ -23,9 +25,17 @@ TEXT = Text(
             "cranktrain plot pumping_unit_c57 --plan scheme -o scheme.svg",
             note=N_("of motor and gearbox nothing is drawn"),
         ),
-        Formula("(1)", N_("useful torque on the rocker by the rod's force, Q r₁ = Q′ r₁ sin(α₁ − β)"), "right", _DRIVE),
-        Formula("(2)", N_("force in the rod, Q′ = Q/sin(α₁ − β)"), "right", _DRIVE),
-        Formula("(3)", N_("tangential force at the crank pin, T = Q′ sin(α − β)"), "right", _DRIVE),
+        Formula(
+            "(1)",
+            N_("useful torque on the rocker by the rod's force, Q r₁ = Q′ r₁ sin(α₁ − β)"),
+            "right",
+            _DRIVE,
+            of_machine=_OF_MACHINE,
+        ),
+        Formula("(2)", N_("force in the rod, Q′ = Q/sin(α₁ − β)"), "right", _DRIVE, of_machine=_OF_MACHINE),
+        Formula(
+            "(3)", N_("tangential force at the crank pin, T = Q′ sin(α − β)"), "right", _DRIVE, of_machine=_OF_MACHINE
+        ),
         Formula(
             "(4)",
             N_("the same from the load, T = Q sin(α − β)/sin(α₁ − β)"),
@@ -40,18 +50,26 @@ TEXT = Text(
         Formula("(8)", N_("T = Q v_A/v_B"), "right", _RATIO, N_("no losses, no inertia")),
         Formula("(9)", N_("T = Q AC/BC"), "right", _RATIO, N_("no losses, no inertia")),
         Formula("(10)", N_("AC/BC = sin(α − β)/sin(α₁ − β)"), "right", _RATIO, note=N_("exact")),
-        Formula("(11)", N_("sine of the angle BAC, proof of (10)"), "right", _DRIVE),
-        Formula("(12)", N_("static torque on the crank's shaft, T r/η"), "right in a range", _DRIVE, _LOSSES),
+        Formula("(11)", N_("sine of the angle BAC, proof of (10)"), "right", _DRIVE, of_machine=_OF_MACHINE),
+        Formula(
+            "(12)",
+            N_("static torque on the crank's shaft, T r/η"),
+            "right in a range",
+            _DRIVE,
+            _LOSSES,
+            of_machine=_OF_MACHINE,
+        ),
         Formula(
             "(13)",
             N_("the same from the load, with r₁"),
             "wrong",
             _DRIVE,
             note=N_("by (12) and (4) it has r, the crank's radius, not r₁"),
+            of_machine=_OF_MACHINE,
         ),
-        Formula("(14)", N_("static torque at the motor"), "right in a range", _DRIVE, _LOSSES),
-        Formula("(15)", N_("weight of the driven parts at A, GD²/(2r₁)²"), "right", _DRIVE),
-        Formula("(16)", N_("equal kinetic energies at A and B"), "right", _DRIVE),
+        Formula("(14)", N_("static torque at the motor"), "right in a range", _DRIVE, _LOSSES, of_machine=_OF_MACHINE),
+        Formula("(15)", N_("weight of the driven parts at A, GD²/(2r₁)²"), "right", _DRIVE, of_machine=_OF_MACHINE),
+        Formula("(16)", N_("equal kinetic energies at A and B"), "right", _DRIVE, of_machine=_OF_MACHINE),
         Formula("(17)", N_("weight at B, by the square of (10)"), "right", _RATIO),
         Formula(
             "(18)",
@@ -60,6 +78,7 @@ TEXT = Text(
             _DRIVE,
             N_("the rod without mass"),
             N_("with [masses] the result flywheel_moment is that of all bodies, the rod's too"),
+            of_machine=_OF_MACHINE,
         ),
         Formula(
             "(19)",
@@ -67,6 +86,7 @@ TEXT = Text(
             "wrong",
             _DRIVE,
             note=N_("an efficiency is no property of an inertia: losses follow the torque"),
+            of_machine=_OF_MACHINE,
         ),
         Formula(
             "(20)",
@@ -74,6 +94,7 @@ TEXT = Text(
             "wrong",
             _DRIVE,
             note=N_("the moments go down by i², not i; and by no efficiency"),
+            of_machine=_OF_MACHINE,
         ),
         Formula(
             "(21)",
@@ -81,6 +102,7 @@ TEXT = Text(
             "right in a range",
             _DRIVE,
             N_("a weight or a spring: friction reverses with the rocker, and its torque never changes sign"),
+            of_machine=_OF_MACHINE,
         ),
         Formula(
             "fig. 2",
@@ -89,6 +111,7 @@ TEXT = Text(
             _DRAWN,
             N_("as (20), (21)"),
             N_("redrawn with right, printed and refuted curves, of a machine file, too"),
+            of_machine=_DRAWN_OF_MACHINE,
         ),
         Formula(
             "after (20)",
@@ -103,6 +126,7 @@ TEXT = Text(
             "wrong",
             _DRIVE,
             note=N_("as the text shows: Q′ = Q sin(α₁ − β) put into (1) gives sin²(α₁ − β) = 1"),
+            of_machine=_OF_MACHINE,
         ),
         Formula(
             "after (21)",
@@ -110,6 +134,7 @@ TEXT = Text(
             "wrong",
             _DRIVE,
             note=N_("it is 0 at the dead positions"),
+            of_machine=_OF_MACHINE,
         ),
         Formula(
             "purpose",

@@ -23,7 +23,7 @@ TEXT = Text(
             "S = R(1 − cos φ) + L(1 − √(1 − λ² sin² φ))",
             N_("the displacement before its root is taken to first order, A_M D + DC of fig. 146"),
             "right",
-            _MOTION,
+            f"{_MOTION} --full",
             N_("central mechanism"),
             N_("exact; in numbers off by rounding alone"),
         ),

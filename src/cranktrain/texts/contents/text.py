@@ -30,11 +30,13 @@ class Formula:
     verdict : "right", "right in a range" or "wrong"
         Wrong is what is printed; what is computed is right.
     command : str
-        What shows it, on an example; empty where nothing computes it.
+        What shows it, on the text's own numbers or an example; empty where nothing computes it.
     valid : str
         Its range of validity; empty where it needs none.
     note : str
         How far it is off, what is wrong with it, and what is right.
+    of_machine : str
+        What shows it of an engine, drive or mechanism of the examples; empty where `command` does.
     """
 
     number: str
@@ -43,6 +45,12 @@ class Formula:
     command: str = ""
     valid: str = ""
     note: str = ""
+    of_machine: str = ""
+
+    @property
+    def commands(self) -> tuple[str, ...]:
+        """All that show it."""
+        return tuple(filter(None, (self.command, self.of_machine)))
 
     @property
     def said_verdict(self) -> str:
