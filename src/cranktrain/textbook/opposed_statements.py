@@ -231,7 +231,7 @@ def _sizes(one: OpposedCylinders) -> Iterator[Statement]:
         sizes = (own.crank_radius, own.rod_length, own.crank_radius / own.rod_length)
         for letter, name, size, unit in zip("RLλ", words[end], sizes, ("m", "m", "1"), strict=True):
             symbol = f"{letter}_{_INDICES[end]}"
-            yield _number(one, "fig.1.3", symbol, name, "", float(size), unit, "right", float(size))
+            yield _number(one, "fig. 1.3", symbol, name, "", float(size), unit, "right", float(size))
 
 
 def _errors(

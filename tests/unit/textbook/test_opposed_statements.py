@@ -158,7 +158,7 @@ def test_two_shafts_with_equal_rods_are_as_the_text_has_them():
     (stroke,) = (one for one in found if one.symbol == "4R cos(Δ/2)")
     assert stroke.value == pytest.approx(4 * 0.127 * np.cos(np.radians(6.0)), rel=1e-13)
     assert stroke.value == pytest.approx(stroke.exact, rel=1e-13)
-    assert {one.symbol for one in found if one.equation == "fig.1.3"} == {f"{a}_{b}" for a in "RLλ" for b in "вп"}
+    assert {one.symbol for one in found if one.equation == "fig. 1.3"} == {f"{a}_{b}" for a in "RLλ" for b in "вп"}
 
 
 def test_the_deltic_has_both_schemes():

@@ -14,6 +14,8 @@ _OF_MACHINE = (
 )
 """The numbers of mill_engine, at its 180 rpm."""
 
+_CURVES_OF_MACHINE = "cranktrain textbook mill_engine --table"
+
 TEXT = Text(
     name="slider-crank-synthesis",
     title=N_("a slider-crank from stroke and pressure angle"),
@@ -58,7 +60,7 @@ TEXT = Text(
             "wrong",
             _STEPS,
             note=N_("the root over the bracket is lost"),
-            of_machine=_OF_MACHINE,
+            of_machine=_CURVES_OF_MACHINE,
         ),
         Formula(
             "v = rω[φ + (r/2l) sin 2φ]",
@@ -67,7 +69,7 @@ TEXT = Text(
             _STEPS,
             N_("central mechanism; the text gives no λ"),
             N_("sin φ for φ; its sign is that of −dx/dt; exact, the velocity has all harmonics"),
-            of_machine=_OF_MACHINE,
+            of_machine=_CURVES_OF_MACHINE,
         ),
         Formula(
             "table",
@@ -75,7 +77,7 @@ TEXT = Text(
             "wrong",
             _STEPS,
             note=N_("slips at 60° and 300°, in sin 2φ and the bracket at 150° and 210°; r/2l is 0.148, not 0.15"),
-            of_machine=_OF_MACHINE,
+            of_machine=_CURVES_OF_MACHINE,
         ),
         Formula(
             "plans",
