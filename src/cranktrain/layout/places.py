@@ -254,7 +254,7 @@ def _master_of(slot: _Slot, slots: Sequence[_Slot]) -> _Slot | Problem | None:
             else _("must be the name of a bank of slider-cranks, but there is no other bank")
         )
         return Problem(path, name, allowed)
-    masters = [other for other in in_bank if other.spec.kind == "slider_crank"]
+    masters = [other for other in in_bank if kind_of(other.spec).is_direct]
     if not masters:
         return Problem(path, name, _("must be a bank of slider-cranks; a slave rod cannot carry another"))
     on_throw = [other for other in masters if (other.shaft, other.throw) == (slot.shaft, slot.throw)]

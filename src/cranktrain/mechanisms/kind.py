@@ -107,6 +107,13 @@ class Kind(Generic[Motion, Geometry]):
         The least gap over a turn in closed form, for a kind of whose gap every length takes as much as it changes.
     openings : callable (geometry) → Openings, optional
         Finds what `closing_margin` looks for; for a kind whose gap has to be walked for.
+    is_direct : bool
+        Whether its rod joins a piston and the crank pin itself: what textbooks say of λ, of P·f(β) and of two harmonics
+        is said of it, and slaves may hang on its rod.
+    is_slave : bool
+        Whether its rod hangs on the rod of a mechanism that is direct.
+    is_outlined : bool
+        Whether throws are drawn with its links in outline, as an engine's, and not as lines.
     has_own_pin : bool
         Whether its crank is one of its own beside the throw, as an eccentric is, and not the throw itself.
     rows : tuple of callable (labels, design, …) → rows
@@ -139,6 +146,9 @@ class Kind(Generic[Motion, Geometry]):
     closing_field: str | Callable[[Any, Geometry], str] = "rod_length"
     least_gap: Callable[[Geometry], Extreme] | None = None
     openings: Callable[[Geometry], Openings] | None = None
+    is_direct: bool = False
+    is_slave: bool = False
+    is_outlined: bool = False
     has_own_pin: bool = False
     rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
 

@@ -125,7 +125,7 @@ def place_called(machine: Machine, name: str | None) -> PlacedMechanism:
     """
     on_throw = first_throw(machine)
     if name is None:
-        return next((place for place in on_throw if place.kind.name == "articulated_rod"), on_throw[0])
+        return next((place for place in on_throw if place.kind.is_slave), on_throw[0])
     named = [place for place in machine.places if name in (place.name, place.cylinder)]
     if named:
         return next((place for place in named if place.name == name), named[0])

@@ -95,7 +95,7 @@ def constants(
 
 def alike_slaves(places: Sequence[PlacedMechanism]) -> tuple[AlikeSlaves, ...]:
     """Put slaves on articulated rods together that have the same geometry."""
-    slaves = [place for place in places if isinstance(place.geometry, ArticulatedRod)]
+    slaves = [place for place in places if place.kind.is_slave]
     groups = alike_places(slaves, [place.geometry for place in slaves])
     return tuple(AlikeSlaves(of, first.geometry) for of, first in groups)
 

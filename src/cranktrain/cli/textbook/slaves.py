@@ -26,7 +26,7 @@ def show_constants(console: Console, places: Sequence[PlacedMechanism]) -> None:
     rows = grouped(((one.name if len(slaves) == 1 else f"{one.of}, {one.name}"), one) for one in found)
     sets = [{one.symbol: one for one in members} for members in rows.values()]
     columns = [_column(symbol, [each.get(symbol) for each in sets]) for symbol in _DECIMALS]
-    names = [place.name for place in places if place.kind.name == "articulated_rod"]
+    names = [place.name for place in places if place.kind.is_slave]
     heading = _("Constants of {equation} for {pistons} [{source}]").format(
         equation=EQUATION, pistons=ranged(names, range(len(names))), source=SOURCE
     )

@@ -37,6 +37,7 @@ KIND = Kind(
     stages=(transmission,),
     rows=(transmission_rows,),
     dynamics=DYNAMICS,
+    is_outlined=True,
     speed="10 rpm",
     tables=Path(__file__).with_name("starting.toml"),
     example="""\

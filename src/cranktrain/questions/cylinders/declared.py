@@ -77,7 +77,7 @@ def _cylinder(common: CylindersSpec, pistons: Sequence[PlacedMechanism], index: 
         signs=tuple(-1.0 if place.is_far else 1.0 for place in places),
         spec=CylinderSpec.model_construct(**{field: value for field, (_path, value) in given.items()}),
         paths={field: path for field, (path, _value) in given.items()},
-        is_master=all(place.kind.name == "slider_crank" for place in places),
+        is_master=all(place.kind.is_direct for place in places),
         carrier=next((i for i, other in enumerate(pistons) if _carries(other, places[0])), -1),
     )
 

@@ -8,9 +8,6 @@ from numpy.typing import NDArray
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.record import record
 
-MASTER = "slider_crank"
-"""Kind of what slaves hang on."""
-
 
 @record
 class Carriers:
@@ -39,7 +36,7 @@ def carriers_of(places: Sequence[PlacedMechanism]) -> Carriers:
     masters: dict[tuple[str, int, str | None], int] = {
         (place.shaft, place.throw, place.bank): i
         for i, place in reversed(list(enumerate(places)))
-        if place.kind.name == MASTER
+        if place.kind.is_direct
     }
     master = [masters.get((place.shaft, place.throw, getattr(place.spec, "master", None)), -1) for place in places]
     is_piston = np.array([place.kind.output.is_slider for place in places])

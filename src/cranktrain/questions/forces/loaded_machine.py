@@ -20,7 +20,7 @@ from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Coefficient, Link
 from cranktrain.numerics import extremes, in_windows
 from cranktrain.numerics.gathering import put
-from cranktrain.questions.forces.carriers import MASTER, Carriers
+from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
 
@@ -123,7 +123,7 @@ class LoadedMachine:
             drive = Drive(*(_own(part, batch.index) for part in drives))
             pressed = dynamics.load(motion, size, self._pressing(batch.index, toward))
             loads = borne = self._with_loads(pressed, batch, motion, _own(angle, batch.index), drive.speed)
-            handed = _of_slaves(batch.index, on_rods) if batch.kind.name == MASTER else None
+            handed = _of_slaves(batch.index, on_rods) if batch.kind.is_direct else None
             if handed is not None:
                 on_crank, on_rod, on_piston = loads
                 borne = (on_crank, added(on_rod, handed), on_piston)

@@ -33,18 +33,16 @@ _CURVE = ("force_method", "piston", "crank_angle")
 _LIMIT = 1e-12
 FORCE_METHODS = ("exact", "textbook", "two_harmonics")
 """By the reactions; by P·f(β); by that with two harmonics of the inertia."""
-DIRECT = "slider_crank"
-"""Kind whose rod joins piston and crank pin, and nothing else does."""
 
 
 def have_direct_rods(pistons: Pistons) -> bool:
     """Whether any piston's rod sits on the crank pin itself."""
-    return any(batch.kind.name == DIRECT for batch in pistons.batches)
+    return any(batch.kind.is_direct for batch in pistons.batches)
 
 
 def direct_batches(loaded: LoadedMachine) -> Iterator[tuple[int, Batch]]:
     """Those batches of the mechanisms whose rods join piston and crank pin, with their places."""
-    return ((place, batch) for place, batch in enumerate(loaded.mechanisms.batches) if batch.kind.name == DIRECT)
+    return ((place, batch) for place, batch in enumerate(loaded.mechanisms.batches) if batch.kind.is_direct)
 
 
 @record
@@ -100,7 +98,7 @@ def piston_force_set(
     residuals: list[Array] = []
     for one, exact in rods.each:
         put(curves[:, :, 0], one.piston, (*exact[:-1], *_at_pin(one, exact, crank_pins)))
-        if one.batch.kind.name == DIRECT:
+        if one.batch.kind.is_direct:
             two_harmonics = two_harmonic_inertia_force(
                 phi + one.batch.members.phase, one.batch.members.geometry, one.reciprocating, one.drive
             )

@@ -94,7 +94,7 @@ def _ratios_of_cranks(gas: GasInChambers) -> Iterator[str]:
     areas = np.max(np.abs(gas.chambers.areas), axis=2)
     ratio, stroke = np.full((2, *gas.tops.shape[:2]), np.nan)
     for batch in gas.pistons.batches:
-        if batch.kind.name == "slider_crank":
+        if batch.kind.is_direct:
             size = batch.members.geometry
             ratio[:, batch.index] = (size.crank_radius / size.rod_length)[..., 0]
             stroke[:, batch.index] = 2 * size.crank_radius[..., 0]

@@ -8,7 +8,6 @@ from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle, order_labels
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
-from cranktrain.questions.forces.piston_forces import DIRECT
 from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics, torque_harmonics
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_HARMONICS as _THEORY
@@ -35,7 +34,7 @@ def rod_orders(pistons: Pistons, crank_angle: CrankAngle) -> RodOrders:
     highest = len(labels["order"]) // turns
     ratio = np.full((len(crank_angle.zero), len(pistons.names)), np.nan)
     for batch in pistons.batches:
-        if batch.kind.name == DIRECT:
+        if batch.kind.is_direct:
             size = batch.members.geometry
             ratio[:, batch.index] = np.where(size.offset == 0.0, size.crank_radius / size.rod_length, np.nan)[..., 0]
     by_order = np.stack([of(ratio, highest)[..., 1:] for of in (acceleration_harmonics, torque_harmonics)])

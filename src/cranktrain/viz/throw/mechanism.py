@@ -109,7 +109,7 @@ def _dead_positions(scene: Scene, member: DrawnMechanism, angles: Sequence[float
 
 def _chains(member: DrawnMechanism, pins: dict[str, Array]) -> list[Array]:
     """Lines from pin to pin: one through all of them, or of a mechanism drawn link by link one for each link."""
-    through = ("O", "A", "C", "D") if member.place.kind.name == "articulated_rod" else member.metal
+    through = ("O", "A", "C", "D") if member.place.kind.is_slave else member.metal
     names = [_metal(member, link) for link in member.turn.links] if member.is_plain else [through]
     return [np.stack([pins[name] for name in line], axis=1) for line in names]
 

@@ -25,8 +25,6 @@ from cranktrain.record import record
 from cranktrain.viz.paper.shapes import Along, guide_line, unit
 
 _TURN = np.linspace(0.0, 2 * np.pi, 361)
-_OUTLINED = ("slider_crank", "crank_rocker", "articulated_rod")
-"""Kinds that are drawn in outline, with eyes, pistons and cylinders."""
 BIG_EYE, SMALL_EYE = 0.40, 0.22
 """Radii of a rod's eyes in parts of the crank radius."""
 
@@ -91,7 +89,7 @@ class DrawnMechanism:
     @property
     def is_plain(self) -> bool:
         """Whether it is drawn link by link: a mechanism that is not one of the engine's."""
-        return self.place.kind.name not in _OUTLINED
+        return not self.place.kind.is_outlined
 
     @cached_property
     def stroke_line(self) -> Along:
@@ -226,7 +224,7 @@ class Scene:
     @cached_property
     def slaves(self) -> tuple[DrawnMechanism, ...]:
         """Members whose rods hang on another's."""
-        return tuple(member for member in self.members if member.place.kind.name == "articulated_rod")
+        return tuple(member for member in self.members if member.place.kind.is_slave)
 
     @property
     def is_star(self) -> bool:
