@@ -134,7 +134,8 @@ def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> Iterator
 def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
     """Find what a body lacks, and a centroid that lies far outside its link."""
     lengths = dict.fromkeys(float(length) for place in places if (length := _length(place, name)) is not None)
-    if name != PISTON and body.big_end is None:
+    turns = any(name not in map(part_name, place.kind.dynamics.straight) for place in places)
+    if turns and name != PISTON and body.big_end is None:
         yield from (
             Problem(
                 f"{where}.{field}",
@@ -182,7 +183,7 @@ def masses_of(places: Sequence[PlacedMechanism], given: Weighed, n_designs: int)
         assumed=tuple(
             f"{place.name}.{part}"
             for place, part, spec in moving
-            if spec is not None and spec.own_inertia is None and part != SLIDER
+            if spec is not None and spec.own_inertia is None and part not in (SLIDER, *place.kind.dynamics.straight)
         ),
         doubtful=tuple(
             f"{place.name}.{part}"

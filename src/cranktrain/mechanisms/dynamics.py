@@ -104,6 +104,12 @@ class Dynamics(Generic[_Motion, _Geometry]):
     forces: Callable[[_Motion, _Geometry, tuple[Body, ...], tuple[Wrench, ...], Conditions], Forces]
     on_master: Callable[[_Motion, _Geometry, Wrench], Wrench] | None = None
 
+    @property
+    def straight(self) -> tuple[str, ...]:
+        """What slides in a guide of the frame, and so does not turn: it has neither a centroid aside nor an inertia."""
+        guided = {one.name for one in self.reactions if FRAME in (one.on, one.by)}
+        return tuple(name for name, contact in zip(self.sliding, self.contacts, strict=True) if contact.joint in guided)
+
     def reduced(
         self,
         motion: _Motion,

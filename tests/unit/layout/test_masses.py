@@ -36,3 +36,40 @@ def test_gravity_pulls_along_each_axis_by_itself(found):
     one, other = (batch.gravity for batch in loaded.masses.batches)
     np.testing.assert_allclose(np.hypot(one.x, one.y), 9.81, rtol=1e-15)
     assert not np.allclose(one.y, other.y)
+
+
+def test_what_slides_in_a_fixed_guide_needs_its_mass_alone():
+    """It does not turn: whatever its inertia is, nothing hangs on it; and where it turns both are asked for."""
+    table = {
+        "kind": "chain",
+        "output": "block",
+        "fixed": {"C": ["100 mm", "0 mm"]},
+        "crank": {"main": {"radius": "50 mm"}},
+        "part": [
+            {
+                "type": "slide",
+                "rod": {"name": "rod", "from": "main.pin", "length": "180 mm"},
+                "slider": "crosshead",
+                "guide": {"through": "O", "direction": "0 deg"},
+            },
+            {
+                "type": "trammel",
+                "link": "rod",
+                "slider": "block",
+                "guide": {"through": "C", "direction": "90 deg"},
+            },
+        ],
+    }
+
+    def of(part, **body):
+        bodies = {part: {"mass": "5 kg", **body}}
+        return ct.Machine(mechanism=table, shaft={"main": {"speed": "600 rpm"}}, masses=bodies)
+
+    names = ("driving_torque", "joint_force_x", "joint_force_y", "joint_moment")
+    alone, other = (ct.run(of("crosshead", **body)) for body in ({}, {"along": "0 mm", "inertia": "3 kg*m^2"}))
+    assert np.max(np.abs(alone.driving_torque)) > 1.0
+    for name in names:
+        np.testing.assert_array_equal(getattr(alone, name), getattr(other, name))
+    with pytest.raises(ct.InputError) as refused:
+        ct.run(of("rod"))
+    assert [problem.path for problem in refused.value.problems] == ["masses.rod.along", "masses.rod.inertia"]
