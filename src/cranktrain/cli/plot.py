@@ -79,6 +79,7 @@ def write_picture(request: PlotRequest) -> None:
     InputError
         With everything that is wrong with the options, else with the machine, else with what cannot be drawn.
     """
+    from cranktrain.cli.textbook.speaking import with_speaking
     from cranktrain.plans.placement import place_called
 
     choice = understood(request)
@@ -89,6 +90,7 @@ def write_picture(request: PlotRequest) -> None:
         shown_by(choice.units),
         problems_as(partial(_placed, file, request)),
         problems_as(at_running_speed),
+        problems_as(with_speaking(file.machine, request.file, request.settings, ("mechanism",))),
     ):
         if request.mechanism is not None:
             with problems_as(lambda problem: replace(problem, path="--mechanism")):

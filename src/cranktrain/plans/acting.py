@@ -97,7 +97,7 @@ def made_ready(machine: Machine, speed: SpeedWanted) -> LoadedMachine:
 
 def refuse_idle(machine: Machine) -> None:
     """Refuse a machine on whose links nothing acts, or of which no speed is known."""
-    refuse(_idle(machine))
+    refuse(idle_problems(machine))
 
 
 def refuse_absent(result: Result, quantities: Iterable[str]) -> None:
@@ -110,9 +110,10 @@ def refuse_absent(result: Result, quantities: Iterable[str]) -> None:
         )
 
 
-def _idle(machine: Machine) -> Iterator[Problem]:
+def idle_problems(machine: Machine) -> Iterator[Problem]:
     """What a machine lacks for forces."""
-    if machine.main_shaft.speed is None and machine.main_shaft.speed_curve is None:
+    main = machine.main_shaft
+    if main.speed is None and main.speed_curve is None and not main.makes_motion:
         yield Problem("shaft.main.speed", None, _("is missing: forces of inertia need it"))
     if machine.gas is None and not machine.masses and not machine.weighed.bodies and not machine.loads:
         yield Problem("masses", None, _("is missing, and [gas] too: nothing acts on the links"))

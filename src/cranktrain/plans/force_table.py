@@ -171,7 +171,7 @@ def _piston(machine: Machine, wanted: str | None) -> PlacedMechanism:
     """Find a piston with a rod; unless named, the first whose rod is on a crank pin."""
     rods = {place.name: place for place in machine.design.pistons if place.kind.has_rod}
     if not rods:
-        raise InputError([Problem("--piston", wanted, _("this machine has no piston with a rod"))])
+        raise InputError([Problem("mechanism", None, _("this machine has no piston with a rod"))])
     if wanted is None:
         on_pins = (place for place in rods.values() if place.kind.dynamics.joint("crank_pin") is not None)
         return next(on_pins)

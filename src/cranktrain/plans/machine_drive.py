@@ -1,13 +1,14 @@
 """A machine's crank-rocker as the drive of [gandzha]: its numbers by that source's symbols."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
 
-from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.language import N_, _
 from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.layout.masses import masses_of
 from cranktrain.layout.places import PlacedMechanism
@@ -20,9 +21,27 @@ from cranktrain.texts.drive_table import CrankRockerDrive, read_drive
 
 _KIND = "crank_rocker"
 _OF_STAGES = frozenset({"i", "eta_p", "eta_sh"})
+_SAID = {
+    "i": ("drive.stage.ratio", N_("is missing: those of all stages make i"), "40"),
+    "eta_p": ("drive.stage.efficiency", N_("is missing: those of all gears make η_p"), "0.94"),
+    "Q": ("load", N_("must have a torque on the rocker, or a force on it with a radius, of one size: Q r₁"), "4 kN"),
+    "GD2_0": ("drive.part", N_("is missing, with the rotor's inertia: the motor's shaft has (GD²)₀"), "2 kg*m^2"),
+    "GD2_O1": ("masses.rocker", N_("is missing: the rocker's shaft has GD²"), "200 kg*m^2"),
+}
+"""Where a machine says what the text needs, what it would say there, and a value that may be set instead."""
 
 
-def machine_drive(machine: Machine, typed: Mapping[str, object] = MappingProxyType({})) -> CrankRockerDrive:
+def _in_python(symbol: str, value: str) -> str:
+    """Write how a symbol is set, as functions take it."""
+    return f'set={{"{symbol}": "{value}"}}'
+
+
+def machine_drive(
+    machine: Machine,
+    typed: Mapping[str, object] = MappingProxyType({}),
+    *,
+    as_set: Callable[[str, str], str] = _in_python,
+) -> CrankRockerDrive:
     """Give a machine's crank-rocker and its drive as the text on these takes them.
 
     Parameters
@@ -31,6 +50,8 @@ def machine_drive(machine: Machine, typed: Mapping[str, object] = MappingProxyTy
     typed : mapping
         Other values by the text's symbols, as `read_drive` takes them. With i, eta_p or eta_sh among them the symbols
         stand for the stages of [drive].
+    as_set : callable
+        How a symbol with its value is set, for what is said where one is missing.
 
     Returns
     -------
@@ -39,9 +60,20 @@ def machine_drive(machine: Machine, typed: Mapping[str, object] = MappingProxyTy
     Raises
     ------
     InputError
-        If there is no crank-rocker, or neither the machine nor `typed` says what the text needs.
+        If there is no crank-rocker, or neither the machine nor `typed` says what the text needs, with the path where
+        the machine would.
     """
-    drive = read_drive(drive_data(machine) | dict(typed))
+    data = drive_data(machine) | dict(typed)
+
+    def said(problem: Problem) -> Problem:
+        if problem.path in data or problem.path not in _SAID:
+            return problem
+        path, allowed, value = _SAID[problem.path]
+        repair = _("or {example}").format(example=as_set(problem.path, value))
+        return replace(problem, path=path, allowed=_(allowed), repair=repair)
+
+    with problems_as(said):
+        drive = read_drive(data)
     if machine.drive is None or not _OF_STAGES.isdisjoint(typed):
         return drive
     return drive._replace(train=drivetrain_of(machine.drive))
@@ -107,6 +139,8 @@ def _of_gear(machine: Machine) -> Iterator[tuple[str, object]]:
     yield "i", float(np.prod(ratios))
     yield "eta_p", float(train.gear_efficiency)
     motor = None if drive.motor is None else drive.motor.rotor_inertia
+    if motor is None and not drive.part:
+        return
     own = 0.0 if motor is None else float(np.ravel(motor)[0])
     for part in drive.part.values():
         turned = 1.0 if part.on == "motor" else float(np.prod(ratios[: part.on]))
@@ -118,7 +152,8 @@ def _of_masses(machine: Machine, place: PlacedMechanism) -> Iterator[tuple[str, 
     """The rod, and what turns about the fixed pivots: inertia about its centre of mass and its mass at its distance."""
     rod = _body(machine, place, "rod")
     yield "J", _written(inertia_about_pivot(machine, place, "crank"), "kg*m^2")
-    yield "GD2_O1", _written(4 * inertia_about_pivot(machine, place, "rocker"), "kg*m^2")
+    if (driven := inertia_about_pivot(machine, place, "rocker")) > 0:
+        yield "GD2_O1", _written(4 * driven, "kg*m^2")
     if rod[0] > 0:
         values = zip(("m", "p", "q", "I"), rod, ("kg", "m", "m", "kg*m^2"), strict=True)
         yield from ((symbol, _written(value, unit)) for symbol, value, unit in values)

@@ -5,14 +5,14 @@ from typing import NamedTuple, get_args
 
 import numpy as np
 
-from cranktrain.analysis import run
-from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.analysis import Result, run
+from cranktrain.errors import Problem, refuse
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, largest_of
-from cranktrain.plans.acting import refuse_idle
+from cranktrain.plans.acting import idle_problems
 from cranktrain.plans.throw_loads import CrankMasses, ThrowLoad, ThrowSpan, of_member
 from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.bearing_loads import bearing_loads, end_moments
@@ -29,6 +29,8 @@ from cranktrain.record import record
 from cranktrain.texts.throw_table import Rods, Throw
 
 _NEEDED = "largest_bearing_load"
+_WEIGHED = "[masses]"
+"""Told with [gas], as what acts."""
 _ONE_PLACE = 1e-9
 """Loads nearer than this act at one place. [m]"""
 _ROUNDING = 1e-13
@@ -95,13 +97,8 @@ class ThrownMachine:
 
     def __init__(self, machine: Machine) -> None:
         """Lay its crankshafts out, and refuse a machine that has none, or on which nothing acts."""
-        refuse_idle(machine)
         result = run(machine, quantities=(_NEEDED,))
-        if _NEEDED not in result.catalogue:
-            needs = ", ".join(result.needs_of(_NEEDED))
-            allowed = _("the loads of its main bearings need {needs}").format(needs=needs)
-            repair = _("`cranktrain textbook FILE` shows what the texts have for other machines")
-            raise InputError([Problem("", None, allowed, repair)])
+        refuse([*idle_problems(machine), *_lacking(machine, result)])
         self.machine, self.loaded, self.crank_angle = machine, result[LoadedShafts], result.crank_angle
 
     @property
@@ -143,6 +140,26 @@ class ThrownMachine:
             yield Problem("at", str(degrees[~np.isfinite(degrees)][0]), _("must be a crank angle in degrees"))
         if masses not in (known := get_args(CrankMasses)):
             yield Problem("crank_masses", masses, _("must be one of: {names}").format(names=", ".join(known)))
+
+
+def _lacking(machine: Machine, result: Result) -> Iterator[Problem]:
+    """What a machine lacks for the loads of its main bearings, by path."""
+    if _NEEDED in result.catalogue:
+        return
+    needs = result.needs_of(_NEEDED)
+    if not needs:
+        yield Problem("mechanism", None, _("must be pistons on a crankshaft: the text speaks of no other machine"))
+    for path in (need.replace("] ", ".").strip("[]") for need in needs if need != _WEIGHED):
+        if not _is_declared(machine, path):
+            yield Problem(path, None, _("is missing: the loads of the main bearings need it"))
+
+
+def _is_declared(machine: Machine, path: str) -> bool:
+    """Whether a machine's file has something at a path."""
+    found: object = machine.declared
+    for part in path.split("."):
+        found = found.get(part) if isinstance(found, Mapping) else getattr(found, part, None)
+    return found is not None
 
 
 class _Letters:

@@ -161,9 +161,11 @@ def plain_crank_called(machine: Machine, name: str | None) -> PlacedMechanism:
 def _of_kinds(machine: Machine, name: str | None, kinds: Sequence[str], allowed: str) -> PlacedMechanism:
     """Find a place by name, or the first of the kinds, as they stand; refuse one of another kind."""
     first = next((place.name for kind in kinds for place in machine.places if place.kind.name == kind), None)
+    if first is None:
+        raise InputError([Problem("mechanism", None, allowed)])
     place = place_called(machine, name or first)
     if place.kind.name not in kinds:
-        raise InputError([Problem("", place.name, allowed)])
+        raise InputError([Problem("--mechanism", place.name, allowed, _("such as: {example}").format(example=first))])
     return place
 
 

@@ -12,6 +12,7 @@ from cranktrain.io.any_machine import source_of
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.plans.machine_drive import machine_drive
+from cranktrain.textbook.alike_places import instead
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
 from cranktrain.texts.crank_rocker_drive import (
     Directions,
@@ -82,7 +83,11 @@ def drive(
         refuse(Problem(path, str(value), _("is for a machine: name it")) for path, value in values.items())
         return drive_statements(read_drive(tomllib.loads(example_table("drive")) | symbols), at)
     given = source_of(machine, values)
-    with problems_as(given.placed):
+
+    def said(problem: Problem) -> Problem:
+        return replace(problem, repair=instead(given.machine.places)) if problem.path == "mechanism" else problem
+
+    with problems_as(given.placed), problems_as(said):
         return drive_statements(machine_drive(given.machine, symbols), at)
 
 

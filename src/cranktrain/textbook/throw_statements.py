@@ -54,7 +54,7 @@ _CONSTITUENTS: Mapping[str, _Constituent] = {
 
 def throw(
     machine: "MachineLike | None" = None,
-    throw_number: str | int = 1,
+    throw_number: str | int | None = None,
     at: float | None = None,
     *,
     set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
@@ -66,8 +66,8 @@ def throw(
     ----------
     machine : str, path-like, dict or Machine, optional
         As `cranktrain.run` takes it, with [crankshaft]; the text's own example unless given.
-    throw_number : int or str
-        Of the throw; with several shafts below the shaft's name: `main.3`.
+    throw_number : int or str, optional
+        Of the throw; with several shafts below the shaft's name: `main.3`. The first unless given.
     at : float, optional
         Crank angle as the machine shows it; where the largest load of both bearings is unless given. [deg]
     set : mapping of str, optional
@@ -98,7 +98,9 @@ def throw(
         return throw_statements(read_throw(tomllib.loads(example_table("throw")) | values))
     given = source_of(machine, values)
     with problems_as(given.placed):
-        return machine_statements(ThrownMachine(given.machine), str(throw_number), at, crank_masses)
+        thrown = ThrownMachine(given.machine)
+        name = next(iter(thrown.throws)) if throw_number is None else str(throw_number)
+        return machine_statements(thrown, name, at, crank_masses)
 
 
 def throw_statements(of: Throw) -> Statements:

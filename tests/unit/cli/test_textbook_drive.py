@@ -89,7 +89,7 @@ def test_mistakes_in_a_table(typed, written, change, said):
         (["--drive", "example", "--throw", "example"], "must be left out beside --drive"),
         (["--drive", "example", "-o", "drive.xlsx"], ENDS_IN),
         (["--drive", "vaz_21213"], "must have a crank-rocker"),
-        (["--drive", "pumping_unit_c57", *OF_MACHINE], "Q: is missing"),
+        (["--drive", "pumping_unit_c57", *OF_MACHINE], "  load: must have a torque on the rocker"),
         (["--drive", " "], "must be a file with a drive's table"),
         (["tilting_table", "--at", "20"], "is for a throw or a drive: ask for --throw FILE or --drive FILE, too"),
         (["--drive", "example", "--set", "Q"], "must be SYMBOL=VALUE"),

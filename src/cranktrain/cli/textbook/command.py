@@ -19,6 +19,7 @@ from cranktrain.cli.textbook.forms import explain_forms, show_forms, show_motion
 from cranktrain.cli.textbook.opposed import show_opposed
 from cranktrain.cli.textbook.slaves import show_constants
 from cranktrain.cli.textbook.source import machine_file
+from cranktrain.cli.textbook.speaking import speaking
 from cranktrain.cli.textbook.summary import go_on, show_summary
 from cranktrain.cli.textbook.texts import show_text, show_texts
 from cranktrain.errors import InputError, Position, Problem, refuse
@@ -32,10 +33,8 @@ from cranktrain.textbook.distinct_pistons import alike
 from cranktrain.textbook.motion_statements import NEEDED as MOTION_NEEDED
 from cranktrain.textbook.opposed_statements import NEEDED as OPPOSED_NEEDED
 from cranktrain.textbook.opposed_statements import opposed_cylinders
-from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text, text_called, text_named
 from cranktrain.texts.plain_cranks import PLAIN
-from cranktrain.texts.ranges import RANGES
 
 _ERRATA = "errata"
 _STEP = 30.0
@@ -127,7 +126,7 @@ def _show_machine(
         elif is_spoken_of := show_summary(console, machine, result, text, with_table=with_table):
             section(console, _("To go on"), go_on(machine, file, settings, text, with_table=with_table))
         if not is_spoken_of:
-            section(console, _("Textbook forms"), _unspoken(machine, file, text))
+            section(console, _("Textbook forms"), _unspoken(machine, file, settings, text))
         if with_errata:
             console.print()
             console.print(Line(_("Errors of the sources, each with what is right"), style="bold"))
@@ -148,7 +147,7 @@ def _show_all(console: Console, machine: Machine, result: Result, text: Text | N
     return bool(spoken)
 
 
-def _unspoken(machine: Machine, file: str, text: Text | None) -> Iterator[str]:
+def _unspoken(machine: Machine, file: str, settings: Sequence[str], text: Text | None) -> Iterator[str]:
     """Say that no text, or not this one, has anything for a machine."""
     kinds = ", ".join(dict.fromkeys(place.kind.name for place in machine.places))
     if text is None:
@@ -158,22 +157,8 @@ def _unspoken(machine: Machine, file: str, text: Text | None) -> Iterator[str]:
         name=text.name, subject=_(text.said_of), kinds=kinds
     )
     yield _("`{list}`: what this text holds").format(list=f"cranktrain textbook --source {text.name}")
-    for command in _speaking(machine, file):
+    for command in speaking(machine, file, settings):
         yield _("`{command}` has something for this machine").format(command=command)
-
-
-def _speaking(machine: Machine, file: str) -> Iterator[str]:
-    """Commands by which texts have something for a machine."""
-    asked = f"cranktrain textbook {one_line(file)} --source"
-    kinds = {place.kind.name for place in machine.places}
-    sources = dict.fromkeys(one.source for one in RANGES if not kinds.isdisjoint(FORMS[one.method]))
-    if "bolotin" not in sources and opposed_cylinders(machine.places):
-        sources["bolotin"] = None
-    if "crank_rocker" in kinds:
-        sources[_OF_CRANK_ROCKERS] = None
-    yield from (f"{asked} {source}" for source in sources)
-    if machine.crankshaft is not None:
-        yield f"cranktrain textbook --throw {one_line(file)}"
 
 
 def _steam(console: Console, machine: Machine, result: Result, *, with_table: bool) -> bool:

@@ -1,6 +1,7 @@
 """`textbook --drive`: (1) to (21) of a crank-rocker's drive, as printed, right and refuted, over a turn."""
 
 import os
+import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import PurePath
@@ -14,6 +15,7 @@ from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.drive_output import write_drive
 from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
 from cranktrain.cli.textbook.source import is_machine
+from cranktrain.cli.textbook.speaking import with_speaking
 from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.document import Document
@@ -118,11 +120,18 @@ def read_drive_file(source: str, settings: Sequence[str]) -> _DriveFile:
 
 def _of_machine(source: str, own: Sequence[str], settings: Sequence[str]) -> _DriveFile:
     """Take a machine's crank-rocker; what it does not say is asked for as settings."""
-    machine = read_machine(source, settings).machine
+    file = read_machine(source, settings)
     typed = {key.strip(): value.strip() for key, _equals, value in (one.partition("=") for one in own)}
-    repair = _('such as --set i=40 --set eta_p=0.94 --set "Q=4 kN" --set "GD2_0=2 kg*m^2"')
-    with problems_as(lambda one: replace(one, position=_SETTING, repair=one.repair or repair)):
-        return _DriveFile(machine_drive(machine, typed), None)
+    with (
+        problems_as(lambda one: replace(one, position=_SETTING) if one.path in typed else file.document.located(one)),
+        problems_as(with_speaking(file.machine, source, settings, ("mechanism",))),
+    ):
+        return _DriveFile(machine_drive(file.machine, typed, as_set=_as_set), None)
+
+
+def _as_set(symbol: str, value: str) -> str:
+    """Write how a symbol is set in the terminal."""
+    return shlex.join(("--set", f"{symbol}={value}"))
 
 
 def _document(source: str) -> Document:

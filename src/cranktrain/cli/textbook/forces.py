@@ -9,6 +9,7 @@ from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.text import page, section
 from cranktrain.cli.screen.title import title
 from cranktrain.cli.textbook.source import machine_file
+from cranktrain.cli.textbook.speaking import with_speaking
 from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.language import _
@@ -59,7 +60,10 @@ def show_force_tables(
         With everything that is wrong with the machine, or with the request.
     """
     file = machine_file(source, settings, f"cranktrain textbook 3d12 --forces {unit}")
-    with problems_as(lambda problem: problem if problem.path.startswith("-") else file.document.located(problem)):
+    with (
+        problems_as(lambda problem: problem if problem.path.startswith("-") else file.document.located(problem)),
+        problems_as(with_speaking(file.machine, source, settings, ("mechanism",))),
+    ):
         table = force_table(file.machine, step=step, unit=unit, piston=piston)
     with page(title(file.machine)) as console:
         _show(console, table, full=full)

@@ -9,6 +9,7 @@ from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.text import page, section
 from cranktrain.cli.screen.title import title
 from cranktrain.cli.textbook.source import file_missing, machine_file
+from cranktrain.cli.textbook.speaking import speaking
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
@@ -64,7 +65,10 @@ def show_harmonics(
     ratios = places_of_equal([float(place.geometry.crank_radius / place.geometry.rod_length) for place in places])
     with page(title(machine)) as console:
         if not ratios:
-            section(console, _("Harmonics"), [_("Only a central slider-crank or eccentric has them in closed form.")])
+            none = _("Only a central slider-crank or eccentric has them in closed form.")
+            other = _("`{command}` has something for this machine")
+            commands = speaking(machine, source, settings)
+            section(console, _("Harmonics"), [none, *(other.format(command=one) for one in commands)])
             return
         for own, members in ratios.items():
             pistons = ranged([place.name for place in places], members)

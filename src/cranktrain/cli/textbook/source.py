@@ -9,6 +9,7 @@ from cranktrain.io.examples import example_names
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.syntax import parsed
 from cranktrain.language import _
+from cranktrain.machine import Machine
 
 
 def machine_file(source: str, settings: Sequence[str], example: str) -> MachineFile:
@@ -25,8 +26,8 @@ def file_missing(example: str) -> Problem:
 
 
 def is_machine(source: str) -> bool:
-    """Whether a name is that of a machine: an example, or a file with mechanisms in it."""
+    """Whether a name is that of a machine: an example, or a file with a key that machines alone have."""
     if not os.path.isfile(source):  # noqa: PTH113 - takes a NUL byte
         return source.casefold().replace("-", "_") in example_names()
     document = Document.read(source)
-    return bool({"mechanism", "bank"} & set(parsed(document.text, document.name)))
+    return not Machine.model_fields.keys().isdisjoint(parsed(document.text, document.name))

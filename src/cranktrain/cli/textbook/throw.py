@@ -15,6 +15,7 @@ from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.curve_tables import show_curves
 from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
 from cranktrain.cli.textbook.source import is_machine
+from cranktrain.cli.textbook.speaking import with_speaking
 from cranktrain.cli.textbook.throw_output import write_machine_throw, write_throw
 from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
@@ -136,7 +137,11 @@ def _show_of_machine(
     """Show the throw of a machine, or write it."""
     file = read_machine(source, settings)
     masses = cast("CrankMasses", asked.masses or "given")  # any other is refused
-    with problems_as(lambda one: _as_typed(one) if one.path in _OPTIONS else file.document.located(one)):
+    unspoken_of = ("mechanism", "crankshaft", *(() if asked.number else ("throw_number",)))
+    with (
+        problems_as(lambda one: _as_typed(one) if one.path in _OPTIONS else file.document.located(one)),
+        problems_as(with_speaking(file.machine, source, settings, unspoken_of)),
+    ):
         machine = ThrownMachine(file.machine)
         of = (asked.number or next(iter(machine.throws)), asked.at, masses)
         statements = machine_statements(machine, *of)
