@@ -1,7 +1,7 @@
 """A throw of a machine's crankshaft as fig. 35 of [crankshaft-reactions] has it, with what that has no letter for."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple, get_args
+from typing import NamedTuple, cast, get_args
 
 import numpy as np
 
@@ -158,7 +158,8 @@ def _is_declared(machine: Machine, path: str) -> bool:
     """Whether a machine's file has something at a path."""
     found: object = machine.declared
     for part in path.split("."):
-        found = found.get(part) if isinstance(found, Mapping) else getattr(found, part, None)
+        is_table = isinstance(found, Mapping)
+        found = cast("Mapping[str, object]", found).get(part) if is_table else getattr(found, part, None)
     return found is not None
 
 

@@ -257,23 +257,6 @@ def test_numbers_that_are_said_of_the_synthesis():
         assert f"{angle}°" in said
 
 
-def test_what_is_said_of_gandzhas_formulas():
-    """The absurd product, and the idle torque at the dead positions, of links of 250, 700, 500 and 800 mm."""
-    said = said_of("gandzha")
-    found = ct.textbook.drive("tilting_table")
-    (q_prime,) = (one for one in found.numbered("(2)") if one.verdict == "refuted")
-    load = found.numbered("(1)")[0].value / 0.5
-    # put into (1) it is Q sin²(α₁ − β), and Q only where that is 1
-    assert q_prime.value * (q_prime.value / load) == pytest.approx(load * (q_prime.value / load) ** 2)
-    assert (q_prime.value / load) ** 2 < 1
-    assert "sin²(α₁ − β) = 1" in said
-    idle = next(one for one in found.curves if one.equation == "(21)" and one.verdict == "right")
-    extended = 31.7525
-    crossing = np.interp(extended, found.crank_angle, idle.values)
-    assert abs(crossing) < 0.02 * np.max(np.abs(idle.values))
-    assert "it is 0 at the dead positions" in said
-
-
 def test_a_balance_by_the_inner_counterweight_alone_leaves_a_reaction():
     """C1 = C4, all else 0: (44) by hand is −C4(2l2 + 2l3 + hL)/2l."""
     sizes = {"l1": 30, "l2": 20, "l3": 7, "l4": 9, "l5": 22, "l6": 31, "hL": 24, "hP": 26}

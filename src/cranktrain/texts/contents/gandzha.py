@@ -23,7 +23,8 @@ TEXT = Text(
             N_("scheme: motor, gearbox, crank OB, rod AB, rocker O₁A that swings through γ"),
             "right",
             "cranktrain plot pumping_unit_c57 --plan scheme -o scheme.svg",
-            note=N_("of motor and gearbox nothing is drawn"),
+            note=N_("motor and gears are drawn beside it where [drive] has them"),
+            of_machine="cranktrain plot tilting_table --plan scheme -o tilting.svg",
         ),
         Formula(
             "(1)",

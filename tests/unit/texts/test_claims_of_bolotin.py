@@ -1,0 +1,102 @@
+"""What the page of the text on opposed pistons and articulated rods says, in 40 digits or by `run`."""
+
+import mpmath as mp
+import pytest
+
+import cranktrain as ct
+from cranktrain.texts.contents import text_called
+
+
+def said(words):
+    """The one sentence of the page that has the words."""
+    each = {text for one in text_called("bolotin").formulas for text in (one.valid, one.note, one.subject)}
+    (text,) = (text for text in each if words in text)
+    return text
+
+
+def slave(alpha, r, l, zeta, bank=60, crank=90, rod=320):
+    """Distance of a slave's pin from the shaft. [mm]"""
+    own = alpha - mp.radians(bank)
+    turn = mp.radians(zeta - bank) - mp.asin(mp.mpf(crank) / rod * mp.sin(alpha))
+    across = crank * mp.sin(own) + r * mp.sin(turn)
+    return crank * mp.cos(own) + r * mp.cos(turn) + mp.sqrt(mp.mpf(l) ** 2 - across**2)
+
+
+def stroke(r, l, zeta):
+    """Between the roots of its velocity near both dead centres. [mm]"""
+
+    def place(near):
+        return mp.findroot(lambda a: mp.diff(lambda b: slave(b, r, l, zeta), a), mp.radians(near))
+
+    return slave(place(60), r, l, zeta) - slave(place(240), r, l, zeta)
+
+
+def test_volumetric_dead_centres_of_unequal_rods():
+    """Least and largest room between pistons on λ = 0.20 and 0.30 with Δ = 12°, by the root of its slope."""
+    with mp.workdps(40):
+        lead = mp.radians(12)
+
+        def travel(phi, ratio):
+            return 1 - mp.cos(phi) + (1 - mp.sqrt(1 - (ratio * mp.sin(phi)) ** 2)) / ratio
+
+        def slope(alpha):
+            exhaust, scavenge = mp.mpf("0.2"), mp.mpf("0.3")
+            return mp.diff(lambda a: travel(a, exhaust) + travel(a - lead, scavenge), alpha)
+
+        off = [mp.degrees(mp.findroot(slope, near) - near) for near in (lead / 2, mp.pi + lead / 2)]
+    inner, outer = (f"{abs(float(one)):.2f}°" for one in off)
+    assert f"{inner} and {outer} off at λ = 0.20 and 0.30, Δ = 12°" in said("which it calls usual")
+
+
+def test_strokes_of_the_rods_often_quoted():
+    words = said("no law: on the proportions")
+    with mp.workdps(30):
+        assert f"with ζ = 67° these give {float(stroke(85, 235, mp.mpf(67))):.2f} mm" in words
+        equal = mp.findroot(lambda zeta: stroke(85, 235, zeta) - 180, mp.mpf("59.8"), tol=1e-12)
+        assert f"the strokes are equal at ζ = {float(equal):.1f}°" in words
+        assert stroke(85, 235, equal - 1) < 180 < stroke(85, 235, equal + 1)
+    result = ct.run("3d12_quoted_rods", quantities=("stroke",))
+    assert 1e3 * result.stroke[-1] == pytest.approx(187.07, abs=5e-3)
+
+
+@pytest.mark.parametrize(("end", "sign"), [("top", 1), ("bottom", -1)])
+def test_the_articulation_that_shifts_no_dead_centre(end, sign):
+    """At α = γ or γ + 180° the slave stands still if ζ = γ ± asin(λ sin γ), and not at the other end."""
+    said("none at the top if ζ = γ + asin(λ sin γ), none at the bottom with minus; never both")
+    with mp.workdps(30):
+        bank = mp.pi / 3
+        zeta = mp.degrees(bank + sign * mp.asin(mp.mpf(90) / 320 * mp.sin(bank)))
+        speeds = [
+            mp.diff(lambda a: slave(a, mp.mpf("78.256"), mp.mpf("242.426"), zeta), at) for at in (bank, bank + mp.pi)
+        ]
+    still, moving = speeds if end == "top" else speeds[::-1]
+    assert abs(still) < 1e-12 < 1 < abs(moving)
+
+
+def test_central_pistons_move_alike_whichever_way_their_shafts_turn():
+    """A shaft that turns the other way is at −φ: S, v, j over time are the same, and N = P tan β is the opposite."""
+    said("are alike in both; side forces change sign")
+    ratio = mp.mpf("0.25")
+
+    def travel(time, sense):
+        return 1 - mp.cos(sense * time) + (1 - mp.sqrt(1 - (ratio * mp.sin(sense * time)) ** 2)) / ratio
+
+    with mp.workdps(40):
+        for order in range(3):
+            ahead, back = (mp.diff(lambda t, sense=sense: travel(t, sense), mp.mpf("0.7"), order) for sense in (1, -1))
+            assert abs(ahead - back) < mp.mpf(10) ** -12 < abs(ahead)
+        ahead, back = (mp.tan(mp.asin(ratio * mp.sin(sense * mp.mpf("0.7")))) for sense in (1, -1))
+        assert abs(ahead + back) < mp.mpf(10) ** -35 < abs(ahead)
+
+
+@pytest.mark.parametrize(("name", "master", "slaves"), [("m_50", 200, 209.8), ("40d", 300, 304.3)])
+def test_fitted_rods_have_the_printed_strokes(name, master, slaves):
+    assert f"{slaves} mm beside {master} mm" in said(f"{slaves} mm beside")
+    said("by rods that are fitted to it: one stroke does not fix three sizes")
+    result = ct.run(name, quantities=("stroke",))
+    found = dict(zip(result.labels["piston"], 1e3 * result.stroke, strict=True))
+    assert {round(value, 1) for value in found.values()} == {float(master), slaves}
+    with mp.workdps(20):  # two rods of different sizes, one stroke
+        other = mp.findroot(lambda zeta: stroke(85, 235, zeta) - mp.mpf("186.7"), mp.mpf(66))
+        third = mp.findroot(lambda zeta: stroke(78, 242, zeta) - mp.mpf("186.7"), mp.mpf(67))
+    assert abs(other - third) > 0.1
