@@ -245,3 +245,16 @@ def test_a_picture_is_the_plan_of_positions(typed, tmp_path):
     assert typed("synthesise", "slider-crank", *wanted, "-o", "own.svg").status == 2
     refused = typed("synthesise", "counterweights", "vaz_21213", "--bearing", "3", "-o", "own.png")
     assert "must end in .toml: it is a machine file" in refused.errors
+
+
+def test_steps_of_the_source_with_requirements_that_are_typed(typed):
+    """r = 60 mm, l = r/tan 15.5°, T = 0.24/10.4 s; at 90° v = rω = π/2 · 10.4 m/s. Not of an offset line of stroke."""
+    wanted = ("--stroke", "120 mm", "--pressure-angle", "15.5 deg", "--mean-speed", "10.4 m/s", "--textbook")
+    done = typed("synthesise", "slider-crank", *wanted)
+    assert (done.status, done.errors) == (0, "")
+    steps = done.output[done.output.index("Its steps with these requirements") :]
+    assert re.search(r"rod by the rule +l +216\.35 +224\.52  mm", steps)
+    assert re.search(r"period of a turn +Tц +0\.0231 ", steps)
+    assert re.search(r"^  90° .* 16\.3363 +16\.3363$", steps, re.MULTILINE)
+    assert all(len(line) <= 80 for line in steps.splitlines())
+    assert "Its steps" not in typed("synthesise", "slider-crank", *wanted, "--offset", "1 mm").output

@@ -81,9 +81,34 @@ def test_the_texts_requirements_typed_are_its_own():
         ({"stroke": "160"}, ["stroke"]),
         ({"pressure_angle": "90 deg"}, ["pressure_angle"]),
         ({"stroke": "-1 mm", "mean_speed": "fast"}, ["stroke", "mean_speed"]),
+        ({"rod_length": "80 mm"}, ["rod_length"]),
+        ({"rod_length": "0 mm"}, ["rod_length"]),
     ],
 )
 def test_what_no_slider_crank_has_is_refused_by_its_name(wanted, paths):
     with pytest.raises(ct.InputError) as refused:
         ct.textbook.synthesis(**wanted)
     assert [problem.path for problem in refused.value.problems] == paths
+
+
+def test_a_rod_that_is_given_is_that_with_which_it_goes_on():
+    """S = 120 mm, l = 225 mm: velocity and place at 60° in 40 digits, the largest pressure angle asin(60/225)."""
+    found = ct.textbook.synthesis(
+        stroke="120 mm", mean_speed="10.4 m/s", pressure_angle="15.5 deg", rod_length="225 mm"
+    )
+    given = one(found, "rod that is given")
+    assert (given.value, given.verdict) == (0.225, "right")
+    angles = [each.value for each in found if each.name == "its largest pressure angle"]
+    assert angles[-1] == pytest.approx(float(mp.asin(mp.mpf(60) / 225)), rel=1e-14)
+    by_formula = next(each for each in found.numbered("v = rω[φ + (r/2l) sin 2φ]") if each.crank_angle == 60)
+    speed = float(mp.pi * 2600 / 30)
+    assert by_formula.exact == pytest.approx(velocity(60, "0.06", "0.225", speed), rel=1e-13)
+    place = next(each for each in found if each.symbol == "x" and each.crank_angle == 60)
+    square = 0.225**2 - 0.06**2 * 3 / 4
+    assert (place.value, place.exact) == pytest.approx((0.03 + square, 0.03 + square**0.5), rel=1e-14)
+
+
+def test_the_position_that_the_text_prints():
+    """At 60° of its own numbers an area and a length: 0.04 + 0.27² − 0.08² · 3/4."""
+    place = next(each for each in ct.textbook.synthesis() if each.symbol == "x" and each.crank_angle == 60)
+    assert place.value == pytest.approx(0.04 + 0.0729 - 0.0048, rel=1e-14)

@@ -100,3 +100,18 @@ def test_fitted_rods_have_the_printed_strokes(name, master, slaves):
         other = mp.findroot(lambda zeta: stroke(85, 235, zeta) - mp.mpf("186.7"), mp.mpf(66))
         third = mp.findroot(lambda zeta: stroke(78, 242, zeta) - mp.mpf("186.7"), mp.mpf(67))
     assert abs(other - third) > 0.1
+
+
+def test_the_divided_form_that_fails_where_banks_are_parallel():
+    """Of the reconstructed constants of 3Д12's lengths at γ = 0: F sin Θ is 0, and Θ with it; cos Φ is not."""
+    assert said("F/sin Θ fails at γ = 0")
+    with mp.workdps(40):
+        crank, master, knuckle, rod = 90, 320, mp.mpf("78.256"), mp.mpf("242.426")
+        bank, psi = mp.mpf(0), mp.radians(mp.mpf("7.458"))
+        rho, reach = knuckle / master, 1 + knuckle / rod
+        sine = 2 * rho * crank / rod * mp.sin(bank) * (1 - reach * rod / master * mp.cos(bank))
+        cosine = crank / rod * (1 - 2 * rho * mp.cos(bank)) + mp.mpf(crank) / master * rho * reach * mp.cos(2 * bank)
+        turned = mp.atan2((knuckle / rod - rho * reach * mp.cos(bank)) * mp.sin(psi), 1 + reach * rho * mp.sin(bank))
+        assert (sine, mp.atan2(sine, cosine)) == (0, 0)
+        assert cosine > 0.1
+        assert mp.cos(turned) > 0.99

@@ -17,6 +17,7 @@ from cranktrain.cli.screen.typesetting import printed
 from cranktrain.cli.synthesis.plan import write_plan
 from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_errors_of
+from cranktrain.cli.textbook.synthesis import show_steps
 from cranktrain.grouping import grouped
 from cranktrain.how_far import say_how_far
 from cranktrain.io.added_tables import with_tables, with_values
@@ -87,6 +88,8 @@ def _give_proposal(
         show_proposal(console, proposal)
         if with_source:
             with printed():
+                if wanted is typed:
+                    show_steps(console, typed)
                 show_errors_of(console, SYNTHESIS)
         console.print()
         if output is None:

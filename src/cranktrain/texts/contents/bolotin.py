@@ -90,7 +90,7 @@ TEXT = Text(
             N_("the constants K, E, F, Φ, Θ"),
             "right in a range",
             "cranktrain textbook 3d12 --source bolotin",
-            N_("cos ψ → 1; E/cos Φ and F/sin Θ fail at γ = 0"),
+            N_("cos ψ → 1; F/sin Θ fails at γ = 0"),
             N_("illegible in the copies at hand: reconstructed, and derived anew beside that"),
         ),
         Formula(

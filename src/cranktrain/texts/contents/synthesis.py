@@ -14,7 +14,7 @@ _OF_MACHINE = (
 )
 """The numbers of mill_engine, at its 180 rpm."""
 
-_CURVES_OF_MACHINE = "cranktrain textbook mill_engine --table"
+_STEPS_OF_MACHINE = f'{_OF_MACHINE} --pressure-angle "12 deg" --textbook'
 
 TEXT = Text(
     name="slider-crank-synthesis",
@@ -28,7 +28,7 @@ TEXT = Text(
             "right",
             _STEPS,
             N_("central mechanism"),
-            of_machine=_OF_MACHINE,
+            of_machine=_STEPS_OF_MACHINE,
         ),
         Formula(
             "l = r/tg [α]",
@@ -36,7 +36,7 @@ TEXT = Text(
             "wrong",
             _STEPS,
             note=N_("l = r/sin [α]: the pressure angle is largest at 90°; and tan 30° is 0.577, not 0.3"),
-            of_machine=_OF_MACHINE,
+            of_machine=_STEPS_OF_MACHINE,
         ),
         Formula(
             "plans",
@@ -51,16 +51,16 @@ TEXT = Text(
             "right",
             _STEPS,
             note=N_("rounded to 0.05 s, which makes every velocity 1.5 % too large"),
-            of_machine=_OF_MACHINE,
+            of_machine=_STEPS_OF_MACHINE,
         ),
-        Formula("ω = 2π/Tц", N_("angular speed of the crank"), "right", _STEPS, of_machine=_OF_MACHINE),
+        Formula("ω = 2π/Tц", N_("angular speed of the crank"), "right", _STEPS, of_machine=_STEPS_OF_MACHINE),
         Formula(
             "x = r cos φ + [l² − (r sin φ)²]",
             N_("position of the slider"),
             "wrong",
             _STEPS,
             note=N_("the root over the bracket is lost"),
-            of_machine=_CURVES_OF_MACHINE,
+            of_machine=_STEPS_OF_MACHINE,
         ),
         Formula(
             "v = rω[φ + (r/2l) sin 2φ]",
@@ -69,7 +69,7 @@ TEXT = Text(
             _STEPS,
             N_("central mechanism; the text gives no λ"),
             N_("sin φ for φ; its sign is that of −dx/dt; exact, the velocity has all harmonics"),
-            of_machine=_CURVES_OF_MACHINE,
+            of_machine=_STEPS_OF_MACHINE,
         ),
         Formula(
             "table",
@@ -77,7 +77,7 @@ TEXT = Text(
             "wrong",
             _STEPS,
             note=N_("slips at 60° and 300°, in sin 2φ and the bracket at 150° and 210°; r/2l is 0.148, not 0.15"),
-            of_machine=_CURVES_OF_MACHINE,
+            of_machine=_STEPS_OF_MACHINE,
         ),
         Formula(
             "plans",

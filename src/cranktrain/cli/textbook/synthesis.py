@@ -1,0 +1,55 @@
+"""What the text on the synthesis makes of other requirements than its own, on the screen."""
+
+from collections.abc import Iterator, Mapping
+
+from rich.console import Console
+from rich.text import Text as Line
+
+from cranktrain.cli.screen.columns import Column, column_tables
+from cranktrain.cli.screen.text import INDENT, section, table
+from cranktrain.grouping import grouped
+from cranktrain.language import _
+from cranktrain.textbook.statements import Statements
+from cranktrain.textbook.synthesis_statements import PLACE, SOURCE, synthesis
+from cranktrain.wording import figure
+
+NEEDED = ("stroke", "mean_speed", "pressure_angle")
+_SHOWN = {"m": "mm", "rad": "deg"}
+
+
+def show_steps(console: Console, typed: Mapping[str, str | bool | None]) -> None:
+    """Show the text's steps with the requirements that are typed, if they are all that it starts from, and central."""
+    given = {name: value for name in (*NEEDED, "rod_length") if isinstance(value := typed.get(name), str)}
+    if given.keys() >= set(NEEDED) and not typed.get("offset"):
+        found = synthesis(**given)
+        width = console.width - INDENT
+        section(console, _("Its steps with these requirements [{source}]").format(source=SOURCE), _sizes(found))
+        section(console, _("Place and velocity of the slider"), _over_the_turn(found, width))
+
+
+def _sizes(found: Statements) -> list[Line]:
+    """Each number by the text, and what is right where that differs."""
+    rows: list[tuple[str, ...]] = []
+    for one in found:
+        if one.equation and one.at != "at":
+            unit = _SHOWN.get(one.unit, one.unit)
+            right = "" if one.verdict == "right" else figure(one.exact, unit)
+            rows.append((one.equation, one.name, one.symbol, figure(one.value, unit), right, unit))
+    return table(("", "", "", _("gives"), _("right"), ""), rows, right=(3, 4))
+
+
+def _over_the_turn(found: Statements, width: int) -> Iterator[str | Line]:
+    """Places and velocities by the text, each beside the exact one."""
+    by_symbol = grouped((one.symbol, one) for one in found if one.equation and one.at == "at")
+    columns: list[Column] = []
+    for symbol, name in (("x", _("x as printed")), ("v", _("v by its formula"))):
+        unit, right = by_symbol[symbol][0].unit, _("{symbol} exact").format(symbol=symbol)
+        for head, values in (
+            (name, [one.value for one in by_symbol[symbol]]),
+            (right, [one.exact for one in by_symbol[symbol]]),
+        ):
+            columns.append(Column(head, unit, tuple(f"{value + 0.0:.4f}" for value in values)))
+    yield from column_tables(columns, [f"{one.crank_angle:.0f}°" for one in by_symbol["x"]], width)
+    yield ""
+    yield _("{equation} prints no root: an area in numbers of m² is added to a length.").format(equation=PLACE)
+    yield from found.notes[_("Its velocities")]
