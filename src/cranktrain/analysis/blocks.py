@@ -54,6 +54,8 @@ def joined(outcomes: Sequence[Outcome], sizes: Sequence[int]) -> Outcome:
 
 def _joined(each: Sequence[Any], sizes: Sequence[int]) -> Any:
     first = each[0]
+    if all(one is first for one in each):
+        return first
     if isinstance(first, np.ndarray):
         arrays = cast("Sequence[NDArray[Any]]", each)
         return np.concatenate(arrays) if _follows([len(np.atleast_1d(part)) for part in arrays], sizes) else arrays[0]

@@ -1,17 +1,18 @@
 """What the page of the text on opposed pistons and articulated rods says, in 40 digits or by `run`."""
 
+from functools import partial
+
 import mpmath as mp
+import numpy as np
 import pytest
+from tests.machines import slider
+from tests.texts_said import sentence
 
 import cranktrain as ct
-from cranktrain.texts.contents import text_called
+from cranktrain.layout.frames import in_machine_axes
+from cranktrain.plans.placement import frame
 
-
-def said(words):
-    """The one sentence of the page that has the words."""
-    each = {text for one in text_called("bolotin").formulas for text in (one.valid, one.note, one.subject)}
-    (text,) = (text for text in each if words in text)
-    return text
+said = partial(sentence, "bolotin")
 
 
 def slave(alpha, r, l, zeta, bank=60, crank=90, rod=320):
@@ -115,3 +116,76 @@ def test_the_divided_form_that_fails_where_banks_are_parallel():
         assert (sine, mp.atan2(sine, cosine)) == (0, 0)
         assert cosine > 0.1
         assert mp.cos(turned) > 0.99
+
+
+def closed(ratio, alpha):
+    return 1 - mp.cos(alpha) + (1 - mp.sqrt(1 - (ratio * mp.sin(alpha)) ** 2)) / ratio
+
+
+def one_cylinder(ratio):
+    """Two pistons of 2 kg on shafts that turn alike, 1, or against each other, -1."""
+    piston = {"mechanism": slider(), "masses": {"piston": {"mass": "2 kg"}}}
+    return {
+        "shaft": {"main": {"speed": "1000 rpm"}, "upper": {"ratio": ratio}},
+        "bank": {"A": {"exhaust": piston, "scavenge": piston | {"shaft": "upper"}, "lead": "12 deg"}},
+    }
+
+
+def across(machine, found, place):
+    """Side force of a piston to the right, seen from the free end. [N]"""
+    force = found.side_force[0, place]
+    return in_machine_axes(np.zeros_like(force), force, frame(machine, machine.places[place]))[0]
+
+
+def test_astern_the_scavenge_ports_open_first():
+    """Of ports of 60 and 50 mm, R = 127 mm: angles from the inner dead centres by the triangle, the lead taken off."""
+    words = "astern the lead is −Δ, and where it is more than the ports' heights give, the scavenge ports open first"
+    assert said(words, "p. 14")
+    ahead, astern = (ct.run("10d100", set={"running": way}, step_degrees=30.0) for way in ("ahead", "astern"))
+    difference = float(ahead.exhaust_opens_before[0] + astern.exhaust_opens_before[0]) / 2
+    assert float(ahead.exhaust_opens_before[0] - astern.exhaust_opens_before[0]) == pytest.approx(24.0, abs=1e-9)
+    assert 5 < difference < 12
+    assert astern.exhaust_opens_before[0] < 0
+    short = ct.run("10d100", set={"running": "astern", "bank.A.lead": "5 deg"}, step_degrees=30.0)
+    assert short.exhaust_opens_before[0] > 0
+
+
+def test_both_senses_have_one_motion_and_side_forces_that_change_sign():
+    words = "travel, velocity and acceleration of central mechanisms are alike in both; side forces change sign"
+    assert said(words, "fig. 1.3")
+    same, against = (ct.run(one_cylinder(ratio), step_degrees=5.0) for ratio in (1, -1))
+    for name in ("piston_displacement", "piston_velocity_coefficient", "piston_acceleration_coefficient"):
+        np.testing.assert_allclose(getattr(same, name), getattr(against, name), atol=1e-12)
+    lower, upper = (
+        [across(ct.Machine(**one_cylinder(ratio)), found, end) for ratio, found in ((1, same), (-1, against))]
+        for end in range(2)
+    )
+    np.testing.assert_allclose(lower[0], lower[1], atol=1e-9)
+    np.testing.assert_allclose(upper[0], -upper[1], atol=1e-9)
+    assert np.max(np.abs(upper[0])) > 100
+
+
+def test_11_is_off_as_the_steam_engines_forms():
+    """λ = 1/4: displacement of the stroke, velocity and acceleration of their peaks, on whole degrees in 20 digits."""
+    with mp.workdps(20):
+        ratio = mp.mpf("0.25")
+        form = lambda alpha: 1 - mp.cos(alpha) + ratio / 2 * mp.sin(alpha) ** 2  # noqa: E731
+        found = []
+        for order in range(3):
+            angles = [mp.pi * step / 180 for step in range(181)]
+            exact = [mp.diff(lambda a: closed(ratio, a), angle, order) for angle in angles]
+            error = max(abs(mp.diff(form, angle, order) - one) for angle, one in zip(angles, exact, strict=True))
+            found.append(f"{100 * float(error / max(map(abs, exact))):.2f}")
+    assert said(f"{found[0]}, {found[1]} and {found[2]} % at λ = 0.25", "(I.11)")
+
+
+def test_rods_side_by_side_move_as_on_a_plain_crank():
+    """Every piston of kamaz_740 by the triangle of 60 mm and its rod, from its own top."""
+    assert said("every piston moves as on a plain crank", "p. 17")
+    machine, found = ct.load("kamaz_740"), ct.run("kamaz_740", step_degrees=5.0)
+    (spec,) = machine.bank["R"].mechanism
+    radius, rod = spec.stroke.si / 2, spec.rod_length.si
+    for place in range(len(found.labels["piston"])):
+        own = np.radians(found.crank_angle - found.top_dead_centre[place])
+        by_hand = radius * (1 - np.cos(own)) + rod - np.sqrt(rod**2 - (radius * np.sin(own)) ** 2)
+        np.testing.assert_allclose(found.piston_displacement[place], by_hand, atol=1e-12)

@@ -2,25 +2,22 @@
 
 import re
 import shlex
+from functools import partial
 
+import numpy as np
 import pytest
+from tests.texts_said import sentence
 
 import cranktrain as ct
 from cranktrain.cli import main
 from cranktrain.errors import InputError
-from cranktrain.texts.contents import text_called
 
 SIZES = {"l1": 30, "l2": 20, "l3": 7, "l4": 9, "l5": 22, "l6": 31, "hL": 24, "hP": 26, "lP1": 40, "lP2": 50}
 LENGTH = sum(SIZES.values()) - 90
 """Between the supports. [mm]"""
 
 
-def said(words):
-    """The one sentence of the page that has the words."""
-    text = text_called("crankshaft-reactions")
-    each = {text.said_of, *(part for one in text.formulas for part in (one.valid, one.note, one.subject))}
-    (found,) = (part for part in each if words in part)
-    return found
+said = partial(sentence, "crankshaft-reactions")
 
 
 def reactions(**forces):
@@ -96,3 +93,13 @@ def test_its_commands_take_the_example_and_an_engines_file(capsys, tmp_path, mon
     for command in commands:
         assert main(tuple(shlex.split(command.replace("FILE", name)))) == 0
         assert "[crankshaft-reactions]" in capsys.readouterr().out
+
+
+def test_k_must_not_hold_what_turns_of_the_rods():
+    """What the pin of vaz_21213 bears inward is K1 − C3."""
+    assert said("C3 and C5 hold what turns of the rods, so K must not", "(44)")
+    own = {one.symbol: one.value for one in ct.textbook.throw("vaz_21213", 1, 400).numbered("fig. 35")}
+    found = ct.run("vaz_21213")
+    at = int(np.argmin(np.abs(found.crank_angle - 400)))
+    assert own["K1"] - own["C3"] == pytest.approx(found.crankpin_load_radial[0, at], rel=1e-9)
+    assert own["C3"] > 1000

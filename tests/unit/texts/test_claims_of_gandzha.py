@@ -5,21 +5,19 @@ import re
 import mpmath as mp
 import numpy as np
 import pytest
+from tests.texts_said import sentence
 
 import cranktrain as ct
 from cranktrain.plans.drive_scheme import drive_chain
 from cranktrain.synthesis.drive import drive
-from cranktrain.texts.contents import text_called
 
 R, L, R1, D = 250, 700, 500, 800
 """Links of tilting_table. [mm]"""
 
 
 def said(number, words):
-    """The one note or range of a formula that has the words."""
-    found = [one for one in text_called("gandzha").formulas if one.number == number]
-    (text,) = {text for one in found for text in (one.valid, one.note, one.subject) if words in text}
-    return text
+    """The one sentence of a formula that has the words."""
+    return sentence("gandzha", words, number)
 
 
 def directions(alpha):
@@ -142,13 +140,31 @@ def test_friction_of_idle_running_never_changes_its_torques_sign():
     assert np.min(weight.values) < 0 < np.max(weight.values)
 
 
-def test_flywheel_moment_by_the_angle_lacks_half_the_square_of_the_speed():
-    """J = J₁ (α₁′)²: over a turn at constant speed M − M_st = ½ω² dJ/dφ is not 0, though ω does not change."""
-    said("purpose", "GD² by the angle lacks the second term")
-    with mp.workdps(30):
-        inertia = lambda a: 50 * mp.diff(lambda b: directions(b)[1], a) ** 2  # noqa: E731
-        slope = mp.diff(inertia, mp.radians(60))
-    assert abs(slope) > 1
+def test_the_equation_of_motion_has_a_second_term():
+    """At a constant speed, without a load: the torque is ½ω² dJ/dφ, of J on a grid of the run."""
+    assert said("purpose", "M − M_st = J dω/dt + ½ω² dJ/dφ: GD² by the angle lacks the second term")
+    found = ct.run("tilting_table", set={"load.table.force": "0 N"}, step_degrees=1.0)
+    slope = np.gradient(np.concatenate([found.reduced_inertia] * 3), np.pi / 180)[360:720]
+    omega = 37.5 * np.pi / 30
+    np.testing.assert_allclose(
+        np.abs(found.driving_torque), np.abs(omega**2 / 2 * slope), atol=5e-3 * np.max(np.abs(slope)) * omega**2
+    )
+    assert np.max(np.abs(found.driving_torque)) > 10
+
+
+def test_flywheel_moment_is_of_all_bodies():
+    assert said("(18)", "with [masses] the result flywheel_moment is that of all bodies, the rod's too")
+    light = {
+        f"masses.{link}.{part}": f"1e-9 {unit}"
+        for link in ("crank", "rod")
+        for part, unit in (("mass", "kg"), ("inertia", "kg*m^2"))
+    }
+    whole, rocker = (ct.run("tilting_table", set=values, step_degrees=60.0) for values in ({}, light))
+    assert np.all(whole.flywheel_moment > rocker.flywheel_moment + 1.0)
+    at = int(np.argmin(np.abs(whole.crank_angle - 60.0)))
+    assert rocker.flywheel_moment[at] == pytest.approx(
+        next(one.value for one in ct.textbook.drive("tilting_table").numbered("(18)") if one.at == "at"), rel=1e-8
+    )
 
 
 def test_what_governs_the_motor_of_the_example():

@@ -1,22 +1,19 @@
 """What the page of the steam engine's text says beside its errors, in 40 digits or by `run`."""
 
+from functools import partial
+
 import matplotlib.pyplot as plt
 import mpmath as mp
 import numpy as np
 import pytest
 from matplotlib.text import Text
+from tests.texts_said import sentence
 
 import cranktrain as ct
 from cranktrain.plans.constructions import construction
-from cranktrain.texts.contents import text_called
 from cranktrain.viz import PICTURES
 
-
-def said(words):
-    """The one sentence of the page that has the words."""
-    each = {text for one in text_called("steam-engine").formulas for text in (one.valid, one.note, one.subject)}
-    (found,) = (text for text in each if words in text)
-    return found
+said = partial(sentence, "steam-engine")
 
 
 def test_the_largest_difference_of_the_exact_displacement():

@@ -1,25 +1,20 @@
 """What the page of the text on synthesis says of its formulas, in 30 digits."""
 
 import re
+from functools import partial
 
 import mpmath as mp
 import pytest
+from tests.texts_said import sentence
 
 import cranktrain as ct
 from cranktrain.plans.positions import source_angles
-from cranktrain.texts.contents import text_called
 
 R, L = mp.mpf(80), mp.mpf(160)
 """By its requirements. [mm]"""
 
 
-def said(words):
-    """The one sentence of the page that has the words."""
-    each = {
-        text for one in text_called("slider-crank-synthesis").formulas for text in (one.valid, one.note, one.subject)
-    }
-    (text,) = (text for text in each if words in text)
-    return text
+said = partial(sentence, "slider-crank-synthesis")
 
 
 def test_twelve_positions_two_of_them_at_the_pressure_angle():
