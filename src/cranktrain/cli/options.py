@@ -1,5 +1,6 @@
 """Arguments and options that several commands have."""
 
+import math
 from typing import Annotated
 
 import typer
@@ -83,9 +84,11 @@ def listed(text: str) -> tuple[str, ...]:
 
 
 def degrees(text: str | float) -> float:
-    """Read a number of degrees."""
+    """Read a number of degrees, which is finite."""
     try:
-        return float(text)
+        number = float(text)
     except ValueError:
-        said = _("{text} must be a number of degrees, such as 0.5").format(text=text)
-        raise typer.BadParameter(said) from None
+        number = math.nan
+    if not math.isfinite(number):
+        raise typer.BadParameter(_("{text} must be a number of degrees, such as 0.5").format(text=text))
+    return number

@@ -181,7 +181,7 @@ def test_step(typed, written):
     written(CENTRAL)
     assert "in steps of 0.5°" in typed("run", "machine.toml", "--full", "--step", "0.5").output
     assert typed("run", "machine.toml", "--step", "0.7").errors.startswith(f"step = 0.7 deg: {STEP_FROM_TO}")
-    assert typed("run", "machine.toml", "--step", "nan").errors.startswith("step = nan deg: must be")
+    assert "nan must be a number of degrees" in typed("run", "machine.toml", "--step", "nan").errors
 
 
 def test_set_for_one_run(typed):

@@ -85,6 +85,7 @@ def test_mistakes_in_a_table(typed, written, change, said):
 @pytest.mark.parametrize(
     ("options", "said"),
     [
+        (["--drive", "tilting_table", "--at", "nan"], "'--at': nan must be a number of degrees"),
         (["--drive", "example", "--table"], "must be left out beside --drive"),
         (["--drive", "example", "--throw", "example"], "must be left out beside --drive"),
         (["--drive", "example", "-o", "drive.xlsx"], ENDS_IN),
