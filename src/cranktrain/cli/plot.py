@@ -13,6 +13,7 @@ from cranktrain.errors import InputError, Position, Problem, problems_as
 from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
+from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.quantities import Dimension, QuantityError, UnitChoice, read, shown, shown_as_in, shown_by, unlisted
 from cranktrain.record import record
@@ -79,7 +80,6 @@ def write_picture(request: PlotRequest) -> None:
     InputError
         With everything that is wrong with the options, else with the machine, else with what cannot be drawn.
     """
-    from cranktrain.cli.textbook.speaking import with_speaking
     from cranktrain.plans.placement import place_called
 
     choice = understood(request)
@@ -90,7 +90,7 @@ def write_picture(request: PlotRequest) -> None:
         shown_by(choice.units),
         problems_as(partial(_placed, file, request)),
         problems_as(at_running_speed),
-        problems_as(with_speaking(file.machine, request.file, request.settings, ("mechanism",))),
+        problems_as(partial(_with_texts, file.machine, request)),
     ):
         if request.mechanism is not None:
             with problems_as(lambda problem: replace(problem, path="--mechanism")):
@@ -283,6 +283,13 @@ def _of_machine(file: MachineFile, choice: Choice, request: PlotRequest) -> dict
 def _chosen(choice: Choice) -> dict[str, Any]:
     """Scale and letters, where they are said."""
     return {name: value for name, value in (("scale", choice.scale), ("letters", choice.letters)) if value is not None}
+
+
+def _with_texts(machine: Machine, request: PlotRequest, problem: Problem) -> Problem:
+    """Say with a problem of what mechanisms a machine has which texts speak of it."""
+    from cranktrain.cli.textbook.speaking import with_speaking
+
+    return with_speaking(machine, request.file, request.settings, ("mechanism",))(problem)
 
 
 def _placed(file: MachineFile, request: PlotRequest, problem: Problem) -> Problem:

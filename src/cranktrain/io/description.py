@@ -28,7 +28,7 @@ def kind_words(machine: Machine) -> str:
 def counted_parts(machine: Machine) -> list[str]:
     """Count pistons, valves, rockers and throws."""
     outputs = Counter(place.kind.output for place in machine.places)
-    in_order = sorted(outputs, key=lambda output: (not output.is_slider, not output.has_chambers))
+    in_order = sorted(outputs, key=lambda output: output.rank)
     counts = [(outputs[output], output.counted) for output in in_order]
     counts.append((len(machine.main_shaft.throws), (N_("1 throw"), N_("{n} throws"))))
     return [_(one) if n == 1 else _(many).format(n=n) for n, (one, many) in counts]

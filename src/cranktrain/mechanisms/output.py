@@ -1,5 +1,6 @@
 """What a mechanism's last part is to those who build it: a piston, a ram, a valve, a rocker; and the words for it."""
 
+from dataclasses import replace
 from typing import Final, Literal
 
 from cranktrain.language import N_
@@ -75,27 +76,31 @@ class OutputPart:
         """Whether it goes to and fro on a line, and does not rock."""
         return self.part == "slider"
 
+    @property
+    def rank(self) -> tuple[bool, bool, bool]:
+        """In what order they are told: sliders first, of these what can work in a cylinder, last what has no load."""
+        return not self.is_slider, not self.has_chambers, not self.is_loaded
 
-_FARTHEST, _NEAREST = N_("farthest from the shaft"), N_("nearest to the shaft")
-_ON_ITS_LINE = N_("after the crank on its line")
+
+_OF_RAM = SliderWords(
+    stroke=N_("stroke"),
+    top=N_("farthest from the shaft"),
+    after_top=N_("after the crank on its line"),
+    bottom=N_("nearest to the shaft"),
+    mean_speed=N_("mean speed"),
+    largest_speed=N_("largest speed"),
+    dead_centres=N_("Strokes: {strokes}. Farthest from the shaft: {tops} after the crank points along its line."),
+    speeds=N_("Mean speed {mean}, largest {largest}; largest acceleration {acceleration}."),
+    titles=(N_("Ram travel"), N_("Ram velocity"), N_("Ram acceleration")),
+    forces=N_("Forces at ram {piston}"),
+    ends=(N_("farthest"), N_("nearest")),
+)
 
 RAM: Final = OutputPart(
     part="slider",
     called=N_("ram {name}"),
     counted=(N_("1 ram"), N_("{n} rams")),
-    words=SliderWords(
-        stroke=N_("stroke"),
-        top=_FARTHEST,
-        after_top=_ON_ITS_LINE,
-        bottom=_NEAREST,
-        mean_speed=N_("mean speed"),
-        largest_speed=N_("largest speed"),
-        dead_centres=N_("Strokes: {strokes}. Farthest from the shaft: {tops} after the crank points along its line."),
-        speeds=N_("Mean speed {mean}, largest {largest}; largest acceleration {acceleration}."),
-        titles=(N_("Ram travel"), N_("Ram velocity"), N_("Ram acceleration")),
-        forces=N_("Forces at ram {piston}"),
-        ends=(N_("farthest"), N_("nearest")),
-    ),
+    words=_OF_RAM,
 )
 """What works on something outside a cylinder, as a press's."""
 
@@ -125,12 +130,9 @@ VALVE: Final = OutputPart(
     called=N_("valve {name}"),
     counted=(N_("1 valve"), N_("{n} valves")),
     is_loaded=False,
-    words=SliderWords(
+    words=replace(
+        _OF_RAM,
         stroke=N_("valve travel"),
-        top=_FARTHEST,
-        after_top=_ON_ITS_LINE,
-        bottom=_NEAREST,
-        mean_speed=N_("mean speed"),
         largest_speed=N_("largest valve speed"),
         dead_centres=N_(
             "Valve travel: {strokes}. Farthest from the shaft: {tops} after the crank points along its line."
@@ -138,7 +140,6 @@ VALVE: Final = OutputPart(
         speeds=N_("Mean valve speed {mean}, largest {largest}; largest acceleration {acceleration}."),
         titles=(N_("Valve travel"), N_("Valve velocity"), N_("Valve acceleration")),
         forces=N_("Forces at valve {piston}"),
-        ends=(N_("farthest"), N_("nearest")),
     ),
 )
 """A slide valve or piston valve, which distributes and does not work."""

@@ -169,7 +169,10 @@ def test_11_is_off_as_the_steam_engines_forms():
     """λ = 1/4: displacement of the stroke, velocity and acceleration of their peaks, on whole degrees in 20 digits."""
     with mp.workdps(20):
         ratio = mp.mpf("0.25")
-        form = lambda alpha: 1 - mp.cos(alpha) + ratio / 2 * mp.sin(alpha) ** 2  # noqa: E731
+
+        def form(alpha):
+            return 1 - mp.cos(alpha) + ratio / 2 * mp.sin(alpha) ** 2
+
         found = []
         for order in range(3):
             angles = [mp.pi * step / 180 for step in range(181)]

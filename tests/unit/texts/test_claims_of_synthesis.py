@@ -52,7 +52,10 @@ def test_the_lost_root_has_no_length():
 def test_velocity_has_all_harmonics_and_the_printed_sign_is_of_minus_x():
     said("its sign is that of −dx/dt; exact, the velocity has all harmonics")
     with mp.workdps(30):
-        place = lambda phi: R * mp.cos(phi) + mp.sqrt(L**2 - (R * mp.sin(phi)) ** 2)  # noqa: E731
+
+        def place(phi):
+            return R * mp.cos(phi) + mp.sqrt(L**2 - (R * mp.sin(phi)) ** 2)
+
         slope = mp.diff(place, mp.radians(60))
         printed = R * (mp.sin(mp.radians(60)) + R / (2 * L) * mp.sin(mp.radians(120)))
         fourth = mp.quad(lambda phi: mp.diff(place, phi) * mp.sin(4 * phi), [0, mp.pi, 2 * mp.pi]) / mp.pi

@@ -97,13 +97,7 @@ def _show(console: Console, table: ForceTable, *, full: bool) -> None:
     methods = _methods(table)
     if full:
         for method, columns in methods.items():
-            heading = _("The same by {method}").format(method=method)
-            if columns[0][1] is table.columns[0].textbook and all(
-                np.all(np.abs(error) < _SAID) for *_by, error in columns
-            ):
-                section(console, heading, [_("The same: this rod is as two masses, and nothing hangs on it.")])
-            else:
-                _show_method(console, heading, columns, labels)
+            _show_method(console, _("The same by {method}").format(method=method), columns, labels)
     elif methods:
         _show_largest(console, methods)
     section(console, _("What they are"), _explained(table))
@@ -138,7 +132,7 @@ def _largest(error: Array) -> float:
 
 
 def _show_method(console: Console, heading: str, columns: Sequence[_ByMethod], labels: Sequence[str]) -> None:
-    """Show the forces by a method, and their errors."""
+    """Show the forces by a method, and their errors; of P·f(β) that it is the same, where it is."""
     if columns[0][1] is columns[0][0].textbook and all(np.all(np.abs(error) < _SAID) for *_by, error in columns):
         section(console, heading, [_("The same: this rod is as two masses, and nothing hangs on it.")])
         return

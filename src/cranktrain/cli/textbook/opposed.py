@@ -31,7 +31,7 @@ def show_opposed(console: Console, cylinders: Sequence[OpposedCylinders], result
     for one in cylinders:
         form, dead_centres, lead = subjects(one, several=len(cylinders) > 1)
         own = [statement for statement in found if statement.of in one.of]
-        errors = error_columns(grouped((of.name, of) for of in own if of.at == LARGEST), width)
+        errors = error_columns(grouped((each.name, each) for each in own if each.at == LARGEST), width)
         section(console, form, [*found.notes[form], *errors, _scheme(one)])
         if with_table:
             _show_motion(console, one, found)

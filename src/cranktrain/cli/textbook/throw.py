@@ -43,7 +43,7 @@ _NOTHING = 1e-12
 """Of the largest length or force of a figure; what is less is not shown."""
 _SAID = 5e-3
 """A smaller difference is written with its power. [N]"""
-_OPTIONS = {"throw_number": "--throw-number", "crank_masses": "--crank-masses", "at": "--at"}
+_OPTIONS = {"throw_number": "--throw-number", "crank_masses": "--crank-masses"}
 
 
 class _ThrowFile(NamedTuple):

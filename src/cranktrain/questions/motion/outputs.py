@@ -26,7 +26,7 @@ def outputs_of(pistons: Pistons, cylinders: InCylinders | None) -> tuple[OutputP
 def members_by_output(outputs: Sequence[OutputPart]) -> Iterator[tuple[OutputPart, NDArray[np.intp]]]:
     """Which sliders are the same: those in cylinders first, those without a load last."""
     members = grouped((output, member) for member, output in enumerate(outputs))
-    for output in sorted(members, key=lambda output: (not output.has_chambers, not output.is_loaded)):
+    for output in sorted(members, key=lambda output: output.rank):
         yield output, np.array(members[output])
 
 
