@@ -191,8 +191,8 @@ def test_the_check_of_energy_can_fail():
 def _turning(result):
     """Machine, motor and gearing of the first design."""
     from cranktrain.analysis.parts import parts_of
+    from cranktrain.motors import DeclaredMotor
     from cranktrain.questions.drive.declared import DeclaredDrive
-    from cranktrain.questions.drive.motor_tables import DeclaredMotor
     from cranktrain.questions.drive.reduction import ReducedMachines
     from cranktrain.questions.drive.steady_turn import DriveInTurn
 

@@ -17,12 +17,12 @@ from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.motors import DeclaredMotor
 from cranktrain.one_line import short
 from cranktrain.questions.drive.at_angles import has_inertia, reduced_at
 from cranktrain.questions.drive.clutched.declared import DeclaredBrake, DeclaredStroke
 from cranktrain.questions.drive.declared import DeclaredDrive, DeclaredStart
 from cranktrain.questions.drive.gentle_rows import corners_and_rows
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.press_strokes import PressStrokes
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.equation import AT_MOTOR, BrakePlace

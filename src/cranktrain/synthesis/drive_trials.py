@@ -13,6 +13,8 @@ from cranktrain.analysis.run import run
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.motors import DeclaredMotor
+from cranktrain.motors.cage.catalogue import four_pole_motors
 from cranktrain.numerics.ties import first_largest, first_smallest, largest_first
 from cranktrain.questions.drive.choosing_ratio import nearest_ratio, preferred_ratios
 from cranktrain.questions.drive.clutched.declared import DeclaredClutch
@@ -20,8 +22,6 @@ from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.declared_duty import DeclaredDuty
 from cranktrain.questions.drive.motor_checks import CheckedMotor, check_names, checked_motor
 from cranktrain.questions.drive.motor_sizing import SizedDesign, sized_design
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, with_inertia
 from cranktrain.questions.drive.shafts import shaft_number

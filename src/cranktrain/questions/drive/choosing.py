@@ -5,8 +5,9 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array, single
-from cranktrain.questions.drive.motors.cage import CageMotor, cage_torque, catalogue_curve, slip_of
-from cranktrain.questions.drive.motors.catalogue import MotorRange
+from cranktrain.motors.cage.catalogue import MotorRange
+from cranktrain.motors.cage.law import CageMotor, cage_torque, catalogue_curve
+from cranktrain.motors.induction.kloss import slip_of
 from cranktrain.questions.drive.sizing.checks import (
     CRITERIA,
     VOLTAGE_RESERVE,
@@ -181,7 +182,7 @@ def size_choice(
 
     Examples
     --------
-    >>> from cranktrain.questions.drive.motors.catalogue import four_pole_motors
+    >>> from cranktrain.motors.cage.catalogue import four_pole_motors
     >>> history = of_pieces(np.array([30.0, 5.0]), np.array([1.0, 3.0]))
     >>> found = size_choice(history, StartDemand(np.array(28.0)), four_pole_motors())
     >>> float(four_pole_motors().power[found.choice.motor]), ALL_CRITERIA[found.choice.governs]

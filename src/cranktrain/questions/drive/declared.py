@@ -8,9 +8,9 @@ import numpy as np
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.motion import Array
+from cranktrain.motors import DeclaredMotor, motor_of
 from cranktrain.questions.drive.clutched.declared import declared_grips
 from cranktrain.questions.drive.declared_duty import declared_duty, wanted_flywheel
-from cranktrain.questions.drive.motor_tables import DeclaredMotor, declared_motor
 from cranktrain.questions.drive.running.gearing import Gearing
 from cranktrain.questions.drive.spec import DriveSpec, StartSpec
 from cranktrain.questions.evenness.spec import DrivenByMotor
@@ -61,7 +61,7 @@ def drive_parts(designs: Designs) -> Iterator[object]:
     spec = designs.together.table(DriveSpec)
     if spec is None:
         return
-    motor = None if spec.motor is None else declared_motor(spec.motor, designs)
+    motor = None if spec.motor is None else motor_of(spec.motor, designs.n_designs)
     yield _declared_drive(spec, motor, designs)
     yield DeclaredStart(spec.start)
     yield declared_duty(spec.duty, designs, holds_valves_open=spec.start.unloaded_until is not None)

@@ -7,6 +7,7 @@ from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
+from cranktrain.motors.spec import out_of_place
 from cranktrain.quantities import (
     Dimension,
     Given,
@@ -15,7 +16,6 @@ from cranktrain.quantities import (
     PositiveTorque,
     Quantity,
 )
-from cranktrain.questions.drive.motor_tables.spec import out_of_place
 from cranktrain.questions.drive.shafts import OnShaft, absent_shaft
 from cranktrain.spec import Spec
 

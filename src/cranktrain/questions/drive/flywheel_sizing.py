@@ -10,11 +10,10 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.drive.declared import DeclaredDrive
 from cranktrain.questions.drive.declared_duty import WantedFlywheel
 from cranktrain.questions.drive.motor_checks import mean_inertia
-from cranktrain.questions.drive.motor_limits import rated_slip
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import (
     Gearing,
@@ -229,5 +228,5 @@ def formula_inertia(
         return np.nan
     share = (mean - least) / (most - least)
     load = PeakyLoad(*(np.asarray(one) for one in (most, share * period, least, (1 - share) * period)))
-    line = SlipLine(rating.torque[design], np.asarray(rated_slip(motor, design)), np.asarray(top))
+    line = SlipLine(rating.torque[design], np.asarray(motor.rated_slip(design)), np.asarray(top))
     return float(recovered_inertia(load, line, np.asarray(allowed)))

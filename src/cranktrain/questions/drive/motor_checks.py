@@ -6,18 +6,17 @@ import numpy as np
 
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.drive.at_angles import reduced_at
 from cranktrain.questions.drive.declared_duty import DeclaredDuty
 from cranktrain.questions.drive.motor_limits import MotorLimits, line_start, motor_limits, peak_share, starts_on_line
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.motors import SERVO
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
 from cranktrain.questions.drive.running.reduced import ReducedMachine
 from cranktrain.questions.drive.settling import settled
 from cranktrain.questions.drive.sizing.starting import inertia_ratio, starts_per_hour
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, largest_over_turn
-from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed
+from cranktrain.questions.drive.steady_turn import DriveInTurn
 
 SIZING_CHECKS = (
     N_("effective torque"),
@@ -86,6 +85,8 @@ class CheckedMotor(NamedTuple):
     inertia_ratio : float
     cycle : SpeedOverTurn or None
         Its steady cycle; None where it has none.
+    unknown : str
+        What cannot be checked, as the motor does not say it.
     """
 
     shares: Array
@@ -95,6 +96,7 @@ class CheckedMotor(NamedTuple):
     rotor_heat: float
     inertia_ratio: float
     cycle: SpeedOverTurn | None
+    unknown: str = ""
 
     @property
     def largest(self) -> float:
@@ -121,7 +123,7 @@ class MotorAtMachine(NamedTuple):
     def turning(self) -> DriveInTurn:
         """The drive as it turns forward."""
         machine = self.machines.each[0]
-        held = holds_speed(self.motor, self.design)
+        held = self.motor.is_free(self.design)
         return DriveInTurn(machine, self.motor, self.design, self.gearing, is_held=held)
 
 
@@ -177,7 +179,7 @@ def checked_motor(
         ratio / _largest_ratio(at, float(duty.inertia_ratio[own])),
         of_speed,
     )
-    return CheckedMotor(np.array(shares), rms, peak, time, heat, ratio, found)
+    return CheckedMotor(np.array(shares), rms, peak, time, heat, ratio, found, limits.unknown)
 
 
 def _cycle_shares(
@@ -188,7 +190,7 @@ def _cycle_shares(
         return np.inf, np.nan, np.inf, np.nan
     torque, speed = turning.motor_torque(found.speed), found.speed * overall_ratio(at.gearing)
     rms = float(np.sqrt(found.over_time(torque**2)))
-    top = float(at.motor.top_speed[at.design]) if at.motor.motor is SERVO else np.inf
+    top = float(at.motor.top_speed[at.design]) if at.motor.law.is_commanded else np.inf
     of_speed = float(np.max(speed)) / top if np.isfinite(top) else np.nan
     peak = max(turning.largest_torque(found), turning.largest_torque(found, -1.0))
 
@@ -220,7 +222,7 @@ def _allowed_starts(at: MotorAtMachine, asked: AskedOfMotor, duty: DeclaredDuty,
 
 def _largest_ratio(at: MotorAtMachine, given: float) -> float:
     """Ratio of inertias that is allowed: as given, or what servo motors like."""
-    return _SERVO_RATIO if np.isnan(given) and at.motor.motor is SERVO else given
+    return _SERVO_RATIO if np.isnan(given) and at.motor.law.is_commanded else given
 
 
 def _known(inertia: float) -> float:

@@ -1,7 +1,7 @@
 """Which motor is enough: the declared one against every check, and the smallest of the small catalogue that passes."""
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import field, replace
 from functools import cache
 from typing import NamedTuple
 
@@ -12,7 +12,8 @@ from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
-from cranktrain.numerics.nested import mapped
+from cranktrain.motors import DeclaredMotor
+from cranktrain.motors.cage.catalogue import four_pole_motors, typical_motors
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.drive.clutched.declared import DeclaredClutch, before_clutch
 from cranktrain.questions.drive.declared import DeclaredDrive
@@ -27,12 +28,6 @@ from cranktrain.questions.drive.motor_checks import (
     is_with_load,
     mean_inertia,
 )
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.motor_tables.declared import Rating
-from cranktrain.questions.drive.motors import CAGE, SERVO
-from cranktrain.questions.drive.motors.cage import catalogue_curve
-from cranktrain.questions.drive.motors.catalogue import four_pole_motors
-from cranktrain.questions.drive.motors.heat import cage_heat
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.questions.drive.sizing.checks import TorqueDemand, motor_choice
@@ -72,6 +67,9 @@ class MotorSizing(StageResult):
     sized_inertia_ratio: Array = quantity(
         "λ_J", "1", _EACH, N_("Mean inertia of what is driven over that of the rotor, at the motor"), _THEORY
     )
+
+    unknown: str = field(default="", kw_only=True)
+    """What of the declared motor cannot be checked, as its table does not say it."""
 
     def answer(self, _names: Names, design: int) -> str:
         """Say which typical motor is enough, what governs it, and by how much the next smaller one misses."""
@@ -176,6 +174,7 @@ def motor_sizing(
             "sizing_check": names,
         },
         flags=tuple(dict.fromkeys(flags)),
+        unknown=rows[0][0].unknown,
     )
 
 
@@ -231,36 +230,7 @@ def _at_motor(gearing: Gearing) -> float:
 
 def _declared(one: SizedDesign, motor: DeclaredMotor, design: int) -> MotorAtMachine:
     """The declared motor as one of a range of one, so that its own design is the first."""
-    return one.with_motor(motor_alone(motor, design), 0)
-
-
-def motor_alone(motor: DeclaredMotor, design: int) -> DeclaredMotor:
-    """One of several designs of a motor, as the only one."""
-    kept = slice(design, design + 1)
-    return replace(
-        motor,
-        numbers=mapped(lambda _name, each: each[..., kept], motor.numbers),
-        rating=Rating(*(each[kept] for each in motor.rating)),
-        top_speed=motor.top_speed[kept],
-        inertia=None if motor.inertia is None else motor.inertia[kept],
-    )
-
-
-@cache
-def typical_motors() -> DeclaredMotor:
-    """Motors of the small catalogue, each as one design."""
-    motors = four_pole_motors()
-    values = motors.values
-    curve = catalogue_curve(values)
-    numbers = curve._replace(pull_up_slip=np.broadcast_to(curve.pull_up_slip, motors.power.shape))
-    return DeclaredMotor(
-        CAGE,
-        numbers,
-        Rating(values.rated_torque, values.rated_speed),
-        values.synchronous_speed,
-        motors.inertia,
-        cage_heat,
-    )
+    return one.with_motor(motor.of_design(design), 0)
 
 
 def _rated(motor: DeclaredMotor | None, place: int) -> tuple[float, float]:
@@ -280,7 +250,7 @@ def _smallest(one: SizedDesign, own: CheckedMotor) -> tuple[tuple[CheckedMotor, 
 
     @cache
     def checked(place: int) -> CheckedMotor:
-        alone = one.with_motor(motor_alone(motors, place), 0)
+        alone = one.with_motor(motors.of_design(place), 0)
         return checked_motor(alone, one.asked, one.duty, one.design)
 
     worst = np.asarray(max(one.asked.worst_torque, 0.0))
@@ -302,7 +272,7 @@ def _other_pace(gearing: Gearing, motor: DeclaredMotor | None, design: int, decl
     ratio = overall_ratio(gearing)
     typical = float(four_pole_motors().values.synchronous_speed[0])
     wanted = declared * ratio
-    if motor is not None and motor.motor is not SERVO and np.isfinite(motor.top_speed[design]):
+    if motor is not None and not motor.law.is_commanded and np.isfinite(motor.top_speed[design]):
         wanted = float(motor.top_speed[design])
     if np.isnan(wanted) or abs(typical - wanted) <= _PACE * abs(wanted):
         return ""

@@ -6,13 +6,13 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.motors import DeclaredMotor
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.roots import bracketed_roots
 from cranktrain.questions.drive.at_angles import has_inertia
 from cranktrain.questions.drive.clutched.declared import DeclaredBrake, DeclaredClutch, DeclaredStroke, before_clutch
 from cranktrain.questions.drive.clutched.equation import Press, firm_acceleration, press_of
 from cranktrain.questions.drive.clutched.runs import PressPlan
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.running.equation import Kernels
 from cranktrain.questions.drive.running.gearing import Gearing, turning_inertia

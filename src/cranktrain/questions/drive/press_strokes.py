@@ -11,6 +11,7 @@ from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
+from cranktrain.motors import DeclaredMotor
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.drive.clutched.declared import MINUTE, DeclaredBrake, DeclaredClutch, DeclaredStroke
 from cranktrain.questions.drive.clutched.equation import ANGLE
@@ -18,7 +19,6 @@ from cranktrain.questions.drive.clutched.runs import PRESS_REASONS, RESTS, TIME_
 from cranktrain.questions.drive.clutched.settled import SettledStroke, settled_stroke
 from cranktrain.questions.drive.clutched.stroke import heat_rate_limit, time_limit
 from cranktrain.questions.drive.declared import DeclaredDrive, DeclaredStart
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.press_case import PressCase, PressParts, hindrance, press_case
 from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.record import record

@@ -108,6 +108,8 @@ def _used(found: MotorSizing, design: int) -> Iterator[AnswerLine]:
             words.append((said or _("{check} {share}")).format(check=name, share=f"{{{piece}}}"))
     if shares:
         yield worded(_("motor is used to"), ", ".join(words), **shares)
+    if found.unknown:
+        yield worded(_("not checked of it"), found.unknown)
 
 
 def _smaller(found: MotorSizing, design: int, share: float) -> dict[str, Amount | str]:

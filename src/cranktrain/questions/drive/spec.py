@@ -10,6 +10,7 @@ from cranktrain.allowed import Name
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.motors import AnyMotor
 from cranktrain.paths import path_text
 from cranktrain.quantities import (
     Angle,
@@ -26,7 +27,6 @@ from cranktrain.quantities import (
 )
 from cranktrain.questions.drive.clutched.spec import BrakeSpec, ClutchSpec, StrokeSpec, press_problems
 from cranktrain.questions.drive.duty_spec import DutySpec, SizedFlywheelSpec
-from cranktrain.questions.drive.motor_tables import AnyMotor
 from cranktrain.questions.drive.shafts import OnShaft, absent_shaft
 from cranktrain.spec import Spec
 

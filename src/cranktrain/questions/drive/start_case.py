@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
+from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.drive.running.equation import BrakePlace
 from cranktrain.questions.drive.running.gearing import Gearing
 from cranktrain.questions.drive.running.reduced import ReducedMachine

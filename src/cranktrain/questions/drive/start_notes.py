@@ -7,11 +7,11 @@ import numpy as np
 
 from cranktrain.language import N_, _
 from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
+from cranktrain.motors import DeclaredMotor
+from cranktrain.motors.declared import LONG_SINCE
+from cranktrain.motors.limits import beyond_measured
 from cranktrain.questions.drive.clutched.declared import DeclaredBrake, DeclaredClutch, DeclaredStroke
 from cranktrain.questions.drive.declared import DeclaredStart
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.motor_tables.declared import LONG_SINCE
-from cranktrain.questions.drive.motor_tables.table import beyond_table
 from cranktrain.questions.drive.spec import StartSpec
 from cranktrain.questions.drive.start_record import StartRun
 
@@ -45,9 +45,9 @@ def start_notes(parts: Mapping[type, Any], run: StartRun) -> Iterator[str]:
     if WantedMotions in parts or RockingMotions in parts:
         yield _(WISH_LEFT)
     if motor is not None:
-        yield from beyond_table(motor, 0, run.whole.motor_speed)
+        yield from beyond_measured(motor, 0, run.whole.motor_speed)
     if DeclaredStroke in parts:
-        if motor is not None and motor.motor.is_timed:
+        if motor is not None and motor.law.is_timed:
             yield _(BEHIND_STARTER)
         return
     if DeclaredClutch in parts:

@@ -167,7 +167,7 @@ def _breaks(case: StartCase) -> Iterator[float]:
     yield from (off, back, braked, braked + case.brake.rise_time)
     if case.motor is None:
         return
-    times = [float(np.ravel(at[..., case.design])[0]) for at in case.motor.motor.breaks(case.motor.numbers).times]
+    times = [float(np.ravel(at[..., case.design])[0]) for at in case.motor.law.breaks(case.motor.numbers).times]
     yield from (at for at in times if at < min(off, back))
     yield from (back + at for at in times if back + at < off)
 

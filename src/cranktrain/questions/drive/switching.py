@@ -3,7 +3,7 @@
 from functools import cache
 from typing import Any, NamedTuple
 
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
+from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.drive.running.equation import Kernels, Motor, no_heat, no_motor, untimed
 from cranktrain.questions.drive.running.floats import in_floats
 from cranktrain.questions.drive.running.reduced import reduced_machine, settle
@@ -44,7 +44,7 @@ class Braking(NamedTuple):
 
 
 def braking(time: float, brake: Braking) -> float:
-    """Torque of a brake while it slips, in a line from nothing. [N·m]"""
+    """Torque of a brake while it slips, in a line from nothing. docs/theory/drive, eq. (25.23). [N·m]"""
     since = time - brake.begins
     if since < 0:
         return 0.0
@@ -55,7 +55,7 @@ def start_kernels(motor: DeclaredMotor | None) -> Kernels:
     """Kernels of a run that is not compiled."""
     if motor is None:
         return Kernels(in_floats(reduced_machine), no_motor, no_heat, braking, in_floats(settle))
-    torque = in_floats(motor.motor.kernel)
-    timed = torque if motor.motor.is_timed else untimed(torque)
+    torque = in_floats(motor.law.kernel)
+    timed = torque if motor.law.is_timed else untimed(torque)
     heat = no_heat if motor.heat is None else in_floats(motor.heat)
     return Kernels(in_floats(reduced_machine), switched(timed, False), switched(heat, True), braking, in_floats(settle))

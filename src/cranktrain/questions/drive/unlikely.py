@@ -13,8 +13,8 @@ from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
 from cranktrain.layout.wish.following import CrankMotion, Following
 from cranktrain.layout.wish.rocking import Rocking
 from cranktrain.motion import Array
+from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.drive.declared import DeclaredDrive
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
 from cranktrain.questions.drive.servo.rocking import RockingDrive
 from cranktrain.questions.drive.servo.stages import ServoDrive
 from cranktrain.questions.forces.loaded_machine import LoadedMachine

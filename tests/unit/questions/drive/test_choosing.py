@@ -8,6 +8,10 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar
 
+from cranktrain.motors.cage.catalogue import four_pole_motors
+from cranktrain.motors.cage.law import cage_torque, catalogue_curve
+from cranktrain.motors.cage.range import motor_range
+from cranktrain.motors.cage.spec import CageSpec
 from cranktrain.questions.drive.choosing import (
     ALL_CRITERIA,
     StartDemand,
@@ -26,10 +30,6 @@ from cranktrain.questions.drive.choosing_ratio import (
     rms_by_ratio,
     transmitted_torque,
 )
-from cranktrain.questions.drive.motor_tables.cage import CageSpec
-from cranktrain.questions.drive.motor_tables.cage_range import motor_range
-from cranktrain.questions.drive.motors.cage import cage_torque, catalogue_curve
-from cranktrain.questions.drive.motors.catalogue import four_pole_motors
 from cranktrain.questions.drive.sizing.torque_means import rms_torque
 
 SIZING = json.loads((Path(__file__).parents[3] / "golden/drive/sizing.json").read_text(encoding="utf-8"))["sizing"]

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from tests.starts import SYNCHRONOUS, kloss, rotor_heat, wheel
 
-from cranktrain.questions.drive.motors.cage import CageMotor, cage_torque, kloss_curve
+from cranktrain.motors.cage.law import CageMotor, cage_torque, kloss_curve
 from cranktrain.questions.drive.running import endings
 from cranktrain.questions.drive.running.compiling import quick
 from cranktrain.questions.drive.running.equation import (

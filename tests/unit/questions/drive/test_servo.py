@@ -5,10 +5,10 @@ import pytest
 from scipy.integrate import quad
 
 import cranktrain as ct
-from cranktrain.questions.drive.motors.servo import Servo
+from cranktrain.motors.servo.law import Servo, servo_limit
 from cranktrain.questions.drive.servo.rocking import RockingDrive
 from cranktrain.questions.drive.servo.stages import ServoDrive
-from cranktrain.questions.drive.sizing.servo_uses import servo_uses
+from cranktrain.questions.drive.sizing.torque_means import rms_torque
 
 RADIUS, MASS, RATIO, ROTOR = 0.05, 40.0, 12.0, 0.02
 OUT, REST, BACK = 0.6, 0.2, 0.4
@@ -135,14 +135,13 @@ def test_a_constant_speed_misses_by_the_least_of_all_phases(result):
 def test_a_servo_is_asked_for_a_share_of_its_limits(result):
     servo = Servo(np.float64(40.0), np.float64(3000.0), np.float64(0.0))
     (demand,) = result.get(ServoDrive).demands
-    uses = demand.uses(servo, 10.0)
+    share = demand.peak_share(servo_limit(demand.motor_speed, servo))
     order = np.argsort(demand.crank.time)
-    by_lines = servo_uses(
-        demand.motor_torque[order], demand.motor_speed[order], demand.crank.time[order], servo, np.float64(10.0)
-    )
-    assert float(uses.peak) == pytest.approx(ROTOR * RATIO * 4 * np.sqrt(35) / BACK**2 / 40.0, rel=1e-9)
-    assert float(by_lines.peak) == pytest.approx(float(uses.peak), rel=5e-3)  # at the nodes alone
-    assert float(uses.rms) == pytest.approx(float(by_lines.rms), rel=2e-2)
+    torque, speed = demand.motor_torque[order], demand.motor_speed[order]
+    at_nodes = np.max(np.abs(torque) / np.minimum(40.0, 3000.0 / np.maximum(np.abs(speed), 1e-9)))
+    assert share == pytest.approx(ROTOR * RATIO * 4 * np.sqrt(35) / BACK**2 / 40.0, rel=1e-9)
+    assert at_nodes == pytest.approx(share, rel=5e-3)
+    assert demand.rms == pytest.approx(float(rms_torque(torque, demand.crank.time[order])), rel=2e-2)
 
 
 def _largest_rocking_power():

@@ -4,12 +4,10 @@ import numpy as np
 import pytest
 from tests.motors import CATALOGUE, SYNCHRONOUS
 
-from cranktrain.questions.drive.motors.cage import cage_breaks, cage_torque, catalogue_curve
-from cranktrain.questions.drive.motors.catalogue import four_pole_motors
-from cranktrain.questions.drive.motors.servo import Servo
+from cranktrain.motors.cage.catalogue import four_pole_motors
+from cranktrain.motors.cage.law import cage_breaks, cage_torque, catalogue_curve
 from cranktrain.questions.drive.sizing.checks import CRITERIA, TorqueDemand, motor_choice
 from cranktrain.questions.drive.sizing.clutch import Engagement, engaged, held_torque
-from cranktrain.questions.drive.sizing.servo_uses import servo_uses
 from cranktrain.questions.drive.sizing.starting import inertia_ratio, loaded_start, starts_per_hour
 from cranktrain.questions.drive.sizing.torque_means import rms_torque
 
@@ -78,14 +76,6 @@ class TestClutch:
         """Of no torque on the driving side the load slows both."""
         assert held_torque(self.both, 0.0) == pytest.approx(150.0 * 40.0 / 46.0)
         assert held_torque(self.both, 150.0) == pytest.approx(150.0)
-
-
-def test_servo_by_peak_and_rms():
-    time = np.array([0.0, 1.0, 2.0])
-    found = servo_uses(
-        np.array([15.0, 15.0, 15.0]), np.array([0.0, 100.0, 200.0]), time, Servo(20.0, 2000.0, 0.0), 12.0
-    )
-    assert found == pytest.approx((1.5, 1.25))
 
 
 def test_a_pause_cools_less():

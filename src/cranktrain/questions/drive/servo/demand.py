@@ -12,10 +12,8 @@ from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.products import product
 from cranktrain.questions.drive.at_angles import ReducedAt, reduced_at
-from cranktrain.questions.drive.motors.servo import Servo, servo_limit
 from cranktrain.questions.drive.running.gearing import Gearing, input_torque, overall_ratio
 from cranktrain.questions.drive.running.reduced import ReducedMachine, in_one_row, reduced_machine
-from cranktrain.questions.drive.sizing.servo_uses import ServoUses
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 _TRIED = np.linspace(-1.0, 1.0, 257)
@@ -96,11 +94,10 @@ class ServoDemand(NamedTuple):
         """The same motion and crank torque behind another gearing."""
         return _demand(self.crank, self.weight, self.crank_torque, gearing)
 
-    def uses(self, servo: Servo, continuous_torque: float) -> ServoUses:
-        """Share of a servo motor's limits that is asked for: torque and power at once, torque for long [N·m]."""
-        share = self.motor_torque / servo_limit(self.motor_speed, servo)
-        at_once = max(self.largest(share), self.largest(-share))
-        return ServoUses(np.asarray(at_once), np.asarray(self.rms / continuous_torque))
+    def peak_share(self, ceiling: Array) -> float:
+        """Largest part of what a motor can give at its speeds, shape (n,), that is asked for. [N·m]"""
+        share = self.motor_torque / ceiling
+        return max(self.largest(share), self.largest(-share))
 
 
 def servo_demand(made: Following, machine: ReducedMachine, gearing: Gearing, corners: Array) -> ServoDemand:

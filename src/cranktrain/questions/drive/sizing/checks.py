@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.motors.cage.catalogue import MotorRange
 from cranktrain.numerics.ties import first_largest_along
-from cranktrain.questions.drive.motors.catalogue import MotorRange
 
 VOLTAGE_RESERVE = 0.81
 """What is left of torques where the voltage is down by 10 %."""
@@ -104,7 +104,7 @@ def motor_choice(demand: TorqueDemand, motors: MotorRange, reserve: float = VOLT
 
     Examples
     --------
-    >>> from cranktrain.questions.drive.motors.catalogue import four_pole_motors
+    >>> from cranktrain.motors.cage.catalogue import four_pole_motors
     >>> asked = TorqueDemand(np.array([22.20445]), np.array([35.48465]), np.array([35.48465]))
     >>> found = motor_choice(asked, four_pole_motors())
     >>> float(four_pole_motors().power[found.motor]), CRITERIA[found.misses], round(float(found.misses_by), 4)
