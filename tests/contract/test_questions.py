@@ -140,15 +140,22 @@ def test_dimensions_are_declared_once():
 @every_question
 def test_headline_is_of_its_own_facts(question):
     facts = {entry.name for stage in question.stages for entry in entries(stage.gives) if entry.is_fact}
-    assert len(set(question.headline)) == len(question.headline) > 0
-    assert set(question.headline) <= facts
+    assert len(set(question.headline)) == len(question.headline)
+    assert set(question.headline) <= facts, "its headline is of facts that its own stages give"
+
+
+def test_each_title_has_a_headline():
+    """Questions that answer under one title may share it; one that gives nothing by stages has none."""
+    with_headline = {question.title for question in QUESTIONS if question.headline}
+    assert {question.title for question in QUESTIONS if question.stages} == with_headline
 
 
 @every_question
 def test_rows_and_offers_are_of_its_own_results(question):
     """What a row asks for may be of a question asked before; what is offered, and the rows themselves, are its own."""
     asked_before = {stage.gives for one in QUESTIONS[: QUESTIONS.index(question) + 1] for stage in one.stages}
-    assert question.title and question.rows
+    assert question.title
+    assert bool(question.rows) == bool(question.stages), "a question whose stages give results says them in rows"
     for function in question.rows:
         assert function.__module__ == f"cranktrain.questions.{question.name}.rows"
         assert set(needs_of(function).types.values()) <= asked_before

@@ -23,10 +23,10 @@ from cranktrain.motors.circuit.law import circuit_torque, generating_peak, kloss
 from cranktrain.motors.induction.breakdown_slip import contradiction
 from cranktrain.motors.induction.ramp import Ramp
 from cranktrain.motors.wound_rotor.rheostat import resistance_steps
-from cranktrain.questions.drive.sizing.checks import CRITERIA, TorqueDemand, motor_choice, motor_uses
-from cranktrain.questions.drive.sizing.clutch import Engagement, engaged
-from cranktrain.questions.drive.sizing.duty import intermittent_factor
-from cranktrain.questions.drive.sizing.peaky_load import (
+from cranktrain.questions.sizing.checks import CRITERIA, TorqueDemand, motor_choice, motor_uses
+from cranktrain.questions.sizing.clutch import Engagement, engaged
+from cranktrain.questions.sizing.duty import intermittent_factor
+from cranktrain.questions.sizing.peaky_load import (
     PeakyLoad,
     SlipLine,
     periodic_inertia,
@@ -34,7 +34,7 @@ from cranktrain.questions.drive.sizing.peaky_load import (
     recovered_inertia,
     slip_time_constant,
 )
-from cranktrain.questions.drive.sizing.starting import loaded_start, quickest_breakdown_slip, unloaded_start
+from cranktrain.questions.sizing.starting import loaded_start, quickest_breakdown_slip, unloaded_start
 
 GOLDEN = Path(__file__).parents[1] / "golden/drive"
 MOTOR = json.loads((GOLDEN / "motor.json").read_text(encoding="utf-8"))

@@ -6,12 +6,12 @@ from typing import Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from cranktrain.language import N_, _
+from cranktrain.layout.drive.grip_tables import BrakeSpec, ClutchSpec
+from cranktrain.layout.drive.shafts import shaft_number
+from cranktrain.layout.drive.table import DriveSpec, StageKind, StageSpec
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.motors import AnyMotor, motor_of
-from cranktrain.questions.drive.clutched.spec import BrakeSpec, ClutchSpec
-from cranktrain.questions.drive.shafts import shaft_number
-from cranktrain.questions.drive.spec import DriveSpec, StageKind, StageSpec
 
 Symbol: TypeAlias = Literal["motor", "disc", "brake", "clutch", "stage", "crank"] | StageKind
 

@@ -5,8 +5,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from cranktrain.language import _
-from cranktrain.questions.drive.flywheel_sizing import formula_inertia
-from cranktrain.questions.drive.spec import DriveSpec
+from cranktrain.layout.drive.table import DriveSpec
+from cranktrain.questions.sizing.flywheel_sizing import formula_inertia
 from cranktrain.synthesis.drive_trials import AskedDrive, Bench, Trial
 from cranktrain.synthesis.proposal import Alternative, Number
 from cranktrain.synthesis.sized_motor import KeptSlip, declared_slip, typical_slip

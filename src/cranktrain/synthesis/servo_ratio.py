@@ -11,18 +11,18 @@ from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.run import run
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
+from cranktrain.layout.drive.declared import DeclaredDrive
+from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.machine import Machine
 from cranktrain.motors import DeclaredMotor
 from cranktrain.numerics.ties import first_largest, first_smallest, smallest_of
-from cranktrain.questions.drive.choosing_ratio import preferred_ratios
-from cranktrain.questions.drive.declared import DeclaredDrive
-from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
-from cranktrain.questions.drive.servo.demand import ServoDemand
-from cranktrain.questions.drive.servo.rocking import RockingDrive
-from cranktrain.questions.drive.servo.stages import ServoDrive
-from cranktrain.questions.drive.spec import DriveSpec
+from cranktrain.questions.servo.demand import ServoDemand
+from cranktrain.questions.servo.rocking import RockingDrive
+from cranktrain.questions.servo.stages import ServoDrive
+from cranktrain.questions.sizing.choosing_ratio import preferred_ratios
 from cranktrain.synthesis.changed_stage import largest_stage, without_stage
 from cranktrain.synthesis.proposal import Alternative, MachineProposal, Number, found_ratio
+from cranktrain.transient.gearing import Gearing, overall_ratio
 from cranktrain.wording import number
 
 _QUANTITIES = ("servo_rms_torque", "rocking_rms_torque")

@@ -6,12 +6,12 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.language import _
+from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.machine import Machine
 from cranktrain.motors.cage.catalogue import four_pole_motors
 from cranktrain.motors.cage.spec import HIGH_SLIP_BREAKDOWN
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.quantities import shown
-from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.synthesis.proposal import found, found_ratio, quantity_text
 from cranktrain.wording import number
 

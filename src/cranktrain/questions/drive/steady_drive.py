@@ -9,19 +9,19 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
 from cranktrain.motors.limits import beyond_measured
 from cranktrain.questions.drive.balanced_speed import balance
-from cranktrain.questions.drive.declared import DeclaredDrive
-from cranktrain.questions.drive.gear_train import lost_torque
-from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.running.gearing import overall_ratio
 from cranktrain.questions.drive.settling import missed_motion, settled
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, speed_range
 from cranktrain.questions.drive.steady_turn import DriveInTurn
+from cranktrain.questions.reduction.gear_train import lost_torque
+from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.record import record
+from cranktrain.transient.gearing import overall_ratio
 from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/reduced-machine"

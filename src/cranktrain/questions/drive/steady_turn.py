@@ -6,11 +6,11 @@ import numpy as np
 
 from cranktrain.motion import ONE, Array
 from cranktrain.motors import DeclaredMotor
-from cranktrain.questions.drive.at_angles import ReducedAt, reduced_at
-from cranktrain.questions.drive.gear_train import Passed, through_stages, torque_through
-from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.reduced import ReducedMachine
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, largest_over_turn
+from cranktrain.questions.reduction.at_angles import ReducedAt, reduced_at
+from cranktrain.questions.reduction.gear_train import Passed, through_stages, torque_through
+from cranktrain.transient.gearing import Gearing, overall_ratio, turning_inertia
+from cranktrain.transient.reduced import ReducedMachine
 
 _NONE = np.empty(0)
 NOWHERE = ReducedAt(_NONE, _NONE, _NONE, (), _NONE)
