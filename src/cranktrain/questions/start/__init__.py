@@ -35,4 +35,4 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
         yield DeclaredStart(spec.start)
 
 
-QUESTION = Question("start", problems=_problems, parts=_parts, title=N_("Start"))
+QUESTION = Question("start", problems=_problems, parts=_parts, title=N_("Drive"))

@@ -6,9 +6,9 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import cranktrain as ct
-from cranktrain.questions.sizing.rows import flywheel_rows
 from cranktrain.questions.sizing.flywheel_sizing import DriveFlywheel, least_inertia
 from cranktrain.questions.sizing.motor_sizing import MotorSizing, SizedDesign
+from cranktrain.questions.sizing.rows import flywheel_rows
 
 STAGE = [{"ratio": 40, "efficiency": 0.846}]
 

@@ -6,8 +6,8 @@ from scipy.integrate import quad
 
 import cranktrain as ct
 from cranktrain.cli.synthesis.proposals import give_proposal
-from cranktrain.questions.sizing.rows import sizing_rows
 from cranktrain.questions.sizing.motor_sizing import MotorSizing
+from cranktrain.questions.sizing.rows import sizing_rows
 from cranktrain.synthesis.drive import drive
 
 RPM = np.pi / 30
