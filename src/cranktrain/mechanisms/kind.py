@@ -108,8 +108,8 @@ class Kind(Generic[Motion, Geometry]):
     openings : callable (geometry) → Openings, optional
         Finds what `closing_margin` looks for; for a kind whose gap has to be walked for.
     direct_ratio : callable (geometry) → Array, optional
-        For a kind whose rod joins a piston and the crank pin itself: λ of the textbooks, NaN where the line of stroke is
-        offset. What they say of λ, of P·f(β) and of two harmonics is said of it, and slaves may hang on its rod.
+        For a kind whose rod joins a piston and the crank pin itself: λ of the textbooks, NaN with an offset. What they
+        say of λ, of P·f(β) and of two harmonics is said of it, and slaves may hang on its rod.
     is_slave : bool
         Whether its rod hangs on the rod of a mechanism that is direct.
     is_outlined : bool
