@@ -21,7 +21,7 @@ from cranktrain.questions.crankshaft.shaft import Crankshaft, StraightSpans, Sup
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
 from cranktrain.questions.crankshaft.throw_line import WEB_RULES, ThrowGeometry, pieces_of_throws, webs_of_throws
 
-LINEAR = BEARING_METHODS[:5]
+LINEAR = tuple(method for method in BEARING_METHODS if method.bearings.is_linear)
 SPAN, RADIUS, STIFFNESS, BENDING = 0.19, 0.09, 8e8, 3e5
 
 

@@ -6,15 +6,13 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.cycle_points import CyclePoints
 from cranktrain.questions.crankshaft.loads_in_spans import SpannedLoads
-from cranktrain.questions.crankshaft.methods import BEARING_METHODS
+from cranktrain.questions.crankshaft.methods import methods_for
+from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft import Supports
 from cranktrain.record import record
-
-_ELASTIC, _LOOSE = ("frame_elastic", "five_moment"), "clearance"
 
 
 @record
@@ -50,12 +48,3 @@ def bearing_loads_of(
         for method in methods
     ]
     return np.stack(each, axis=1)
-
-
-def methods_for(declared: DeclaredCrankshafts) -> tuple[BearingMethod, ...]:
-    """Methods that the file has numbers for: elastic bearings need a stiffness, loose ones a clearance."""
-    return tuple(
-        method
-        for method in BEARING_METHODS
-        if (declared.is_elastic or method.name not in _ELASTIC) and (declared.has_clearance or method.name != _LOOSE)
-    )

@@ -11,7 +11,7 @@ from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 
 @record
 class HousingSpread:
-    """Largest bearing loads in softer and in stiffer housings, by the crank frame on elastic bearings."""
+    """Largest bearing loads in softer and in stiffer housings, by the most trusted method of elastic bearings."""
 
     bearing_load_soft_housing: Array = quantity(
         "Q_½", "N", ("bearing",), N_("Largest load of the main bearing if all housings were half as stiff"), _THEORY

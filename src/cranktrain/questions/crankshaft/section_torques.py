@@ -12,9 +12,9 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.acting import LoadedShaft, LoadedShafts
-from cranktrain.questions.crankshaft.bearings_between_events import methods_for
 from cranktrain.questions.crankshaft.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.loads_over_cycle import LoadsOverCycle
+from cranktrain.questions.crankshaft.methods import methods_for
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_loads import torque_sizes, torques
 from cranktrain.questions.crankshaft.shaft_peaks import ShaftPeaks

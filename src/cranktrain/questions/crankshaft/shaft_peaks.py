@@ -12,15 +12,15 @@ from cranktrain.numerics import Peak, in_windows
 from cranktrain.numerics.panel_tops import tops_in_panels
 from cranktrain.numerics.pieces import largest_near
 from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.bearings_between_events import (
     BearingsBetweenEvents,
     bearing_loads_of,
-    methods_for,
 )
 from cranktrain.questions.crankshaft.cycle_points import CyclePoints
 from cranktrain.questions.crankshaft.loads_in_spans import SpannedLoads
-from cranktrain.questions.crankshaft.methods import ELASTIC_FRAME
+from cranktrain.questions.crankshaft.methods import methods_for, most_trusted
+from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
+from cranktrain.questions.crankshaft.methods.taken_bearings import ELASTIC
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft import Supports
 from cranktrain.questions.crankshaft.torque_along import TorqueOfLoads
@@ -52,7 +52,7 @@ class ShaftPeaks:
     journal_torque : Peak, shapes (design, 2 · journal)
         Likewise in journals, where no method matters.
     housing_load : tuple of Peak, shapes (design, bearing)
-        As `load`, by the crank frame in each of `HOUSINGS`; none where no bearing gives.
+        As `load`, by the most trusted method of elastic bearings in each of `HOUSINGS`; none where no bearing gives.
     """
 
     load: Peak
@@ -106,7 +106,11 @@ def shaft_peaks(
     nowhere = np.zeros_like(is_journal)
     each = [
         *(_Curves(method, supports, ~is_journal) for method in methods),
-        *(_Curves(ELASTIC_FRAME, _in_housing(supports, one), nowhere) for one in HOUSINGS if declared.is_elastic),
+        *(
+            _Curves(most_trusted(ELASTIC), _in_housing(supports, one), nowhere)
+            for one in HOUSINGS
+            if declared.is_elastic
+        ),
         _Curves(None, supports, is_journal),
     ]
     n_methods = len(methods)

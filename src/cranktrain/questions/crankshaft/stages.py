@@ -12,14 +12,11 @@ from cranktrain.numerics import Peak
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.acting import LoadedShafts
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, residuals
-from cranktrain.questions.crankshaft.bearings_between_events import (
-    BearingsBetweenEvents,
-    methods_for,
-)
+from cranktrain.questions.crankshaft.bearings_between_events import BearingsBetweenEvents
 from cranktrain.questions.crankshaft.cycle_points import CyclePoints
 from cranktrain.questions.crankshaft.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.loads_over_cycle import LoadsOverCycle
-from cranktrain.questions.crankshaft.methods import BEARING_METHODS
+from cranktrain.questions.crankshaft.methods import methods_for, title_of
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_loads import on_axis
 from cranktrain.questions.crankshaft.shaft_peaks import ShaftPeaks
@@ -94,11 +91,6 @@ def main_bearing_loads(
         checks=(_check(loaded, acting, found),),
         flags=tuple(one_sided([(_("largest load of a main bearing"), peaks.load)], named)),
     )
-
-
-def title_of(name: str) -> str:
-    """How answers call a method."""
-    return next(_(method.title) for method in BEARING_METHODS if method.name == name)
 
 
 def _check(loaded: LoadedShafts, acting: Sequence[SpannedLoads], found: Sequence[Sequence[BearingLoads]]) -> Check:

@@ -4,9 +4,11 @@ from collections.abc import Callable
 
 import numpy as np
 
+from cranktrain.language import N_
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads
 from cranktrain.questions.crankshaft.designs_alike import of_designs
 from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans, SpannedLoads, alike_shafts, spanned_loads
+from cranktrain.questions.crankshaft.methods.taken_bearings import TakenBearings
 from cranktrain.questions.crankshaft.shaft import Crankshaft, Supports
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
 from cranktrain.record import record
@@ -30,6 +32,16 @@ class BearingMethod:
         Where its equations stand.
     range : str
         What it takes the shaft and its bearings for: a sentence, not yet translated.
+    bearings : TakenBearings
+        The latter as data: what it needs of the file, and with which methods it shares a line of the answer.
+    rank : int
+        Of trust: 1 is the most trusted. The answer begins with it, and pictures draw it so.
+    beside : str or None
+        That line where its largest load, `{other}`, stands beside `{load}` in `{bearing}`, that of the most trusted
+        method of these bearings, not yet translated; None where it has no place there.
+    trust : str
+        What the answer says of whom to trust where this is the best that the file has numbers for, not yet translated:
+        `{range}` is what all methods give in `{bearing}`.
     """
 
     name: str
@@ -37,6 +49,10 @@ class BearingMethod:
     kernel: Kernel
     source: str
     range: str
+    bearings: TakenBearings
+    rank: int
+    beside: str | None = None
+    trust: str = N_("{method}; bearing {bearing} by all: {range}")
 
     def loads(self, shaft: Crankshaft, loads: ShaftLoads) -> BearingLoads:
         """Bearing loads of any designs, each to the last bit what it gives alone."""
