@@ -12,20 +12,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from cranktrain.questions.crankshaft import methods
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
+from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
 from cranktrain.spec import Spec
 from cranktrain.viz.sheets.crankshaft.polar import method_pen
 
 PACKAGE = Path(__file__).parents[2] / "src/cranktrain"
 METHODS = PACKAGE / "questions/crankshaft/methods"
 ROOM = "cranktrain.questions.crankshaft.methods"
-ALLOWED = {ROOM, f"{ROOM}.bearing_method", f"{ROOM}.taken_bearings"}
-"""What others may import: what a method is, which there are; no method by its name."""
-
 MADE_UP = '''
 """A shaft whose bearings carry half as much again as if it were split."""
 
-from cranktrain.questions.crankshaft.bearing_loads import BearingLoads
+from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads
 from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.methods.split import split
 from cranktrain.questions.crankshaft.methods.taken_bearings import TakenBearings
@@ -82,14 +81,14 @@ def with_made_up(tmp_path_factory):
     """What is said where the package has one file more, and in the line of the methods one name."""
     folder = tmp_path_factory.mktemp("package")
     shutil.copytree(PACKAGE, folder / "cranktrain", ignore=shutil.ignore_patterns("__pycache__"))
-    methods = folder / METHODS.relative_to(PACKAGE.parent)
-    (methods / "heavier.py").write_text(MADE_UP.lstrip(), "utf-8")
-    line = (methods / "__init__.py").read_text("utf-8")
+    room = folder / METHODS.relative_to(PACKAGE.parent)
+    (room / "heavier.py").write_text(MADE_UP.lstrip(), "utf-8")
+    line = (room / "__init__.py").read_text("utf-8")
     with_line = line.replace("(ELASTIC_FRAME, RIGID_FRAME,", "(ELASTIC_FRAME, RIGID_FRAME, HEAVIER,").replace(
         "import SPLIT\n", f"import SPLIT\nfrom {ROOM}.heavier import HEAVIER\n"
     )
     assert with_line.count("HEAVIER") == 2, "the line of the methods is written otherwise than this test knows"
-    (methods / "__init__.py").write_text(with_line, "utf-8")
+    (room / "__init__.py").write_text(with_line, "utf-8")
     said = json.loads(told(folder, "-c", ASKED))
     assert Path(said["package"]).is_relative_to(folder)
     return said | {"screen": told(folder, "-m", "cranktrain", "run", "vaz_21213")}
@@ -168,6 +167,7 @@ def keys_of(spec):
 
 NAMES = {method.name for method in BEARING_METHODS} - set(keys_of(Spec))
 """But for those that are keys of the machine file, too."""
+OBJECTS = {name for name, value in vars(methods).items() if isinstance(value, BearingMethod)}
 
 
 def known_by_name(text):
@@ -183,9 +183,9 @@ def known_by_name(text):
         if isinstance(node, ast.Constant) and node.value in NAMES and id(node) not in words:
             yield f'line {node.lineno}: "{node.value}"'
         elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith(ROOM):
-            methods = [alias.name for alias in node.names if alias.name.isupper() and node.module == ROOM]
-            if node.module not in ALLOWED or set(methods) - {"BEARING_METHODS"}:
-                yield f"line {node.lineno}: from {node.module} import {', '.join(alias.name for alias in node.names)}"
+            by_name = [alias.name for alias in node.names if alias.name in OBJECTS]
+            if by_name:
+                yield f"line {node.lineno}: from {node.module} import {', '.join(by_name)}"
 
 
 def test_nobody_else_asks_for_its_name():

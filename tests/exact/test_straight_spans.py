@@ -5,8 +5,8 @@ import pytest
 from tests.frame_elements import beam_loads
 from tests.validation.test_crankshaft_arrangements import loaded_shafts, machine
 
+from cranktrain.questions.crankshaft.metal.shaft import StraightSpans
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
-from cranktrain.questions.crankshaft.shaft import StraightSpans
 
 METHODS = {method.name: method for method in BEARING_METHODS}
 V12 = [f"{angle} deg" for angle in (0, 120, 240, 240, 120, 0)]

@@ -6,9 +6,9 @@ import pytest
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import STAGES, lacking, run_stages
-from cranktrain.questions.crankshaft.acting import LoadedShafts
+from cranktrain.questions.crankshaft.bending.torque_along import torque_along
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
-from cranktrain.questions.crankshaft.torque_along import torque_along
 
 METHODS = {method.name: method for method in BEARING_METHODS}
 SECTIONS = {

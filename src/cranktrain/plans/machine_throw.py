@@ -14,11 +14,11 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, largest_of
 from cranktrain.plans.acting import idle_problems
 from cranktrain.plans.throw_loads import CrankMasses, ThrowLoad, ThrowSpan, of_member
-from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.bearing_loads import bearing_loads, end_moments
-from cranktrain.questions.crankshaft.shaft_loads import AxisLoads
-from cranktrain.questions.crankshaft.spans import cut_shaft, spans_of
-from cranktrain.questions.crankshaft.throw_reactions import (
+from cranktrain.questions.crankshaft.bending.bearing_loads import bearing_loads, end_moments
+from cranktrain.questions.crankshaft.bending.cut_shaft import cut_shaft, spans_of
+from cranktrain.questions.crankshaft.bending.shaft_loads import AxisLoads
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
+from cranktrain.questions.crankshaft.methods.throw_reactions import (
     ThrowForces,
     ThrowLengths,
     ThrowReactions,

@@ -12,10 +12,10 @@ from cranktrain.language import _
 from cranktrain.layout.masses import MechanismMasses
 from cranktrain.layout.mechanisms import Batch
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.crank_sizes import crank_parts
-from cranktrain.questions.crankshaft.shaft_loads import on_axis
-from cranktrain.questions.crankshaft.spans import spans_of
+from cranktrain.questions.crankshaft.bending.cut_shaft import spans_of
+from cranktrain.questions.crankshaft.bending.shaft_loads import on_axis
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
+from cranktrain.questions.crankshaft.results.crank_sizes import crank_parts
 from cranktrain.questions.forces.rod_masses import weighed_ends
 
 CrankMasses = Literal["given", "sizes"]

@@ -11,11 +11,11 @@ from cranktrain.language import _
 from cranktrain.layout.shafts import Shafts
 from cranktrain.machine import Machine
 from cranktrain.quantities import unlisted
-from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.laid import LaidShaft
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS, methods_for
 from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
+from cranktrain.questions.crankshaft.shaft_layout import LaidShaft
 from cranktrain.spec import Words
 
 Method = Annotated[str, Words(tuple(method.name for method in BEARING_METHODS))]

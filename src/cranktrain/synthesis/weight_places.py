@@ -15,7 +15,7 @@ from cranktrain.numerics.ties import first_smallest
 from cranktrain.quantities import unlisted
 from cranktrain.questions.balance.spec import WeightSpec
 from cranktrain.questions.balance.weights import BalanceWeights
-from cranktrain.questions.crankshaft.laid import LaidShaft
+from cranktrain.questions.crankshaft.shaft_layout import LaidShaft
 
 _SOLVED_FOR = ("counterweights", "share", "planes")
 """Keys of [balance] that say which counterweights are solved for."""

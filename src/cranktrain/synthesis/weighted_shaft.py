@@ -13,7 +13,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, largest_between, points_together
-from cranktrain.questions.crankshaft.acting import LoadedShafts
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.record import record

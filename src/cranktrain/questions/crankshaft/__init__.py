@@ -8,32 +8,32 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.uses import table
 from cranktrain.questions.crankshaft import rows
-from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.bearings_between_events import bearings_between_events
-from cranktrain.questions.crankshaft.crank_sizes import crank_sizes
 from cranktrain.questions.crankshaft.cycle_points import cycle_points
-from cranktrain.questions.crankshaft.gears import declared_gears, gear_problems
-from cranktrain.questions.crankshaft.housing import housing_spread, in_elastic_bearings
-from cranktrain.questions.crankshaft.journal_loads import journal_loads, journal_wear
-from cranktrain.questions.crankshaft.laid import laid_crankshafts, with_rods
-from cranktrain.questions.crankshaft.loads_over_cycle import loads_over_cycle
-from cranktrain.questions.crankshaft.model import loaded_shafts
+from cranktrain.questions.crankshaft.loads.gears import declared_gears, gear_problems
+from cranktrain.questions.crankshaft.loads.load_places import loaded_shafts
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
+from cranktrain.questions.crankshaft.loads.loads_over_cycle import loads_over_cycle
 from cranktrain.questions.crankshaft.parts import declared_crankshafts
 from cranktrain.questions.crankshaft.pin_wear import crank_pin_wear
-from cranktrain.questions.crankshaft.pressures import (
+from cranktrain.questions.crankshaft.problems import crankshaft_problems
+from cranktrain.questions.crankshaft.results.bearings_between_events import bearings_between_events
+from cranktrain.questions.crankshaft.results.crank_sizes import crank_sizes
+from cranktrain.questions.crankshaft.results.housing_spread import housing_spread, in_elastic_bearings
+from cranktrain.questions.crankshaft.results.journal_loads import journal_loads, journal_wear
+from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads, main_bearing_loads
+from cranktrain.questions.crankshaft.results.pressures import (
     crank_pin_pressures,
     have_bearing_widths,
     have_rod_widths,
     main_bearing_pressures,
 )
-from cranktrain.questions.crankshaft.problems import crankshaft_problems
-from cranktrain.questions.crankshaft.section_torques import section_torques
-from cranktrain.questions.crankshaft.shaft_peaks import shaft_peaks
-from cranktrain.questions.crankshaft.shaft_places import shaft_places
+from cranktrain.questions.crankshaft.results.section_torques import section_torques
+from cranktrain.questions.crankshaft.results.shaft_peaks import shaft_peaks
+from cranktrain.questions.crankshaft.results.shaft_places import shaft_places
+from cranktrain.questions.crankshaft.results.throw_bending import throw_bending
+from cranktrain.questions.crankshaft.results.unlikely import unlikely_crankshafts
+from cranktrain.questions.crankshaft.shaft_layout import laid_crankshafts, with_rods
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
-from cranktrain.questions.crankshaft.stages import MainBearingLoads, main_bearing_loads
-from cranktrain.questions.crankshaft.throw_bending import throw_bending
-from cranktrain.questions.crankshaft.unlikely import unlikely_crankshafts
 from cranktrain.questions.forces.crank_pins import have_crank_pins
 
 

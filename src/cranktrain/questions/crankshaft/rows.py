@@ -7,12 +7,12 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
-from cranktrain.questions.crankshaft.housing import HousingSpread
 from cranktrain.questions.crankshaft.methods import method_named
 from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.methods.taken_bearings import ELASTIC
-from cranktrain.questions.crankshaft.section_torques import SectionTorques, widest_sections
-from cranktrain.questions.crankshaft.stages import MainBearingLoads
+from cranktrain.questions.crankshaft.results.housing_spread import HousingSpread
+from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
+from cranktrain.questions.crankshaft.results.section_torques import SectionTorques, widest_sections
 from cranktrain.rows import Amount, AnswerLine, Extent, worded
 from cranktrain.wording import Names
 

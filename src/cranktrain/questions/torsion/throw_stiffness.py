@@ -10,10 +10,10 @@ from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, first_smallest
-from cranktrain.questions.crankshaft.laid import LaidCrankshafts, LaidShaft
+from cranktrain.questions.crankshaft.bending.throw_stiffness import THROW_METHODS, ShaftInTorsion
+from cranktrain.questions.crankshaft.metal.throw_gaps import ThrowSizes, gaps_of, ker_wilson_web
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
-from cranktrain.questions.crankshaft.throw_gaps import ThrowSizes, gaps_of, ker_wilson_web
-from cranktrain.questions.crankshaft.throw_stiffness import THROW_METHODS, ShaftInTorsion
+from cranktrain.questions.crankshaft.shaft_layout import LaidCrankshafts, LaidShaft
 from cranktrain.questions.torsion.parts import DeclaredTrain
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TORSION as _THEORY

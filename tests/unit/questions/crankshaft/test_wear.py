@@ -10,7 +10,7 @@ from cranktrain.numerics import one_way_steps, sectors
 from cranktrain.numerics.sectors import size_by_sector
 from cranktrain.numerics.subintervals import subintervals
 from cranktrain.questions.crankshaft.cycle_points import CyclePoints
-from cranktrain.questions.crankshaft.turning_axes import in_turning_axes
+from cranktrain.questions.crankshaft.results.turning_axes import in_turning_axes
 from cranktrain.questions.crankshaft.wear import RAYS, oil_hole, wear_of, wear_sums
 
 

@@ -5,12 +5,17 @@ from collections.abc import Callable
 import numpy as np
 
 from cranktrain.language import N_
-from cranktrain.questions.crankshaft.bearing_loads import BearingLoads
-from cranktrain.questions.crankshaft.designs_alike import of_designs
-from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans, SpannedLoads, alike_shafts, spanned_loads
+from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads
+from cranktrain.questions.crankshaft.bending.designs_alike import of_designs
+from cranktrain.questions.crankshaft.bending.loads_in_spans import (
+    LoadsInSpans,
+    SpannedLoads,
+    alike_shafts,
+    spanned_loads,
+)
+from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.metal.shaft import Crankshaft, Supports
 from cranktrain.questions.crankshaft.methods.taken_bearings import TakenBearings
-from cranktrain.questions.crankshaft.shaft import Crankshaft, Supports
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
 from cranktrain.record import record
 
 Kernel = Callable[[Supports, LoadsInSpans], BearingLoads]

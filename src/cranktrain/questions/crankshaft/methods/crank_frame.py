@@ -4,13 +4,13 @@ import numpy as np
 
 from cranktrain.language import N_
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, bearing_loads
-from cranktrain.questions.crankshaft.blocks import product, transposed, turned_by
-from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans
+from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads, bearing_loads
+from cranktrain.questions.crankshaft.bending.blocks import product, transposed, turned_by
+from cranktrain.questions.crankshaft.bending.loads_in_spans import LoadsInSpans
+from cranktrain.questions.crankshaft.bending.support_moments import Bearings, support_moments
+from cranktrain.questions.crankshaft.metal.shaft import Supports
 from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.methods.taken_bearings import ELASTIC, RIGID
-from cranktrain.questions.crankshaft.shaft import Supports
-from cranktrain.questions.crankshaft.support_moments import Bearings, support_moments
 
 
 def rigid_frame(supports: Supports, loads: LoadsInSpans) -> BearingLoads:

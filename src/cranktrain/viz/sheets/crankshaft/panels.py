@@ -11,8 +11,8 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.ties import first_largest
-from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.section_torques import SECTIONS
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
+from cranktrain.questions.crankshaft.results.section_torques import SECTIONS
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 from cranktrain.wording import ranged
 
