@@ -14,6 +14,7 @@ from cranktrain.questions import (
     pumping,
     torque,
     torsion,
+    wear,
 )
 
 QUESTIONS: tuple[Question, ...] = (
@@ -26,6 +27,7 @@ QUESTIONS: tuple[Question, ...] = (
     pumping.QUESTION,
     balance.QUESTION,
     evenness.QUESTION,
+    wear.QUESTION,
     crankshaft.QUESTION,
     torsion.QUESTION,
     drive.QUESTION,

@@ -8,13 +8,11 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.uses import table
 from cranktrain.questions.crankshaft import rows
-from cranktrain.questions.crankshaft.cycle_points import cycle_points
 from cranktrain.questions.crankshaft.loads.gears import declared_gears, gear_problems
 from cranktrain.questions.crankshaft.loads.load_places import loaded_shafts
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.loads.loads_over_cycle import loads_over_cycle
 from cranktrain.questions.crankshaft.parts import declared_crankshafts
-from cranktrain.questions.crankshaft.pin_wear import crank_pin_wear
 from cranktrain.questions.crankshaft.problems import crankshaft_problems
 from cranktrain.questions.crankshaft.results.bearings_between_events import bearings_between_events
 from cranktrain.questions.crankshaft.results.crank_sizes import crank_sizes
@@ -34,7 +32,6 @@ from cranktrain.questions.crankshaft.results.throw_bending import throw_bending
 from cranktrain.questions.crankshaft.results.unlikely import unlikely_crankshafts
 from cranktrain.questions.crankshaft.shaft_layout import laid_crankshafts, with_rods
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
-from cranktrain.questions.forces.crank_pins import have_crank_pins
 
 
 def _problems(design: Design) -> Iterator[Problem]:
@@ -55,8 +52,6 @@ QUESTION = Question(
     problems=_problems,
     parts=_parts,
     stages=(
-        Stage(cycle_points, applies=have_crank_pins),
-        Stage(crank_pin_wear),
         Stage(laid_crankshafts, applies=with_rods),
         Stage(shaft_places),
         Stage(crank_sizes),
@@ -80,7 +75,6 @@ QUESTION = Question(
         ResultDimension("pin", N_("pin")),
         ResultDimension("throw_plane", N_("plane of the throw")),
         ResultDimension("section", N_("section")),
-        ResultDimension("ray", N_("ray"), is_number=True),
     ),
     headline=("largest_bearing_load",),
     title=N_("Main bearings"),

@@ -6,12 +6,12 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
-from cranktrain.questions.crankshaft.cycle_points import CyclePoints
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.metal.shaft import Supports
 from cranktrain.questions.crankshaft.methods import methods_for
 from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
+from cranktrain.questions.wear.cycle_points import CyclePoints
 from cranktrain.record import record
 
 

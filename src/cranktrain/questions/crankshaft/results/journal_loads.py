@@ -11,12 +11,12 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads
-from cranktrain.questions.crankshaft.cycle_points import CyclePoints
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShaft, LoadedShafts
 from cranktrain.questions.crankshaft.loads.loads_over_cycle import LoadsOverCycle
 from cranktrain.questions.crankshaft.results.bearings_between_events import BearingsBetweenEvents
 from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
 from cranktrain.questions.crankshaft.results.turning_axes import in_turning_axes
+from cranktrain.questions.wear.cycle_points import CyclePoints
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 

@@ -13,7 +13,6 @@ from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads, residuals
 from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.bending.shaft_loads import on_axis
-from cranktrain.questions.crankshaft.cycle_points import CyclePoints
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.loads.loads_over_cycle import LoadsOverCycle
 from cranktrain.questions.crankshaft.methods import methods_for, title_of
@@ -21,6 +20,7 @@ from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.bearings_between_events import BearingsBetweenEvents
 from cranktrain.questions.crankshaft.results.shaft_peaks import ShaftPeaks
 from cranktrain.questions.forces.peaks import one_sided
+from cranktrain.questions.wear.cycle_points import CyclePoints
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.wording import Names, number

@@ -10,10 +10,10 @@ from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft, DeclaredCrankshafts
-from cranktrain.questions.crankshaft.pin_wear import CrankPinWear
 from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
 from cranktrain.questions.crankshaft.shaft_layout import LaidCrankshafts
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
+from cranktrain.questions.wear.pin_wear import CrankPinWear
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.wording import Names, number

@@ -13,7 +13,6 @@ from cranktrain.numerics.panel_tops import tops_in_panels
 from cranktrain.numerics.pieces import largest_near
 from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.bending.torque_along import TorqueOfLoads
-from cranktrain.questions.crankshaft.cycle_points import CyclePoints
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.metal.shaft import Supports
 from cranktrain.questions.crankshaft.methods import methods_for, most_trusted
@@ -27,6 +26,7 @@ from cranktrain.questions.crankshaft.results.bearings_between_events import (
 from cranktrain.questions.crankshaft.results.torque_of_shafts import torque_in_sections, torques_of_loads
 from cranktrain.questions.forces.events import ForceEvents, breaks_at_speed
 from cranktrain.questions.forces.peaks import counted
+from cranktrain.questions.wear.cycle_points import CyclePoints
 from cranktrain.record import record
 
 _WIDE = 0.01

@@ -9,10 +9,10 @@ from cranktrain.linkage import Crank
 from cranktrain.linkage.forces import crank_link
 from cranktrain.motion import Array
 from cranktrain.numerics.gathering import put
-from cranktrain.questions.crankshaft.cycle_points import CyclePoints
-from cranktrain.questions.crankshaft.wear import RAY_NAMES
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.pin_load import PinLoad, RodBearingLoad, pin_load, rod_bearing_load
+from cranktrain.questions.wear.cycle_points import CyclePoints
+from cranktrain.questions.wear.rays import RAY_NAMES
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 

@@ -9,9 +9,9 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.numerics import Subintervals, points_together, subintervals
 from cranktrain.numerics.sectors import Sectors, size_by_sector
-from cranktrain.questions.crankshaft.wear import N_RAYS, oil_hole, wear_of
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
+from cranktrain.questions.wear.rays import N_RAYS, oil_hole, wear_of
 from cranktrain.record import record
 
 _WIDEST = np.pi / 9
