@@ -15,7 +15,7 @@ from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS, methods_for
 from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
-from cranktrain.questions.crankshaft.shaft_layout import LaidShaft
+from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout
 from cranktrain.spec import Words
 
 Method = Annotated[str, Words(tuple(method.name for method in BEARING_METHODS))]
@@ -25,7 +25,7 @@ class SoughtBearings(NamedTuple):
     """Which of the crankshafts it is, how it is laid out, which of its bearings are spoken of, and by which method."""
 
     which: int
-    laid: LaidShaft
+    layout: ShaftLayout
     bearings: list[int]
     method: BearingMethod
 
@@ -40,12 +40,12 @@ def sought_bearings(machine: Machine, bearing: str, method: str | None) -> Sough
     found: dict[type, Any] = run_stages(leading_to(STAGES, [LoadedShafts]), parts, absent)
     loaded: LoadedShafts = found[LoadedShafts]
     shafts: Any = parts[Shafts]
-    which = next((i for i, one in enumerate(loaded.each) if one.laid.declared.shaft == shafts.main), None)
+    which = next((i for i, one in enumerate(loaded.each) if one.layout.declared.shaft == shafts.main), None)
     if which is None:
         allowed = _("says nothing of [shaft.main], on whose throws counterweights stand")
         raise InputError([Problem("crankshaft", None, allowed)])
-    laid = loaded.each[which].laid
-    names = laid.declared.bearing_names
+    layout = loaded.each[which].layout
+    names = layout.declared.bearing_names
     declared: Any = parts[DeclaredCrankshafts]
     linear = [one for one in methods_for(declared) if one.bearings.is_linear]
     problems: list[Problem] = []
@@ -55,7 +55,7 @@ def sought_bearings(machine: Machine, bearing: str, method: str | None) -> Sough
         problems.append(_no_method(method, [one.name for one in linear]))
     refuse(problems)
     bearings = list(range(len(names))) if bearing == "all" else [names.index(bearing)]
-    return SoughtBearings(which, laid, bearings, next(one for one in linear if method in (None, one.name)))
+    return SoughtBearings(which, layout, bearings, next(one for one in linear if method in (None, one.name)))
 
 
 def _no_method(method: str, linear: Sequence[str]) -> Problem:

@@ -70,7 +70,7 @@ class WeightedShaft:
         """
         n_designs = len(self.crank_angle.zero)
         acting = self.shafts.loads(np.broadcast_to(shown, (n_designs, 1, shown.size)) + self.crank_angle.zero)
-        shaft = self.shafts.each[self.which].shaft
+        shaft = self.shafts.each[self.which].metal
         load = np.moveaxis(self.method.of(shaft.supports, acting[self.which]).load, 2, 3)
         change = np.moveaxis(load[1:] - load[0], 0, -1) / self.more
         return load[0] - change @ self.at, change

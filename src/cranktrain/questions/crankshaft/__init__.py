@@ -30,7 +30,7 @@ from cranktrain.questions.crankshaft.results.shaft_peaks import shaft_peaks
 from cranktrain.questions.crankshaft.results.shaft_places import shaft_places
 from cranktrain.questions.crankshaft.results.throw_bending import throw_bending
 from cranktrain.questions.crankshaft.results.unlikely import unlikely_crankshafts
-from cranktrain.questions.crankshaft.shaft_layout import laid_crankshafts, with_rods
+from cranktrain.questions.crankshaft.shaft_layout import shaft_layouts, with_rods
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
 
 
@@ -52,7 +52,7 @@ QUESTION = Question(
     problems=_problems,
     parts=_parts,
     stages=(
-        Stage(laid_crankshafts, applies=with_rods),
+        Stage(shaft_layouts, applies=with_rods),
         Stage(shaft_places),
         Stage(crank_sizes),
         Stage(throw_bending),

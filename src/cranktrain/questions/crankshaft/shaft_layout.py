@@ -29,7 +29,7 @@ class OnPins(NamedTuple):
 
 
 @record
-class LaidShaft:
+class ShaftLayout:
     """One crankshaft as arrays.
 
     Attributes
@@ -72,10 +72,10 @@ class LaidShaft:
 
 
 @record
-class LaidCrankshafts:
+class ShaftLayouts:
     """All crankshafts of which the file says so."""
 
-    each: tuple[LaidShaft, ...]
+    each: tuple[ShaftLayout, ...]
 
 
 def with_rods(
@@ -93,18 +93,18 @@ def with_rods(
     return True
 
 
-def laid_crankshafts(
+def shaft_layouts(
     declared: DeclaredCrankshafts,
     mechanisms: Mechanisms,
     shafts: Shafts,
     frames: Frames,
     carriers: Carriers,
     crank_angle: CrankAngle,
-) -> LaidCrankshafts:
+) -> ShaftLayouts:
     """Lay all crankshafts out."""
     pins = pins_at(mechanisms, frames, crank_angle.angle[..., :1])[..., 0]
     turn = -1.0 if frames.clockwise else 1.0
-    each: list[LaidShaft] = []
+    each: list[ShaftLayout] = []
     for one in declared.each:
         carrying = np.flatnonzero((carriers.master < 0) & (shafts.shaft == one.shaft)).astype(np.intp)
         is_on_pin = shafts.throw[carrying] == one.throw[:, np.newaxis]
@@ -115,7 +115,7 @@ def laid_crankshafts(
         piece = np.full(2 * len(first) + 1, -1, dtype=np.intp)
         piece[throws.pieces] = np.arange(throws.pieces.size)
         each.append(
-            LaidShaft(
+            ShaftLayout(
                 one,
                 *_crankshaft(one, throws),
                 piece[1::2],
@@ -126,7 +126,7 @@ def laid_crankshafts(
                 turn * float(frames.sense[first[0]]),
             )
         )
-    return LaidCrankshafts(tuple(each))
+    return ShaftLayouts(tuple(each))
 
 
 def direction(vector: ComplexArray, turn: float) -> Array:
@@ -188,7 +188,7 @@ def _crankshaft(declared: DeclaredCrankshaft, throws: ThrowGeometry) -> tuple[Cr
     return plain._replace(straight=StraightSpans(straight_bending(plain, ends), plain.straight.shear)), ends
 
 
-def pin_names(laid: LaidShaft, shafts: Shafts) -> list[str]:
+def pin_names(layout: ShaftLayout, shafts: Shafts) -> list[str]:
     """Names of a shaft's pins: their numbers; with several shafts, `upper.1`."""
-    prefix = "" if len(shafts.names) == 1 else f"{shafts.names[laid.declared.shaft]}."
-    return [f"{prefix}{pin}" for pin in range(1, laid.pins.size + 1)]
+    prefix = "" if len(shafts.names) == 1 else f"{shafts.names[layout.declared.shaft]}."
+    return [f"{prefix}{pin}" for pin in range(1, layout.pins.size + 1)]

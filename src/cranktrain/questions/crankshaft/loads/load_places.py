@@ -18,7 +18,7 @@ from cranktrain.questions.crankshaft.bending.loads_in_spans import alike_shafts
 from cranktrain.questions.crankshaft.bending.shaft_loads import ActingPlaces
 from cranktrain.questions.crankshaft.loads.gears import DeclaredGears
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShaft, LoadedShafts, Shares
-from cranktrain.questions.crankshaft.shaft_layout import LaidCrankshafts, LaidShaft
+from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout, ShaftLayouts
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 
 _ON_AXIS = (np.zeros(1), np.zeros(1))
@@ -28,7 +28,7 @@ _ONE_PLACE = 1e-9
 
 
 def loaded_shafts(
-    laid: LaidCrankshafts,
+    layouts: ShaftLayouts,
     loaded: LoadedMachine,
     shafts: Shafts,
     frames: Frames,
@@ -42,38 +42,40 @@ def loaded_shafts(
     """Put what acts on the crankshafts to its places."""
     turn = -1.0 if frames.clockwise else 1.0
     each: list[LoadedShaft] = []
-    for one in laid.each:
-        weights = None if balance is None else _on_shaft(balance.weights, one, shafts, centres, turn)
+    for layout in layouts.each:
+        weights = None if balance is None else _on_shaft(balance.weights, layout, shafts, centres, turn)
         meshes = tuple(
             (number, gear, mesh)
             for number, gear in enumerate(gears.each if gears is not None else ())
             for mesh in gear.meshes
-            if mesh.shaft == one.declared.shaft
+            if mesh.shaft == layout.declared.shaft
         )
-        places = _Places(one)
+        places = _Places(layout)
         rods = places.rods(axial.value, shafts)
         cranks = places.cranks()
         held = places.weights(weights)
-        places.on_journals(one.declared.pulls.z)
+        places.on_journals(layout.declared.pulls.z)
         places.on_journals(np.stack([mesh.z for _n, _g, mesh in meshes], axis=1) if meshes else np.zeros((1, 0)))
         together = places.together()
-        each.append(LoadedShaft(one, weights, together, alike_shafts(one.shaft, together), rods, cranks, held, meshes))
+        each.append(
+            LoadedShaft(layout, weights, together, alike_shafts(layout.shaft, together), rods, cranks, held, meshes)
+        )
     return LoadedShafts(tuple(each), loaded, frames, shafts, gears, given, crank_angle.zero, turn)
 
 
 def _on_shaft(
-    every: RotatingWeights, laid: LaidShaft, shafts: Shafts, centres: ShaftCentres | None, turn: float
+    every: RotatingWeights, layout: ShaftLayout, shafts: Shafts, centres: ShaftCentres | None, turn: float
 ) -> RotatingWeights | None:
     """Weights that turn on a crankshaft itself: as it turns, where its centre is."""
-    if laid.declared.shaft == shafts.main:
+    if layout.declared.shaft == shafts.main:
         centre = np.zeros(1, dtype=np.complex128)
     elif centres is None:
         return None
     else:
-        place = centres.value[:, laid.first]
+        place = centres.value[:, layout.first]
         centre = place.imag - 1j * turn * place.real
     is_own = np.all(
-        (every.ratio == laid.turn * turn)
+        (every.ratio == layout.turn * turn)
         & (np.abs(every.place - centre[:, np.newaxis]) < _ONE_PLACE)
         & ~np.isnan(every.position),
         axis=0,
@@ -87,8 +89,8 @@ def _on_shaft(
 class _Places:
     """Gathers where loads act on one shaft."""
 
-    def __init__(self, laid: LaidShaft) -> None:
-        self.laid = laid
+    def __init__(self, layout: ShaftLayout) -> None:
+        self.layout = layout
         self.pieces: list[int] = []
         self.on_web: list[bool] = []
         self.z: list[Array] = []
@@ -96,7 +98,7 @@ class _Places:
 
     def together(self) -> ActingPlaces:
         """All places in order."""
-        n_designs = len(self.laid.declared.centres)
+        n_designs = len(self.layout.declared.centres)
 
         def columns(values: Sequence[Array]) -> Array:
             each = [np.broadcast_to(value, n_designs) for value in values]
@@ -109,23 +111,23 @@ class _Places:
 
     def rods(self, along: Array, shafts: Shafts) -> Shares:
         """Rods on pins, beside one another as their banks say."""
-        declared, (mechanism, pins) = self.laid.declared, self.laid.rods
+        declared, (mechanism, pins) = self.layout.declared, self.layout.rods
         for number, pin in zip(mechanism.tolist(), pins.tolist(), strict=True):
-            own = declared.throw == shafts.throw[number]
-            aside = along[:, number] - np.mean(declared.centres[:, own], axis=1)
+            of_throw = declared.throw == shafts.throw[number]
+            aside = along[:, number] - np.mean(declared.centres[:, of_throw], axis=1)
             self._at_pin(pin, declared.centres[:, pin] + aside)
         return Shares(mechanism, declared.share[pins][np.newaxis])
 
     def _at_pin(self, pin: int, z: Array) -> None:
-        piece = int(self.laid.pins[pin])
-        own = self.laid.shaft.pieces
-        self._add(piece, z, (own.radius[:, piece], own.angle[:, piece]), on_web=False)
+        piece = int(self.layout.pins[pin])
+        pieces = self.layout.shaft.pieces
+        self._add(piece, z, (pieces.radius[:, piece], pieces.angle[:, piece]), on_web=False)
 
     def _at_web(self, pin: int, web: int) -> None:
         """On the middle of one web of a pin."""
-        own, piece = self.laid.shaft.pieces, int(self.laid.pins[pin])
-        place = (own.radius[:, piece] / 2, own.angle[:, piece])
-        self._add(int(self.laid.webs[pin, web]), self.laid.declared.planes[:, pin, web], place, on_web=True)
+        pieces, piece = self.layout.shaft.pieces, int(self.layout.pins[pin])
+        place = (pieces.radius[:, piece] / 2, pieces.angle[:, piece])
+        self._add(int(self.layout.webs[pin, web]), self.layout.declared.planes[:, pin, web], place, on_web=True)
 
     def _add(self, piece: int, z: Array, place: tuple[Array, Array], *, on_web: bool) -> None:
         self.pieces.append(piece)
@@ -136,13 +138,13 @@ class _Places:
     def cranks(self) -> Shares:
         """What turns of a mechanism's crank, half on each web, or on the only one."""
         numbers, parts = list[int](), list[float]()
-        mechanisms, pins = self.laid.rods
+        mechanisms, pins = self.layout.rods
         for number, pin in zip(mechanisms.tolist(), pins.tolist(), strict=True):
-            webs = np.flatnonzero(self.laid.webs[pin] >= 0).tolist()
+            webs = np.flatnonzero(self.layout.webs[pin] >= 0).tolist()
             for web in webs:
                 self._at_web(pin, web)
                 numbers.append(number)
-                parts.append(float(self.laid.declared.share[pin]) / len(webs))
+                parts.append(float(self.layout.declared.share[pin]) / len(webs))
         return Shares(np.array(numbers, dtype=np.intp), np.array(parts)[np.newaxis])
 
     def weights(self, weights: RotatingWeights | None) -> Shares:
@@ -156,20 +158,20 @@ class _Places:
                     self._at_web(*web)
                 numbers.append(number)
                 parts.append(part)
-        n_designs = len(self.laid.declared.centres)
+        n_designs = len(self.layout.declared.centres)
         each = [np.broadcast_to(part, n_designs) for part in parts]
         return Shares(np.array(numbers, dtype=np.intp), np.stack(each, axis=1) if each else np.zeros((n_designs, 0)))
 
     def _held(self, z: Array) -> list[tuple[tuple[int, int] | None, Array]]:
         """Which webs, by pin and side, hold a weight, and which part of it; None for a journal."""
-        declared = self.laid.declared
+        declared = self.layout.declared
         pin = first_smallest(np.abs(declared.centres[0] - z[0]))
         first, last = declared.planes[:, pin, 0], declared.planes[:, pin, 1]
         half = declared.web_thickness[0, pin] / 2
         is_beyond = not first[0] - half[0] <= z[0] <= last[0] + half[1]
-        if is_beyond and declared.journals[self.laid.journal_at(float(z[0]))]:
+        if is_beyond and declared.journals[self.layout.journal_at(float(z[0]))]:
             return [(None, np.ones_like(z))]
-        webs = np.flatnonzero(self.laid.webs[pin] >= 0).tolist()
+        webs = np.flatnonzero(self.layout.webs[pin] >= 0).tolist()
         if len(webs) == 1:
             return [((pin, webs[0]), np.ones_like(z))]
         lever = (z - first) / (last - first)
@@ -178,4 +180,4 @@ class _Places:
     def on_journals(self, z: Array) -> None:
         """On the journals at places, shape (design, n)."""
         for place in z.T:
-            self._add(int(self.laid.journals[self.laid.journal_at(float(place[0]))]), place, _ON_AXIS, on_web=False)
+            self._add(int(self.layout.journals[self.layout.journal_at(float(place[0]))]), place, _ON_AXIS, on_web=False)

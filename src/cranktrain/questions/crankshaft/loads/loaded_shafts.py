@@ -16,7 +16,7 @@ from cranktrain.questions.crankshaft.bending.loads_in_spans import AlikeShafts, 
 from cranktrain.questions.crankshaft.bending.shaft_loads import ActingPlaces, ShaftLoads
 from cranktrain.questions.crankshaft.loads.gears import DeclaredGears, Gear, Mesh, tooth_load
 from cranktrain.questions.crankshaft.metal.shaft import Crankshaft, Supports
-from cranktrain.questions.crankshaft.shaft_layout import LaidShaft, direction
+from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout, direction
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.record import record
 
@@ -37,7 +37,7 @@ class OfMechanisms(NamedTuple):
         Where its pin is, in common axes. [m]
     on_pin, on_crank : ComplexArray
         Force on it, and on the crank as it turns. [N]
-    own : Array
+    crank_torque : Array
         Torque of the crank itself beside that of its force in the middle of its webs, in its sense of rotation: of a
         shaft that does not turn evenly, of weight beside the middle, of loads on the crank. [N·m]
     """
@@ -45,7 +45,7 @@ class OfMechanisms(NamedTuple):
     pin: ComplexArray
     on_pin: ComplexArray
     on_crank: ComplexArray
-    own: Array
+    crank_torque: Array
 
 
 @record
@@ -54,7 +54,7 @@ class LoadedShaft:
 
     Attributes
     ----------
-    laid : LaidShaft
+    layout : ShaftLayout
     weights : RotatingWeights or None
         Those that turn on it.
     places : ActingPlaces
@@ -67,7 +67,7 @@ class LoadedShaft:
         Its gears, and the number of each.
     """
 
-    laid: LaidShaft
+    layout: ShaftLayout
     weights: RotatingWeights | None
     places: ActingPlaces
     spans: tuple[AlikeShafts, ...]
@@ -77,9 +77,9 @@ class LoadedShaft:
     meshes: tuple[tuple[int, Gear, Mesh], ...]
 
     @property
-    def shaft(self) -> Crankshaft:
+    def metal(self) -> Crankshaft:
         """Its pieces, webs and bearings."""
-        return self.laid.shaft
+        return self.layout.shaft
 
 
 @record
@@ -113,34 +113,36 @@ class LoadedShafts:
     @property
     def supports(self) -> tuple[Supports, ...]:
         """Bearings of each."""
-        return tuple(one.shaft.supports for one in self.each)
+        return tuple(shaft.metal.supports for shaft in self.each)
 
     def loads(self, angle: Array, solved: Sequence[SolvedBatch] | None = None) -> tuple[SpannedLoads, ...]:
         """What acts on each at φ, shape (design, 1, n) [rad]; solved, where the machine is solved there already."""
-        found = self.loaded.solved(angle) if solved is None else solved
-        own = of_mechanisms(self.loaded, self.frames, found)
-        handed = [] if self.gears is None else self.gears.handed_on(self._torques(found, angle))
-        return tuple(spanned_loads(one.spans, self._on(one, own, angle, handed)) for one in self.each)
+        batches = self.loaded.solved(angle) if solved is None else solved
+        mechanisms = of_mechanisms(self.loaded, self.frames, batches)
+        handed = [] if self.gears is None else self.gears.handed_on(self._torques(batches, angle))
+        return tuple(spanned_loads(shaft.spans, self._on(shaft, mechanisms, angle, handed)) for shaft in self.each)
 
-    def _on(self, one: LoadedShaft, own: OfMechanisms, angle: Array, handed: Sequence[Array]) -> ShaftLoads:
-        turned = direction(own.pin[:, one.laid.first], self.turn)
+    def _on(self, shaft: LoadedShaft, mechanisms: OfMechanisms, angle: Array, handed: Sequence[Array]) -> ShaftLoads:
+        turned = direction(mechanisms.pin[:, shaft.layout.first], self.turn)
         forces = [
-            own.on_pin[:, one.rods.number] * one.rods.part[..., np.newaxis],
-            own.on_crank[:, one.cranks.number] * one.cranks.part[..., np.newaxis],
-            self._of_weights(one, angle),
+            mechanisms.on_pin[:, shaft.rods.number] * shaft.rods.part[..., np.newaxis],
+            mechanisms.on_crank[:, shaft.cranks.number] * shaft.cranks.part[..., np.newaxis],
+            self._of_weights(shaft, angle),
         ]
         of_machine = np.concatenate(forces, axis=1)
         n = angle.shape[-1]
         force = [np.stack([-self.turn * of_machine.imag, of_machine.real], axis=2)]
-        pulls = one.laid.declared.pulls.force[..., np.newaxis]
+        pulls = shaft.layout.declared.pulls.force[..., np.newaxis]
         force.append(np.broadcast_to(pulls, (*pulls.shape[:-1], n)))
-        of_cranks = one.laid.turn * own.own[:, one.cranks.number] * one.cranks.part[..., np.newaxis]
-        before, behind = one.rods.number.size, of_machine.shape[1] + pulls.shape[1]
+        of_cranks = (
+            shaft.layout.turn * mechanisms.crank_torque[:, shaft.cranks.number] * shaft.cranks.part[..., np.newaxis]
+        )
+        before, behind = shaft.rods.number.size, of_machine.shape[1] + pulls.shape[1]
         torque = np.zeros((len(turned), behind, n))
-        torque[:, before : before + one.cranks.number.size] = of_cranks
-        if not one.meshes:
-            return ShaftLoads(*one.places, turned=turned, force=np.concatenate(force, axis=1), torque=torque)
-        teeth = [tooth_load(gear, mesh, handed[number], one.laid.turn) for number, gear, mesh in one.meshes]
+        torque[:, before : before + shaft.cranks.number.size] = of_cranks
+        if not shaft.meshes:
+            return ShaftLoads(*shaft.places, turned=turned, force=np.concatenate(force, axis=1), torque=torque)
+        teeth = [tooth_load(gear, mesh, handed[number], shaft.layout.turn) for number, gear, mesh in shaft.meshes]
 
         def beside(parts: Sequence[Array]) -> Array:
             """Loads of gears behind nothing for all others."""
@@ -148,7 +150,7 @@ class LoadedShafts:
             return np.concatenate([np.zeros((len(gears), behind, *gears.shape[2:])), gears], axis=1)
 
         return ShaftLoads(
-            *one.places,
+            *shaft.places,
             turned=turned,
             force=np.concatenate([*force, np.stack([tooth.force for tooth in teeth], axis=1)], axis=1),
             couple=beside([tooth.couple for tooth in teeth]),
@@ -158,23 +160,23 @@ class LoadedShafts:
 
     def _torques(self, solved: Sequence[SolvedBatch], angle: Array) -> Array:
         """What drives each shaft, in its own sense, shape (design, shaft, n). [N·m]"""
-        found = np.zeros((len(self.loaded.speed.value), len(self.shafts.names), angle.shape[-1]))
-        for batch, one in zip(self.loaded.mechanisms.batches, solved, strict=True):
+        torques = np.zeros((len(self.loaded.speed.value), len(self.shafts.names), angle.shape[-1]))
+        for batch, solved_batch in zip(self.loaded.mechanisms.batches, solved, strict=True):
             for member, mechanism in enumerate(batch.index.tolist()):
-                found[:, self.shafts.shaft[mechanism]] -= one.forces.driving_torque[:, member]
+                torques[:, self.shafts.shaft[mechanism]] -= solved_batch.forces.driving_torque[:, member]
         for load in () if self.given is None else self.given.given:
             torque = load.value(angle - self.zero, self.loaded.speed.drive(angle).speed)
-            found[:, self.shafts.names.index(load.shaft)] += torque[:, 0]
-        return found
+            torques[:, self.shafts.names.index(load.shaft)] += torque[:, 0]
+        return torques
 
-    def _of_weights(self, one: LoadedShaft, angle: Array) -> ComplexArray:
+    def _of_weights(self, shaft: LoadedShaft, angle: Array) -> ComplexArray:
         """Centrifugal force of the weights at their places, shape (design, place, n). [N]"""
-        if one.weights is None:
+        if shaft.weights is None:
             return np.zeros((len(self.loaded.speed.value), 0, angle.shape[-1]), dtype=np.complex128)
         drive = self.loaded.speed.drive(angle)
-        number, part = one.held
+        number, part = shaft.held
         ratio, moment, ahead = (
-            values[:, number, np.newaxis] for values in (one.weights.ratio, one.weights.moment, one.weights.angle)
+            values[:, number, np.newaxis] for values in (shaft.weights.ratio, shaft.weights.moment, shaft.weights.angle)
         )
         turning = drive.speed**2 - 1j * ratio * drive.acceleration
         return part[..., np.newaxis] * moment * phasor(ahead + ratio * angle) * turning
@@ -183,8 +185,8 @@ class LoadedShafts:
 def of_mechanisms(loaded: LoadedMachine, frames: Frames, solved: Sequence[SolvedBatch]) -> OfMechanisms:
     """What all mechanisms do to their cranks, by the reactions of their joints."""
     shape = (len(loaded.speed.value), len(loaded.mechanisms.names), solved[0].forces.driving_torque.shape[-1])
-    found = OfMechanisms(*np.zeros((3, *shape), dtype=np.complex128), own=np.zeros(shape))
-    for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
+    together = OfMechanisms(*np.zeros((3, *shape), dtype=np.complex128), crank_torque=np.zeros(shape))
+    for batch, solved_batch in zip(loaded.mechanisms.batches, solved, strict=True):
         dynamics = batch.kind.dynamics
         at_pin, at_bearing = dynamics.joint("crank_pin"), dynamics.joint("main_bearing")
         if at_pin is None or at_bearing is None:
@@ -193,11 +195,14 @@ def of_mechanisms(loaded: LoadedMachine, frames: Frames, solved: Sequence[Solved
         def common(x: Array, y: Array, index: NDArray[np.intp] = batch.index) -> ComplexArray:
             return np.broadcast_to(frames.common(index, x, y), (shape[0], index.size, shape[-1]))
 
-        pin, (bears, holds) = one.motion.pin, (one.forces.joints[joint] for joint in (at_pin, at_bearing))
+        pin, (bears, holds) = (
+            solved_batch.motion.pin,
+            (solved_batch.forces.joints[joint] for joint in (at_pin, at_bearing)),
+        )
         on_rod, on_crank = common(bears.x, bears.y), common(holds.x, holds.y)
         at, crank_force = common(pin.x.value, pin.y.value), on_rod - on_crank
         by_forces = frames.sense[batch.index, np.newaxis] * np.imag(np.conj(at) * (crank_force / 2 - on_rod))
-        values = (at, -on_rod, crank_force, -one.forces.driving_torque - by_forces)
-        for whole, part in zip(found, values, strict=True):
+        values = (at, -on_rod, crank_force, -solved_batch.forces.driving_torque - by_forces)
+        for whole, part in zip(together, values, strict=True):
             whole[:, batch.index] = part
-    return found
+    return together

@@ -43,8 +43,8 @@ def bearing_loads_of(
     supports: Sequence[Supports], methods: Sequence[BearingMethod], acting: Sequence[SpannedLoads]
 ) -> Array:
     """Loads of all main bearings by some methods, shape (design, method, bearing, 2, n). [N]"""
-    each = [
-        np.concatenate([method.of(one, own).load for one, own in zip(supports, acting, strict=True)], axis=1)
+    by_method = [
+        np.concatenate([method.of(*shaft).load for shaft in zip(supports, acting, strict=True)], axis=1)
         for method in methods
     ]
-    return np.stack(each, axis=1)
+    return np.stack(by_method, axis=1)

@@ -98,14 +98,14 @@ def journal_wear(loaded: LoadedShafts, between: BearingsBetweenEvents, points: C
 def _axes(loaded: LoadedShafts, acting: Sequence[SpannedLoads]) -> tuple[Array, Array]:
     """Of every bearing's shaft the direction of throw 1's crank [rad], and its sense: (design, 1, bearing, n or 1)."""
     directions = [
-        np.repeat(first_throw(one, own.loads)[:, np.newaxis], one.shaft.supports.place.shape[1], axis=1)
-        for one, own in zip(loaded.each, acting, strict=True)
+        np.repeat(first_throw(shaft, spanned.loads)[:, np.newaxis], shaft.metal.supports.place.shape[1], axis=1)
+        for shaft, spanned in zip(loaded.each, acting, strict=True)
     ]
-    senses = [np.full(one.shaft.supports.place.shape[1], one.laid.turn) for one in loaded.each]
+    senses = [np.full(shaft.metal.supports.place.shape[1], shaft.layout.turn) for shaft in loaded.each]
     return np.concatenate(directions, axis=1)[:, np.newaxis], np.concatenate(senses)[:, np.newaxis]
 
 
-def first_throw(one: LoadedShaft, acting: ShaftLoads) -> Array:
+def first_throw(shaft: LoadedShaft, acting: ShaftLoads) -> Array:
     """Direction of the crank of a shaft's throw 1, from X toward Y, shape (design, n). [rad]"""
-    piece = one.laid.pins[first_smallest(one.laid.declared.throw)]
-    return one.shaft.pieces.angle[:, piece, np.newaxis] + acting.turned
+    piece = shaft.layout.pins[first_smallest(shaft.layout.declared.throw)]
+    return shaft.metal.pieces.angle[:, piece, np.newaxis] + acting.turned

@@ -77,10 +77,11 @@ def main_bearing_loads(
     """
     methods = methods_for(declared)
     acting = over_cycle.each
-    found = [
-        [method.of(one.shaft.supports, own) for one, own in zip(loaded.each, acting, strict=True)] for method in methods
+    by_method = [
+        [method.of(supports, loads) for supports, loads in zip(loaded.supports, acting, strict=True)]
+        for method in methods
     ]
-    curves = np.stack([np.concatenate([own.load for own in each], axis=1) for each in found], axis=1)
+    curves = np.stack([np.concatenate([borne.load for borne in shafts], axis=1) for shafts in by_method], axis=1)
     named = [f"{method.name} {bearing}" for method in methods for bearing in declared.bearings]
     return MainBearingLoads(
         main_bearing_load_x=curves[:, :, :, 0],
@@ -88,17 +89,17 @@ def main_bearing_loads(
         largest_bearing_load=peaks.load,
         mean_bearing_load=points.mean(np.hypot(between.load[:, :, :, 0], between.load[:, :, :, 1])),
         labels={"bearing_method": tuple(method.name for method in methods), "bearing": declared.bearings},
-        checks=(_check(loaded, acting, found),),
+        checks=(_check(loaded, acting, by_method),),
         flags=tuple(one_sided([(_("largest load of a main bearing"), peaks.load)], named)),
     )
 
 
-def _check(loaded: LoadedShafts, acting: Sequence[SpannedLoads], found: Sequence[Sequence[BearingLoads]]) -> Check:
+def _check(loaded: LoadedShafts, acting: Sequence[SpannedLoads], by_method: Sequence[Sequence[BearingLoads]]) -> Check:
     """Whether the bearings balance all that acts, in force and in moment, by every method."""
     worst = np.zeros(len(acting[0].loads.z))
-    for each in found:
-        for one, own, borne in zip(loaded.each, acting, each, strict=True):
-            left = residuals(one.shaft.supports, on_axis(own.loads), borne)
+    for shafts in by_method:
+        for supports, spanned, borne in zip(loaded.supports, acting, shafts, strict=True):
+            left = residuals(supports, on_axis(spanned.loads), borne)
             for part, scale in ((left.force, left.largest_force), (left.moment, left.largest_moment)):
                 worst = np.maximum(worst, np.max(part / np.where(scale > 0, scale, 1.0), axis=-1))
     sentence = _("Sum of all bearing loads and their moments against all that acts on the shaft, by every method")

@@ -11,7 +11,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft, DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
-from cranktrain.questions.crankshaft.shaft_layout import LaidCrankshafts
+from cranktrain.questions.crankshaft.shaft_layout import ShaftLayouts
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.questions.wear.pin_wear import CrankPinWear
 from cranktrain.record import record
@@ -80,31 +80,35 @@ def specific_pressure(load: Array, diameter: Array, width: Array) -> Array:
 
 def have_rod_widths(declared: DeclaredCrankshafts | None) -> bool | str:
     """Whether the width of any rod's bearing is given."""
-    return _given(declared, lambda one: one.rod_bearing_width, N_("[crankshaft] rod_bearing_width"))
+    return _given(declared, lambda shaft: shaft.rod_bearing_width, N_("[crankshaft] rod_bearing_width"))
 
 
 def have_bearing_widths(declared: DeclaredCrankshafts | None) -> bool | str:
     """Whether the width of any main bearing is given."""
-    return _given(declared, lambda one: one.bearing_width, N_("[crankshaft] bearing_width"))
+    return _given(declared, lambda shaft: shaft.bearing_width, N_("[crankshaft] bearing_width"))
 
 
-def crank_pin_pressures(laid: LaidCrankshafts, loads: CrankPinLoads, wear: CrankPinWear) -> CrankPinPressures:
+def crank_pin_pressures(layouts: ShaftLayouts, loads: CrankPinLoads, wear: CrankPinWear) -> CrankPinPressures:
     """Pressures of all rods on pins of the declared crankshafts; of one with two side rods, those of each."""
     largest = loads.largest_crankpin_load.value
     per_load = np.full(largest.shape, np.nan)
-    for one in laid.each:
-        mechanism, pin = one.rods
-        own = one.declared
-        each = specific_pressure(own.share[pin], own.pin[:, pin, 0], own.rod_bearing_width[:, np.newaxis])
+    for layout in layouts.each:
+        mechanism, pin = layout.rods
+        declared = layout.declared
+        by_rod = specific_pressure(
+            declared.share[pin], declared.pin[:, pin, 0], declared.rod_bearing_width[:, np.newaxis]
+        )
         for member in np.unique(mechanism).tolist():
-            per_load[:, member] = np.max(each[:, mechanism == member], axis=1)
+            per_load[:, member] = np.max(by_rod[:, mechanism == member], axis=1)
     return CrankPinPressures(largest * per_load, wear.mean_crankpin_load * per_load)
 
 
 def main_bearing_pressures(declared: DeclaredCrankshafts, loads: MainBearingLoads) -> MainBearingPressures:
     """Pressures of all main bearings."""
-    diameter = np.concatenate([one.journal[:, one.standing_on, 0] for one in declared.each], axis=1)[:, np.newaxis]
-    width = np.concatenate([one.bearing_width for one in declared.each], axis=1)[:, np.newaxis]
+    diameter = np.concatenate([shaft.journal[:, shaft.standing_on, 0] for shaft in declared.each], axis=1)[
+        :, np.newaxis
+    ]
+    width = np.concatenate([shaft.bearing_width for shaft in declared.each], axis=1)[:, np.newaxis]
     largest, mean = loads.largest_bearing_load.value, loads.mean_bearing_load
     return MainBearingPressures(*(specific_pressure(load, diameter, width) for load in (largest, mean)))
 
@@ -115,4 +119,4 @@ def _given(
     """Whether a width is given of any crankshaft; what the file would have to say."""
     if declared is None:
         return DeclaredCrankshafts.needs
-    return True if any(np.any(np.isfinite(width(one))) for one in declared.each) else needs
+    return True if any(np.any(np.isfinite(width(shaft))) for shaft in declared.each) else needs

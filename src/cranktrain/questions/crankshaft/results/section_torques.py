@@ -13,13 +13,14 @@ from cranktrain.numerics import Peak
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.bending.shaft_loads import torque_sizes, torques
-from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShaft, LoadedShafts
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.loads.loads_over_cycle import LoadsOverCycle
 from cranktrain.questions.crankshaft.methods import methods_for
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
 from cranktrain.questions.crankshaft.results.shaft_peaks import ShaftPeaks
 from cranktrain.questions.crankshaft.results.torque_of_shafts import torque_in_sections, torques_of_loads
+from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout
 from cranktrain.questions.forces.mechanism_torques import driving_torques
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
@@ -83,8 +84,8 @@ def widest_sections(ranges: Array, sections: Sequence[str]) -> tuple[int, int]:
     """Which journal and which pin have the widest range, of alike ones the first."""
 
     def widest(kind: str) -> int:
-        own = [i for i, name in enumerate(sections) if kind in name]
-        return own[first_largest(ranges[own])]
+        of_kind = [i for i, name in enumerate(sections) if kind in name]
+        return of_kind[first_largest(ranges[of_kind])]
 
     return widest(SECTIONS[0]), widest(SECTIONS[1])
 
@@ -106,8 +107,8 @@ def section_torques(
     acting = over_cycle.each
     load = np.stack([bearings.main_bearing_load_x, bearings.main_bearing_load_y], axis=3)
     by_loads, n_methods = torques_of_loads(loaded, acting), len(methods_for(declared))
-    curves = [torque_in_sections(loaded, by_loads, load[:, place]) for place in range(n_methods)]
-    is_journal = np.concatenate([one.laid.is_journal for one in loaded.each])
+    curves = [torque_in_sections(loaded, by_loads, load[:, method]) for method in range(n_methods)]
+    is_journal = np.concatenate([shaft.layout.is_journal for shaft in loaded.each])
     most, least = (Peak(*np.empty((3, len(load), n_methods, is_journal.size))) for _way in range(2))
     for way, ends in enumerate((most, least)):
         for whole, pins, journals in zip(ends, peaks.pin_torque, peaks.journal_torque, strict=True):
@@ -119,7 +120,7 @@ def section_torques(
         largest_section_torque=most,
         least_section_torque=least,
         section_torque_range=most.value - least.value,
-        labels={"section": tuple(name for one in loaded.each for name in _names(one, loaded.shafts))},
+        labels={"section": tuple(name for shaft in loaded.each for name in _names(shaft.layout, loaded.shafts))},
         checks=(_check(loaded, acting, driving_torques(loaded.loaded, solved.batches)),),
     )
 
@@ -127,13 +128,13 @@ def section_torques(
 def _check(loaded: LoadedShafts, acting: Sequence[SpannedLoads], driving: Array) -> Check:
     """Whether rods and cranks turn each shaft by what drives its mechanisms, shape (design, mechanism, n)."""
     worst = np.zeros(len(driving))
-    for one, own in zip(loaded.each, acting, strict=True):
-        n_loads = one.rods.number.size + one.cranks.number.size
-        by_forces = one.laid.turn * torques(own.loads)[:, :n_loads]
-        by_joints = np.sum(driving[:, np.unique(one.rods.number)], axis=1)
+    for shaft, spanned in zip(loaded.each, acting, strict=True):
+        n_loads = shaft.rods.number.size + shaft.cranks.number.size
+        by_forces = shaft.layout.turn * torques(spanned.loads)[:, :n_loads]
+        by_joints = np.sum(driving[:, np.unique(shaft.rods.number)], axis=1)
         off = np.max(np.abs(np.sum(by_forces, axis=1) + by_joints), axis=-1)
         # Forces that stand along their cranks turn nothing, but by rounding.
-        scale = np.max(np.sum(torque_sizes(own.loads)[:, :n_loads], axis=1), axis=-1)
+        scale = np.max(np.sum(torque_sizes(spanned.loads)[:, :n_loads], axis=1), axis=-1)
         worst = np.maximum(worst, off / np.where(scale > 0, scale, 1.0))
     sentence = _(
         "Torque of all rods and cranks about the shaft's axis, as its last journal has it, against the joints',"
@@ -142,12 +143,12 @@ def _check(loaded: LoadedShafts, acting: Sequence[SpannedLoads], driving: Array)
     return Check("section_torque", sentence, worst, _LIMIT)
 
 
-def _names(one: LoadedShaft, shafts: Shafts) -> tuple[str, ...]:
+def _names(layout: ShaftLayout, shafts: Shafts) -> tuple[str, ...]:
     """Names of a shaft's sections by the numbers of its journals and pins, in their order along it."""
-    prefix = f"{shafts.names[one.laid.declared.shaft]}." if len(shafts.names) > 1 else ""
+    prefix = f"{shafts.names[layout.declared.shaft]}." if len(shafts.names) > 1 else ""
     named = {
         piece: f"{prefix}{kind} {number}"
-        for kind, pieces in zip(SECTIONS, (one.laid.journals, one.laid.pins), strict=True)
+        for kind, pieces in zip(SECTIONS, (layout.journals, layout.pins), strict=True)
         for number, piece in enumerate(pieces.tolist(), start=1)
         if piece >= 0
     }

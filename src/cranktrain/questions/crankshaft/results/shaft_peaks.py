@@ -77,11 +77,11 @@ class _Curves(NamedTuple):
 
     def values(self, loaded: LoadedShafts, by_loads: Sequence[TorqueOfLoads], borne: Array | None) -> Array:
         """Sizes of the loads, the torques, and these against the rotation, shape (design, curve, n)."""
-        found = [] if borne is None else [np.hypot(borne[:, :, 0], borne[:, :, 1])]
+        sizes = [] if borne is None else [np.hypot(borne[:, :, 0], borne[:, :, 1])]
         if np.any(self.sections):
             torque = torque_in_sections(loaded, by_loads, borne)[:, self.sections]
-            found += [torque, -torque]
-        return np.concatenate(found, axis=1)
+            sizes += [torque, -torque]
+        return np.concatenate(sizes, axis=1)
 
     def kinds(self, n_curves: int) -> Iterator[int]:
         """How many of the curves are of each kind, of which what is rounding beside its largest is nothing."""
@@ -102,42 +102,37 @@ def shaft_peaks(
 ) -> ShaftPeaks:
     """Find the tops of all curves in the panels between events, and look at the machine near these once."""
     methods, supports = methods_for(declared), loaded.supports
-    is_journal = np.concatenate([one.laid.is_journal for one in loaded.each])
+    is_journal = np.concatenate([shaft.layout.is_journal for shaft in loaded.each])
     nowhere = np.zeros_like(is_journal)
-    each = [
-        *(_Curves(method, supports, ~is_journal) for method in methods),
-        *(
-            _Curves(most_trusted(ELASTIC), _in_housing(supports, one), nowhere)
-            for one in HOUSINGS
-            if declared.is_elastic
-        ),
-        _Curves(None, supports, is_journal),
-    ]
+    groups = [_Curves(method, supports, ~is_journal) for method in methods]
+    if declared.is_elastic:
+        groups += [_Curves(most_trusted(ELASTIC), _in_housing(supports, factor), nowhere) for factor in HOUSINGS]
+    groups.append(_Curves(None, supports, is_journal))
     n_methods = len(methods)
     by_loads = torques_of_loads(loaded, between.acting)
-    borne: list[Array | None] = [between.load[:, place] for place in range(n_methods)]
-    borne += [one.borne(between.acting) for one in each[n_methods:]]
-    samples = [one.values(loaded, by_loads, own) for one, own in zip(each, borne, strict=True)]
-    kinds = [part for one, own in zip(each, samples, strict=True) for part in one.kinds(own.shape[1])]
-    found = iter(_largest(loaded, each, samples, kinds, points, events, crank_angle))
-    loads, torques = zip(*((next(found), next(found)) for _method in methods), strict=True)
-    housings = tuple(next(found) for _one in each[n_methods:-1])
-    return ShaftPeaks(_by_method(loads), _by_method(torques), next(found), housings)
+    borne: list[Array | None] = [between.load[:, method] for method in range(n_methods)]
+    borne += [group.borne(between.acting) for group in groups[n_methods:]]
+    samples = [group.values(loaded, by_loads, load) for group, load in zip(groups, borne, strict=True)]
+    kinds = [n for group, values in zip(groups, samples, strict=True) for n in group.kinds(values.shape[1])]
+    peaks = iter(_largest(loaded, groups, samples, kinds, points, events, crank_angle))
+    loads, torques = zip(*((next(peaks), next(peaks)) for _method in methods), strict=True)
+    housings = tuple(next(peaks) for _group in groups[n_methods:-1])
+    return ShaftPeaks(_by_method(loads), _by_method(torques), next(peaks), housings)
 
 
-def _by_method(each: Sequence[Peak]) -> Peak:
+def _by_method(peaks: Sequence[Peak]) -> Peak:
     """Peaks of every method, shapes (design, method, curve)."""
-    return Peak(*(np.stack(parts, axis=1) for parts in zip(*each, strict=True)))
+    return Peak(*(np.stack(parts, axis=1) for parts in zip(*peaks, strict=True)))
 
 
 def _in_housing(supports: Sequence[Supports], factor: float) -> tuple[Supports, ...]:
     """The same bearings in a housing of another stiffness."""
-    return tuple(one._replace(compliance=one.compliance / factor) for one in supports)
+    return tuple(bearings._replace(compliance=bearings.compliance / factor) for bearings in supports)
 
 
 def _largest(
     loaded: LoadedShafts,
-    each: Sequence[_Curves],
+    groups: Sequence[_Curves],
     samples: Sequence[Array],
     kinds: Sequence[int],
     points: CyclePoints,
@@ -150,18 +145,18 @@ def _largest(
     of_kind = [slice(start, end) for start, end in zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True)]
     scale = np.fmax.reduce(np.abs(whole), axis=-1, initial=0.0)
     nothing = np.empty_like(scale)
-    for own in of_kind:
-        nothing[:, own] = _NOTHING * np.max(scale[:, own], axis=-1, keepdims=True, initial=0.0)
+    for kind in of_kind:
+        nothing[:, kind] = _NOTHING * np.max(scale[:, kind], axis=-1, keepdims=True, initial=0.0)
     tops = [
         tops_in_panels(cut, values[:, : cut.angle.size], least)
         for cut, values, least in zip(points.cuts, whole, nothing, strict=True)
     ]
-    centre = np.full((*scale.shape, max(own.shape[-1] for own in tops)), np.nan)
-    for design, own in enumerate(tops):
+    centre = np.full((*scale.shape, max(angles.shape[-1] for angles in tops)), np.nan)
+    for design, angles in enumerate(tops):
         # On few places, so that curves which are largest near to each other are looked at in one window.
-        centre[design, :, : own.shape[-1]] = _WIDE * np.rint(own / _WIDE)
+        centre[design, :, : angles.shape[-1]] = _WIDE * np.rint(angles / _WIDE)
     breaks = np.repeat(breaks_at_speed(events, loaded.loaded.speed, crank_angle), scale.shape[1], axis=0)
-    first = np.cumsum([0, *(own.shape[1] for own in samples)])
+    first = np.cumsum([0, *(values.shape[1] for values in samples)])
 
     def curves(which: NDArray[np.intp], shown: Array) -> Array:
         """The machine is solved once for all curves that are looked at in one window; each method has its own."""
@@ -169,18 +164,18 @@ def _largest(
         asked, slot = in_windows(design, shown, len(scale))
         acting = loaded.loads(asked.reshape(len(scale), 1, -1) + crank_angle.zero)
         by_loads = torques_of_loads(loaded, acting)
-        of_curves = np.searchsorted(first, row, side="right") - 1
-        found, n_nodes = np.empty_like(shown), shown.shape[-1]
-        for place, one in enumerate(each):
-            own = np.flatnonzero(of_curves == place)
-            if own.size:
-                here = np.unique(slot[own])
-                angles = np.ravel(here[:, np.newaxis] * n_nodes + np.arange(n_nodes, dtype=np.intp))
-                borne = one.borne([shaft.at(angles) for shaft in acting])
-                values = one.values(loaded, [shaft.at(angles) for shaft in by_loads], borne)
-                values = values.reshape(*values.shape[:2], here.size, n_nodes)
-                found[own] = values[design[own], row[own] - first[place], np.searchsorted(here, slot[own])]
-        return found
+        of_group = np.searchsorted(first, row, side="right") - 1
+        looked_at, n_nodes = np.empty_like(shown), shown.shape[-1]
+        for number, group in enumerate(groups):
+            mine = np.flatnonzero(of_group == number)
+            if mine.size:
+                windows = np.unique(slot[mine])
+                angles = np.ravel(windows[:, np.newaxis] * n_nodes + np.arange(n_nodes, dtype=np.intp))
+                borne = group.borne([shaft.at(angles) for shaft in acting])
+                values = group.values(loaded, [shaft.at(angles) for shaft in by_loads], borne)
+                values = values.reshape(*values.shape[:2], windows.size, n_nodes)
+                looked_at[mine] = values[design[mine], row[mine] - first[number], np.searchsorted(windows, slot[mine])]
+        return looked_at
 
     best = largest_near(
         curves, centre.reshape(-1, centre.shape[-1]), breaks, scale.reshape(-1), _REACH * _WIDE, crank_angle.cycle
@@ -189,5 +184,5 @@ def _largest(
     # What has no tops is level, and largest from the beginning on.
     is_level = np.all(np.isnan(centre), axis=-1)
     peak.value[is_level], peak.angle[is_level], peak.side[is_level] = np.max(whole, axis=-1)[is_level], 0.0, 0.0
-    for own in of_kind:
-        yield counted(Peak(*(part[:, own] for part in peak)), crank_angle)
+    for kind in of_kind:
+        yield counted(Peak(*(part[:, kind] for part in peak)), crank_angle)

@@ -8,7 +8,7 @@ from cranktrain.language import N_
 from cranktrain.layout.axial import AxialPlaces
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
-from cranktrain.questions.crankshaft.shaft_layout import LaidCrankshafts
+from cranktrain.questions.crankshaft.shaft_layout import ShaftLayouts
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 
@@ -25,7 +25,7 @@ class ShaftPlaces(StageResult):
     )
 
 
-def shaft_places(_laid: LaidCrankshafts, declared: DeclaredCrankshafts, axial: AxialPlaces) -> ShaftPlaces:
+def shaft_places(_layouts: ShaftLayouts, declared: DeclaredCrankshafts, axial: AxialPlaces) -> ShaftPlaces:
     """Say where rods and bearings stand."""
     bearings = [one.bearings for one in declared.each]
     return ShaftPlaces(axial.value, np.concatenate(bearings, axis=1), labels={"bearing": declared.bearings})

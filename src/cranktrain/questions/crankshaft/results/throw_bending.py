@@ -8,7 +8,7 @@ from cranktrain.language import N_
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.bending.equivalent_stiffness import equivalent_stiffness
-from cranktrain.questions.crankshaft.shaft_layout import LaidCrankshafts, LaidShaft, pin_names
+from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout, ShaftLayouts, pin_names
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 
@@ -39,26 +39,30 @@ class ThrowBending(StageResult):
     )
 
 
-def throw_bending(laid: LaidCrankshafts, shafts: Shafts) -> ThrowBending:
+def throw_bending(layouts: ShaftLayouts, shafts: Shafts) -> ThrowBending:
     """Say how stiff every throw is that stands alone between two bearings.
 
     Notes
     -----
     docs/theory/crankshaft, eqs. (24.25) to (24.28).
     """
-    found = [_of_shaft(one) for one in laid.each]
-    constant, near, middle = (np.concatenate(parts, axis=1) for parts in zip(*found, strict=True))
-    names = tuple(name for one in laid.each for name in pin_names(one, shafts))
+    by_shaft = [_of_shaft(layout) for layout in layouts.each]
+    constant, near, middle = (np.concatenate(parts, axis=1) for parts in zip(*by_shaft, strict=True))
+    names = tuple(name for layout in layouts.each for name in pin_names(layout, shafts))
     return ThrowBending(constant, near, middle, labels={"pin": names, "throw_plane": _PLANES})
 
 
-def _of_shaft(laid: LaidShaft) -> tuple[Array, Array, Array]:
+def _of_shaft(layout: ShaftLayout) -> tuple[Array, Array, Array]:
     """Of every pin, shape (design, pin, 2). [N·m²]"""
-    shaft, declared = laid.shaft, laid.declared
+    shaft, declared = layout.shaft, layout.declared
     span = np.sum(declared.centres[0][:, np.newaxis] > declared.bearings[0], axis=-1) - 1
     is_between = (span >= 0) & (span < declared.bearings.shape[1] - 1)
     alone = np.flatnonzero(is_between & (np.sum(span == span[:, np.newaxis], axis=-1) == 1))
     constant, near, middle = (np.full((*declared.centres.shape, len(_PLANES)), np.nan) for _use in range(3))
-    own = equivalent_stiffness(shaft, laid.ends, span[alone], laid.pins[alone])
-    constant[:, alone], near[:, alone], middle[:, alone] = own.constant_moment, own.near_end, own.mid_pin
+    stiffness = equivalent_stiffness(shaft, layout.ends, span[alone], layout.pins[alone])
+    constant[:, alone], near[:, alone], middle[:, alone] = (
+        stiffness.constant_moment,
+        stiffness.near_end,
+        stiffness.mid_pin,
+    )
     return constant, near, middle

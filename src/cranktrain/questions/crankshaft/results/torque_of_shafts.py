@@ -12,7 +12,10 @@ from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 
 def torques_of_loads(loaded: LoadedShafts, acting: Sequence[SpannedLoads]) -> list[TorqueOfLoads]:
     """Torque of each shaft by all that acts on it but its bearings."""
-    return [torque_of_loads(one.shaft, own.loads) for one, own in zip(loaded.each, acting, strict=True)]
+    return [
+        torque_of_loads(loaded_shaft.metal, spanned.loads)
+        for loaded_shaft, spanned in zip(loaded.each, acting, strict=True)
+    ]
 
 
 def torque_in_sections(loaded: LoadedShafts, by_loads: Sequence[TorqueOfLoads], borne: Array | None) -> Array:
@@ -25,13 +28,14 @@ def torque_in_sections(loaded: LoadedShafts, by_loads: Sequence[TorqueOfLoads], 
     borne : Array, shape (design, bearing, 2, n), or None
         Load of all bearings; without it the torque is right in journals alone. [N]
     """
-    found: list[Array] = []
+    torques: list[Array] = []
     before = 0
-    for one, own in zip(loaded.each, by_loads, strict=True):
-        torque, n_bearings = own.along.begin, one.shaft.supports.place.shape[1]
+    for loaded_shaft, of_loads in zip(loaded.each, by_loads, strict=True):
+        shaft, torque = loaded_shaft.metal, of_loads.along.begin
+        n_bearings = shaft.supports.place.shape[1]
         if borne is not None:
             here = borne[:, before : before + n_bearings]
-            torque = torque + torque_by_bearings(one.shaft, own.axis, here, one.shaft.pieces.bounds[:, :-1])
-        found.append(one.laid.turn * torque)
+            torque = torque + torque_by_bearings(shaft, of_loads.axis, here, shaft.pieces.bounds[:, :-1])
+        torques.append(loaded_shaft.layout.turn * torque)
         before += n_bearings
-    return np.concatenate(found, axis=1)
+    return np.concatenate(torques, axis=1)

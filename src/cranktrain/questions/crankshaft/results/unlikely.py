@@ -12,7 +12,7 @@ from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft
-from cranktrain.questions.crankshaft.shaft_layout import LaidCrankshafts, LaidShaft, pin_names
+from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout, ShaftLayouts, pin_names
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.record import record
 from cranktrain.wording import number
@@ -73,81 +73,81 @@ class _Stress(NamedTuple):
 
 
 def unlikely_crankshafts(
-    laid: LaidCrankshafts | None, shafts: Shafts | None, axial: AxialPlaces | None, loads: CrankPinLoads | None
+    layouts: ShaftLayouts | None, shafts: Shafts | None, axial: AxialPlaces | None, loads: CrankPinLoads | None
 ) -> UnlikelyCrankshafts:
     """Flag what is beyond the limits."""
-    found: list[str] = []
-    if laid is None or shafts is None or axial is None:
+    flags: list[str] = []
+    if layouts is None or shafts is None or axial is None:
         return UnlikelyCrankshafts()
-    for one in laid.each:
-        own, pins = one.declared, pin_names(one, shafts)
-        found += flagged(_YOUNG, own.material.young)
-        found += _bearings(own)
-        found += _of_bearing_widths(own)
-        found += _of_rod_widths(one, axial.value, pins)
+    for layout in layouts.each:
+        declared, pins = layout.declared, pin_names(layout, shafts)
+        flags += flagged(_YOUNG, declared.material.young)
+        flags += _bearings(declared)
+        flags += _of_bearing_widths(declared)
+        flags += _of_rod_widths(layout, axial.value, pins)
         if loads is not None:
-            stress = _stresses(one, loads.largest_crankpin_load.value)
-            found += flagged(_PIN_STRESS, stress.pin, whose=pins)
-            found += flagged(_JOURNAL_STRESS, stress.journal, whose=pins)
-    return UnlikelyCrankshafts(unlikely=tuple(found))
+            stress = _stresses(layout, loads.largest_crankpin_load.value)
+            flags += flagged(_PIN_STRESS, stress.pin, whose=pins)
+            flags += flagged(_JOURNAL_STRESS, stress.journal, whose=pins)
+    return UnlikelyCrankshafts(unlikely=tuple(flags))
 
 
-def _bearings(own: DeclaredCrankshaft) -> Iterator[str]:
+def _bearings(declared: DeclaredCrankshaft) -> Iterator[str]:
     """Flag stiffness, clearance and places of main bearings."""
-    diameter = own.journal[:, own.standing_on, 0]
-    compliance = np.stack([own.compliance[..., axis, axis] for axis in (0, 1)], axis=1)
-    by_young = own.material.young[:, np.newaxis] * diameter
+    diameter = declared.journal[:, declared.standing_on, 0]
+    compliance = np.stack([declared.compliance[..., axis, axis] for axis in (0, 1)], axis=1)
+    by_young = declared.material.young[:, np.newaxis] * diameter
     with np.errstate(divide="ignore"):
         stiffness = np.where(compliance > 0, 1 / (compliance * by_young[:, np.newaxis]), np.nan)
-    yield from flagged(_STIFFNESS, stiffness, whose=own.bearing_names)
-    yield from flagged(_CLEARANCE, 2 * own.clearance / diameter, whose=own.bearing_names)
-    apart = np.diff(own.bearings, axis=1)
+    yield from flagged(_STIFFNESS, stiffness, whose=declared.bearing_names)
+    yield from flagged(_CLEARANCE, 2 * declared.clearance / diameter, whose=declared.bearing_names)
+    apart = np.diff(declared.bearings, axis=1)
     close = np.flatnonzero(np.any(apart < _APART * diameter[:, 1:], axis=0)).tolist()
     if close:
         said = _(
             "Bearings {one} and {other} are only {apart} apart, on a journal of {diameter}: are their places right?"
         )
-        design, place = first_smallest(apart[:, close[0]]), close[0]
+        design, bearing = first_smallest(apart[:, close[0]]), close[0]
         yield said.format(
-            one=own.bearing_names[place],
-            other=own.bearing_names[place + 1],
-            apart=number(float(apart[design, place]), "mm"),
-            diameter=number(float(diameter[design, place + 1]), "mm"),
+            one=declared.bearing_names[bearing],
+            other=declared.bearing_names[bearing + 1],
+            apart=number(float(apart[design, bearing]), "mm"),
+            diameter=number(float(diameter[design, bearing + 1]), "mm"),
         )
 
 
-def _of_bearing_widths(own: DeclaredCrankshaft) -> Iterator[str]:
+def _of_bearing_widths(declared: DeclaredCrankshaft) -> Iterator[str]:
     """Flag the first bearing that reaches into a web."""
-    half = own.web_thickness / 2
-    begins = own.planes[:, :, 1] + half[:, :, 1]
-    ends = own.planes[:, :, 0] - half[:, :, 0]
+    half = declared.web_thickness / 2
+    begins = declared.planes[:, :, 1] + half[:, :, 1]
+    ends = declared.planes[:, :, 0] - half[:, :, 0]
     open_end = np.full((len(half), 1), np.inf)
-    begin = np.concatenate([-open_end, begins], axis=1)[:, own.standing_on]
-    end = np.concatenate([ends, open_end], axis=1)[:, own.standing_on]
-    room = 2 * np.minimum(own.bearings - begin, end - own.bearings)
-    wide = own.bearing_width > room * (1 + _ROUNDING)
+    begin = np.concatenate([-open_end, begins], axis=1)[:, declared.standing_on]
+    end = np.concatenate([ends, open_end], axis=1)[:, declared.standing_on]
+    room = 2 * np.minimum(declared.bearings - begin, end - declared.bearings)
+    wide = declared.bearing_width > room * (1 + _ROUNDING)
     if np.any(wide):
-        design, place = (int(at) for at in np.argwhere(wide)[0])
+        design, bearing = (int(at) for at in np.argwhere(wide)[0])
         said = _(
             "Bearing {bearing} is {width} wide, and its journal has {room} for it between the webs: are width, spacing"
             " and webs right?"
         )
         yield said.format(
-            bearing=own.bearing_names[place],
-            width=number(float(own.bearing_width[design, place]), "mm"),
-            room=number(float(room[design, place]), "mm"),
+            bearing=declared.bearing_names[bearing],
+            width=number(float(declared.bearing_width[design, bearing]), "mm"),
+            room=number(float(room[design, bearing]), "mm"),
         )
 
 
-def _of_rod_widths(one: LaidShaft, z: Array, pins: Sequence[str]) -> Iterator[str]:
+def _of_rod_widths(layout: ShaftLayout, z: Array, pins: Sequence[str]) -> Iterator[str]:
     """Flag the first pin on which its rods have no room side by side; those at one place are forked, or one."""
-    own, width = one.declared, one.declared.rod_bearing_width
+    declared, width = layout.declared, layout.declared.rod_bearing_width
     for pin, name in enumerate(pins):
-        places = z[:, one.rods.mechanism[one.rods.pin == pin]]
+        places = z[:, layout.rods.mechanism[layout.rods.pin == pin]]
         apart = np.ptp(places, axis=1)
-        steps = np.diff(np.sort(places, axis=1), axis=1) > _ROUNDING * own.pin_length[:, [pin]]
+        steps = np.diff(np.sort(places, axis=1), axis=1) > _ROUNDING * declared.pin_length[:, [pin]]
         taken = np.maximum(apart, np.sum(steps, axis=1) * width) + width
-        wide = np.flatnonzero(taken > own.pin_length[:, pin] * (1 + _ROUNDING))
+        wide = np.flatnonzero(taken > declared.pin_length[:, pin] * (1 + _ROUNDING))
         if wide.size:
             said = _("Rods {width} wide take {taken} of pin {pin}, which is {length} long: are both right?")
             design = int(wide[0])
@@ -155,27 +155,27 @@ def _of_rod_widths(one: LaidShaft, z: Array, pins: Sequence[str]) -> Iterator[st
                 width=number(float(width[design]), "mm"),
                 taken=number(float(taken[design]), "mm"),
                 pin=name,
-                length=number(float(own.pin_length[design, pin]), "mm"),
+                length=number(float(declared.pin_length[design, pin]), "mm"),
             )
             return
 
 
-def _stresses(one: LaidShaft, largest: Array) -> _Stress:
+def _stresses(layout: ShaftLayout, largest: Array) -> _Stress:
     """Nominal bending stress by the largest load of each pin in the middle of its span, or where it hangs over."""
-    own = one.declared
-    n_pins = len(own.throw)
+    declared = layout.declared
+    n_pins = len(declared.throw)
     force = np.zeros((len(largest), n_pins))
-    for mechanism, pin in zip(one.rods.mechanism, one.rods.pin, strict=True):
-        force[:, pin] = np.fmax(force[:, pin], own.share[pin] * largest[:, mechanism])
-    away = own.bearings[:, np.newaxis] - own.centres[..., np.newaxis]
+    for mechanism, pin in zip(layout.rods.mechanism, layout.rods.pin, strict=True):
+        force[:, pin] = np.fmax(force[:, pin], declared.share[pin] * largest[:, mechanism])
+    away = declared.bearings[:, np.newaxis] - declared.centres[..., np.newaxis]
     before = np.min(np.where(away < 0, -away, np.inf), axis=-1)
     behind = np.min(np.where(away > 0, away, np.inf), axis=-1)
     span = before + behind
     is_between = np.isfinite(span)
     # A pin that hangs over is held by one web, and its journal bears it by the arm to the first bearing.
-    arms = (np.where(is_between, span / 4, over) for over in (own.pin_length / 2, np.minimum(before, behind)))
-    beside = np.stack([own.journals[:-1], own.journals[1:]])
-    diameters = np.stack([own.journal[:, :-1, 0], own.journal[:, 1:, 0]], axis=1)
+    arms = (np.where(is_between, span / 4, over) for over in (declared.pin_length / 2, np.minimum(before, behind)))
+    beside = np.stack([declared.journals[:-1], declared.journals[1:]])
+    diameters = np.stack([declared.journal[:, :-1, 0], declared.journal[:, 1:, 0]], axis=1)
     journal = np.min(np.where(beside, diameters, np.inf), axis=1)
-    each = zip(arms, (own.pin[..., 0], journal), strict=True)
-    return _Stress(*(32 * force * arm / (np.pi * diameter**3) for arm, diameter in each))
+    sections = zip(arms, (declared.pin[..., 0], journal), strict=True)
+    return _Stress(*(32 * force * arm / (np.pi * diameter**3) for arm, diameter in sections))
