@@ -16,7 +16,7 @@ from cranktrain.viz.sheets.crankshaft.panels import (
     torque_panels,
     turned_by,
 )
-from cranktrain.viz.sheets.crankshaft.polar import cells
+from cranktrain.viz.sheets.crankshaft.polar import cells, method_pen
 
 SHEETS = (viz.sheet_crankshaft, viz.sheet_crankpins, viz.sheet_wear, viz.sheet_shaft_torque)
 
@@ -28,6 +28,12 @@ def four():
 
 def words(figure):
     return [text.get_text() for axes in figure.axes for text in axes.texts]
+
+
+def test_every_method_has_a_line_of_its_own():
+    """However many there are: pens do not run out."""
+    lines = [(pen.width, pen.dashes) for pen in map(method_pen, range(20))]
+    assert len(set(lines)) == len(lines)
 
 
 def test_bearings_have_a_diagram_each_with_all_methods(four):

@@ -8,8 +8,7 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.methods import method_named
-from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
-from cranktrain.questions.crankshaft.methods.taken_bearings import ELASTIC
+from cranktrain.questions.crankshaft.methods.bearing_method import ELASTIC, BearingMethod
 from cranktrain.questions.crankshaft.results.housing_spread import HousingSpread
 from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
 from cranktrain.questions.crankshaft.results.section_torques import SectionTorques, widest_sections

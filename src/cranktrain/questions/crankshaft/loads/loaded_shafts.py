@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.shafts import Shafts
@@ -18,6 +19,7 @@ from cranktrain.questions.crankshaft.loads.gears import DeclaredGears, Gear, Mes
 from cranktrain.questions.crankshaft.metal.shaft import Crankshaft, Supports
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout, direction
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 
 
@@ -206,3 +208,15 @@ def of_mechanisms(loaded: LoadedMachine, frames: Frames, solved: Sequence[Solved
         for whole, part in zip(together, values, strict=True):
             whole[:, batch.index] = part
     return together
+
+
+@record
+class LoadsOverCycle:
+    """Loads on each shaft at the crank angles of the grid."""
+
+    each: Sequence[SpannedLoads]
+
+
+def loads_over_cycle(loaded: LoadedShafts, solved: SolvedCycle, crank_angle: CrankAngle) -> LoadsOverCycle:
+    """Put what the solved machine does to its shafts to their places."""
+    return LoadsOverCycle(loaded.loads(crank_angle.angle, solved.batches))

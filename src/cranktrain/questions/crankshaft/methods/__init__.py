@@ -1,12 +1,11 @@
 """Methods for the loads of main bearings: which there are, in the order of trust, and which a file has numbers for."""
 
 from cranktrain.language import _
-from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
+from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod, TakenBearings
 from cranktrain.questions.crankshaft.methods.clearance import CLEARANCE
 from cranktrain.questions.crankshaft.methods.crank_frame import ELASTIC_FRAME, RIGID_FRAME
 from cranktrain.questions.crankshaft.methods.split import SPLIT
 from cranktrain.questions.crankshaft.methods.straight import FIVE_MOMENT, THREE_MOMENT
-from cranktrain.questions.crankshaft.methods.taken_bearings import TakenBearings
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 
 BEARING_METHODS: tuple[BearingMethod, ...] = tuple(

@@ -1,4 +1,4 @@
-"""What a method for the loads of main bearings is."""
+"""What a method for the loads of main bearings is, and what it takes the bearings for."""
 
 from collections.abc import Callable
 
@@ -15,11 +15,45 @@ from cranktrain.questions.crankshaft.bending.loads_in_spans import (
 )
 from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads
 from cranktrain.questions.crankshaft.metal.shaft import Crankshaft, Supports
-from cranktrain.questions.crankshaft.methods.taken_bearings import TakenBearings
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.record import record
 
 Kernel = Callable[[Supports, LoadsInSpans], BearingLoads]
 """Bearing loads of designs that are alike."""
+
+
+@record
+class TakenBearings:
+    """Bearings as a method has them; methods of the same bearings share a line of the answer.
+
+    Attributes
+    ----------
+    title : str
+        How answers call a shaft in such bearings, not yet translated.
+    needs : str
+        What the machine file must say of them, not yet translated; "" for nothing.
+    are_known : callable (DeclaredCrankshafts) → bool
+        Whether it does.
+    is_linear : bool
+        Whether what they bear of loads together is the sum of what they bear of each.
+    """
+
+    title: str
+    needs: str
+    are_known: Callable[[DeclaredCrankshafts], bool]
+    is_linear: bool = True
+
+
+RIGID = TakenBearings(N_("on rigid bearings"), "", lambda _declared: True)
+ELASTIC = TakenBearings(
+    N_("on elastic bearings"), N_("[crankshaft] bearing_stiffness"), lambda declared: declared.is_elastic
+)
+LOOSE = TakenBearings(
+    N_("with clearance"),
+    N_("[crankshaft] bearing_clearance"),
+    lambda declared: declared.has_clearance,
+    is_linear=False,
+)
 
 
 @record

@@ -10,13 +10,12 @@ from cranktrain.questions.crankshaft.bending.cut_shaft import CutShaft
 from cranktrain.questions.crankshaft.bending.loads_in_spans import LoadsInSpans
 from cranktrain.questions.crankshaft.bending.support_moments import Bearings, SpanFlexibility, support_moments
 from cranktrain.questions.crankshaft.metal.shaft import Supports
-from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
+from cranktrain.questions.crankshaft.methods.bearing_method import LOOSE, BearingMethod
 from cranktrain.questions.crankshaft.methods.contact import TouchingShaft, displacements_in_clearance
 from cranktrain.questions.crankshaft.methods.crank_frame import (
     in_turning_axes,
     settlements_in_turning_axes,
 )
-from cranktrain.questions.crankshaft.methods.taken_bearings import LOOSE
 
 
 def clearance(supports: Supports, loads: LoadsInSpans) -> BearingLoads:

@@ -6,8 +6,7 @@ from cranktrain.language import N_
 from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads, bearing_loads, end_moments
 from cranktrain.questions.crankshaft.bending.loads_in_spans import LoadsInSpans
 from cranktrain.questions.crankshaft.metal.shaft import Supports
-from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
-from cranktrain.questions.crankshaft.methods.taken_bearings import RIGID
+from cranktrain.questions.crankshaft.methods.bearing_method import RIGID, BearingMethod
 
 
 def split(supports: Supports, loads: LoadsInSpans) -> BearingLoads:

@@ -7,8 +7,7 @@ from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads, 
 from cranktrain.questions.crankshaft.bending.loads_in_spans import LoadsInSpans
 from cranktrain.questions.crankshaft.bending.support_moments import Bearings, support_moments
 from cranktrain.questions.crankshaft.metal.shaft import Supports
-from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
-from cranktrain.questions.crankshaft.methods.taken_bearings import ELASTIC, RIGID
+from cranktrain.questions.crankshaft.methods.bearing_method import ELASTIC, RIGID, BearingMethod
 
 
 def three_moment(supports: Supports, loads: LoadsInSpans) -> BearingLoads:

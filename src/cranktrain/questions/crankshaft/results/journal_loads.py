@@ -1,6 +1,7 @@
 """Main journals in axes that turn with the shaft: their loads, wear of journals and bearings, places for oil holes."""
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,11 +12,9 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads
-from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShaft, LoadedShafts
-from cranktrain.questions.crankshaft.loads.loads_over_cycle import LoadsOverCycle
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShaft, LoadedShafts, LoadsOverCycle
 from cranktrain.questions.crankshaft.results.bearings_between_events import BearingsBetweenEvents
 from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
-from cranktrain.questions.crankshaft.results.turning_axes import in_turning_axes
 from cranktrain.questions.wear.cycle_points import CyclePoints
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
@@ -109,3 +108,41 @@ def first_throw(shaft: LoadedShaft, acting: ShaftLoads) -> Array:
     """Direction of the crank of a shaft's throw 1, from X toward Y, shape (design, n). [rad]"""
     piece = shaft.layout.pins[first_smallest(shaft.layout.declared.throw)]
     return shaft.metal.pieces.angle[:, piece, np.newaxis] + acting.turned
+
+
+class TurningLoad(NamedTuple):
+    """Load of journals on their bearings in axes of the shaft: along a throw's crank, and 90° ahead of it. [N]"""
+
+    along: Array
+    across: Array
+
+
+def in_turning_axes(x: Array, y: Array, direction: Array, turn: Array | float) -> TurningLoad:
+    """Loads toward X and Y, in axes that turn with a shaft.
+
+    Parameters
+    ----------
+    x, y : Array, shape (..., n)
+    direction : Array, broadcastable to (..., n)
+        Of the first of these axes, from X toward Y. [rad]
+    turn : float, or Array broadcastable to (..., n)
+        1 where the shaft runs from X toward Y, −1 where it runs the other way.
+
+    Returns
+    -------
+    TurningLoad, shape (..., n)
+
+    Notes
+    -----
+    docs/theory/crankshaft, eq. (24.44).
+
+    Examples
+    --------
+    A load to the right, of a shaft that turns clockwise, while throw 1 points up:
+
+    >>> along, across = in_turning_axes(np.array([5.0]), np.array([0.0]), np.array([np.pi / 2]), -1.0)
+    >>> round(float(along[0]), 9), float(across[0])
+    (0.0, 5.0)
+    """
+    cos, sin = np.cos(direction), np.sin(direction)
+    return TurningLoad(x * cos + y * sin, turn * (y * cos - x * sin))

@@ -13,8 +13,7 @@ from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads, residuals
 from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.bending.shaft_loads import on_axis
-from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
-from cranktrain.questions.crankshaft.loads.loads_over_cycle import LoadsOverCycle
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts, LoadsOverCycle
 from cranktrain.questions.crankshaft.methods import methods_for, title_of
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.bearings_between_events import BearingsBetweenEvents

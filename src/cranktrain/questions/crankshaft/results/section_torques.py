@@ -13,8 +13,7 @@ from cranktrain.numerics import Peak
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.bending.shaft_loads import torque_sizes, torques
-from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
-from cranktrain.questions.crankshaft.loads.loads_over_cycle import LoadsOverCycle
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts, LoadsOverCycle
 from cranktrain.questions.crankshaft.methods import methods_for
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads

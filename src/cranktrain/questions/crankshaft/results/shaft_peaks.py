@@ -16,8 +16,7 @@ from cranktrain.questions.crankshaft.bending.torque_along import TorqueOfLoads
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.metal.shaft import Supports
 from cranktrain.questions.crankshaft.methods import methods_for, most_trusted
-from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
-from cranktrain.questions.crankshaft.methods.taken_bearings import ELASTIC
+from cranktrain.questions.crankshaft.methods.bearing_method import ELASTIC, BearingMethod
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.bearings_between_events import (
     BearingsBetweenEvents,
