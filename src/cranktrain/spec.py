@@ -28,7 +28,6 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.paths import path_text, value_at
 from cranktrain.quantities import Given, Quantity, nearest, one_of, unknown_key, unlisted, written
-from cranktrain.record import record
 from cranktrain.spec_class import SpecClass
 
 
@@ -285,18 +284,11 @@ def quantity_of(annotation: object) -> Quantity | None:
     return next((part for part in parts_of(annotation) if isinstance(part, Quantity)), None)
 
 
-@record
-class Words:
-    """Mark of a declared type: it is one of these words, which things say that are found elsewhere."""
-
-    words: tuple[str, ...]
-
-
 def words_of(annotation: object) -> list[object]:
-    """Words that a declared type allows."""
+    """Words that a declared type allows: a `Literal`, or a tuple of words that marks it."""
     found: list[object] = []
     for part in parts_of(annotation):
-        found += part.words if isinstance(part, Words) else get_args(part) if get_origin(part) is Literal else ()
+        found += part if type(part) is tuple else get_args(part) if get_origin(part) is Literal else ()
     return found
 
 

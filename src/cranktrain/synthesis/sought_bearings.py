@@ -16,9 +16,8 @@ from cranktrain.questions.crankshaft.methods import BEARING_METHODS, methods_for
 from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout
-from cranktrain.spec import Words
 
-Method = Annotated[str, Words(tuple(method.name for method in BEARING_METHODS))]
+Method = Annotated[str, tuple(method.name for method in BEARING_METHODS)]
 
 
 class SoughtBearings(NamedTuple):
