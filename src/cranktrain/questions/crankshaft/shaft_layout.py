@@ -85,10 +85,10 @@ def with_rods(
     if declared is None:
         return DeclaredCrankshafts.needs
     have_pins = mechanisms.marked(lambda kind: kind.dynamics.joint("crank_pin") is not None)
-    own = have_pins & (carriers.master < 0)
-    for one in declared.each:
-        standing = set(shafts.throw[own & (shafts.shaft == one.shaft)].tolist())
-        if len(standing) < shafts.n_throws[one.shaft]:
+    on_crank_pins = have_pins & (carriers.master < 0)
+    for crankshaft in declared.each:
+        standing = set(shafts.throw[on_crank_pins & (shafts.shaft == crankshaft.shaft)].tolist())
+        if len(standing) < shafts.n_throws[crankshaft.shaft]:
             return N_("a rod on every throw's crank pin")
     return True
 
@@ -104,20 +104,20 @@ def shaft_layouts(
     """Lay all crankshafts out."""
     pins = pins_at(mechanisms, frames, crank_angle.angle[..., :1])[..., 0]
     turn = -1.0 if frames.clockwise else 1.0
-    each: list[ShaftLayout] = []
-    for one in declared.each:
-        carrying = np.flatnonzero((carriers.master < 0) & (shafts.shaft == one.shaft)).astype(np.intp)
-        is_on_pin = shafts.throw[carrying] == one.throw[:, np.newaxis]
+    layouts: list[ShaftLayout] = []
+    for crankshaft in declared.each:
+        carrying = np.flatnonzero((carriers.master < 0) & (shafts.shaft == crankshaft.shaft)).astype(np.intp)
+        is_on_pin = shafts.throw[carrying] == crankshaft.throw[:, np.newaxis]
         first = carrying[np.argmax(is_on_pin, axis=1)]
         ahead = direction(pins, turn) - direction(pins[:, first[:1]], turn)
-        throws = _throws(one, np.abs(pins)[:, first], ahead[:, first])
+        throws = _throws(crankshaft, np.abs(pins)[:, first], ahead[:, first])
         on_pin, member = np.nonzero(is_on_pin)
         piece = np.full(2 * len(first) + 1, -1, dtype=np.intp)
         piece[throws.pieces] = np.arange(throws.pieces.size)
-        each.append(
+        layouts.append(
             ShaftLayout(
-                one,
-                *_crankshaft(one, throws),
+                crankshaft,
+                *_crankshaft(crankshaft, throws),
                 piece[1::2],
                 piece[0::2],
                 _webs(throws),
@@ -126,7 +126,7 @@ def shaft_layouts(
                 turn * float(frames.sense[first[0]]),
             )
         )
-    return ShaftLayouts(tuple(each))
+    return ShaftLayouts(tuple(layouts))
 
 
 def direction(vector: ComplexArray, turn: float) -> Array:

@@ -75,25 +75,27 @@ class ShaftLine:
 
 def table_of(spec: CrankshaftSpec, shaft: str) -> CrankshaftTable | None:
     """What the file says of one shaft: its own table over that of all; None where it says no section of it."""
-    own = spec.overrides.get(shaft, CrankshaftTable())
-    given = {name: _either(getattr(own, name), getattr(spec, name)) for name in CrankshaftTable.model_fields}
+    of_shaft = spec.overrides.get(shaft, CrankshaftTable())
+    given = {name: _either(getattr(of_shaft, name), getattr(spec, name)) for name in CrankshaftTable.model_fields}
     if shaft not in spec.overrides and not any(given[name] for name in NEEDED):
         return None
     return CrankshaftTable.model_construct(**given)
 
 
-def _either(own: Any, common: Any) -> Any:
+def _either(of_shaft: Any, common: Any) -> Any:
     """What is given, or else what holds for all; of tables by name both."""
-    if isinstance(own, Mapping):
-        return common | cast("Mapping[str, object]", own)
-    return common if own is None else own
+    if isinstance(of_shaft, Mapping):
+        return common | cast("Mapping[str, object]", of_shaft)
+    return common if of_shaft is None else of_shaft
 
 
 def path_of(spec: CrankshaftSpec, shaft: str, key: str) -> str:
     """Path of a key in the file: of the shaft's own table where that gives it."""
-    own = spec.overrides.get(shaft)
-    is_own = own is not None and (key.partition(".")[0] in own.model_fields_set or not spec.model_fields_set & {key})
-    return f"crankshaft.{shaft}.{key}" if is_own else f"crankshaft.{key}"
+    of_shaft = spec.overrides.get(shaft)
+    is_of_shaft = of_shaft is not None and (
+        key.partition(".")[0] in of_shaft.model_fields_set or not spec.model_fields_set & {key}
+    )
+    return f"crankshaft.{shaft}.{key}" if is_of_shaft else f"crankshaft.{key}"
 
 
 def line_pins(table: CrankshaftTable, design: Design, shaft: str) -> tuple[LinePin, ...] | None:
@@ -116,9 +118,9 @@ def shaft_line(table: CrankshaftTable, pins: Sequence[LinePin]) -> ShaftLine:
     """Put a table in which all is there, and lists are as long as they must be, to the pins."""
     n = len(pins)
     has = np.array([table.journals is None or number in table.journals for number in range(1, n + 2)])
-    length = _each(table.pin_length, n)
+    lengths = _each(table.pin_length, n)
     thickness, width = _webs(table.web_thickness, n), _webs(table.web_width, n)
-    ends = [(pin.z - own / 2, pin.z + own / 2) for pin, own in zip(pins, length, strict=True)]
+    ends = [(pin.z - length / 2, pin.z + length / 2) for pin, length in zip(pins, lengths, strict=True)]
     planes = [(begin - first / 2, end + last / 2) for (begin, end), (first, last) in zip(ends, thickness, strict=True)]
     for before in np.flatnonzero(~has[1:-1]).tolist():
         begin, end = ends[before][1], ends[before + 1][0]
@@ -134,7 +136,7 @@ def shaft_line(table: CrankshaftTable, pins: Sequence[LinePin]) -> ShaftLine:
         _each(table.journal_bore or _NO_BORE, n + 1),
         _each(table.pin_diameter, n),
         _each(table.pin_bore or _NO_BORE, n),
-        length,
+        lengths,
         tuple(thickness),
         tuple(width),
         tuple(planes),
@@ -157,24 +159,26 @@ def beyond(table: CrankshaftTable, pins: Sequence[LinePin]) -> Array:
 def _bearings(table: CrankshaftTable, pins: Sequence[LinePin], has: NDArray[np.bool_]) -> tuple[LineBearing, ...]:
     """Bearings of journals and those of names of their own, as they stand."""
     away = beyond(table, pins)
-    middles = [(one.z + other.z) / 2 for one, other in pairwise(pins)]
+    middles = [(pin.z + next_pin.z) / 2 for pin, next_pin in pairwise(pins)]
     places = [pins[0].z - away, *middles, pins[-1].z + away]
     numbers = {str(number): places[number - 1] for number in resting(table, len(pins)) if has[number - 1]}
     more = {name: ZERO for name in table.bearing if name not in numbers}
-    found = [LineBearing(name, *_own(table, name, place)) for name, place in (numbers | more).items()]
-    return tuple(sorted(found, key=lambda bearing: _first(bearing.z)))
+    bearings = [LineBearing(name, *_with_common(table, name, place)) for name, place in (numbers | more).items()]
+    return tuple(sorted(bearings, key=lambda bearing: _first(bearing.z)))
 
 
-def _own(table: CrankshaftTable, name: str, place: Array) -> tuple[Array, BearingSpec]:
+def _with_common(table: CrankshaftTable, name: str, place: Array) -> tuple[Array, BearingSpec]:
     """Place of a bearing, and its table filled up by what holds for all."""
-    own = table.bearing.get(name, BearingSpec())
+    bearing = table.bearing.get(name, BearingSpec())
     common = {
         "stiffness": table.bearing_stiffness,
         "clearance": table.bearing_clearance,
         "width": table.bearing_width,
     }
-    filled = {key: getattr(own, key) if getattr(own, key) is not None else value for key, value in common.items()}
-    return (place if own.z is None else own.z.array), own.model_copy(update=filled)
+    filled = {
+        key: getattr(bearing, key) if getattr(bearing, key) is not None else value for key, value in common.items()
+    }
+    return (place if bearing.z is None else bearing.z.array), bearing.model_copy(update=filled)
 
 
 def _first(value: Array) -> float:
@@ -182,11 +186,11 @@ def _first(value: Array) -> float:
 
 
 def _each(given: Sequence[Given] | None, n: int) -> tuple[Array, ...]:
-    values = [one.array for one in given or ()]
+    values = [value.array for value in given or ()]
     return tuple(values * n if len(values) == 1 else values)
 
 
 def _webs(given: Sequence[Given] | None, n_pins: int) -> list[Ends]:
     """Both webs of every pin: one value for all, one for each pin, or one for each web."""
     values = _each(given, n_pins) if len(given or ()) in (1, n_pins) else _each(given, 2 * n_pins)
-    return list(zip(values[::2], values[1::2], strict=True)) if len(values) > n_pins else [(one, one) for one in values]
+    return list(zip(values[::2], values[1::2], strict=True)) if len(values) > n_pins else [(web, web) for web in values]

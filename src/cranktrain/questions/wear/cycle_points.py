@@ -59,19 +59,19 @@ class CyclePoints:
         """Wear by loads, by both parts at the points, (design, ..., point); rays count from the first part."""
         first, second = (np.stack(parts, axis=1) for parts in zip(*loads, strict=True))
         x, y = (part.reshape(len(part), -1, part.shape[-1]) for part in (first, second))
-        found = [
+        sectors = [
             size_by_sector(cut, x[i, :, : cut.angle.size], y[i, :, : cut.angle.size], N_RAYS)
             for i, cut in enumerate(self.cuts)
         ]
-        whole = Sectors(*(np.stack(part) for part in zip(*found, strict=True)))
+        whole = Sectors(*(np.stack(part) for part in zip(*sectors, strict=True)))
         rays = wear_of(whole, self.cycle).reshape(*first.shape[:-1], N_RAYS)
-        return [Wear(own, oil_hole(own)) for own in np.moveaxis(rays, 1, 0)]
+        return [Wear(of_load, oil_hole(of_load)) for of_load in np.moveaxis(rays, 1, 0)]
 
 
 def cycle_points(loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle) -> CyclePoints:
     """Solve the machine between its events."""
     breaks = events.whole - crank_angle.zero[:, 0]
-    cuts = tuple(subintervals(own, _WIDEST, crank_angle.cycle, _MORE) for own in breaks)
+    cuts = tuple(subintervals(of_design, _WIDEST, crank_angle.cycle, _MORE) for of_design in breaks)
     angle, weight = points_together(breaks, _WIDEST, crank_angle.cycle, _MORE)
     phi = angle + crank_angle.zero
     return CyclePoints(cuts, phi, weight, crank_angle.cycle, loaded.solved(phi))

@@ -56,15 +56,15 @@ def crank_pin_wear(loaded: LoadedMachine, points: CyclePoints) -> CrankPinWear:
     """
     shape = (len(points.angle), len(loaded.mechanisms.names), points.angle.shape[-1])
     pins, shells = (np.full((2, *shape), np.nan) for _both in range(2))
-    for batch, one in zip(loaded.mechanisms.batches, points.solved, strict=True):
+    for batch, solved in zip(loaded.mechanisms.batches, points.solved, strict=True):
         joint = batch.kind.dynamics.joint("crank_pin")
         if joint is None:
             continue
-        on_rod = one.forces.joints[joint]
-        radius: Array = np.hypot(one.motion.pin.x.value, one.motion.pin.y.value)[..., :1]
-        put(PinLoad(*pins), batch.index, pin_load(on_rod, crank_link(one.motion.pin, Crank(radius))))
+        on_rod = solved.forces.joints[joint]
+        radius: Array = np.hypot(solved.motion.pin.x.value, solved.motion.pin.y.value)[..., :1]
+        put(PinLoad(*pins), batch.index, pin_load(on_rod, crank_link(solved.motion.pin, Crank(radius))))
         if batch.kind.dynamics.reactions[joint].on == "rod":
-            put(RodBearingLoad(*shells), batch.index, rod_bearing_load(on_rod, one.motion.rod))
+            put(RodBearingLoad(*shells), batch.index, rod_bearing_load(on_rod, solved.motion.rod))
     radial, tangential = pins
     # The rod presses the pin where its load comes from, and its own bearing where the pin's load on it goes to.
     pin, shell = points.wear((radial, -tangential), tuple(shells))

@@ -90,8 +90,8 @@ class LoadsInSpans:
         """Spans as straight beams."""
         if self._taken is not None:
             return _slopes_at(self._taken.whole.straight, self._taken.angles)
-        own = self.of.shaft
-        return straight_spans(own.supports.place, own.straight, self.of.alike.loads, self._along)
+        shaft = self.of.shaft
+        return straight_spans(shaft.supports.place, shaft.straight, self.of.alike.loads, self._along)
 
     @cached_property
     def _along(self) -> AxisLoads:
@@ -131,9 +131,9 @@ class SpannedLoads(NamedTuple):
 
     def at(self, angles: NDArray[np.intp]) -> "SpannedLoads":
         """The same at some of the crank angles."""
-        return SpannedLoads(loads_at(self.loads, angles), tuple(own.at(angles) for own in self.groups))
+        return SpannedLoads(loads_at(self.loads, angles), tuple(group.at(angles) for group in self.groups))
 
 
 def spanned_loads(shafts: Sequence[AlikeShafts], loads: ShaftLoads) -> SpannedLoads:
     """Put loads to the designs that are alike."""
-    return SpannedLoads(loads, tuple(LoadsInSpans(one, of_designs(loads, one.designs)) for one in shafts))
+    return SpannedLoads(loads, tuple(LoadsInSpans(alike, of_designs(loads, alike.designs)) for alike in shafts))

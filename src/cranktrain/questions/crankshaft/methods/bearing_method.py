@@ -108,11 +108,11 @@ class BearingMethod:
             nothing = np.full(shape, np.nan)
             return BearingLoads(nothing, nothing, nothing)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            found = [self.kernel(of_designs(supports, own.of.designs), own) for own in loads.groups]
-        if len(found) == 1:
-            return found[0]
+            by_group = [self.kernel(of_designs(supports, group.of.designs), group) for group in loads.groups]
+        if len(by_group) == 1:
+            return by_group[0]
         joined = [np.empty(shape) for _part in BearingLoads._fields]
-        for own, values in zip(loads.groups, found, strict=True):
+        for group, values in zip(loads.groups, by_group, strict=True):
             for whole, part in zip(joined, values, strict=True):
-                whole[own.of.designs] = part
+                whole[group.of.designs] = part
         return BearingLoads(*joined)
