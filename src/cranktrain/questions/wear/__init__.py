@@ -10,4 +10,5 @@ QUESTION = Question(
     "wear",
     stages=(Stage(cycle_points, applies=have_crank_pins), Stage(crank_pin_wear)),
     dimensions=(ResultDimension("ray", N_("ray"), is_number=True),),
+    title=N_("Wear of crank pins"),
 )
