@@ -19,6 +19,7 @@ from cranktrain.questions import (
     start,
     torque,
     torsion,
+    wear,
 )
 
 QUESTIONS: tuple[Question, ...] = (
@@ -31,6 +32,7 @@ QUESTIONS: tuple[Question, ...] = (
     pumping.QUESTION,
     balance.QUESTION,
     evenness.QUESTION,
+    wear.QUESTION,
     crankshaft.QUESTION,
     torsion.QUESTION,
     reduction.QUESTION,

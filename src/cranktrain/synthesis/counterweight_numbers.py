@@ -11,7 +11,8 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.questions.balance.shaking import ShakingCouples, ShakingForces
-from cranktrain.questions.crankshaft.stages import MainBearingLoads, title_of
+from cranktrain.questions.crankshaft.methods import title_of
+from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
 from cranktrain.synthesis.least_loads import Least
 from cranktrain.synthesis.proposal import Number
 from cranktrain.synthesis.weight_places import Kept, WeightPlace

@@ -15,8 +15,8 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import reduced_inertia
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.laid import with_rods
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
+from cranktrain.questions.crankshaft.shaft_layout import with_rods
 from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.torsion.parts import DeclaredTrain
