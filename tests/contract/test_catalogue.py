@@ -111,6 +111,12 @@ def test_entry(entry):
     assert (ROOT / f"{entry.source}.md").is_file(), entry.source
 
 
+def test_no_dimension_has_the_name_of_a_quantity():
+    """A dataset has both under their names."""
+    twice = sorted(DIMENSIONS.keys() & {entry.name for entry in ENTRIES})
+    assert twice == [], "give the dimension, or the quantity, a name of its own: a dataset cannot hold both"
+
+
 @pytest.fixture(scope="module")
 def examples():
     """What every example gives, by its name."""

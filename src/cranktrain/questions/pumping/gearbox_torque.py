@@ -24,7 +24,7 @@ from cranktrain.references import THEORY_OF_PUMPING_UNITS as _THEORY
 from cranktrain.wording import Names, number
 
 _CURVE = ("crank_angle",)
-_POSITION = ("rod_position",)
+_POSITION = ("stroke_position",)
 _POSITIONS = np.linspace(0.0, 1.0, 21)
 _EXACT_LIMIT = 1e-9
 _FLAT = 1e-6
@@ -206,7 +206,7 @@ def gearbox_torque(
             least_rms_peak=each("least_rms_peak"),
             torque_share=largest / declared.rated_torque,
             load_share=each("pull") / declared.rated_load,
-            labels={"rod_position": tuple(f"{position:g}" for position in np.round(_POSITIONS, 2).tolist())},
+            labels={"stroke_position": tuple(f"{position:g}" for position in np.round(_POSITIONS, 2).tolist())},
             checks=tuple(_checks(unit, work)),
         )
     return replace(found, flags=tuple(_flags(found, declared)))
