@@ -54,9 +54,11 @@ class GearboxTorque(StageResult):
         N_("Rod load that brings the gearbox to its rated torque: a most going up, a least going down"),
         _THEORY,
     )
-    upstroke_angle: Array = quantity("φ_u", "deg", _POSITION, N_("Crank angle at a position on the upstroke"), _THEORY)
+    upstroke_angle: Array = quantity(
+        "φ_u", "deg", _POSITION, N_("Crank angle at a position on the upstroke"), _THEORY, is_place=True
+    )
     downstroke_angle: Array = quantity(
-        "φ_d", "deg", _POSITION, N_("Crank angle at a position on the downstroke"), _THEORY
+        "φ_d", "deg", _POSITION, N_("Crank angle at a position on the downstroke"), _THEORY, is_place=True
     )
     upstroke_permissible_load: Array = quantity(
         "W_p,u", "N", _POSITION, N_("Most that the rod may pull going up, by the rated torque"), _THEORY
@@ -65,8 +67,12 @@ class GearboxTorque(StageResult):
         "W_p,d", "N", _POSITION, N_("Least that the rod must pull going down, by the rated torque"), _THEORY
     )
     rod_stroke: Array = quantity("S_PR", "m", (), N_("Stroke of the polished rod"), _THEORY)
-    bottom_angle: Array = quantity("φ_b", "deg", (), N_("Crank angle at which the polished rod is lowest"), _THEORY)
-    top_angle: Array = quantity("φ_t", "deg", (), N_("Crank angle at which the polished rod is highest"), _THEORY)
+    bottom_angle: Array = quantity(
+        "φ_b", "deg", (), N_("Crank angle at which the polished rod is lowest"), _THEORY, is_place=True
+    )
+    top_angle: Array = quantity(
+        "φ_t", "deg", (), N_("Crank angle at which the polished rod is highest"), _THEORY, is_place=True
+    )
     upstroke_peak: Extreme = extreme(
         "T_u", "N*m", (), N_("Largest net torque of the upstroke"), N_("Crank angle of that torque"), _THEORY
     )
