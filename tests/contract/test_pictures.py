@@ -1,12 +1,14 @@
 """What holds for every picture: its question has it, its name is its own, it is drawn; panels need no paper."""
 
 import ast
+import re
 import subprocess
 import sys
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 from pkgutil import iter_modules
+from typing import get_args, get_type_hints
 
 import pytest
 from tests.loaded_machines import LOADED
@@ -51,6 +53,21 @@ def test_names_are_their_own():
     functions = [picture.home.partition(":")[2] for picture in viz.PICTURES]
     assert len(set(functions)) == len(functions)
     assert set(functions) <= set(dir(viz))
+
+
+SHEETS = {picture.name for picture in viz.PICTURES if picture.kind == "sheet"}
+
+
+def test_a_result_names_its_sheets():
+    """For the type checker, for `help`, and for who asks for another."""
+    declared = get_args(get_type_hints(ct.Result.sheet)["name"])
+    assert set(declared) == SHEETS, "name the sheet in `Sheet` of analysis/result.py, which the type checker reads"
+    assert len(declared) == len(SHEETS)
+    said = re.findall(r"`(\w+)`", ct.Result.sheet.__doc__)
+    assert set(said) == SHEETS, "name the sheet in the docstring of `Result.sheet`, which help() shows"
+    with pytest.raises(ct.InputError) as refused:
+        result_of("vaz_21213").sheet("machines")
+    assert SHEETS <= set(re.findall(r"\w+", str(refused.value)))
 
 
 def test_what_is_needed_and_what_suffices_are_results():
