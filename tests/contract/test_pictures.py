@@ -44,15 +44,17 @@ def shown(picture):
 
 
 def test_folders_are_named_after_questions():
-    assert set(FOLDERS) <= {question.name for question in QUESTIONS}
+    assert set(FOLDERS) <= {question.name for question in QUESTIONS}, (
+        "a folder of viz/sheets has the name of the question whose pictures it has"
+    )
 
 
 def test_names_are_their_own():
     names = [(picture.kind, picture.name) for picture in viz.PICTURES]
-    assert len(set(names)) == len(names)
+    assert len(set(names)) == len(names), "give the picture a name that no other of its kind has"
     functions = [picture.home.partition(":")[2] for picture in viz.PICTURES]
-    assert len(set(functions)) == len(functions)
-    assert set(functions) <= set(dir(viz))
+    assert len(set(functions)) == len(functions), "a function draws one picture"
+    assert set(functions) <= set(dir(viz)), "Picture.home names a function that is there: module:function"
 
 
 SHEETS = {picture.name for picture in viz.PICTURES if picture.kind == "sheet"}
@@ -73,8 +75,10 @@ def test_a_result_names_its_sheets():
 def test_what_is_needed_and_what_suffices_are_results():
     known = {entry.name for stage in STAGES for entry in entries(stage.gives)}
     for picture in viz.PICTURES:
-        assert set(picture.needs) <= known
-        assert set(picture.quantities or ()) <= known
+        assert set(picture.needs) <= known, f"{picture.name}: it needs quantities of the catalogue, which these are not"
+        assert set(picture.quantities or ()) <= known, (
+            f"{picture.name}: quantities are of the catalogue, which these are not"
+        )
 
 
 @pytest.mark.parametrize("picture", viz.PICTURES, ids=lambda picture: f"{picture.kind} {picture.name}")
@@ -111,7 +115,7 @@ def test_panels_need_nothing_that_draws():
     code += "print([name for name in sys.modules if name == 'matplotlib' or name.startswith('cranktrain.viz.paper')])"
     environment = {"PYTHONPATH": ":".join(filter(None, sys.path))}
     done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
-    assert done.stdout == "[]\n"
+    assert done.stdout == "[]\n", "panels are data: import what draws in sheet.py"
 
 
 def test_nothing_below_names_pictures():
@@ -121,4 +125,6 @@ def test_nothing_below_names_pictures():
             continue
         tree = ast.parse(path.read_text(encoding="utf-8"))
         constants = [node.value for node in ast.walk(tree) if isinstance(node, ast.Constant)]
-        assert not any("viz" in word for word in constants if isinstance(word, str)), path
+        assert not any("viz" in word for word in constants if isinstance(word, str)), (
+            f"{path}: a face finds it by name, in faces.py"
+        )
