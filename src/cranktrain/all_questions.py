@@ -11,7 +11,12 @@ from cranktrain.questions import (
     gas,
     loads,
     motion,
+    press,
     pumping,
+    reduction,
+    servo,
+    sizing,
+    start,
     torque,
     torsion,
 )
@@ -28,5 +33,10 @@ QUESTIONS: tuple[Question, ...] = (
     evenness.QUESTION,
     crankshaft.QUESTION,
     torsion.QUESTION,
+    reduction.QUESTION,
     drive.QUESTION,
+    servo.QUESTION,
+    sizing.QUESTION,
+    start.QUESTION,
+    press.QUESTION,
 )

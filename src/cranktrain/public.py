@@ -17,8 +17,8 @@ from cranktrain.quantities import shown_by, units_by_dimension
 if TYPE_CHECKING:
     from cranktrain.analysis import SpeedWanted
     from cranktrain.io.any_machine import MachineLike
-    from cranktrain.questions.drive.running.runs import Progress
     from cranktrain.study.start import Start
+    from cranktrain.transient.runs import Progress
 
 
 def run(

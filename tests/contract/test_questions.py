@@ -160,19 +160,24 @@ def test_dimensions_are_declared_once():
 @every_question
 def test_headline_is_of_its_own_facts(question):
     facts = {entry.name for stage in question.stages for entry in entries(stage.gives) if entry.is_fact}
-    assert len(set(question.headline)) == len(question.headline) > 0, (
-        "give the Question a headline: its facts that say most, each once"
+    assert len(set(question.headline)) == len(question.headline), "name each fact of the headline once"
+    assert set(question.headline) <= facts, "its headline is of facts that its own stages give"
+
+
+def test_each_title_has_a_headline():
+    """Questions that answer under one title may share it; one that gives nothing by stages has none."""
+    with_headline = {question.title for question in QUESTIONS if question.headline}
+    assert {question.title for question in QUESTIONS if question.stages} == with_headline, (
+        "give the Question, or one of the same title, a headline: the facts that say most"
     )
-    assert set(question.headline) <= facts, "a headline has facts that the question's own stages give; these are none"
 
 
 @every_question
 def test_rows_and_offers_are_of_its_own_results(question):
     """What a row asks for may be of a question asked before; what is offered, and the rows themselves, are its own."""
     asked_before = {stage.gives for one in QUESTIONS[: QUESTIONS.index(question) + 1] for stage in one.stages}
-    assert question.title and question.rows, (
-        "give the Question a title, and rows of its rows.py: what `cranktrain run` shows of it"
-    )
+    assert question.title, "give the Question a title: the head of its rows"
+    assert bool(question.rows) == bool(question.stages), "a question whose stages give results says them in rows"
     for function in question.rows:
         assert function.__module__ == f"cranktrain.questions.{question.name}.rows", (
             "rows stand in the question's rows.py"

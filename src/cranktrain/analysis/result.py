@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import cached_property
+from itertools import groupby
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
@@ -192,16 +193,18 @@ class Result:
         return tuple(in_print(flag) for outcome in self.outcomes for flag in getattr(outcome, "unlikely", ()))
 
     def rows(self, design: int = 0) -> Iterator[tuple[str, list[AnswerLine]]]:
-        """Give the lines of the answer for one design: question by question its title and rows, if it has any.
+        """Give the lines of the answer for one design, question by question: titles and rows, if there are any.
 
-        What kinds of mechanisms have of their own stands with the first question.
+        Questions with one title stand together; what kinds of mechanisms have of their own, with the first question.
         """
         own = tuple(rows for kind in KINDS for rows in kind.rows)
-        for question in QUESTIONS:
-            functions = (*question.rows, *(own if question is QUESTIONS[0] else ()))
-            rows = [row for function in functions for row in self._rows(function, design) if row.says]
+        for title, alike in groupby(QUESTIONS, lambda question: question.title):
+            each = [(*question.rows, *(own if question is QUESTIONS[0] else ())) for question in alike]
+            rows = [
+                row for functions in each for rows_of in functions for row in self._rows(rows_of, design) if row.says
+            ]
             if rows:
-                yield _(question.title), rows
+                yield _(title), rows
 
     def _rows(self, function: Callable[..., Iterable[AnswerLine]], design: int) -> Iterable[AnswerLine]:
         """Rows of one function; none where a result that it asks for is not there."""

@@ -9,19 +9,19 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
+from cranktrain.motors import DeclaredMotor
+from cranktrain.motors.limits import beyond_measured
 from cranktrain.questions.drive.balanced_speed import balance
-from cranktrain.questions.drive.declared import DeclaredDrive
-from cranktrain.questions.drive.gear_train import lost_torque
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.motor_tables.table import beyond_table
-from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.running.gearing import overall_ratio
 from cranktrain.questions.drive.settling import missed_motion, settled
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, speed_range
-from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed
+from cranktrain.questions.drive.steady_turn import DriveInTurn
+from cranktrain.questions.reduction.gear_train import lost_torque
+from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.record import record
+from cranktrain.transient.gearing import overall_ratio
 from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/reduced-machine"
@@ -104,7 +104,7 @@ def steady_drive(
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value))
     each = [
         _of_design(
-            DriveInTurn(machines.each[design], motor, design, gearing, is_held=holds_speed(motor, design)),
+            DriveInTurn(machines.each[design], motor, design, gearing, is_held=motor.is_free(design)),
             machines,
             grid[design],
             float(held[design]),
@@ -246,4 +246,4 @@ def _flags(turning: DriveInTurn, found: SpeedOverTurn, declared: float) -> Itera
     if abs(own - declared) > _OTHER_PACE * declared:
         said = _("With this motor and its ratio the crank turns at {own}, not at the declared {declared}.")
         yield said.format(own=number(own, "rpm"), declared=number(declared, "rpm"))
-    yield from beyond_table(turning.motor, turning.design, found.speed * overall_ratio(turning.gearing))
+    yield from beyond_measured(turning.motor, turning.design, found.speed * overall_ratio(turning.gearing))
