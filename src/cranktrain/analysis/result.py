@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import cached_property
 from itertools import groupby
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -30,6 +30,13 @@ if TYPE_CHECKING:
     import xarray
 
 Outcome = TypeVar("Outcome")
+
+# fmt: off
+Sheet: TypeAlias = Literal[
+    "machine", "forces", "crankshaft", "crankpins", "wear", "shaft_torque", "loads", "drive", "pumping", "torsion",
+]
+# fmt: on
+"""Sheets of paper by their names."""
 
 _MILLION = 1e6
 """From here on six figures would take a power of ten."""
@@ -282,13 +289,14 @@ class Result:
         with self._in_its_units():
             return face("plot_result")(self, *quantities, design=design, **members)
 
-    def sheet(self, name: str = "machine", *, size: str = "A4", design: int = 0) -> Any:
+    def sheet(self, name: Sheet = "machine", *, size: Literal["A4", "A3"] = "A4", design: int = 0) -> Any:
         """Draw a sheet of paper.
 
         Parameters
         ----------
-        name : str
-            `machine`, `forces` or `torsion`.
+        name : Sheet
+            `machine` (motion and what the machine does, on one page), `forces`, `crankshaft`, `crankpins`, `wear`,
+            `shaft_torque`, `loads`, `drive`, `pumping` or `torsion`.
         size : "A4" or "A3"
         design : int
             Which of the result's machines.

@@ -41,18 +41,20 @@ class SteadyDrive(StageResult):
 
     running: tuple[SpeedOverTurn | None, ...]
     drive_speed: Array = quantity(
-        "ω_s", "rad/s", _CURVE, N_("Speed of the crank over the cycle, with its motor"), _THEORY
+        "ω_s", "rad/s", _CURVE, N_("Speed of the crank over the cycle, with its motor"), _THEORY, shown="rpm"
     )
     drive_acceleration: Array = quantity(
         "ε_s", "rad/s^2", _CURVE, N_("Angular acceleration of the crank, with its motor"), _THEORY
     )
-    motor_speed: Array = quantity("ω_m", "rad/s", _CURVE, N_("Speed of the motor"), _THEORY)
+    motor_speed: Array = quantity("ω_m", "rad/s", _CURVE, N_("Speed of the motor"), _THEORY, shown="rpm")
     motor_torque: Array = quantity("M_m", "N*m", _CURVE, N_("Torque of the motor at its own shaft"), _THEORY)
     transmitted_torque: Array = quantity(
         "x", "N*m", _CURVE, N_("Torque that the drive passes on to the crank, load and inertia together"), _THEORY
     )
     cycle_time: Array = quantity("T", "s", (), N_("Time of a cycle in steady running"), _THEORY)
-    mean_motor_speed: Array = quantity("ω_m,mean", "rad/s", (), N_("Mean speed of the motor over time"), _THEORY)
+    mean_motor_speed: Array = quantity(
+        "ω_m,mean", "rad/s", (), N_("Mean speed of the motor over time"), _THEORY, shown="rpm"
+    )
     drive_fluctuation: Array = quantity(
         "δ_s", "1", (), N_("Coefficient of fluctuation of the crank's speed, with its motor"), _THEORY
     )

@@ -65,7 +65,7 @@ class PressStrokes(StageResult):
         "t_r", "s", (), N_("Time from then until the flywheel has 99 % of its speed at the start"), _THEORY
     )
     flywheel_start_speed: Array = quantity(
-        "Ω_0", "rad/s", (), N_("Speed of the flywheel at the start of a stroke"), _THEORY
+        "Ω_0", "rad/s", (), N_("Speed of the flywheel at the start of a stroke"), _THEORY, shown="rpm"
     )
     stroke_motor_power: Array = quantity(
         "P_m,s", "W", (), N_("Mean power of the motor at the required pace of strokes"), _THEORY

@@ -44,6 +44,7 @@ class HalfPeriods(StageResult):
         N_("Peak of the static torque at the motor while it keeps its sign"),
         N_("Crank angle of that peak"),
         _THEORY,
+        worst="largest",
     )
 
 

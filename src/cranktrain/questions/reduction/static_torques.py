@@ -48,10 +48,20 @@ class StaticTorques(StageResult):
         THEORY,
     )
     largest_static_motor_torque: Array = quantity(
-        "M_st,m,max", "N*m", ("loss_rule",), N_("Largest static torque at the motor, by where losses go"), THEORY
+        "M_st,m,max",
+        "N*m",
+        ("loss_rule",),
+        N_("Largest static torque at the motor, by where losses go"),
+        THEORY,
+        worst="largest",
     )
     smallest_static_motor_torque: Array = quantity(
-        "M_st,m,min", "N*m", ("loss_rule",), N_("Smallest static torque at the motor, by where losses go"), THEORY
+        "M_st,m,min",
+        "N*m",
+        ("loss_rule",),
+        N_("Smallest static torque at the motor, by where losses go"),
+        THEORY,
+        worst="smallest",
     )
     driven_inertia: Array = quantity(
         "J_k", "kg*m^2", _CURVE, N_("Inertia of drive and machine together, reduced to each shaft"), THEORY
@@ -63,7 +73,14 @@ class StaticTorques(StageResult):
         "(GD²)₀", "kg*m^2", _SHAFT, N_("Flywheel moment GD² of the drive without the machine"), THEORY
     )
     largest_static_torque: Extreme = extreme(
-        "M_st,max", "N*m", _SHAFT, N_("Largest static torque"), N_("Crank angle of the largest static torque"), THEORY
+        "M_st,max",
+        "N*m",
+        _SHAFT,
+        N_("Largest static torque"),
+        N_("Crank angle of the largest static torque"),
+        THEORY,
+        worst="largest",
+        of="static_torque",
     )
     smallest_static_torque: Extreme = extreme(
         "M_st,min",
@@ -72,6 +89,8 @@ class StaticTorques(StageResult):
         N_("Smallest static torque, or largest that drives"),
         N_("Crank angle of the smallest static torque"),
         THEORY,
+        worst="smallest",
+        of="static_torque",
     )
     mean_static_torque: Array = quantity(
         "M_st,mean", "N*m", _SHAFT, N_("Mean static torque over the crank angle"), THEORY

@@ -25,9 +25,15 @@ class RockingCrank(StageResult):
 
     courses: tuple[CrankMotion, ...]
     rocking_period: Array = quantity("T_r", "s", (), N_("Period of the rocking motion"), THEORY)
-    least_rocking_angle: Array = quantity("φ_r,min", "deg", (), N_("Least angle of the rocking crank, φ"), THEORY)
-    greatest_rocking_angle: Array = quantity("φ_r,max", "deg", (), N_("Greatest angle of the rocking crank, φ"), THEORY)
-    largest_rocking_speed: Array = quantity("ω_r", "rad/s", (), N_("Largest speed of the rocking crank"), THEORY)
+    least_rocking_angle: Array = quantity(
+        "φ_r,min", "deg", (), N_("Least angle of the rocking crank, φ"), THEORY, is_place=True
+    )
+    greatest_rocking_angle: Array = quantity(
+        "φ_r,max", "deg", (), N_("Greatest angle of the rocking crank, φ"), THEORY, is_place=True
+    )
+    largest_rocking_speed: Array = quantity(
+        "ω_r", "rad/s", (), N_("Largest speed of the rocking crank"), THEORY, shown="rpm"
+    )
     largest_rocking_acceleration: Array = quantity(
         "ε_r", "rad/s^2", (), N_("Largest angular acceleration of the rocking crank"), THEORY
     )

@@ -32,13 +32,17 @@ class WantedCrank(StageResult):
     """How the crank moves so that its output moves as wanted."""
 
     wanted_time: Array = quantity("t", "s", _CURVE, N_("Time, from the beginning of the wanted motion"), THEORY)
-    wanted_crank_speed: Array = quantity("ω_w", "rad/s", _CURVE, N_("Speed of the crank that is wanted"), THEORY)
+    wanted_crank_speed: Array = quantity(
+        "ω_w", "rad/s", _CURVE, N_("Speed of the crank that is wanted"), THEORY, shown="rpm"
+    )
     wanted_crank_acceleration: Array = quantity(
         "ε_w", "rad/s^2", _CURVE, N_("Angular acceleration of the crank that is wanted"), THEORY
     )
     wanted_period: Array = quantity("T_w", "s", (), N_("Period of the wanted motion"), THEORY)
     resting_time: Array = quantity("t_0", "s", (), N_("How long the crank rests in a period"), THEORY)
-    largest_wanted_speed: Array = quantity("ω_w,max", "rad/s", (), N_("Largest wanted speed of the crank"), THEORY)
+    largest_wanted_speed: Array = quantity(
+        "ω_w,max", "rad/s", (), N_("Largest wanted speed of the crank"), THEORY, shown="rpm"
+    )
     constant_speed_miss: Array = quantity(
         "Δ_s",
         "1",
@@ -120,7 +124,7 @@ class ServoDrive(StageResult):
         "M_s,rms", "N*m", (), N_("Root mean square of that torque over time, rests counted"), THEORY
     )
     servo_peak_torque: Array = quantity("M_s,max", "N*m", (), N_("Largest size of that torque"), THEORY)
-    servo_peak_speed: Array = quantity("ω_s,max", "rad/s", (), N_("Largest speed of the motor"), THEORY)
+    servo_peak_speed: Array = quantity("ω_s,max", "rad/s", (), N_("Largest speed of the motor"), THEORY, shown="rpm")
     servo_peak_power: Array = quantity("P_s,max", "W", (), N_("Largest power of the motor, driving or braking"), THEORY)
     servo_mean_power: Array = quantity("P_s", "W", (), N_("Mean power of the motor over time"), THEORY)
     servo_energy_back: Array = quantity("W_s", "J", (), N_("Energy that the motor takes back in a period"), THEORY)

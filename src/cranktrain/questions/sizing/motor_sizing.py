@@ -53,13 +53,17 @@ class MotorSizing(StageResult):
     sizing_share: Array = quantity(
         "u", "1", ("sized_motor", "sizing_check"), N_("What is asked of a motor over what it can do"), _THEORY
     )
-    largest_share: Array = quantity("u_max", "1", _EACH, N_("Largest of these: up to 1 the motor is enough"), _THEORY)
+    largest_share: Array = quantity(
+        "u_max", "1", _EACH, N_("Largest of these: up to 1 the motor is enough"), _THEORY, worst="largest"
+    )
     sized_power: Array = quantity("P_n", "W", _EACH, N_("Rated power of the motor that is checked"), _THEORY)
     sized_torque: Array = quantity("M_n", "N*m", _EACH, N_("Rated torque of the motor that is checked"), _THEORY)
     sized_rms_torque: Array = quantity(
         "M_rms", "N*m", _EACH, N_("Root mean square of its torque over time, from its own steady cycle"), _THEORY
     )
-    sized_peak_torque: Array = quantity("M_max", "N*m", _EACH, N_("Largest torque in that cycle"), _THEORY)
+    sized_peak_torque: Array = quantity(
+        "M_max", "N*m", _EACH, N_("Largest torque in that cycle"), _THEORY, worst="largest"
+    )
     sized_start_time: Array = quantity(
         "t_st", "s", _EACH, N_("Time of a start at the lowest voltage against the mean static torque"), _THEORY
     )

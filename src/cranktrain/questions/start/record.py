@@ -18,8 +18,8 @@ class StartCurves:
     crank_angle_turned: Array = quantity(
         "φ", "rad", _TIME, N_("Crank angle as shown, counted on through all turns"), _THEORY
     )
-    crank_speed: Array = quantity("ω", "rad/s", _TIME, N_("Speed of the crank"), _THEORY)
-    motor_speed: Array = quantity("ω_m", "rad/s", _TIME, N_("Speed of the motor"), _THEORY)
+    crank_speed: Array = quantity("ω", "rad/s", _TIME, N_("Speed of the crank"), _THEORY, shown="rpm")
+    motor_speed: Array = quantity("ω_m", "rad/s", _TIME, N_("Speed of the motor"), _THEORY, shown="rpm")
     motor_torque: Array = quantity("M_m", "N*m", _TIME, N_("Torque of the motor at its own shaft"), _THEORY)
     load_torque: Array = quantity("M_Q", "N*m", _TIME, N_("Torque that the loads take at the crank"), _THEORY)
     motor_power: Array = quantity("P_m", "W", _TIME, N_("Power of the motor at its shaft"), _THEORY)

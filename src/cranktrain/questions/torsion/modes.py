@@ -129,7 +129,7 @@ class TorsionalModes(StageResult):
     """
 
     natural_frequency: Array = quantity(
-        "ω_n", "rad/s", ("mode",), N_("Natural frequency of the torsional vibration"), _THEORY
+        "ω_n", "rad/s", ("mode",), N_("Natural frequency of the torsional vibration"), _THEORY, shown="Hz"
     )
     mode_shape: Array = quantity(
         "a", "1", _MODE, N_("Amplitude of the disc, referred to the crank; 1 at the free end"), _THEORY

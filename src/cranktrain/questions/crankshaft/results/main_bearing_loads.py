@@ -40,7 +40,13 @@ class MainBearingLoads(StageResult):
         "Q_Y", "N", _CURVE, N_("Load of the journal on the main bearing, upward"), _THEORY
     )
     largest_bearing_load: Peak = extreme(
-        "Q_max", "N", _FACT, N_("Largest load of the main bearing"), N_("Crank angle of that load"), _THEORY
+        "Q_max",
+        "N",
+        _FACT,
+        N_("Largest load of the main bearing"),
+        N_("Crank angle of that load"),
+        _THEORY,
+        worst="largest",
     )
     mean_bearing_load: Array = quantity("Q_m", "N", _FACT, N_("Mean size of the main bearing's load"), _THEORY)
 

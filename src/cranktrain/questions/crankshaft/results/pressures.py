@@ -26,7 +26,12 @@ class CrankPinPressures(StageResult):
     """Specific pressure of the rods' bearings on their crank pins; NaN where no width is given."""
 
     largest_crankpin_pressure: Array = quantity(
-        "p_P,max", "Pa", _PIN, N_("Largest specific pressure of the rod's bearing on the crank pin"), _THEORY
+        "p_P,max",
+        "Pa",
+        _PIN,
+        N_("Largest specific pressure of the rod's bearing on the crank pin"),
+        _THEORY,
+        worst="largest",
     )
     mean_crankpin_pressure: Array = quantity(
         "p_P,m", "Pa", _PIN, N_("Mean specific pressure of the rod's bearing on the crank pin"), _THEORY
@@ -48,7 +53,7 @@ class MainBearingPressures(StageResult):
     """Specific pressure of the main bearings, by each method; NaN where no width is given."""
 
     largest_bearing_pressure: Array = quantity(
-        "p_max", "Pa", _BEARING, N_("Largest specific pressure of the main bearing"), _THEORY
+        "p_max", "Pa", _BEARING, N_("Largest specific pressure of the main bearing"), _THEORY, worst="largest"
     )
     mean_bearing_pressure: Array = quantity(
         "p_m", "Pa", _BEARING, N_("Mean specific pressure of the main bearing"), _THEORY

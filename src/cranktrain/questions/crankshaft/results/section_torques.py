@@ -50,6 +50,8 @@ class SectionTorques(StageResult):
         N_("Largest torque in the journal or crank pin"),
         N_("Crank angle of the largest torque in the journal or crank pin"),
         _THEORY,
+        worst="largest",
+        of="section_torque",
     )
     least_section_torque: Peak = extreme(
         "M_min",
