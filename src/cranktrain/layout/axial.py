@@ -22,6 +22,7 @@ class AxialPlaces:
     """
 
     needs: ClassVar[str] = N_("[shaft.main] spacing")
+    reads: ClassVar[tuple[str, ...]] = ("[bank.NAME]", "[shaft.NAME]")
 
     value: Array
     throw: Array

@@ -109,6 +109,7 @@ class Loads:
     """Loads of a machine, on whatever they act; zero, shape (design, 1, 1), is φ where the shown angle is 0. [rad]"""
 
     needs: ClassVar[str] = N_("[load.NAME]")
+    reads: ClassVar[tuple[str, ...]] = ("crank_zero", "angle")
 
     each: tuple[LinkLoad, ...]
     zero: Array

@@ -60,6 +60,7 @@ class Masses:
     """
 
     needs: ClassVar[str] = N_("[masses]")
+    reads: ClassVar[tuple[str, ...]] = ("[mechanism]", "[friction]", "[guide]", "[gravity]", "angle", "[bank.NAME]")
 
     batches: tuple[MechanismMasses, ...]
     are_given: bool

@@ -43,6 +43,7 @@ class Mechanisms:
     """
 
     dimension: ClassVar[str] = "mechanism"
+    reads: ClassVar[tuple[str, ...]] = ("[mechanism]", "[bank.NAME]", "[shaft.NAME]")
     names: tuple[str, ...]
     banks: tuple[str, ...]
     batches: tuple[Batch, ...]

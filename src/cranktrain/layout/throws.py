@@ -32,6 +32,8 @@ class Throws:
         The first mechanism on each.
     """
 
+    reads: ClassVar[tuple[str, ...]] = ("[shaft.NAME]",)
+
     names: tuple[str, ...]
     shafts: tuple[str, ...]
     carrying: NDArray[np.intp]

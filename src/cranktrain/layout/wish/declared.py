@@ -51,6 +51,8 @@ class WantedMotions:
 class RockingMotions:
     """Wanted motions whose crank swings between two angles, of every design; unit as of `WantedMotions`."""
 
+    reads: ClassVar[tuple[str, ...]] = ("[shaft.main.motion]",)
+
     each: tuple[Rocking, ...]
     unit: str
 

@@ -75,6 +75,7 @@ class DeclaredBalance:
     """
 
     needs: ClassVar[str] = N_("[balance]")
+    reads: ClassVar[tuple[str, ...]] = ("[shaft.main]",)
 
     given: GivenWeights
     counterweights: Counterweights | None

@@ -53,6 +53,7 @@ class FiringOrder:
     """
 
     needs: ClassVar[str] = N_("[cylinder] firing_order or firing_angles")
+    reads: ClassVar[tuple[str, ...]] = ("[shaft.main]",)
 
     order: NDArray[np.intp]
     numbers: tuple[str, ...] = ()

@@ -53,6 +53,8 @@ class DeclaredDrive:
 class DeclaredStart:
     """How a run begins and ends, as the table of the first design says."""
 
+    reads: ClassVar[tuple[str, ...]] = ("[drive.start]",)
+
     spec: StartSpec
 
 
