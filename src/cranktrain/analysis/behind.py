@@ -111,8 +111,9 @@ def _citation(page: str, equations: Iterable[str]) -> str:
 
 
 def _sentence(thing: Callable[..., Any]) -> str:
-    """Give the first sentence of a docstring, which stands in its first line."""
-    return (inspect.getdoc(thing) or "").partition("\n")[0]
+    """Give the first sentence of a docstring, which stands in its first line, without what it cites at its end."""
+    said, cites, _cited = (inspect.getdoc(thing) or "").partition("\n")[0].partition("; docs/theory/")
+    return f"{said}." if cites else said
 
 
 def _place(thing: Callable[..., Any]) -> Place:

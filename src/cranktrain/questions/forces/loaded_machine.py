@@ -51,6 +51,10 @@ class LoadedMachine:
     gas : GasInChambers or None
     loads : Loads or None
     speed : Speed
+
+    Notes
+    -----
+    docs/theory/forces, eqs. (13.1) to (13.3).
     """
 
     mechanisms: Mechanisms
