@@ -4,7 +4,7 @@ A fluid takes its numbers and the chambers that it fills, and then gives the pre
 it knows nothing else:
 
     fluid = fluid_of(spec)
-    ready = fluid.prepared(of_designs(fluid.numbers(spec)), rooms)
+    ready = fluid.prepared(by_design([fluid.numbers(spec)], n_designs), rooms)
     pressure = fluid.pressure(chamber_state(volume, limits, angle_from_firing, cycle), ready)
 """
 
@@ -13,7 +13,7 @@ from typing import Annotated
 from pydantic import Field
 
 from cranktrain.fluids import compressor, diesel, dual, indicator, otto, wiebe
-from cranktrain.fluids.fluid import AnyFluid, Fluid, FluidSpec, Kink, Rooms, of_designs, table_path
+from cranktrain.fluids.fluid import AnyFluid, Fluid, FluidSpec, Kink, Rooms, table_path
 from cranktrain.fluids.state import ChamberState, VolumeLimits, chamber_state
 
 __all__ = [
@@ -29,7 +29,6 @@ __all__ = [
     "chamber_state",
     "fluid_named",
     "fluid_of",
-    "of_designs",
     "table_path",
 ]
 

@@ -8,7 +8,7 @@ from cranktrain.language import N_
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.motion import ZERO, Array
-from cranktrain.numerics.nested import by_design
+from cranktrain.numerics.designs import by_design
 from cranktrain.record import record
 
 

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
+from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.harmonics import ComplexArray, phasor
-from cranktrain.numerics.nested import by_design
 from cranktrain.record import record
 
 

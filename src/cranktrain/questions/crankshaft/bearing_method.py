@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from cranktrain.numerics.designs import of_designs
 from cranktrain.questions.crankshaft.bearing_loads import BearingLoads
-from cranktrain.questions.crankshaft.designs_alike import of_designs
 from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans, SpannedLoads, alike_shafts, spanned_loads
 from cranktrain.questions.crankshaft.shaft import Crankshaft, Supports
 from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads

@@ -4,8 +4,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.designs import of_designs
 from cranktrain.questions.crankshaft.bent_spans import Bent, crank_line, web_line
-from cranktrain.questions.crankshaft.designs_alike import Alike, designs_alike, of_designs
+from cranktrain.questions.crankshaft.designs_alike import Alike, designs_alike
 from cranktrain.questions.crankshaft.frame_spans import bent_spans
 from cranktrain.questions.crankshaft.shaft import Crankshaft
 from cranktrain.questions.crankshaft.shaft_loads import ActingPlaces

@@ -7,8 +7,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.numerics.designs import of_designs
 from cranktrain.questions.crankshaft.blocks import turned_by
-from cranktrain.questions.crankshaft.designs_alike import Alike, designs_alike, of_designs
+from cranktrain.questions.crankshaft.designs_alike import Alike, designs_alike
 from cranktrain.questions.crankshaft.frame_spans import BentSpans, bent_spans, frame_spans
 from cranktrain.questions.crankshaft.shaft import Crankshaft
 from cranktrain.questions.crankshaft.shaft_loads import ActingPlaces, AxisLoads, ShaftLoads, on_axis
