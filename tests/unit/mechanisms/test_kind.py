@@ -20,7 +20,7 @@ def test_mirrored_changes_what_counts_in_the_sense_of_rotation():
     assert mirrored(mirrored(ROD)) == ROD
 
 
-def test_stacked_puts_designs_first():
+def test_geometries_are_put_together_with_designs_first():
     found = by_design([ROD, as_columns(mirrored(ROD), ROD, ROD)], 3)
     assert found.master.offset.shape == (3, 2, 1)
     assert found.master.offset[..., 0].tolist() == [[3, -3], [3, 3], [3, 3]]

@@ -38,7 +38,7 @@ def loaded_shafts(
     gears: DeclaredGears | None,
     given: LoadsOnShafts | None,
 ) -> LoadedShafts:
-    """Put what acts on the crankshafts to its places."""
+    """Put what acts on the crankshafts to its places; docs/theory/crankshaft, eqs. (24.1) to (24.3)."""
     turn = -1.0 if frames.clockwise else 1.0
     each: list[LoadedShaft] = []
     for one in laid.each:

@@ -102,7 +102,7 @@ def crank_pin_pressures(laid: LaidCrankshafts, loads: CrankPinLoads, wear: Crank
 
 
 def main_bearing_pressures(declared: DeclaredCrankshafts, loads: MainBearingLoads) -> MainBearingPressures:
-    """Pressures of all main bearings."""
+    """Pressures of all main bearings; docs/theory/crankshaft, eq. (24.48)."""
     diameter = np.concatenate([one.journal[:, one.standing_on, 0] for one in declared.each], axis=1)[:, np.newaxis]
     width = np.concatenate([one.bearing_width for one in declared.each], axis=1)[:, np.newaxis]
     largest, mean = loads.largest_bearing_load.value, loads.mean_bearing_load
