@@ -2,11 +2,12 @@
 
 import numpy as np
 
-from cranktrain.fluids import Rooms, VolumeLimits, fluid_of, of_designs
+from cranktrain.fluids import Rooms, VolumeLimits, fluid_of
 from cranktrain.fluids.indicator.chamber import Chamber
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 from cranktrain.motion import Coefficient
 from cranktrain.numerics import extremes
+from cranktrain.numerics.designs import by_design
 
 FOUR_STROKE, TWO_STROKE = 4 * np.pi, 2 * np.pi
 DUAL_CYCLE = {
@@ -64,7 +65,7 @@ class Engine:
     def filled(self, spec, cycle=FOUR_STROKE, speed=None):
         """The fluid of a table, and what its pressure takes in this cylinder."""
         fluid = fluid_of(spec)
-        return fluid, fluid.prepared(of_designs(fluid.numbers(spec)), self.rooms(cycle, speed))
+        return fluid, fluid.prepared(by_design([fluid.numbers(spec)], 1), self.rooms(cycle, speed))
 
 
 def indicated_work(pressure, volume_slope, cycle):

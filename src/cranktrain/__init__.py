@@ -29,6 +29,7 @@ Results
     0.3048
     >>> result.catalogue["stroke"]
     <stroke S [m]: Stroke, between the true dead centres>
+    >>> way = ct.behind("stroke", pump)  # print it: tables of the file, then stages, each with its file and equations
     >>> result.piston_velocity.shape, result.crank_angle.shape
     ((1, 360), (360,))
     >>> result.facts["mean_piston_speed"]
@@ -106,7 +107,7 @@ if TYPE_CHECKING:
     from cranktrain.io.any_machine import load
     from cranktrain.io.examples import example_names
     from cranktrain.machine import Machine
-    from cranktrain.public import compare, run, start, units
+    from cranktrain.public import behind, compare, run, start, units
     from cranktrain.study.start import Start
 
 __all__ = [
@@ -117,6 +118,7 @@ __all__ = [
     "Result",
     "Start",
     "__version__",
+    "behind",
     "compare",
     "example_names",
     "load",
@@ -137,6 +139,7 @@ _HOMES = {
     "Problem": "errors",
     "Result": "analysis",
     "Start": "study.start",
+    "behind": "public",
     "compare": "public",
     "example_names": "io.examples",
     "load": "io.any_machine",

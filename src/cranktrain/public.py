@@ -16,6 +16,7 @@ from cranktrain.quantities import shown_by, units_by_dimension
 
 if TYPE_CHECKING:
     from cranktrain.analysis import SpeedWanted
+    from cranktrain.analysis.pipeline import Pipeline
     from cranktrain.io.any_machine import MachineLike
     from cranktrain.study.start import Start
     from cranktrain.transient.runs import Progress
@@ -168,6 +169,50 @@ def compare(
     asked = (quantities,) if isinstance(quantities, str) else None if quantities is None else tuple(quantities)
     one = _result(first, {} if second is None else values, asked)
     return compared((one, _result(named, values, asked)), (names[0], names[1]), asked)
+
+
+def behind(
+    quantity: str,
+    machine: "MachineLike | None" = None,
+    *,
+    set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
+) -> "Pipeline":
+    """Find what stands behind a quantity: what a machine file declares, and the stages that lead from there to it.
+
+    Parameters
+    ----------
+    quantity : str
+        Its name in the catalogue.
+    machine : str, path-like, dict or Machine, optional
+        What leads to the quantity in this machine, and which tables of its file are read; in any unless given.
+    set : mapping of str, optional
+        Other values by path, as `Machine.with_` takes them.
+
+    Returns
+    -------
+    Pipeline
+        Its `declared` parts and its `stages`, each with where its code stands; `print` writes it as a page.
+
+    Raises
+    ------
+    InputError
+        Where there is no such quantity, or the machine's file does not allow it; with all that is wrong with it.
+
+    Examples
+    --------
+    >>> found = behind("stroke", "3d12")
+    >>> found.declared[0].name, found.declared[0].tables[0]
+    ('Pistons', '[bank.L.mechanism]')
+    >>> found.stages[-1].name, found.stages[-1].word, found.stages[-1].place.file
+    ('dead_centres', 'result', 'questions/motion/dead_centres.py')
+    """
+    from cranktrain.analysis.behind import behind as found_behind
+
+    if machine is None:
+        return found_behind(quantity)
+    source = sources_of(machine, set, partial=False)[0][0]
+    with problems_as(source.placed):
+        return found_behind(quantity, source.machine)
 
 
 @contextmanager

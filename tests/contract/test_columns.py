@@ -3,11 +3,13 @@
 Neither side is expected to be right here; what is laid out says all that the stages are given.
 """
 
+import ast
 import re
 import tomllib
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass, replace
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -25,6 +27,7 @@ from cranktrain.mechanisms.kind import Kind
 from cranktrain.quantities import Given
 from cranktrain.spec import Spec
 
+SOURCE = Path(ct.__file__).parent
 STEP = np.radians(90)
 ALL = slice(None)
 
@@ -385,6 +388,39 @@ def equal(one, other):
 
 def is_same(part, alone, rows=ALL):
     return all(one is other or equal(one, other) for one, other in pairs(part, alone, rows))
+
+
+def spreads_over_designs(node: ast.AST) -> bool:
+    """Whether a number, or a column, is made one of each design by hand: `np.broadcast_to(number, n_designs)`."""
+    if not isinstance(node, ast.Call) or getattr(node.func, "attr", "") != "broadcast_to" or len(node.args) < 2:
+        return False
+    return re.fullmatch(r"\(?(\w+\.)*n_designs(,\))?", ast.unparse(node.args[1])) is not None
+
+
+def test_a_number_becomes_one_of_each_design_on_two_roads():
+    """Where this fails: put it together by `in_columns` of tables, or by `by_design` of numbers."""
+    found = {
+        path.relative_to(SOURCE).as_posix(): node.lineno
+        for path in SOURCE.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if spreads_over_designs(node)
+    }
+    assert found == {}
+
+
+@pytest.mark.parametrize(
+    ("names", "home"),
+    [(("in_columns", "row_of"), "columns.py"), (("by_design", "of_designs"), "numerics/designs.py")],
+)
+def test_a_road_has_one_place(names, home):
+    """A method of `Designs` is the same function, of as many designs as there are."""
+    defined = [
+        (node.name, path.relative_to(SOURCE).as_posix())
+        for path in SOURCE.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.FunctionDef) and node.name in names and not node.decorator_list
+    ]
+    assert sorted(set(defined) - {("by_design", "layout/design.py")}) == sorted((name, home) for name in names)
 
 
 @pytest.mark.parametrize("name", MACHINES)

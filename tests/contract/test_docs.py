@@ -152,6 +152,18 @@ def test_theory_cited_by_the_code_exists():
     assert lost == [], "these pages or equations are not in docs/theory: cite what is there"
 
 
+def test_files_that_pages_name_are_there():
+    """Named from the package or the root: `questions/gas/chambers.py`."""
+    named = [
+        (page.relative_to(ROOT).as_posix(), file)
+        for page in (*PAGES, ROOT / "CONTRIBUTING.md")
+        for file in re.findall(r"`((?:\w+/)+\w+\.(?:py|toml))`", page.read_text(encoding="utf-8"))
+    ]
+    assert len(named) > 20
+    places = (ROOT, ROOT / "src/cranktrain")
+    assert [(page, file) for page, file in named if not any((place / file).is_file() for place in places)] == []
+
+
 @pytest.mark.parametrize("page", DECISIONS, ids=lambda page: page.stem)
 def test_decision_has_its_heads(page):
     text = page.read_text(encoding="utf-8")

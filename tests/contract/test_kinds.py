@@ -18,8 +18,9 @@ from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity
 from cranktrain.mechanisms import KINDS, kind_named
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.mechanisms.dynamics import FRAME
-from cranktrain.mechanisms.geometry import named_part, stacked
+from cranktrain.mechanisms.geometry import named_part
 from cranktrain.mechanisms.output import PISTON, RAM, VALVE
+from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.nested import leaves
 from cranktrain.plans.placement import placed
 from cranktrain.plans.polygons import acceleration_polygons, velocity_polygons
@@ -134,7 +135,7 @@ def test_margin_of_the_example_opens_its_links(kind):
     """The length that is named opens the links when changed by a little more than the margin, not by a little less."""
     place = place_of(kind)
     kind = place.kind
-    found = closing_margin(kind, stacked([place.geometry]))
+    found = closing_margin(kind, by_design([place.geometry], 1))
     if np.isnan(found.margin[0, 0, 0]):
         return  # it closes whatever its lengths are
     margin, name = found.margin[0, 0, 0], kind.lengths[found.length[0, 0, 0]]
@@ -253,7 +254,7 @@ def test_drawing_agrees_with_the_motion(kind):
 def test_drawing_of_many_mechanisms_at_once(kind):
     place = place_of(kind)
     kind = place.kind
-    columns = stacked([place.geometry, place.geometry], 2)
+    columns = by_design([place.geometry, place.geometry], 2)
     many, one = kind.drawing(PHI, columns), kind.drawing(PHI, place.geometry)
     for name, parts in many.positions.items():
         for part, single in zip(parts, one.positions[name], strict=True):

@@ -25,7 +25,8 @@ from cranktrain.mechanisms.chain.steps import (
     TriadSize,
     TriadStep,
 )
-from cranktrain.mechanisms.geometry import rows, stacked
+from cranktrain.mechanisms.geometry import rows
+from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.nested import filled, leaves
 
 N = 40
@@ -82,7 +83,7 @@ def drawn(random: np.random.Generator) -> ChainSize:
 @pytest.fixture(scope="module")
 def turning() -> Turning:
     random = np.random.default_rng(11)
-    size = rows(stacked([drawn(random) for _ in range(8 * N)]), np.arange(8 * N))
+    size = rows(by_design([drawn(random) for _ in range(8 * N)], 1), np.arange(8 * N))
     keeps = np.min(chain_gap(STRUCTURE, TURN[::5], size), axis=-1) > 0
     size = rows(size, np.flatnonzero(keeps))
     factors = np.array([1 - LEAST_MARGIN, 1 + LEAST_MARGIN])

@@ -10,7 +10,8 @@ from tests.exact.test_chain_triad import STRUCTURE, TURN, drawn
 
 import cranktrain as ct
 from cranktrain.mechanisms.chain.gaps import chain_gap
-from cranktrain.mechanisms.geometry import rows, stacked
+from cranktrain.mechanisms.geometry import rows
+from cranktrain.numerics.designs import by_design
 
 AT_ONCE = 8
 """Chains tried at once, which takes hardly longer than one: some one in five closes."""
@@ -27,7 +28,7 @@ def triad(random):
     closes: list[int] = []
     while not closes:
         several = [drawn(random) for _ in range(AT_ONCE)]
-        gaps = chain_gap(STRUCTURE, TURN, rows(stacked(several), np.arange(AT_ONCE)))
+        gaps = chain_gap(STRUCTURE, TURN, rows(by_design(several, 1), np.arange(AT_ONCE)))
         closes = np.flatnonzero(np.all(gaps > 0.02, axis=-1)).tolist()
     size = several[closes[0]]
     (step,) = size.steps

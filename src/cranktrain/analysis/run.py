@@ -13,7 +13,7 @@ from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
 from cranktrain.analysis.shapes import refuse_misshapen
-from cranktrain.analysis.stages import STAGES, homes, lacking, leading_to, missing_results, run_stages
+from cranktrain.analysis.stages import STAGES, lacking, leading_to, missing_results, run_stages, stages_giving
 from cranktrain.analysis.unused import unused
 from cranktrain.errors import InputError, Problem
 from cranktrain.how_far import within
@@ -193,21 +193,7 @@ def _step(degrees: float) -> float:
 
 def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
     """Those stages that the named quantities need, in order, and those that take what there is."""
-    home = homes(tuple(stages))
-    unknown = [name for name in names if name not in home]
-    if unknown:
-        from cranktrain.quantities import nearest  # only after a mistake
-
-        raise InputError(
-            Problem(
-                "quantities",
-                name,
-                _("is not a quantity of the catalogue; `cranktrain list results` names them"),
-                _("did you mean {name}?").format(name=close) if (close := nearest(name, home)) else None,
-            )
-            for name in unknown
-        )
-    needed = leading_to(stages, [home[name].gives for name in names])
+    needed = leading_to(stages, [one.gives for one in stages_giving(stages, names, "quantities")])
     # What needs nothing, as flags on masses, takes what there is.
     return tuple(one for one in stages if one in needed or set(one.needs) <= set(one.optional))
 

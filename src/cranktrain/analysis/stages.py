@@ -13,6 +13,7 @@ from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.brief import brief_fields
 from cranktrain.catalogue import entries
+from cranktrain.errors import Problem, refuse
 from cranktrain.grouping import grouped
 from cranktrain.how_far import say_how_far
 from cranktrain.language import _
@@ -61,6 +62,22 @@ def leading_to(stages: Sequence[Stage], outcomes: Iterable[type]) -> tuple[Stage
 def homes(stages: tuple[Stage, ...]) -> dict[str, Stage]:
     """Which stage gives each quantity."""
     return {entry.name: stage for stage in stages for entry in entries(stage.gives)}
+
+
+def stages_giving(stages: Sequence[Stage], names: Iterable[str], path: str) -> list[Stage]:
+    """Find the stage that gives each quantity; refuse names of none, as what is wrong at a path."""
+    home, asked = homes(tuple(stages)), list(names)
+    refuse(_unknown(name, home, path) for name in asked if name not in home)
+    return [home[name] for name in asked]
+
+
+def _unknown(name: str, known: Iterable[str], path: str) -> Problem:
+    """Refuse what is no quantity."""
+    from cranktrain.quantities import nearest  # only after a mistake
+
+    allowed = _("is not a quantity of the catalogue; `cranktrain list results` names them")
+    close = nearest(name, known)
+    return Problem(path, name, allowed, _("did you mean {name}?").format(name=close) if close else None)
 
 
 STAGES: tuple[Stage, ...] = (

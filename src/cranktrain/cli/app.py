@@ -82,20 +82,32 @@ def _cranktrain(
 @_app.command(
     "list",
     help=_(
-        "List examples (unless said otherwise), kinds of mechanism, or results.\n\n"
+        "List examples (unless said otherwise), kinds of mechanism, or results; or all that leads to one of these.\n\n"
         "\b\n"
         "  cranktrain list\n"
         "  cranktrain list kinds\n"
-        "  cranktrain list results | grep dead_centre"
+        "  cranktrain list results | grep dead_centre\n"
+        "  cranktrain list results --behind largest_bearing_load --of 3d12"
     ),
 )
 @put_off
 def _list(
     what: Annotated[str, typer.Argument(metavar="[examples|kinds|results]", show_default=False)] = "examples",
+    behind: Annotated[
+        str | None,
+        typer.Option(
+            "--behind",
+            metavar="RESULT",
+            help=_("What leads to this result: tables of the file, stages in their order, with file and equation."),
+        ),
+    ] = None,
+    of: Annotated[
+        str | None, typer.Option("--of", metavar="FILE", help=_("With --behind: in this machine file, or example."))
+    ] = None,
 ) -> None:
     from cranktrain.cli.lists import show_list
 
-    show_list(what)
+    show_list(what, behind, of)
 
 
 @_app.command(

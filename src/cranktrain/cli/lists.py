@@ -1,22 +1,45 @@
 """`list`: examples, kinds of mechanism, results."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import cast
 
-from cranktrain.errors import InputError
+from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.language import _
 from cranktrain.layout.ends import ENDS
 
 
-def show_list(what: str) -> None:
-    """Show a list, one line for each item, so that it can be searched."""
+def show_list(what: str, behind: str | None = None, file: str | None = None) -> None:
+    """Show a list, one line for each item, so that it can be searched; or what stands behind a result."""
     lists = {"examples": _examples, "kinds": _kinds, "results": _results}
     if what not in lists:
         from cranktrain.quantities import unlisted  # only after a mistake
 
         raise InputError([unlisted("list", what, list(lists))])
+    if behind is not None and what == "results":
+        _show_behind(behind, file)
+        return
+    refuse(_out_of_place({"--behind": behind, "--of": file}))
     for line in lists[what]():
         print(line)
+
+
+def _show_behind(quantity: str, file: str | None) -> None:
+    """Show what leads to a quantity, of a machine that is named in that one."""
+    from cranktrain.public import behind
+
+    with problems_as(lambda problem: replace(problem, path="--behind") if problem.path == "behind" else problem):
+        found = behind(quantity, file)
+    for line in found.lines():
+        print(line)
+
+
+def _out_of_place(options: Mapping[str, str | None]) -> Iterator[Problem]:
+    """Refuse options that only go with a result."""
+    for option, given in options.items():
+        if given is not None:
+            allowed = _("goes with {example}").format(example="list results --behind NAME")
+            yield Problem(option, given, allowed)
 
 
 def _examples() -> Iterator[str]:

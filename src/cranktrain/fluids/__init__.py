@@ -4,14 +4,14 @@ A fluid takes its numbers and the chambers that it fills, and then gives the pre
 it knows nothing else:
 
     fluid = fluid_of(spec)
-    ready = fluid.prepared(of_designs(fluid.numbers(spec)), rooms)
+    ready = fluid.prepared(by_design([fluid.numbers(spec)], n_designs), rooms)
     pressure = fluid.pressure(chamber_state(volume, limits, angle_from_firing, cycle), ready)
 """
 
 from typing import TYPE_CHECKING
 
 from cranktrain.fluids import compressor, diesel, dual, indicator, otto, wiebe
-from cranktrain.fluids.fluid import AnyFluid, Fluid, FluidSpec, Kink, Rooms, of_designs, table_path
+from cranktrain.fluids.fluid import AnyFluid, Fluid, FluidSpec, Kink, Rooms, table_path
 from cranktrain.fluids.state import ChamberState, VolumeLimits, chamber_state
 from cranktrain.spec_class import by_kind
 
@@ -28,7 +28,6 @@ __all__ = [
     "chamber_state",
     "fluid_named",
     "fluid_of",
-    "of_designs",
     "table_path",
 ]
 

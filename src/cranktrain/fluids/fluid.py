@@ -163,14 +163,3 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
 
 AnyFluid: TypeAlias = Fluid[Any, Any, Any]
 """A fluid that is known only when it runs."""
-
-
-def of_designs(numbers: _Numbers, n_designs: int = 1) -> _Numbers:
-    """Put numbers, or what has shape (design,), into arrays of shape (design, 1, 1)."""
-    columns: list[NDArray[Any]] = []
-    for value in numbers:
-        own = np.asarray(value)
-        column = np.empty((n_designs, 1, 1), dtype=own.dtype if own.dtype == np.float64 else np.object_)
-        column[:, 0, 0] = own
-        columns.append(column)
-    return type(numbers)(*columns)

@@ -8,7 +8,7 @@ from cranktrain.language import N_
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.motion import ZERO, Array
-from cranktrain.numerics.nested import by_design
+from cranktrain.numerics.designs import by_design
 from cranktrain.record import record
 
 
@@ -22,6 +22,7 @@ class AxialPlaces:
     """
 
     needs: ClassVar[str] = N_("[shaft.main] spacing")
+    reads: ClassVar[tuple[str, ...]] = ("[bank.NAME]", "[shaft.NAME]")
 
     value: Array
     throw: Array

@@ -1,5 +1,7 @@
 """The grid of crank angles over a cycle, and the orders of what repeats with it."""
 
+from typing import ClassVar
+
 import numpy as np
 
 from cranktrain.motion import Array
@@ -26,6 +28,8 @@ class CrankAngle:
     cycle : float
         2π, or 4π for a four-stroke. [rad]
     """
+
+    reads: ClassVar[tuple[str, ...]] = ("crank_zero", "angle", "[cylinder]")
 
     shown: Array
     zero: Array

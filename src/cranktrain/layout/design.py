@@ -12,7 +12,7 @@ from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import ShaftSpec
 from cranktrain.motion import Array
-from cranktrain.numerics.nested import by_design
+from cranktrain.numerics.designs import by_design
 from cranktrain.record import record
 
 Table = TypeVar("Table")

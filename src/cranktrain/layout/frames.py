@@ -1,15 +1,15 @@
 """Frames: a mechanism's own axes as they lie in the machine's, X right and Y up, seen from the free end."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
+from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.harmonics import ComplexArray, phasor
-from cranktrain.numerics.nested import by_design
 from cranktrain.record import record
 
 
@@ -93,6 +93,8 @@ class Frames:
     clockwise : bool
         Whether `main` runs clockwise as seen from the free end.
     """
+
+    reads: ClassVar[tuple[str, ...]] = ("angle", "[bank.NAME]")
 
     direction: Array
     sense: Array

@@ -19,7 +19,8 @@ from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off
 from cranktrain.linkage.vectors import Vector, rotated
 from cranktrain.mechanisms.kind import AnyGeometry
 from cranktrain.motion import ONE, ZERO, Array, Link
-from cranktrain.numerics.nested import by_design, mapped
+from cranktrain.numerics.designs import by_design
+from cranktrain.numerics.nested import mapped
 from cranktrain.quantities import Dimension, Given, nearest, unit_of
 from cranktrain.record import record
 from cranktrain.wording import precise
@@ -109,6 +110,7 @@ class Loads:
     """Loads of a machine, on whatever they act; zero, shape (design, 1, 1), is φ where the shown angle is 0. [rad]"""
 
     needs: ClassVar[str] = N_("[load.NAME]")
+    reads: ClassVar[tuple[str, ...]] = ("crank_zero", "angle")
 
     each: tuple[LinkLoad, ...]
     zero: Array

@@ -14,8 +14,8 @@ from cranktrain.layout.guide_tables import Edges, bearing_moments, edges_of
 from cranktrain.layout.part_tables import PISTON, SLIDER, nearest_item, part_name, table_paths, unknown_parts
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces import Body, Gravity
-from cranktrain.mechanisms.geometry import stacked
 from cranktrain.motion import ZERO, Array
+from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.nested import mapped
 from cranktrain.quantities import Given
 from cranktrain.record import record
@@ -60,6 +60,7 @@ class Masses:
     """
 
     needs: ClassVar[str] = N_("[masses]")
+    reads: ClassVar[tuple[str, ...]] = ("[mechanism]", "[friction]", "[guide]", "[gravity]", "angle", "[bank.NAME]")
 
     batches: tuple[MechanismMasses, ...]
     are_given: bool
@@ -219,7 +220,7 @@ def _kind_masses(
     number = {key: i for i, key in enumerate(one_of)}
     origin = np.array([number[key] for key in said], dtype=np.intp)
     own = [_place_masses(place, given, cranks.get(place.name)) for place in one_of.values()]
-    return mapped(lambda _name, values: values[:, origin], stacked(own, n_designs))
+    return mapped(lambda _name, values: values[:, origin], by_design(own, n_designs))
 
 
 def _said_of(place: PlacedMechanism, given: Weighed, cranks: Mapping[str, BodySpec | None]) -> object:

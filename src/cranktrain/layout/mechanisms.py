@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage import in_blocks
-from cranktrain.mechanisms.geometry import rows, stacked
+from cranktrain.mechanisms.geometry import rows
 from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, AnyMotion, Members
 from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array
-from cranktrain.numerics.nested import by_design, side_by_side
+from cranktrain.numerics.designs import by_design
+from cranktrain.numerics.nested import side_by_side
 from cranktrain.record import record
 
 Outcome = TypeVar("Outcome", bound=tuple[object, ...])
@@ -43,6 +44,7 @@ class Mechanisms:
     """
 
     dimension: ClassVar[str] = "mechanism"
+    reads: ClassVar[tuple[str, ...]] = ("[mechanism]", "[bank.NAME]", "[shaft.NAME]")
     names: tuple[str, ...]
     banks: tuple[str, ...]
     batches: tuple[Batch, ...]
@@ -128,7 +130,7 @@ def mechanisms_of(result: type[MechanismsLike], places: Sequence[PlacedMechanism
         index = [i for i, place in enumerate(places) if place.kind == chosen]
         members = chosen.members(
             names=tuple(places[i].name for i in index),
-            geometry=stacked([places[i].geometry for i in index], n_designs),
+            geometry=by_design([places[i].geometry for i in index], n_designs),
             phase=by_design([places[i].phase for i in index], n_designs)[..., np.newaxis],
         )
         batches.append(Batch(chosen, np.array(index, dtype=np.intp), members))

@@ -19,7 +19,7 @@ from cranktrain.layout.speed_table import tabled_speed
 from cranktrain.layout.throws import shaft_centres_of, throws_of
 from cranktrain.layout.wish.declared import WantedMotions, wanted_speed, wish_parts
 from cranktrain.mechanisms import KINDS
-from cranktrain.numerics.nested import by_design
+from cranktrain.numerics.designs import by_design
 
 _OF_MECHANISMS = "mechanism"
 

@@ -1,12 +1,17 @@
 """What a question is made of: the tables that it reads, what it makes of them, and how its results are told."""
 
+import inspect
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, fields
 from functools import cache, cached_property
 from types import NoneType
-from typing import Any, NamedTuple, TypeAlias, get_args, get_type_hints
+from typing import Any, NamedTuple, TypeAlias, get_args, get_origin, get_type_hints
 
+from cranktrain.catalogue import entries
+from cranktrain.checks import StageResult
 from cranktrain.errors import Problem
+from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.record import record
 from cranktrain.rows import AnswerLine
@@ -46,6 +51,23 @@ def needs_of(function: Callable[..., Any]) -> Needs:
     return Needs({name: choices[name][0] if name in optional else hint for name, hint in hints.items()}, optional)
 
 
+RESULT, CALCULATOR, HAND_OVER = N_("result"), N_("calculator"), N_("hand-over")
+"""What a stage gives: what people read; what later stages ask, as functions; or what they go on from, as arrays."""
+
+
+def _can_be_asked(outcome: type) -> bool:
+    """Whether it has functions that take something, among its fields or its methods."""
+    if any(get_origin(hint) is Callable for hint in get_type_hints(outcome).values()):
+        return True
+    methods = (method for name, method in inspect.getmembers(outcome, inspect.isfunction) if not name.startswith("_"))
+    return any(set(inspect.signature(method).parameters).difference(("self", *_NO_NEEDS)) for method in methods)
+
+
+def tables_of(part: type) -> tuple[str, ...]:
+    """Tables of the machine file of which a part is made: of what it `needs`, and what it says that it `reads`."""
+    return tuple(dict.fromkeys((*re.findall(r"\[[^]]+\]", getattr(part, "needs", "")), *getattr(part, "reads", ()))))
+
+
 Applies: TypeAlias = bool | str | tuple[str, ...]
 """Whether a step is for a machine, or what the file would have to say."""
 
@@ -74,6 +96,14 @@ class Stage:
     def gives(self) -> type:
         """Type of the result."""
         return self.function if isinstance(self.function, type) else get_type_hints(self.function)["return"]
+
+    @cached_property
+    def word(self) -> str:
+        """Whether it gives a result, with quantities or with checks and flags alone; a calculator; or a hand-over."""
+        own = {held.name for held in fields(self.gives)}.difference(held.name for held in fields(StageResult))
+        if entries(self.gives) or not own:
+            return RESULT
+        return CALCULATOR if _can_be_asked(self.gives) else HAND_OVER
 
     @property
     def needs(self) -> Mapping[str, type]:

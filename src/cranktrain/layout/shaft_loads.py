@@ -13,7 +13,7 @@ from cranktrain.layout.load_laws import ByAngle, Law, LoadState
 from cranktrain.layout.load_tables import LoadSpec, LoadTables
 from cranktrain.layout.loads import LOAD, is_on_shaft, law_of
 from cranktrain.motion import ZERO, Array
-from cranktrain.numerics.nested import by_design
+from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.polyline import polyline_mean
 from cranktrain.record import record
 

@@ -1,6 +1,7 @@
 """Shafts: which mechanism works on which throw of which shaft, and the journals between the throws."""
 
 from collections.abc import Mapping, Sequence
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,8 @@ class Shafts:
     shaft, throw : array of int, shape (mechanism,)
         On which shaft each mechanism works, and on which throw of it, from 0.
     """
+
+    reads: ClassVar[tuple[str, ...]] = ("[shaft.NAME]",)
 
     names: tuple[str, ...]
     n_throws: tuple[int, ...]

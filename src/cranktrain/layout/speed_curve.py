@@ -1,5 +1,7 @@
 """Speed of the main shaft that varies: over the cycle, found by the machine's own evenness or given, or at a moment."""
 
+from typing import ClassVar
+
 import numpy as np
 
 from cranktrain.language import _
@@ -29,6 +31,8 @@ class SpeedCurve:
     corners : Array, shape (design, corner), or None
         φ at which the angular acceleration jumps, over the cycle; NaN for none. [rad]
     """
+
+    reads: ClassVar[tuple[str, ...]] = ("[shaft.main]",)
 
     square: PeriodicCurve
     zero: Array

@@ -12,7 +12,7 @@ from cranktrain.layout.cycle_table import CycleFileSpec, Words, given_curve
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.motion import Array
 from cranktrain.numerics.knotted import knotted_curve, spline_through
-from cranktrain.numerics.periodic import PeriodicCurve, side_by_side
+from cranktrain.numerics.periodic import PeriodicCurve, curves_by_design
 from cranktrain.numerics.polyline import Polyline
 from cranktrain.quantities import Dimension
 
@@ -91,7 +91,7 @@ def tabled_speed(specs: Sequence[SpeedCurveSpec], n_points: int, cycle: float, *
         allowed = _("goes on over two turns, and the cycle of this machine is one")
         raise InputError([Problem("shaft.main.speed_curve.file", None, allowed)])
     squares = [_square(speeds, n_points, cycle) for speeds in files]
-    together = side_by_side(squares)
+    together = curves_by_design(squares)
     square = together._replace(samples=np.stack([one.samples for one in squares]))
     mean = np.array([_mean_over_time(speeds, one) for speeds, one in zip(files, squares, strict=True)])
     return SpeedCurve(square, zero, mean[:, np.newaxis, np.newaxis], is_steady_running=False)

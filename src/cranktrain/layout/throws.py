@@ -10,9 +10,9 @@ from cranktrain.language import N_
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.layout.standing import shaft_centres
+from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.gathering import gathered
 from cranktrain.numerics.harmonics import ComplexArray
-from cranktrain.numerics.nested import by_design
 from cranktrain.record import record
 
 
@@ -31,6 +31,8 @@ class Throws:
     first : array of int, shape (throw,)
         The first mechanism on each.
     """
+
+    reads: ClassVar[tuple[str, ...]] = ("[shaft.NAME]",)
 
     names: tuple[str, ...]
     shafts: tuple[str, ...]

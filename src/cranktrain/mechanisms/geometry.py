@@ -1,6 +1,6 @@
-"""Geometry of mechanisms of one kind: put into one, mirrored, some of it taken, a length of it changed."""
+"""Geometry of mechanisms of one kind: mirrored, some of it taken, a length of it changed."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from functools import cache, reduce
 from typing import TypeVar, cast, get_type_hints
 
@@ -8,10 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array, Handed
-from cranktrain.numerics.nested import by_design, filled, leaves, mapped
+from cranktrain.numerics.nested import mapped
 
 Geometry = TypeVar("Geometry", bound=tuple[object, ...])
-Found = TypeVar("Found", bound=tuple[object, ...])
 
 
 def mirrored(geometry: Geometry) -> Geometry:
@@ -34,32 +33,6 @@ def handed_fields(kind: type[tuple[object, ...]]) -> frozenset[str]:
     """Names of the fields of a geometry that are `Handed`."""
     hints = get_type_hints(kind, include_extras=True)
     return frozenset(name for name, hint in hints.items() if hint == Handed)
-
-
-def stacked(members: Sequence[Geometry], n_designs: int = 1) -> Geometry:
-    """Stack geometries of numbers, or of arrays of shape (design,), into one of arrays, shape (design, member, 1)."""
-    columns = zip(*map(leaves, members), strict=True)
-    return filled(members[0], (by_design(column, n_designs)[..., np.newaxis] for column in columns))
-
-
-def over_designs(find: Callable[[Geometry], Found], numbers: Geometry) -> Found:
-    """Find numbers of each design by itself, where what finds them takes one design.
-
-    Parameters
-    ----------
-    find : callable (numbers) → NamedTuple of numbers
-    numbers : NamedTuple of numbers or arrays of shape (design,)
-
-    Returns
-    -------
-    NamedTuple of numbers, or of arrays of shape (design,) where any was one
-    """
-    shape = np.broadcast_shapes(*(np.shape(leaf) for leaf in leaves(numbers)))
-    if not shape:
-        return find(numbers)
-    columns = [np.broadcast_to(leaf, shape) for leaf in leaves(numbers)]
-    each = [find(filled(numbers, iter(own))) for own in zip(*columns, strict=True)]
-    return filled(each[0], iter(np.array([leaves(one) for one in each], dtype=float).T))
 
 
 def named_part(geometry: tuple[object, ...], name: str) -> Array:

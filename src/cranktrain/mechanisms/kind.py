@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
+from typing import Any, ClassVar, Generic, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +33,8 @@ class Members(Generic[Geometry]):
     phase : Array, shape (design, member, 1)
         Angle of the mechanism's crank when the machine's crank angle φ is 0. [rad]
     """
+
+    reads: ClassVar[tuple[str, ...]] = ("[mechanism]", "[bank.NAME]", "[shaft.NAME]")
 
     names: tuple[str, ...]
     geometry: Geometry

@@ -1,12 +1,9 @@
-"""What several have, gathered where it acts, as that of the cylinders on each throw; or put in its place among all."""
+"""What several have, gathered where it acts, as that of the cylinders on each throw."""
 
-from collections.abc import Iterable
 from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-
-from cranktrain.motion import Array
 
 Number = TypeVar("Number", np.float64, np.complex128)
 
@@ -38,9 +35,3 @@ def gathered(values: NDArray[Number], place: NDArray[np.intp], n_places: int) ->
     for one, there in enumerate(place.tolist()):
         found[..., there, :] += values[..., one, :]
     return found
-
-
-def put(of_all: Iterable[Array], place: NDArray[np.intp], values: Iterable[Array]) -> None:
-    """Put curves of some, each of shape (design, one, ...), at their places in those of all, which are changed."""
-    for whole, part in zip(of_all, values, strict=True):
-        whole[:, place] = part

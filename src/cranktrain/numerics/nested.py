@@ -54,32 +54,18 @@ def leaves(parts: tuple[object, ...]) -> list[Array]:
     return found
 
 
-def by_design(numbers: Sequence[Array | float], n_designs: int) -> Array:
-    """Put numbers of members into one array.
-
-    Parameters
-    ----------
-    numbers : sequence
-        Of each member one number, or an array of shape (design,).
-    n_designs : int
-
-    Returns
-    -------
-    Array, shape (design, member)
-    """
-    found = np.empty((n_designs, len(numbers)))
-    for member, number in enumerate(numbers):
-        found[:, member] = number
-    return found
-
-
 def side_by_side(found: Sequence[tuple[NDArray[np.intp], Nested]], shape: tuple[int, ...]) -> Nested:
     """Join nested tuples of arrays, each at its places along the axis after the design's, to arrays of that shape."""
     columns = [np.empty(shape) for _leaf in leaves(found[0][1])]
     for places, parts in found:
-        for column, values in zip(columns, leaves(parts), strict=True):
-            column[:, places] = values
+        put(columns, places, leaves(parts))
     return filled(found[0][1], iter(columns))
+
+
+def put(of_all: Iterable[Array], place: NDArray[np.intp], values: Iterable[Array]) -> None:
+    """Put curves of some, each of shape (design, one, ...), at their places in those of all, which are changed."""
+    for whole, part in zip(of_all, values, strict=True):
+        whole[:, place] = part
 
 
 def filled(parts: Nested, arrays: Iterator[Array]) -> Nested:

@@ -190,8 +190,8 @@ def times(one: PeriodicCurve, factor: Array) -> PeriodicCurve:
     return PeriodicCurve(one.cycle, by * one.samples, motion)
 
 
-def side_by_side(curves: Sequence[PeriodicCurve]) -> PeriodicCurve:
-    """Curves of samples (n,) as one of samples (curve, n), at angles (k,) or (..., curve, k); one alone as it is."""
+def curves_by_design(curves: Sequence[PeriodicCurve]) -> PeriodicCurve:
+    """Curves of designs, samples (n,), as one of samples (design, n), at angles (k,) or (..., design, k)."""
     if len(curves) == 1:
         return curves[0]
 

@@ -13,7 +13,8 @@ from cranktrain.mechanisms.chain.kinematics import chain_made, triad_branch
 from cranktrain.mechanisms.chain.triads import triad_at, triad_ends, triad_legs
 from cranktrain.mechanisms.chain.walks import start_at
 from cranktrain.mechanisms.closing import Way, changed, closing_margin
-from cranktrain.mechanisms.geometry import rows, stacked
+from cranktrain.mechanisms.geometry import rows
+from cranktrain.numerics.designs import by_design
 
 N_DESIGNS = 6
 N_STEPS = 50
@@ -43,7 +44,7 @@ def drawn(example, seed):
     """The valve gear of an example with all its lengths changed at random."""
     place = next(place for place in read_machine(example, ()).machine.places if place.kind.openings is not None)
     random = np.random.default_rng(seed)
-    geometry = rows(stacked([place.geometry]), np.zeros(N_DESIGNS, dtype=int))
+    geometry = rows(by_design([place.geometry], 1), np.zeros(N_DESIGNS, dtype=int))
     for name in place.kind.lengths:
         geometry = scaled(geometry, name, random.uniform(0.9, 1.1, (N_DESIGNS, 1)))
     return place.kind, geometry

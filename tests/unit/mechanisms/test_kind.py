@@ -6,8 +6,9 @@ from tests.machines import as_columns, scaled
 
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.crank_rocker import CrankRocker
-from cranktrain.mechanisms.geometry import mirrored, named_part, rows, stacked
+from cranktrain.mechanisms.geometry import mirrored, named_part, rows
 from cranktrain.mechanisms.slider_crank import SliderCrank
+from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.nested import leaves
 
 ROD = ArticulatedRod(SliderCrank(1.0, 2.0, 3.0), 4.0, 5.0, 6.0, 7.0, 8.0)
@@ -19,8 +20,8 @@ def test_mirrored_changes_what_counts_in_the_sense_of_rotation():
     assert mirrored(mirrored(ROD)) == ROD
 
 
-def test_stacked_puts_designs_first():
-    found = stacked([ROD, as_columns(mirrored(ROD), ROD, ROD)], 3)
+def test_geometries_are_put_together_with_designs_first():
+    found = by_design([ROD, as_columns(mirrored(ROD), ROD, ROD)], 3)
     assert found.master.offset.shape == (3, 2, 1)
     assert found.master.offset[..., 0].tolist() == [[3, -3], [3, 3], [3, 3]]
     assert found.bank_angle[0, :, 0].tolist() == [6, -6]
@@ -34,7 +35,7 @@ def test_named_parts():
 
 
 def test_leaves_and_rows():
-    found = stacked([ROD, as_columns(mirrored(ROD), ROD)], 2)
+    found = by_design([ROD, as_columns(mirrored(ROD), ROD)], 2)
     assert [leaf[0, 0, 0] for leaf in leaves(found)] == [1, 2, 3, 4, 5, 6, 7, 8]
     some = rows(found, np.array([1, 2]))
     assert some.master.offset.tolist() == [[-3.0], [3.0]]

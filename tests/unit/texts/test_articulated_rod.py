@@ -4,8 +4,8 @@ import pytest
 from tests.machines import as_columns
 
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
-from cranktrain.mechanisms.geometry import stacked
 from cranktrain.mechanisms.slider_crank import SliderCrank
+from cranktrain.numerics.designs import by_design
 from cranktrain.texts import articulated_rod, steam_engine
 from cranktrain.texts.articulated_rod import SlaveHarmonics
 
@@ -117,7 +117,7 @@ def test_own_top_is_the_curves_highest_point_for_every_phase(ratio):
 
 
 def test_designs_broadcast():
-    rods = stacked([as_columns(V2, WIDE)], 2)
+    rods = by_design([as_columns(V2, WIDE)], 2)
     harmonics = articulated_rod.derived(rods)
     together = articulated_rod.slave_displacement(
         ANGLES, rods, harmonics, articulated_rod.own_top_distance(rods, harmonics)

@@ -104,6 +104,8 @@ def _of_words(metavar: str, begun: str) -> Iterator[str]:
         folder, slash, name = begun.rpartition("/")
         found = Path(folder + slash or ".").glob("*.toml") if not name.startswith(".") else ()
         yield from sorted(f"{folder}{slash}{path.name}" for path in found)
+    elif metavar == "RESULT":
+        yield from results()
     elif metavar == "KIND":
         yield from words("kinds")
     elif "|" in metavar:

@@ -22,7 +22,7 @@ from cranktrain.layout.wish.tables import MotionPieceSpec, WantedMotionSpec
 from cranktrain.layout.wish.wanted import Piece, WantedMotion, from_pieces, through_positions
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.numerics.periodic import PeriodicCurve, cycle_grid, side_by_side
+from cranktrain.numerics.periodic import PeriodicCurve, curves_by_design, cycle_grid
 from cranktrain.record import record
 
 PATH = f"shaft.{MAIN}.motion"
@@ -50,6 +50,8 @@ class WantedMotions:
 @record
 class RockingMotions:
     """Wanted motions whose crank swings between two angles, of every design; unit as of `WantedMotions`."""
+
+    reads: ClassVar[tuple[str, ...]] = ("[shaft.main.motion]",)
 
     each: tuple[Rocking, ...]
     unit: str
@@ -105,7 +107,7 @@ def wanted_speed(wanted: WantedMotions, n_points: int, cycle: float, *, zero: Ar
     squares = [
         _square(made, n_points, cycle, float(start[0, 0])) for made, start in zip(wanted.each, zeros, strict=True)
     ]
-    together = side_by_side(squares)
+    together = curves_by_design(squares)
     square = together._replace(samples=np.stack([one.samples for one in squares]))
     mean = np.array([TURN / made.wanted.period for made in wanted.each])
     own = [corners(made) for made in wanted.each]

@@ -49,9 +49,9 @@ from cranktrain.mechanisms.chain.steps import (
     YokeStep,
 )
 from cranktrain.mechanisms.chain.triads import triad_at
-from cranktrain.mechanisms.geometry import over_designs
 from cranktrain.mechanisms.spec import Master
 from cranktrain.motion import ZERO, Array, single
+from cranktrain.numerics.designs import over_designs
 from cranktrain.quantities import Given
 from cranktrain.wording import precise
 

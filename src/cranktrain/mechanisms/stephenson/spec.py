@@ -10,11 +10,11 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.steps import NO_START, Coordinates, Structure
 from cranktrain.mechanisms.chain.triads import triad_at
-from cranktrain.mechanisms.geometry import over_designs
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.stephenson.kinematics import CURVED, STRAIGHT, Stephenson, stephenson_size
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
 from cranktrain.motion import Array, single
+from cranktrain.numerics.designs import over_designs
 from cranktrain.quantities import Angle, Given, Length, PositiveLength, TurnedAngle
 
 

@@ -9,10 +9,10 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.steps import NO_START, Coordinates
 from cranktrain.mechanisms.chain.triads import triad_at
-from cranktrain.mechanisms.geometry import over_designs
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
 from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Walschaerts, upright, walschaerts_size
+from cranktrain.numerics.designs import over_designs
 from cranktrain.quantities import Angle, Given, Length, PositiveLength
 
 

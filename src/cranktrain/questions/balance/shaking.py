@@ -126,7 +126,7 @@ def shaking_forces(
     speed: Speed,
     weights: BalanceWeights | None,
 ) -> ShakingForces:
-    """Sum the forces of all mechanisms, and of the balance weights."""
+    """Sum the forces of all mechanisms, and of the balance weights; docs/theory/balance, eqs. (16.5) and (16.7)."""
     balanced = None if weights is None else Balanced(weights.weights, np.ones_like(weights.weights.moment))
     arm = np.ones(frame.force.shape[:2])
     return shaken(ShakingForces, frame, running, frames, crank_angle, speed, arm=arm, balanced=balanced)
@@ -141,7 +141,12 @@ def shaking_couples(
     axial: AxialPlaces,
     weights: BalanceWeights | None,
 ) -> ShakingCouples:
-    """Sum the first moments of the forces of all mechanisms about the mid-plane, and of the balance weights."""
+    """Sum the first moments of the forces of all mechanisms about the mid-plane, and of the balance weights.
+
+    Notes
+    -----
+    docs/theory/balance, eqs. (16.5) and (16.7).
+    """
     middle = axial.mid_plane[:, np.newaxis]
     balanced = None if weights is None else Balanced(weights.weights, weights.weights.position - middle)
     arm = axial.value - middle

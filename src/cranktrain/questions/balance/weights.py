@@ -75,6 +75,7 @@ class DeclaredBalance:
     """
 
     needs: ClassVar[str] = N_("[balance]")
+    reads: ClassVar[tuple[str, ...]] = ("[shaft.main]",)
 
     given: GivenWeights
     counterweights: Counterweights | None
@@ -207,7 +208,12 @@ def balance_weights(
     axial: AxialPlaces | None,
     centres: ShaftCentres | None,
 ) -> BalanceWeights:
-    """Place the weights that are given, then counterweights, then shafts against what all these leave."""
+    """Place the weights that are given, then counterweights, then shafts against what all these leave.
+
+    Notes
+    -----
+    docs/theory/balance, eqs. (16.7), (16.11), (16.12) and (16.17).
+    """
     n_designs, n_mechanisms = frame.force.shape[:2]
     position = np.full((n_designs, n_mechanisms), np.nan) if axial is None else axial.value
     middle = np.zeros(n_designs) if axial is None else axial.mid_plane

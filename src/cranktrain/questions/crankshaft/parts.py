@@ -111,6 +111,7 @@ class DeclaredCrankshafts:
     """The crankshafts of the file, one for each shaft of which it says so."""
 
     needs: ClassVar[str] = N_("[crankshaft]")
+    reads: ClassVar[tuple[str, ...]] = ("[shaft.main]",)
 
     each: tuple[DeclaredCrankshaft, ...]
 

@@ -101,7 +101,7 @@ def shaft_layouts(
     carriers: Carriers,
     crank_angle: CrankAngle,
 ) -> ShaftLayouts:
-    """Lay all crankshafts out."""
+    """Lay all crankshafts out; docs/theory/crankshaft, eqs. (24.21) to (24.25)."""
     pins = pins_at(mechanisms, frames, crank_angle.angle[..., :1])[..., 0]
     turn = -1.0 if frames.clockwise else 1.0
     layouts: list[ShaftLayout] = []

@@ -14,6 +14,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero
+from cranktrain.numerics.designs import by_design
 from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel
 from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
 from cranktrain.record import record
@@ -53,6 +54,7 @@ class FiringOrder:
     """
 
     needs: ClassVar[str] = N_("[cylinder] firing_order or firing_angles")
+    reads: ClassVar[tuple[str, ...]] = ("[shaft.main]",)
 
     order: NDArray[np.intp]
     numbers: tuple[str, ...] = ()
@@ -71,7 +73,7 @@ def common_order(found: FiringOrder | None, n_designs: int) -> FiringOrder | Non
         return found
     if np.any(np.argsort(found.angles, axis=-1, kind="stable") != found.order):
         raise InputError([Problem("cylinder.firing_angles", None, _("must make the same order in all designs"))])
-    return replace(found, angles=np.broadcast_to(found.angles, (n_designs, found.order.size)))
+    return replace(found, angles=by_design(list(found.angles.T), n_designs))
 
 
 @record

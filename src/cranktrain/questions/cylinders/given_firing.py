@@ -9,6 +9,7 @@ from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
+from cranktrain.numerics.designs import by_design
 from cranktrain.quantities import Given
 from cranktrain.questions.cylinders.firing import FiringOrder, within_turn
 from cranktrain.questions.cylinders.spec import CylindersSpec
@@ -47,8 +48,9 @@ def given_firing(
     if problems:
         return None, problems
     sense = -1.0 if astern else 1.0
-    asked = _side_by_side([sense * angle.array + zero for _key, angle in given])
-    tops = _side_by_side([place.nominal_top for place in leading])
+    fires = [sense * angle.array + zero for _key, angle in given]
+    tops_of = [place.nominal_top for place in leading]
+    asked, tops = (by_design(each, max(map(np.size, (*fires, *tops_of)))) for each in (fires, tops_of))
     turns = np.rint((asked - tops) / (2 * np.pi))
     angles = within_turn(tops + 2 * np.pi * turns, cycle)
     off = np.abs(asked - tops - 2 * np.pi * turns) > _WRITTEN
@@ -70,11 +72,6 @@ def given_firing(
     order: NDArray[np.intp] = np.argsort(angles[0], kind="stable")
     in_order: list[str] = [names[i] for i in order.tolist()]
     return FiringOrder(order, common.makers_numbers(in_order), angles), ()
-
-
-def _side_by_side(numbers: Sequence[Array]) -> Array:
-    """Angles of cylinders, shape (design, cylinder); of one design if all are one number."""
-    return np.atleast_2d(np.stack(np.broadcast_arrays(*numbers), axis=-1))
 
 
 def _by_cylinder(common: CylindersSpec, names: Sequence[str]) -> tuple[list[tuple[str, Given]], tuple[Problem, ...]]:

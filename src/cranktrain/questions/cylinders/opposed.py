@@ -102,7 +102,7 @@ def volumetric_dead_centres(
     travel: CylinderTravel,
     crank_angle: CrankAngle,
 ) -> VolumetricDeadCentres:
-    """Volumetric dead centres of every cylinder."""
+    """Volumetric dead centres of every cylinder; docs/theory/opposed-pistons, eqs. (18.1) and (18.2)."""
     # A piston with side rods stands innermost where it is nearest to its shaft.
     innermost = pistons.nominal_top[:, cylinders.index, 0] + np.where(cylinders.signs < 0, np.pi, 0.0)
     strokes = dead_centres.stroke[:, cylinders.index] * np.abs(cylinders.signs)

@@ -9,7 +9,7 @@ from cranktrain.errors import Problem
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts
 from cranktrain.motion import Array
-from cranktrain.numerics.nested import by_design
+from cranktrain.numerics.designs import by_design
 from cranktrain.questions.cylinders.declared import Cylinder, cylinder_problems, cylinders_of
 from cranktrain.questions.cylinders.firing import Cycle, FiringOrder, common_order
 from cranktrain.questions.cylinders.firing_order import firing_order_of

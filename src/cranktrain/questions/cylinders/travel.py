@@ -1,5 +1,7 @@
 """Travel in a cylinder: how its piston, or both of its opposed pistons together, make its room smaller and larger."""
 
+from typing import ClassVar
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -23,6 +25,8 @@ class CylinderPistons:
     signs : Array, shape (cylinder, 2)
         +1 where room grows as the piston moves toward its shaft, −1 of one with side rods; (1, 0) of a single piston.
     """
+
+    reads: ClassVar[tuple[str, ...]] = ("[cylinder]", "[bank.NAME]")
 
     names: tuple[str, ...]
     index: NDArray[np.intp]

@@ -15,7 +15,7 @@ from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import ONE, Array
 from cranktrain.numerics import in_windows, largest_between
-from cranktrain.numerics.periodic import PeriodicCurve, combined, side_by_side, times
+from cranktrain.numerics.periodic import PeriodicCurve, combined, curves_by_design, times
 from cranktrain.numerics.polyline import polyline_integral
 from cranktrain.questions.evenness.applied_torque import AppliedTorque
 from cranktrain.questions.evenness.shaft_balance import ShaftBalance, listed, mean_of, power_of, powers_of
@@ -171,7 +171,7 @@ def _work(scaled: Sequence[tuple[TorqueOnShaft, Array]], crank_angle: CrankAngle
     for load, factor in scaled:
         assert isinstance(load.law, ByAngle)
         each = [polyline_integral(lines, crank_angle.shown.size, crank_angle.cycle) for lines in load.law.polylines]
-        curves.append(times(side_by_side(each), -load.sense * factor))
+        curves.append(times(curves_by_design(each), -load.sense * factor))
     return reduce(lambda one, other: combined(one, ONE, other), curves) if curves else None
 
 

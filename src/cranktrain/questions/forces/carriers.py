@@ -1,6 +1,7 @@
 """Which mechanisms of a machine hang on which, and which of them drive its pistons."""
 
 from collections.abc import Sequence
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +21,8 @@ class Carriers:
     piston : array of int, shape (mechanism,)
         Which piston it drives; −1 for none.
     """
+
+    reads: ClassVar[tuple[str, ...]] = ("[bank.NAME]",)
 
     master: NDArray[np.intp]
     piston: NDArray[np.intp]

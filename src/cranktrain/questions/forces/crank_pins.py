@@ -10,7 +10,7 @@ from cranktrain.linkage import Crank, crank
 from cranktrain.linkage.forces import Gravity, Wrench, crank_link
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import Extreme
-from cranktrain.numerics.gathering import put
+from cranktrain.numerics.nested import put
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.forces.joint_forces import JointForces, joint_label
 from cranktrain.questions.forces.loaded_machine import LoadedMachine

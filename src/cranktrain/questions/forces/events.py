@@ -80,7 +80,7 @@ class _Found(NamedTuple):
 def force_events(
     loaded: LoadedMachine, solved: SolvedCycle, gas: GasEvents | None, crank_angle: CrankAngle
 ) -> ForceEvents:
-    """Collect the events of gas and friction."""
+    """Collect the events of gas and friction; docs/theory/harmonics-and-orders, eq. (15.17)."""
     n_designs = len(crank_angle.zero)
     own = {i: [_beside_rows(np.empty((n_designs, 0)))] for i in range(len(loaded.mechanisms.names))}
     if gas is not None and loaded.gas is not None:

@@ -90,7 +90,7 @@ def guide_curves(loaded: LoadedMachine, solved: SolvedCycle) -> GuideCurves:
 
 
 def guide_edges(curves: GuideCurves, peaks: ForcePeaks) -> GuideEdges:
-    """Forces of the edges, and the largest."""
+    """Forces of the edges, and the largest; docs/theory/forces, eq. (13.43)."""
     ahead, behind = curves.edges
     largest, names = peaks.of(curves), curves.names
     return GuideEdges(

@@ -68,7 +68,7 @@ def joint_curves(loaded: LoadedMachine, solved: SolvedCycle) -> JointCurves:
 
 
 def joint_forces(loaded: LoadedMachine, solved: SolvedCycle, curves: JointCurves, peaks: ForcePeaks) -> JointForces:
-    """Reactions of all joints; a master's hold what its slaves do to it."""
+    """Reactions of all joints; a master's hold what its slaves do to it, docs/theory/forces, eq. (13.3)."""
     x, y, moment = curves.reactions
     largest, names = peaks.of(curves), curves.names
     return JointForces(

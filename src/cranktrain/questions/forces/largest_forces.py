@@ -12,7 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
-from cranktrain.numerics.gathering import put
+from cranktrain.numerics.nested import put
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, one_sided, relative
 from cranktrain.questions.forces.piston_forces import FORCE_METHODS, PistonForceSet

@@ -19,7 +19,7 @@ from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Coefficient, Link
 from cranktrain.numerics import extremes, in_windows
-from cranktrain.numerics.gathering import put
+from cranktrain.numerics.nested import put
 from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
@@ -51,6 +51,10 @@ class LoadedMachine:
     gas : GasInChambers or None
     loads : Loads or None
     speed : Speed
+
+    Notes
+    -----
+    docs/theory/forces, eqs. (13.1) to (13.3).
     """
 
     mechanisms: Mechanisms

@@ -50,7 +50,12 @@ def mechanism_torques(
     on_shafts: LoadsOnShafts | None,
     crank_angle: CrankAngle,
 ) -> MechanismTorques:
-    """Torques by virtual work and by reactions, which share little, and the reduced inertia."""
+    """Torques by virtual work and by reactions, which share little, and the reduced inertia.
+
+    Notes
+    -----
+    docs/theory/forces, eqs. (13.4) to (13.7).
+    """
     by_reactions = driving_torques(loaded, solved.batches)
     shape = by_reactions.shape
     by_work = np.empty(shape)

@@ -10,7 +10,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch, Pistons
 from cranktrain.motion import Array
-from cranktrain.numerics.gathering import put
+from cranktrain.numerics.nested import put
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.piston_formulas import (

@@ -14,5 +14,5 @@ class SolvedCycle:
 
 
 def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressures | None) -> SolvedCycle:
-    """Solve the machine on its grid."""
+    """Solve the machine on its grid; docs/theory/forces, eqs. (13.1) to (13.3)."""
     return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=None if gas is None else gas.gas_force))

@@ -209,7 +209,12 @@ def gas_in_chambers(
     firing: Firing | None,
     speed: Speed | None,
 ) -> GasInChambers:
-    """Fill the chambers as the file says; a cycle of what does not fire begins at the tops."""
+    """Fill the chambers as the file says; a cycle of what does not fire begins at the tops.
+
+    Notes
+    -----
+    Which stroke and turn it is docs/theory/gas, eqs. (14.1) and (14.2) say; the pressure is each fluid's own.
+    """
     _refuse_chambers_without_room(chambers, volumes)
     of = chambers.cylinder
     tops = (

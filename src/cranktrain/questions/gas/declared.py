@@ -7,9 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import Problem
-from cranktrain.fluids import KINDS, AnyFluid, FluidSpec, fluid_of, of_designs, table_path
+from cranktrain.fluids import KINDS, AnyFluid, FluidSpec, fluid_of, table_path
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
+from cranktrain.numerics.designs import by_design
 from cranktrain.paths import quantity_path
 from cranktrain.questions.cylinders.parts import chamber_names, chamber_sides, cylinders
 from cranktrain.record import record
@@ -84,7 +85,7 @@ def declared_gas(designs: Designs) -> DeclaredGas | None:
     for path, spec in given.items():
         fluid = fluid_of(spec)
         flags = dict.fromkeys(flag for tables_of in each for flag in fluid.flags(tables_of[path]))
-        tables.append(GasTable(path, fluid, of_designs(fluid.numbers(spec), designs.n_designs), tuple(flags)))
+        tables.append(GasTable(path, fluid, by_design([fluid.numbers(spec)], designs.n_designs), tuple(flags)))
     paths = list(given)
     filled = [paths.index(path) for path in filled_by(designs.together) if path is not None]
     return DeclaredGas(tuple(tables), np.array(filled, dtype=np.intp))

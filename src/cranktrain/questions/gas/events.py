@@ -30,7 +30,7 @@ class GasEvents:
 
 
 def gas_events(gas: GasInChambers, travel: CylinderTravel) -> GasEvents:
-    """Find dead centres and kinks of all chambers."""
+    """Find dead centres and kinks of all chambers; docs/theory/forces, eq. (13.40)."""
     firing, opposite = gas.dead_centres(travel)
     turns = 2 * np.pi * np.arange(round(gas.cycle / (2 * np.pi)))
     least = _volume_at(gas, firing[:, gas.distinct, np.newaxis], gas.distinct)

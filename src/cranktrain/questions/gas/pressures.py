@@ -101,7 +101,7 @@ def gas_pressures(
     crank_angle: CrankAngle,
     motion: PistonMotion,
 ) -> GasPressures:
-    """Pressure over the cycle, its force, and, whatever the grid, its work and peak."""
+    """Pressure over the cycle, its force, and, whatever the grid, its work and peak; docs/theory/gas, eq. (14.8)."""
     phi = crank_angle.angle
     displacement = motion.piston_displacement
     volume = gas.volume_by(Coefficient(gas.tops - displacement.value, -displacement.first, -displacement.second))

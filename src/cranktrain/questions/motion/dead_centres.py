@@ -159,7 +159,7 @@ class DeadCentres(StageResult):
 def dead_centres(
     pistons: Pistons, turn: PistonTurn, crank_angle: CrankAngle, cylinders: InCylinders | None
 ) -> DeadCentres:
-    """True dead centres of every piston."""
+    """True dead centres of every piston, roots of s′; docs/theory/slider-crank, eqs. (2.6) and (2.7)."""
     different = turn.distinct
     bottom, top = (Extreme(one.angle[0], one.value[0]) for one in turn.peaks)
     stroke, position = (different.spread(one)[..., 0] for one in (top.value - bottom.value, top.value))

@@ -38,6 +38,7 @@ class Followed:
     parts: tuple[str, ...]
 
     dimension: ClassVar[str]
+    reads: ClassVar[tuple[str, ...]] = ("[mechanism]",)
 
     @property
     def labels(self) -> dict[str, tuple[str, ...]]:

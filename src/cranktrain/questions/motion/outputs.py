@@ -1,6 +1,7 @@
 """What sliders are where it is known whether they have a cylinder about them: pistons, rams, valves."""
 
 from collections.abc import Iterator, Sequence
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,8 @@ from cranktrain.wording import Names
 @record
 class InCylinders:
     """Says that the machine's sliders that can have a cylinder have one; without it there are none."""
+
+    reads: ClassVar[tuple[str, ...]] = ("[cylinder]",)
 
 
 def outputs_of(pistons: Pistons, cylinders: InCylinders | None) -> tuple[OutputPart, ...]:

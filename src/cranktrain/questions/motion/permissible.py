@@ -1,6 +1,7 @@
 """The pressure angle that a machine's rods are permitted, and by how much they exceed it."""
 
 from collections.abc import Iterator
+from typing import ClassVar
 
 import numpy as np
 
@@ -19,6 +20,8 @@ _ROUNDING = 1e-9
 @record
 class PermissibleAngles:
     """Permissible pressure angle of every piston's rod, shape (design, piston); NaN for one without a limit. [rad]"""
+
+    reads: ClassVar[tuple[str, ...]] = ("[mechanism]",)
 
     value: Array
 

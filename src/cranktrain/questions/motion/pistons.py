@@ -40,7 +40,7 @@ class PistonMotion(StageResult):
 
 
 def piston_motion(grid: PistonGrid, turn: PistonTurn, dead_centres: DeadCentres) -> PistonMotion:
-    """Displacement from the true top toward the shaft and its derivatives."""
+    """Displacement from the true top toward the shaft and its derivatives; docs/theory/slider-crank, eq. (2.5)."""
     slider = grid.value.slider
     travel = dead_centres.top_position[..., np.newaxis] - slider.value
     return PistonMotion(Coefficient(travel, -slider.first, -slider.second), checks=(_derivatives_check(turn),))
@@ -150,7 +150,7 @@ def piston_speeds(
     dead_centres: DeadCentres,
     speed: Speed,
 ) -> PistonSpeeds:
-    """Velocities q′ω and accelerations q″ω² + q′ε, and their extremes."""
+    """Velocities q′ω, accelerations q″ω² + q′ε, and their extremes; docs/theory/slider-crank, eq. (2.5)."""
     drive = speed.drive(crank_angle.angle)
     velocity, acceleration = rates(motion.piston_displacement, drive)
     if speed.curve is None:

@@ -119,7 +119,7 @@ class DeadPositions(StageResult):
 
 
 def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> DeadPositions:
-    """Extremes of every rocker's angle: roots of θ′."""
+    """Extremes of every rocker's angle, roots of θ′; docs/theory/crank-rocker, eqs. (3.5) and (3.6)."""
     least, most = turning_points(
         lambda phi: _without_jumps(rockers, turn, phi), _counted(turn.samples.value, turn.middle)
     )

@@ -9,6 +9,7 @@ from cranktrain.layout.load_laws import ByTravel
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import bracketed_roots, extremes
+from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.pumping.declared import DeclaredPumping
@@ -110,10 +111,8 @@ def pumping_unit(declared: DeclaredPumping, loaded: LoadedMachine) -> PumpingUni
     well = by_name[declared.card]
     weights = by_name.get(declared.counterbalance)
     found = extremes(partial(_place, loaded, well), partial(_rate, loaded, well))
-    n_designs = len(declared.moment)
-    bottom, top = (
-        np.array(np.broadcast_to(one.angle[:, 0, 0], (n_designs,))) for one in (found.largest, found.smallest)
-    )
+    ends = [one.angle[:, 0, 0] for one in (found.largest, found.smallest)]
+    bottom, top = by_design(ends, len(declared.moment)).T
     beside = tuple(load for load in loaded.loads.each if load is not well and load is not weights)
     return PumpingUnit(loaded, well, weights, beside, bottom, top)
 

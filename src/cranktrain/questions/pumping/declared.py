@@ -36,6 +36,7 @@ class DeclaredPumping:
     """
 
     needs: ClassVar[str] = N_("[pumping]")
+    reads: ClassVar[tuple[str, ...]] = ("[load.NAME]",)
 
     card: str
     counterbalance: str

@@ -14,7 +14,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.design import Design
 from cranktrain.layout.specs import MAIN
 from cranktrain.motion import ONE, ZERO, Array
-from cranktrain.numerics.nested import by_design
+from cranktrain.numerics.designs import by_design
 from cranktrain.questions.crankshaft.bending.throw_stiffness import THROW_METHODS
 from cranktrain.questions.crankshaft.shaft_line import line_pins, table_of
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec

@@ -69,7 +69,7 @@ class CyclePoints:
 
 
 def cycle_points(loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle) -> CyclePoints:
-    """Solve the machine between its events."""
+    """Solve the machine between its events; docs/theory/harmonics-and-orders, eq. (15.17)."""
     breaks = events.whole - crank_angle.zero[:, 0]
     cuts = tuple(subintervals(of_design, _WIDEST, crank_angle.cycle, _MORE) for of_design in breaks)
     angle, weight = points_together(breaks, _WIDEST, crank_angle.cycle, _MORE)

@@ -8,7 +8,7 @@ from cranktrain.language import N_
 from cranktrain.linkage import Crank
 from cranktrain.linkage.forces import crank_link
 from cranktrain.motion import Array
-from cranktrain.numerics.gathering import put
+from cranktrain.numerics.nested import put
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.pin_load import PinLoad, RodBearingLoad, pin_load, rod_bearing_load
 from cranktrain.questions.wear.cycle_points import CyclePoints

@@ -1,14 +1,13 @@
 """Designs whose loads and webs lie between the same bearings, and whose bearings give alike, go together."""
 
 from collections.abc import Iterator
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.grouping import grouped
 from cranktrain.motion import Array
-from cranktrain.numerics.nested import Nested, mapped
 from cranktrain.questions.crankshaft.bending.cut_shaft import spans_of
 from cranktrain.questions.crankshaft.metal.shaft import Crankshaft
 
@@ -42,12 +41,3 @@ def designs_alike(shaft: Crankshaft, z: Array) -> Iterator[tuple[NDArray[np.intp
     for designs in grouped((key, design) for design, key in enumerate(keys)).values():
         first = designs[0]
         yield np.array(designs), Alike(by_load[first], by_web[first], bool(isotropic[first]))
-
-
-def of_designs(parts: Nested, designs: NDArray[np.intp]) -> Nested:
-    """Take arrays of some designs; whole numbers and truths are of all."""
-
-    def taken(_name: str, value: Array) -> Array:
-        return value[designs] if isinstance(cast(object, value), np.ndarray) and value.dtype.kind == "f" else value
-
-    return mapped(taken, parts)

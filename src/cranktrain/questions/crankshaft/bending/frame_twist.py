@@ -4,8 +4,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.designs import of_designs
 from cranktrain.questions.crankshaft.bending.bent_spans import Bent, crank_line, web_line
-from cranktrain.questions.crankshaft.bending.designs_alike import Alike, designs_alike, of_designs
+from cranktrain.questions.crankshaft.bending.designs_alike import Alike, designs_alike
 from cranktrain.questions.crankshaft.bending.frame_spans import bent_spans
 from cranktrain.questions.crankshaft.bending.shaft_loads import ActingPlaces
 from cranktrain.questions.crankshaft.metal.shaft import Crankshaft

@@ -7,9 +7,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.numerics.designs import of_designs
 from cranktrain.questions.crankshaft.bending.blocks import turned_by
 from cranktrain.questions.crankshaft.bending.cut_shaft import CutShaft, cut_shaft
-from cranktrain.questions.crankshaft.bending.designs_alike import Alike, designs_alike, of_designs
+from cranktrain.questions.crankshaft.bending.designs_alike import Alike, designs_alike
 from cranktrain.questions.crankshaft.bending.frame_spans import BentSpans, bent_spans, frame_spans
 from cranktrain.questions.crankshaft.bending.shaft_loads import ActingPlaces, AxisLoads, ShaftLoads, on_axis
 from cranktrain.questions.crankshaft.bending.straight_spans import straight_spans

@@ -1,7 +1,5 @@
 """The crankshafts of a machine, laid out, with all that acts on them at its place."""
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from cranktrain.layout.axial import AxialPlaces
@@ -11,6 +9,7 @@ from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.shafts import Shafts
 from cranktrain.layout.throws import ShaftCentres
 from cranktrain.motion import Array
+from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.balance.rotating_weights import RotatingWeights
 from cranktrain.questions.balance.weights import BalanceWeights
@@ -39,7 +38,7 @@ def loaded_shafts(
     gears: DeclaredGears | None,
     given: LoadsOnShafts | None,
 ) -> LoadedShafts:
-    """Put what acts on the crankshafts to its places."""
+    """Put what acts on the crankshafts to its places; docs/theory/crankshaft, eqs. (24.1) to (24.3)."""
     turn = -1.0 if frames.clockwise else 1.0
     each: list[LoadedShaft] = []
     for layout in layouts.each:
@@ -100,14 +99,9 @@ class _Places:
         """All places in order."""
         n_designs = len(self.layout.declared.centres)
 
-        def columns(values: Sequence[Array]) -> Array:
-            each = [np.broadcast_to(value, n_designs) for value in values]
-            return np.stack(each, axis=1) if each else np.zeros((n_designs, 0))
-
-        radius, angle = (columns([place[part] for place in self.at]) for part in (0, 1))
-        return ActingPlaces(
-            np.array(self.pieces, dtype=np.intp), np.array(self.on_web, dtype=np.bool_), columns(self.z), radius, angle
-        )
+        radius, angle = (by_design([place[part] for place in self.at], n_designs) for part in (0, 1))
+        pieces, on_web = np.array(self.pieces, dtype=np.intp), np.array(self.on_web, dtype=np.bool_)
+        return ActingPlaces(pieces, on_web, by_design(self.z, n_designs), radius, angle)
 
     def rods(self, along: Array, shafts: Shafts) -> Shares:
         """Rods on pins, beside one another as their banks say."""
@@ -158,9 +152,7 @@ class _Places:
                     self._at_web(*web)
                 numbers.append(number)
                 parts.append(part)
-        n_designs = len(self.layout.declared.centres)
-        each = [np.broadcast_to(part, n_designs) for part in parts]
-        return Shares(np.array(numbers, dtype=np.intp), np.stack(each, axis=1) if each else np.zeros((n_designs, 0)))
+        return Shares(np.array(numbers, dtype=np.intp), by_design(parts, len(self.layout.declared.centres)))
 
     def _held(self, z: Array) -> list[tuple[tuple[int, int] | None, Array]]:
         """Which webs, by pin and side, hold a weight, and which part of it; None for a journal."""

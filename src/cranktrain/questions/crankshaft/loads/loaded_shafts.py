@@ -218,5 +218,5 @@ class LoadsOverCycle:
 
 
 def loads_over_cycle(loaded: LoadedShafts, solved: SolvedCycle, crank_angle: CrankAngle) -> LoadsOverCycle:
-    """Put what the solved machine does to its shafts to their places."""
+    """Put what the solved machine does to its shafts to their places; docs/theory/crankshaft, eqs. (24.1) to (24.3)."""
     return LoadsOverCycle(loaded.loads(crank_angle.angle, solved.batches))

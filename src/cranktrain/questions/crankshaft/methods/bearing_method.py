@@ -5,8 +5,8 @@ from collections.abc import Callable
 import numpy as np
 
 from cranktrain.language import N_
+from cranktrain.numerics.designs import of_designs
 from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads
-from cranktrain.questions.crankshaft.bending.designs_alike import of_designs
 from cranktrain.questions.crankshaft.bending.loads_in_spans import (
     LoadsInSpans,
     SpannedLoads,

@@ -34,7 +34,7 @@ class BearingsBetweenEvents:
 def bearings_between_events(
     loaded: LoadedShafts, declared: DeclaredCrankshafts, points: CyclePoints
 ) -> BearingsBetweenEvents:
-    """Loads of all main bearings by all methods that the file has numbers for."""
+    """Loads of all main bearings by all methods that the file has numbers for; docs/theory/crankshaft, eq. (24.10)."""
     acting = loaded.loads(points.angle, points.solved)
     return BearingsBetweenEvents(acting, bearing_loads_of(loaded.supports, methods_for(declared), acting))
 

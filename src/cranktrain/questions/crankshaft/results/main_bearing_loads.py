@@ -78,7 +78,7 @@ def main_bearing_loads(
 
     Notes
     -----
-    docs/theory/crankshaft.
+    docs/theory/crankshaft, eqs. (24.6) and (24.10).
     """
     methods = methods_for(declared)
     acting = over_cycle.each

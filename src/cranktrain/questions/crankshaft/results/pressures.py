@@ -109,7 +109,7 @@ def crank_pin_pressures(layouts: ShaftLayouts, loads: CrankPinLoads, wear: Crank
 
 
 def main_bearing_pressures(declared: DeclaredCrankshafts, loads: MainBearingLoads) -> MainBearingPressures:
-    """Pressures of all main bearings."""
+    """Pressures of all main bearings; docs/theory/crankshaft, eq. (24.48)."""
     diameter = np.concatenate([shaft.journal[:, shaft.standing_on, 0] for shaft in declared.each], axis=1)[
         :, np.newaxis
     ]

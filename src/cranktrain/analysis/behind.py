@@ -1,0 +1,148 @@
+"""What stands behind a quantity: what the machine file declares, and the stages that lead from there to it."""
+
+import inspect
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, cast
+
+from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.parts import parts_of
+from cranktrain.analysis.pipeline import PartBehind, Pipeline, Place, StageBehind
+from cranktrain.analysis.stages import STAGES, lacking, leading_to, ordered, stages_giving
+from cranktrain.catalogue import entries
+from cranktrain.errors import InputError, Problem
+from cranktrain.grouping import grouped
+from cranktrain.language import _
+from cranktrain.layout.question import Stage, tables_of
+from cranktrain.machine import Machine
+from cranktrain.paths import path_text
+
+_CITED = re.compile(r"(docs/theory/[\w-]+)(?:, eqs?\. (\([\d.]+\)(?:(?:,| to| and|, and) \([\d.]+\))*))?")
+_ANY = "NAME"
+"""In the name of a table, for those of all names."""
+
+
+def behind(quantity: str, machine: Machine | None = None) -> Pipeline:
+    """Find what leads to a quantity.
+
+    Parameters
+    ----------
+    quantity : str
+        Its name in the catalogue.
+    machine : Machine, optional
+        What leads to it in this machine; what may do so in any unless given.
+
+    Returns
+    -------
+    Pipeline
+
+    Raises
+    ------
+    InputError
+        Where there is no such quantity, or the machine's file does not allow it.
+
+    Examples
+    --------
+    >>> found = behind("stroke")
+    >>> [(stage.name, stage.word) for stage in found.stages]
+    [('piston_turn', 'hand-over'), ('dead_centres', 'result')]
+    >>> found.stages[-1].place.file
+    'questions/motion/dead_centres.py'
+    """
+    (giving,) = stages_giving(STAGES, [quantity], "behind")
+    entry = next(entry for entry in entries(giving.gives) if entry.name == quantity)
+    parts = None if machine is None else parts_of((machine,), step=FACTS_STEP)
+    absent = {} if parts is None else lacking(STAGES, parts)
+    if giving.gives in absent:
+        raise InputError([Problem("behind", quantity, _lacks(absent[giving.gives]))])
+    way = ordered(leading_to([one for one in STAGES if one.gives not in absent], [giving.gives]))
+    given = {one.gives for one in way}
+    is_known = {one: one in given or (one not in _GIVEN and (parts is None or one in parts)) for one in _needs(way)}
+    declared = {
+        part: _tables(tables_of(part), None if machine is None else machine.declared)
+        for part, known in is_known.items()
+        if known and part not in given
+    }
+    return Pipeline(
+        entry,
+        tuple(PartBehind(part.__name__, _sentence(part), _place(part), names) for part, names in declared.items()),
+        tuple(_behind(one, [need for need in one.needs.values() if is_known[need]], declared) for one in way),
+    )
+
+
+_GIVEN = {one.gives for one in STAGES}
+
+
+def _needs(way: Sequence[Stage]) -> Iterator[type]:
+    """All that stages need, as they come to it."""
+    for one in way:
+        yield from one.needs.values()
+
+
+def _lacks(needs: Sequence[str]) -> str:
+    """Say why a machine has no such quantity."""
+    if needs:
+        return _("is no result of this machine; it needs {needs}").format(needs=", ".join(needs))
+    return _("is a result of other machines")
+
+
+def _behind(stage: Stage, takes: Sequence[type], declared: Mapping[type, Sequence[str]]) -> StageBehind:
+    """Describe a stage that goes on from some parts and outcomes."""
+    function = stage.function
+    cited = _CITED.findall(" ".join((inspect.getdoc(function) or "").split()))
+    cited = cited or [(entry.source, "") for entry in entries(stage.gives)]
+    return StageBehind(
+        function.__name__,
+        _sentence(function),
+        _place(function),
+        stage.gives.__name__,
+        stage.word,
+        tuple(one.__name__ for one in takes),
+        tuple(dict.fromkeys(table for one in takes for table in declared.get(one, ()))),
+        tuple(_citation(page, dict.fromkeys(filter(None, each))) for page, each in grouped(cited).items()),
+    )
+
+
+def _citation(page: str, equations: Iterable[str]) -> str:
+    """Cite a page with its equations, if any."""
+    said = ", ".join(equations)
+    return f"{page}, {'eq.' if said.count('(') == 1 else 'eqs.'} {said}" if said else page
+
+
+def _sentence(thing: Callable[..., Any]) -> str:
+    """Give the first sentence of a docstring, which stands in its first line, without what it cites at its end."""
+    said, cites, _cited = (inspect.getdoc(thing) or "").partition("\n")[0].partition("; docs/theory/")
+    return f"{said}." if cites else said
+
+
+def _place(thing: Callable[..., Any]) -> Place:
+    """Find where a function or class of this package stands."""
+    file = Path(inspect.getfile(thing)).relative_to(Path(__file__).parents[1])
+    lines, first = inspect.getsourcelines(thing)
+    above = next(number for number, line in enumerate(lines) if line.startswith(("def ", "class ")))
+    return Place(file.as_posix(), first + above)
+
+
+def _tables(patterns: Sequence[str], declared: Mapping[str, Any] | None) -> tuple[str, ...]:
+    """Name tables as they are in general, or those that a file has: `[bank.L.mechanism]` for `[mechanism]`."""
+    if declared is None:
+        return tuple(patterns)
+    there = list(_paths(declared))
+    found = [f"[{path_text(path)}]" for pattern in patterns for path in there if _is_of(pattern, path)]
+    return tuple(dict.fromkeys((*(name for name in patterns if name in declared), *found)))
+
+
+def _paths(declared: Mapping[str, Any], above: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:
+    """Paths of all tables in a file's tables; a number that says where it is from is none."""
+    for key, value in declared.items():
+        if isinstance(value, Mapping) and "value" not in value:
+            yield (*above, key)
+            yield from _paths(cast("Mapping[str, Any]", value), (*above, key))
+
+
+def _is_of(pattern: str, path: Sequence[str]) -> bool:
+    """Whether a table is one of those that a pattern stands for, at any place: `[masses]` of a bank, too."""
+    keys = pattern.strip("[]").split(".")
+    last = path[-len(keys) :]
+    return len(last) == len(keys) and all(key in (_ANY, own) for key, own in zip(keys, last, strict=True))
