@@ -2,9 +2,15 @@
 
 import csv
 import re
+from decimal import Decimal
+from itertools import pairwise
 
+import numpy as np
 import pytest
 from tests.sentences import ENDS_IN
+
+import cranktrain as ct
+from cranktrain.textbook.drive_statements import PEAKS
 
 LINKS = 'r = "250 mm"\nl = "700 mm"\nr1 = "500 mm"\nd = "800 mm"\n'
 DRIVE = 'i = 40\neta_p = 0.94\neta_sh = 0.9\nQ = "4 kN"\nGD2_0 = "2.4 kgf*m^2"\nGD2_O1 = "200 kgf*m^2"\n'
@@ -12,8 +18,13 @@ OF_MACHINE = ("--set=i=40", "--set=eta_p=0.94", "--set=eta_sh=0.9", "--set=GD2_0
 
 
 def rows(output, number):
-    """Numbers of each row of a formula: verdict, at α, peaks with angles, mean, rms."""
-    return [line.split()[1:] for line in output.splitlines() if line.startswith(f"  {number} ")]
+    """Of each row of a formula: verdict, at α, peaks with angles, mean, rms."""
+    over = output.splitlines()[output.splitlines().index("Over a turn") :]
+    return [
+        [below.strip().partition(":")[0], *line.split()[1:]]
+        for line, below in pairwise(over)
+        if line.startswith(f"  {number} ")
+    ]
 
 
 def test_example(typed):
@@ -107,3 +118,46 @@ def test_without_pins_there_is_no_friction(typed, written):
     assert (
         "No pins are given: f with r_O, r_B, r_A, r_O1." in typed("textbook", "--drive", "drive.toml", "--full").output
     )
+
+
+def table_rows(output):
+    """Of each formula over a turn, its verdict and name, the cells as written, of tables one below another too."""
+    found = {}
+    lines = output.splitlines()
+    for line, below in pairwise(lines[lines.index("Over a turn") :]):
+        number, *cells = line.split() or [""]
+        if number.startswith("(") and ": " in below:
+            found.setdefault((number, *below.strip().split(": ", 1)), []).extend(cells)
+    return found
+
+
+def is_written(cell, value):
+    """Whether a cell is a number to its last figure."""
+    written = Decimal(cell.replace("−", "-").rstrip("°"))
+    return abs(float(written) - value) <= 0.51 * 10.0 ** written.as_tuple().exponent
+
+
+UNITS = {"Q": " N", "M_xx0": " N*m", "GD2_0": " kg*m^2", "GD2_O1": " kg*m^2", "i": "", "m": " kg"}
+
+
+@pytest.mark.parametrize("symbols", [tuple(UNITS), ("Q",), ("i",)], ids=" ".join)
+@pytest.mark.parametrize("power", range(-3, 7, 3))
+def test_every_number_of_a_turn_is_shown_whole(typed, symbols, power):
+    """However wide the numbers are, what stands on the screen is the record, to the last figure shown."""
+    values = {one: f"{'-' if one == 'Q' else ''}{1.2345 * 10.0**power:.8g}{UNITS[one]}" for one in symbols}
+    options = [word for symbol, value in values.items() for word in ("--set", f"{symbol}={value}")]
+    answer = typed("textbook", "--drive", "example", *options, "--full")
+    assert (answer.status, answer.errors) == (0, "")
+    assert max(map(len, answer.output.splitlines())) <= 80
+    shown, records = table_rows(answer.output), ct.textbook.drive(set=values)
+    curves = [one for one in records.curves if one.verdict != "beyond"]
+    assert set(shown) == {(one.equation, one.verdict, one.name) for one in curves}
+    for (equation, _verdict, name), cells in shown.items():
+        own = [one for one in records if (one.equation, one.name) == (equation, name)]
+        expected = []
+        for one in own:
+            expected += (
+                [one.value, one.crank_angle] if one.at in PEAKS and np.isfinite(one.crank_angle) else [one.value]
+            )
+        assert len(cells) == len(expected)
+        assert [*map(is_written, cells, expected)] == [True] * len(cells), (cells, expected)

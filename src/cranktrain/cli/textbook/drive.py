@@ -8,9 +8,11 @@ from pathlib import PurePath
 from typing import NamedTuple
 
 import numpy as np
+from rich.cells import cell_len
 from rich.console import Console
 from rich.text import Text
 
+from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.drive_output import write_drive
 from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
@@ -216,27 +218,29 @@ def _amount(one: Statement) -> str:
 def _curve_lines(found: Statements, width: int) -> Iterator[Text]:
     """Every curve with its value at the angle, its peaks in both half-periods, means and work."""
     words = {"right": _("right"), "printed": _("printed"), "refuted": _("refuted")}
-    heads = ("", "", _("at α"), _("advancing"), _("going back"), _("mean"), _("rms"), _("a turn"))
+    heads = (_("at α"), _("advancing"), _("going back"), _("mean"), _("rms"), _("a turn"))
     for unit in ("1", "N*m", "kg", "kg*m^2"):
-        rows: list[tuple[str, ...]] = []
-        for curve in (one for one in found.curves if one.unit == unit and one.verdict in words):
+        curves = [one for one in found.curves if one.unit == unit and one.verdict in words]
+        if not curves:
+            continue
+        rows: list[list[str]] = []
+        for curve in curves:
             facts = {one.at: one for one in found if (one.equation, one.name) == (curve.equation, curve.name)}
-            cells = [_fact(facts[at]) if at in facts else "" for at in FACTS]
-            rows.append((curve.equation, words[curve.verdict], *cells))
-            rows.append(("", curve.name, "", "", "", "", "", ""))
-        if rows:
-            yield from _narrow(heads, rows, unit, width)
+            rows.append([_fact(facts[at]) if at in facts else "" for at in FACTS])
+        columns = [Column(head, "", tuple(texts)) for head, *texts in zip(heads, *rows, strict=True) if any(texts)]
+        yield Text({"1": "AC/BC", "N*m": "N·m; J", "kg": "kg", "kg*m^2": "GD², kg·m² (kgf·m²)"}[unit], style="bold")
+        yield from _named(columns, [(one.equation, f"{words[one.verdict]}: {one.name}") for one in curves], width)
 
 
-def _narrow(heads: Sequence[str], rows: Sequence[Sequence[str]], unit: str, width: int) -> Iterator[Text]:
-    """A table whose rows of names are not columns of it."""
-    shown = heads if unit == "N*m" else (*heads[:-1], "")
-    laid = table(shown, [row for row in rows if row[0]], right=range(2, 8))
-    yield Text({"1": "AC/BC", "N*m": "N·m; J", "kg": "kg", "kg*m^2": "GD², kg·m² (kgf·m²)"}[unit], style="bold")
-    yield laid[0][:width]
-    for line, (_number, name, *_cells) in zip(laid[1:], [row for row in rows if not row[0]], strict=True):
-        yield line[:width]
-        yield Text(f"       {name}")
+def _named(columns: Sequence[Column], named: Sequence[tuple[str, str]], width: int) -> Iterator[Text]:
+    """Rows with their numbers before and their names below; columns for which there is no room stand in a table below."""
+    numbers = [number for number, _name in named]
+    for part in side_by_side(columns, width - max(map(cell_len, numbers))):
+        head, *lines = column_table(part, numbers, has_units=False)
+        yield head
+        for line, (_number, name) in zip(lines, named, strict=True):
+            yield line
+            yield Text(f"       {name}")
 
 
 def _fact(one: Statement) -> str:
