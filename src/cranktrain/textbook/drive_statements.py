@@ -121,7 +121,7 @@ def drive_statements(drive: CrankRockerDrive, angle: float = USUAL_ANGLE) -> Sta
             *_rubbing(drive, np.deg2rad(over)),
         ),
         {
-            _("The linkage"): tuple(_of_linkage(drive)),
+            _("The linkage"): (*_of_linkage(drive), *_of_numbers(drive)),
             _("What is absurd about it"): tuple(_absurd(drive)),
             _("Friction in the pins instead of η_ш, at the crank"): tuple(_of_friction(drive)),
         },
@@ -244,6 +244,32 @@ def _of_linkage(drive: CrankRockerDrive) -> Iterator[str]:
         advance=np.degrees(dead.advance.end - dead.advance.start),
         back=np.degrees(dead.back.end - dead.back.start),
     )
+
+
+def _of_numbers(drive: CrankRockerDrive) -> Iterator[str]:
+    """Say which numbers are counted with, and which rows of (14) are of the machine's own load."""
+    train = drive.train
+    yield _(
+        "i = {ratio:g}, η_p = {gear:.4g}, η_ш = {linkage:.4g}; Q = {load}, M_xx = {idle}; (GD²)₀ = {own}, of what is "
+        "driven GD² = {driven}."
+    ).format(
+        ratio=train.ratio,
+        gear=float(train.gear_efficiency),
+        linkage=float(train.linkage_efficiency),
+        load=number(float(drive.load), "N"),
+        idle=number(float(drive.idle_torque), "N*m"),
+        own=number(float(drive.gear_moment), "kg*m^2"),
+        driven=number(float(drive.driven_moment), "kg*m^2"),
+    )
+    said = {
+        "active": _("This machine's load is active: of (14) the first row is its own."),
+        "resisting": _("This machine's load resists: of (14) the row of dry friction is its own."),
+        "both": _(
+            "Of this machine's loads some are active and some resist: Q is their sum, and no row of (14) its own."
+        ),
+    }
+    if drive.load_sense:
+        yield said[drive.load_sense]
 
 
 def _absurd(drive: CrankRockerDrive) -> Iterator[str]:

@@ -161,3 +161,30 @@ def test_every_number_of_a_turn_is_shown_whole(typed, symbols, power):
             )
         assert len(cells) == len(expected)
         assert [*map(is_written, cells, expected)] == [True] * len(cells), (cells, expected)
+
+
+PUMPING = ("--set=i=40", "--set=eta_p=0.94", "--set=Q=4 kN", "--set=GD2_0=2 kg*m^2", "--set=GD2_O1=200 kg*m^2")
+
+
+def test_what_a_machine_lacks_is_asked_for_and_what_is_taken_is_shown(typed):
+    without = typed("textbook", "--drive", "pumping_unit_c57", *PUMPING)
+    assert without.status == 2
+    assert "or --set eta_sh=0.9" in without.errors
+    shown = typed("textbook", "--drive", "pumping_unit_c57", *PUMPING, "--set=eta_sh=0.8").output
+    assert re.search(r"i = 40, η_p = 0\.94, η_ш = 0\.8; Q = 4000\.0 N", shown)
+    assert re.search(r"\(GD²\)₀ =\s+2\.000 kg·m², of what is driven\s+GD² = 200\.000 kg·m²", shown)
+    assert len(shown.splitlines()) <= 45
+
+
+def test_masses_have_a_row_where_there_are_some(typed):
+    of_masses = "rod and crank with their masses"
+    assert of_masses in typed("textbook", "--drive", "example").output
+    assert of_masses not in typed("textbook", "--drive", "pumping_unit_c57", *PUMPING, "--set=eta_sh=0.8").output
+
+
+@pytest.mark.parametrize(
+    ("sense", "said"), [("active", "the first row is its own"), ("resisting", "dry friction is its")]
+)
+def test_screen_says_which_row_is_the_machines(typed, sense, said):
+    shown = typed("textbook", "--drive", "tilting_table", "--set", f"load.table.sense={sense}").output
+    assert said in re.sub(r"\s+", " ", shown)

@@ -162,7 +162,7 @@ def _show(console: Console, found: Statements, angle: float, *, first_of: _Asked
     section(console, heading, _force_lines(shown, width))
     section(console, _("Over a turn"), _curve_lines(shown, width))
     if first_of:
-        section(console, _("To go on"), _go_on(*first_of))
+        section(console, _("To go on"), _go_on(width, *first_of))
         return
     for subject, sentences in others:
         section(console, subject, _listed(sentences, width))
@@ -179,13 +179,16 @@ def _first(found: Statements) -> Statements:
     )
 
 
-def _go_on(source: str, angle: float | None, settings: Sequence[str]) -> Iterator[str]:
-    """Say what shows the rest."""
+def _go_on(width: int, source: str, angle: float | None, settings: Sequence[str]) -> Iterator[str]:
+    """Say what shows the rest; a command that has no room in a line by what is to be added to the typed one."""
     at = [] if angle is None else ["--at", f"{angle:g}"]
-    whole = textbook_command("--drive", source, *at, "--full", settings=settings)
-    yield _("`{command}`: (1) to (21), what is refuted and absurd, friction in the pins").format(command=whole)
-    drawn = textbook_command("--drive", source, *at, "-o", "fig2.svg", settings=settings)
-    yield _("`{command}`: fig. 2, redrawn; as .csv its curves").format(command=drawn)
+    for added, said in (
+        (["--full"], _("(1) to (21), what is refuted and absurd, friction in the pins")),
+        (["-o", "fig2.svg"], _("fig. 2, redrawn; as .csv its curves")),
+    ):
+        command = f"`{textbook_command('--drive', source, *at, *added, settings=settings)}`"
+        shown = command if cell_len(command) < width else _("the same with {option}").format(option=" ".join(added))
+        yield f"{shown}: {said}"
 
 
 def _listed(sentences: Sequence[str], width: int) -> Sequence[str | Text]:
@@ -233,7 +236,7 @@ def _curve_lines(found: Statements, width: int) -> Iterator[Text]:
 
 
 def _named(columns: Sequence[Column], named: Sequence[tuple[str, str]], width: int) -> Iterator[Text]:
-    """Rows with their numbers before and their names below; columns for which there is no room stand in a table below."""
+    """Rows with numbers before and names below; columns for which there is no room stand in a table of their own."""
     numbers = [number for number, _name in named]
     for part in side_by_side(columns, width - max(map(cell_len, numbers))):
         head, *lines = column_table(part, numbers, has_units=False)
