@@ -223,7 +223,7 @@ def _over_turn(drive: CrankRockerDrive, curve: DriveCurve, right: DriveCurve, an
 
 def _rubbing(drive: CrankRockerDrive, angle: Array) -> Iterator[StatementCurve]:
     """Torque on the crank whose pins rub, if radii are known."""
-    if drive.friction is not None:
+    if drive.friction is not None and any(map(float, drive.friction)):
         load = drive.load * drive.geometry.rocker_length
         torque = rubbing_links(angle, drive.geometry, load, drive.friction).torque
         name = _("torque on the crank with friction circles")
@@ -234,9 +234,8 @@ def _of_linkage(drive: CrankRockerDrive) -> Iterator[str]:
     """Say where the rocker turns round, and how far it swings."""
     dead = dead_positions(drive.geometry)
     yield _(
-        "Dead positions at {extended:.4f}° (rod and crank extended) and {folded:.4f}° (folded): there every torque of "
-        "the load is 0, and changes its sign if the load is active. Swing {swing:.4f}°; the rocker advances during "
-        "{advance:.2f}° of a turn and goes back during {back:.2f}°."
+        "Dead positions at {extended:.4f}° (extended) and {folded:.4f}° (folded), where the load has no torque. Swing "
+        "{swing:.4f}°, advance during {advance:.2f}°, back during {back:.2f}°."
     ).format(
         extended=np.degrees(dead.extended),
         folded=np.degrees(dead.folded),
@@ -303,6 +302,13 @@ def _of_friction(drive: CrankRockerDrive) -> Iterator[str]:
     if drive.friction is None:
         yield _("No pins are given: f with r_O, r_B, r_A, r_O1.")
         return
+    if not any(map(float, drive.friction)):
+        yield _("The pins have no friction: f or all their radii are 0.")
+        return
+    yield _(
+        "The load is the torque Q r₁ on the rocker's shaft, as (1) has it: a force Q across the rocker at A would "
+        "press on the pin O₁, too, and rub there."
+    )
     found = pin_friction(drive, drive.friction)
     if found is None:
         yield _("The pins lock the links, or no load drives them.")

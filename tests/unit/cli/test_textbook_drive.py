@@ -1,6 +1,7 @@
 """`textbook --drive`: (1) to (21) of a crank-rocker's drive as typed, of a table and of a machine, and mistakes."""
 
 import csv
+import math
 import re
 from decimal import Decimal
 from itertools import pairwise
@@ -188,3 +189,47 @@ def test_masses_have_a_row_where_there_are_some(typed):
 def test_screen_says_which_row_is_the_machines(typed, sense, said):
     shown = typed("textbook", "--drive", "tilting_table", "--set", f"load.table.sense={sense}").output
     assert said in re.sub(r"\s+", " ", shown)
+
+
+def test_friction_circles_have_the_load_as_a_couple_on_the_rockers_shaft(typed):
+    """By an equilibrium of rod, rocker and crank at α = 0, in which a force at A, not a couple, presses on O₁."""
+    rubbing = next(one for one in ct.textbook.drive().curves if one.verdict == "beyond")
+    assert rubbing.values[0] == pytest.approx(_torque_at_zero(with_force_at_a=False), rel=1e-9)
+    assert _torque_at_zero(with_force_at_a=True) == pytest.approx(-844.6367, abs=1e-4)
+    assert "torque Q r₁ on the rocker's shaft" in re.sub(
+        r"\s+", " ", typed("textbook", "--drive", "example", "--full").output
+    )
+
+
+def _torque_at_zero(*, with_force_at_a):
+    """Crank torque of the example's rubbing pins at α = 0, from the joints' places: circles of ρ = R sin(atan f)."""
+    r, l, r1, d, load = 0.25, 0.7, 0.5, 0.8, 4000.0
+    pin_o, pin_b, _pin_a, pin_1 = (size * math.sin(math.atan(0.08)) for size in (0.07, 0.05, 0.05, 0.06))
+    span = d - r  # from B, on the line of the pivots, to O₁
+    along = (l * l - r1 * r1 + span * span) / (2 * span)
+    a = np.array([r + along, math.sqrt(l * l - along * along)])
+    b, o1 = np.array([r, 0.0]), np.array([d, 0.0])
+    rocker, rod = (a - o1) / r1, (a - b) / l
+    # With the crank on the line of the pivots the rocker turns as the crank does by −r/(d − r), and so does the rod.
+    turning = -r / span
+    sense_b, sense_1 = np.sign(turning - 1), np.sign(turning)  # A stands
+    tilt = pin_b * sense_b / l
+    cosine = math.sqrt(1 - tilt * tilt)
+    across = np.array([-rod[1], rod[0]])
+    force_at_a = -load * np.array([-rocker[1], rocker[0]]) * with_force_at_a
+    for sign in (1, -1):
+        unit = sign * cosine * rod - tilt * across
+        arm = r1 * (rocker[0] * unit[1] - rocker[1] * unit[0])
+        size = load * r1 / arm
+        for _round in range(60):
+            size = (load * r1 + pin_1 * sense_1 * np.hypot(*(size * unit + force_at_a))) / arm
+        if size > 0:
+            return size * (b[0] * unit[1] - b[1] * unit[0] - pin_b * sense_b + pin_o)
+    raise AssertionError
+
+
+def test_without_friction_nothing_is_said_of_locked_pins(typed):
+    said = re.sub(r"\s+", " ", typed("textbook", "--drive", "example", "--set", "f=0", "--full").output)
+    assert "The pins have no friction: f or all their radii are 0." in said
+    assert "cannot drive" not in said
+    assert "beyond" not in {one.verdict for one in ct.textbook.drive(set={"f": 0}).curves}

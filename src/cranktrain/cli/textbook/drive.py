@@ -183,7 +183,7 @@ def _go_on(width: int, source: str, angle: float | None, settings: Sequence[str]
     """Say what shows the rest; a command that has no room in a line by what is to be added to the typed one."""
     at = [] if angle is None else ["--at", f"{angle:g}"]
     for added, said in (
-        (["--full"], _("(1) to (21), what is refuted and absurd, friction in the pins")),
+        (["--full"], _("all, with what is refuted, and pin friction")),
         (["-o", "fig2.svg"], _("fig. 2, redrawn; as .csv its curves")),
     ):
         command = f"`{textbook_command('--drive', source, *at, *added, settings=settings)}`"
@@ -221,7 +221,7 @@ def _amount(one: Statement) -> str:
 def _curve_lines(found: Statements, width: int) -> Iterator[Text]:
     """Every curve with its value at the angle, its peaks in both half-periods, means and work."""
     words = {"right": _("right"), "printed": _("printed"), "refuted": _("refuted")}
-    heads = (_("at α"), _("advancing"), _("going back"), _("mean"), _("rms"), _("a turn"))
+    heads = (_("at α"), _("advancing"), _("going back"), _("mean"), _("rms"), _("a turn, J"))
     for unit in ("1", "N*m", "kg", "kg*m^2"):
         curves = [one for one in found.curves if one.unit == unit and one.verdict in words]
         if not curves:
@@ -231,15 +231,19 @@ def _curve_lines(found: Statements, width: int) -> Iterator[Text]:
             facts = {one.at: one for one in found if (one.equation, one.name) == (curve.equation, curve.name)}
             rows.append([_fact(facts[at]) if at in facts else "" for at in FACTS])
         columns = [Column(head, "", tuple(texts)) for head, *texts in zip(heads, *rows, strict=True) if any(texts)]
-        yield Text({"1": "AC/BC", "N*m": "N·m; J", "kg": "kg", "kg*m^2": "GD², kg·m² (kgf·m²)"}[unit], style="bold")
-        yield from _named(columns, [(one.equation, f"{words[one.verdict]}: {one.name}") for one in curves], width)
+        title = {"1": "", "N*m": "N·m", "kg": "kg", "kg*m^2": ""}[unit]
+        if unit == "kg*m^2":
+            yield Text("GD², kg·m² (kgf·m²)", style="bold")
+        yield from _named(
+            columns, title, [(one.equation, f"{words[one.verdict]}: {one.name}") for one in curves], width
+        )
 
 
-def _named(columns: Sequence[Column], named: Sequence[tuple[str, str]], width: int) -> Iterator[Text]:
+def _named(columns: Sequence[Column], title: str, named: Sequence[tuple[str, str]], width: int) -> Iterator[Text]:
     """Rows with numbers before and names below; columns for which there is no room stand in a table of their own."""
     numbers = [number for number, _name in named]
     for part in side_by_side(columns, width - max(map(cell_len, numbers))):
-        head, *lines = column_table(part, numbers, has_units=False)
+        head, *lines = column_table(part, numbers, title, has_units=False)
         yield head
         for line, (_number, name) in zip(lines, named, strict=True):
             yield line
