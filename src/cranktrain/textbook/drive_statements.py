@@ -9,10 +9,13 @@ import numpy as np
 
 from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.io.any_machine import source_of
+from cranktrain.io.own_tables import own_table
+from cranktrain.io.syntax import parsed
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.plans.machine_drive import machine_drive
 from cranktrain.textbook.alike_places import instead
+from cranktrain.textbook.asked_angle import asked_angle
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
 from cranktrain.texts.crank_rocker_drive import (
     Directions,
@@ -55,7 +58,7 @@ def drive(
     Parameters
     ----------
     machine : str, path-like, dict or Machine, optional
-        As `cranktrain.run` takes it; the text's own example unless given.
+        As `cranktrain.run` takes it, or a file with a drive's table; the text's own example unless given.
     set : mapping of str, optional
         Other values by path; what the text needs and the machine lacks by the text's symbols: `i`, `eta_p`, `eta_sh`,
         `Q`, `GD2_0`, …
@@ -79,16 +82,19 @@ def drive(
     """
     values = {} if set is None else dict(set)
     symbols = {name: values.pop(name) for name in DRIVE_KEYS if name in values}
-    if machine is None:
+    angle, table = asked_angle(at), own_table(machine)
+    if machine is None or table is not None:
         refuse(Problem(path, str(value), _("is for a machine: name it")) for path, value in values.items())
-        return drive_statements(read_drive(tomllib.loads(example_table("drive")) | symbols), at)
+        data = tomllib.loads(example_table("drive")) if table is None else parsed(table.text, table.name)
+        with problems_as(lambda one: one if table is None or one.path in symbols else table.located(one)):
+            return drive_statements(read_drive({**data, **symbols}), angle)
     given = source_of(machine, values)
 
     def said(problem: Problem) -> Problem:
         return replace(problem, repair=instead(given.machine.places)) if problem.path == "mechanism" else problem
 
     with problems_as(given.placed), problems_as(said):
-        return drive_statements(machine_drive(given.machine, symbols), at)
+        return drive_statements(machine_drive(given.machine, symbols), angle)
 
 
 def drive_statements(drive: CrankRockerDrive, angle: float = USUAL_ANGLE) -> Statements:

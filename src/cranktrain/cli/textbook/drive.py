@@ -16,12 +16,12 @@ from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.drive_output import write_drive
 from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
-from cranktrain.cli.textbook.source import is_machine
 from cranktrain.cli.textbook.speaking import with_speaking
 from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.document import Document
 from cranktrain.io.machine_file import read_machine
+from cranktrain.io.own_tables import is_machine
 from cranktrain.io.syntax import parsed
 from cranktrain.language import _
 from cranktrain.one_line import one_line

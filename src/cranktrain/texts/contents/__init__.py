@@ -48,8 +48,14 @@ def plain_number(number: str) -> str:
     return re.sub(r"[()\s]", "", number.casefold()).replace("і", "i")
 
 
-def text_called(name: str) -> Text:
+def text_called(name: str, asked_as: str = "--source") -> Text:
     """Find a text by its name, letter or author, in any case, or by a part of its name that no other has.
+
+    Parameters
+    ----------
+    name : str
+    asked_as : str
+        What a problem with it is called.
 
     Raises
     ------
@@ -71,7 +77,7 @@ def text_called(name: str) -> Text:
         names=", ".join(f"{text.letter} {text.name}" for text in found or TEXTS)
     )
     repair = _('write "{text}"').format(text=meant) if meant else None
-    raise InputError([Problem("--source", name, allowed, repair)])
+    raise InputError([Problem(asked_as, name, allowed, repair)])
 
 
 def _as_named(name: str) -> str:
