@@ -74,7 +74,8 @@ def _give_proposal(
     problem: str, typed: Typed, output: str | None, file: MachineFile | None, *, force: bool, with_source: bool
 ) -> None:
     """Do so, in the units in which numbers are shown."""
-    wanted = SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed
+    is_own = with_source and not any(typed.get(name) for name in SOURCE_EXAMPLE)
+    wanted = {**SOURCE_EXAMPLE, **{name: value for name, value in typed.items() if value}} if is_own else typed
     with says_how_far():
         proposal = proposed(problem, wanted, file, None if file is None else _progress)
     is_plan = output is not None and PurePath(output).suffix.lower() in FORMATS and file is None
@@ -88,7 +89,7 @@ def _give_proposal(
         show_proposal(console, proposal)
         if with_source:
             with printed():
-                if wanted is typed:
+                if not is_own:
                     show_steps(console, typed)
                 show_errors_of(console, SYNTHESIS)
         console.print()

@@ -89,7 +89,7 @@ def show_drive(
     """
     allowed = _("must be left out beside --drive")
     found = [Problem(name, value or None, allowed) for name, value in others.items() if value is not None]
-    refuse([*found, *output_problems(output, TABLE, CURVES)])
+    refuse([*found, *output_problems(output, TABLE, CURVES, force=force)])
     file = read_drive_file(source, settings)
     at = USUAL_ANGLE if angle is None else angle
     if output is not None:

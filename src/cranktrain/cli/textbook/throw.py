@@ -116,7 +116,7 @@ def show_throw(
         found.append(Problem("--throw", '""', missing))
     refuse(found)
     of_machine = is_machine(source)
-    refuse(output_problems(output, CURVES if of_machine else TABLE))
+    refuse(output_problems(output, CURVES if of_machine else TABLE, force=force))
     if of_machine:
         _show_of_machine(source, settings, output, asked, full=full, force=force)
         return
