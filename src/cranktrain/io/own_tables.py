@@ -1,6 +1,7 @@
 """Small tables of one's own, a drive's or a throw's, beside machine files: which of them a name is of."""
 
 import os
+from pathlib import PurePath
 
 from cranktrain.io.document import Document
 from cranktrain.io.examples import example_names
@@ -18,9 +19,9 @@ def is_machine(source: str) -> bool:
 
 def own_table(source: object) -> Document | None:
     """Read the file of a table that is no machine's; None of all else."""
-    if not isinstance(source, str | os.PathLike):
+    if not isinstance(source, str | PurePath):
         return None
     name = os.fspath(source)
-    if not isinstance(name, str) or not os.path.isfile(name) or is_machine(name):  # noqa: PTH113 - takes a NUL byte
+    if not os.path.isfile(name) or is_machine(name):  # noqa: PTH113 - takes a NUL byte
         return None
     return Document.read(name)

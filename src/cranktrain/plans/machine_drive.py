@@ -191,8 +191,10 @@ def _of_loads(machine: Machine, place: PlacedMechanism) -> Iterator[tuple[str, o
 
 def _load_sense(machine: Machine) -> LoadSense:
     """Whether what loads the rocker resists wherever it turns, or has a direction of its own, or there is both."""
-    senses = {load.sense for load in machine.load.values() if load.on.rpartition(".")[2] == "rocker"}
-    return "both" if len(senses) > 1 else next(iter(senses))
+    resists = {load.sense == "resisting" for load in machine.load.values() if load.on.rpartition(".")[2] == "rocker"}
+    if len(resists) > 1:
+        return "both"
+    return "resisting" if True in resists else "active"
 
 
 def _torque(load: LoadSpec) -> float | None:
