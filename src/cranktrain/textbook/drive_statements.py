@@ -43,6 +43,7 @@ USUAL_ANGLE = 60.0
 FACTS = ("at", "advancing", "going back", "mean", "rms", "turn")
 """What is given of every curve: its value at the angle, its peaks in both half-periods, means, the work of a turn."""
 PEAKS = FACTS[1:3]
+_ROUNDING = 1e-12
 
 _VERDICTS: Mapping[str, Verdict] = {"right": "right", "source": "printed", "refuted": "refuted"}
 
@@ -214,9 +215,10 @@ def _unit(curve: DriveCurve, at: str) -> str:
 def _facts(
     drive: CrankRockerDrive, curve: DriveCurve, facts: CurveFacts, angle: float
 ) -> dict[str, tuple[float, float]]:
-    """Each fact of a curve with its angle. [deg]"""
+    """Each fact of a curve with its angle; a flat line has no peaks at any. [deg]"""
     value = float(values_at(drive, curve, np.deg2rad(np.array([angle])))[0])
-    peaks = [(peak.value, float(np.degrees(peak.angle))) for peak in facts[:2]]
+    is_flat = all(abs(peak.value - facts.mean) <= _ROUNDING * abs(facts.mean) for peak in facts[:2])
+    peaks = [(peak.value, np.nan if is_flat else float(np.degrees(peak.angle))) for peak in facts[:2]]
     return dict(zip(FACTS, [(value, angle), *peaks, *((one, np.nan) for one in facts[2:])], strict=True))
 
 

@@ -144,8 +144,13 @@ def machine_statements(of: ThrownMachine, name: str, at: float | None, masses: C
         *_reactions(one.throw, one, name, at),
         *_conditions(one.throw, name),
     ]
-    title = _("Throw {name} of {machine} at {at:g}°, bearings {left} (L) and {right} (P) [{source}]").format(
-        name=name, machine=of.machine.name, at=at, left=one.bearings[0], right=one.bearings[1], source=SOURCE
+    title = _("Throw {name} of {machine} at {at}°, bearings {left} (L) and {right} (P) [{source}]").format(
+        name=name,
+        machine=of.machine.name,
+        at=f"{at:g}".replace("-", "−"),
+        left=one.bearings[0],
+        right=one.bearings[1],
+        source=SOURCE,
     )
     return Statements(
         title, tuple(each), of.crank_angle, tuple(_curves(over)), _notes(one.throw, _of_machine(one, masses))

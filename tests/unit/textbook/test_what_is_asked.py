@@ -73,3 +73,22 @@ def test_the_tables_that_the_terminal_writes_are_read(tmp_path, monkeypatch, nam
     (tmp_path / "own.toml").write_text(f"{text}\nwrong = 3\n", encoding="utf-8")
     with pytest.raises(InputError, match=rf"own\.toml:{text.count(chr(10)) + 2}:9  wrong"):
         function("own.toml")
+
+
+def test_what_is_but_rounding_is_at_no_angle():
+    """The exact root is off by nothing; the flat line of (21) has no peak."""
+    roots = [one for one in ct.textbook.motion("great_northern") if abs(one.value) < 1e-13 and one.symbol[0] == "Δ"]
+    assert roots
+    assert all(np.isnan(one.crank_angle) for one in roots)
+    flat = [
+        one
+        for one in ct.textbook.drive().numbered(21)
+        if one.verdict == "refuted" and one.at in {"advancing", "going back"}
+    ]
+    assert len(flat) == 2
+    assert all(np.isnan(one.crank_angle) for one in flat)
+
+
+def test_a_throw_is_found_with_its_shaft_where_there_is_but_one():
+    by_number, by_shaft = (ct.textbook.throw("kamaz_740", name, 420) for name in ("3", "main.3"))
+    assert [one.value for one in by_number] == [one.value for one in by_shaft]

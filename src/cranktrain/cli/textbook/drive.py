@@ -255,4 +255,4 @@ def _fact(one: Statement) -> str:
     if one.at == "turn":
         return figure(one.value, "J")
     plain = "0" if abs(one.value) < _ROUNDING else f"{one.value:.5g}"
-    return f"{plain} {one.crank_angle:.1f}°" if one.at in PEAKS else plain
+    return f"{plain} {one.crank_angle:.1f}°" if one.at in PEAKS and np.isfinite(one.crank_angle) else plain
