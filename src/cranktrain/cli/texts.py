@@ -202,7 +202,16 @@ def add_textbook(app: typer.Typer) -> None:
             from cranktrain.cli.textbook.texts import show_equation
 
             del alone["--source"]
-            alone |= {"--full": "" if full else None, **of_throw, "--throw": throw, "--drive": drive, "-o": output}
+            alone |= {
+                "--set": values[0] if values else None,
+                "--full": "" if full else None,
+                **of_throw,
+                "--throw": throw,
+                "--drive": drive,
+                "--at": None if at is None else f"{at:g}",
+                "-o": output,
+                "--force": "" if force else None,
+            }
             show_equation(equation, source, others=alone)
             return
         if drive is not None:
@@ -238,7 +247,12 @@ def add_textbook(app: typer.Typer) -> None:
         from cranktrain.cli.textbook.forces import STEP, refuse_with_forces, refuse_without_forces, show_force_tables
 
         if forces is not None:
-            refuse_with_forces({"--source": source})
+            others = {
+                "--source": source,
+                "--table": "" if table else None,
+                "--errata": "" if errata else None,
+            }
+            refuse_with_forces(others)
             show_force_tables(file, values, unit=forces, step=STEP if step is None else step, piston=piston, full=full)
             return
         refuse_without_forces(of_forces)

@@ -16,7 +16,7 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.texts.crank_rocker_drive import Drivetrain
-from cranktrain.texts.drive_table import CrankRockerDrive, read_drive
+from cranktrain.texts.drive_table import CrankRockerDrive, LoadSense, read_drive
 from cranktrain.transient.gearing import stages
 
 _KIND = "crank_rocker"
@@ -24,6 +24,7 @@ _OF_STAGES = frozenset({"i", "eta_p", "eta_sh"})
 _SAID = {
     "i": ("drive.stage.ratio", N_("is missing: those of all stages make i"), "40"),
     "eta_p": ("drive.stage.efficiency", N_("is missing: those of all gears make η_p"), "0.94"),
+    "eta_sh": ("drive.stage", N_('is missing: the efficiency of those of kind "linkage" makes η_ш'), "0.9"),
     "Q": ("load", N_("must have a torque on the rocker, or a force on it with a radius, of one size: Q r₁"), "4 kN"),
     "GD2_0": ("drive.part", N_("is missing, with the rotor's inertia: the motor's shaft has (GD²)₀"), "2 kg*m^2"),
     "GD2_O1": ("masses.rocker", N_("is missing: the rocker's shaft has GD²"), "200 kg*m^2"),
@@ -74,9 +75,17 @@ def machine_drive(
 
     with problems_as(said):
         drive = read_drive(data)
+    if "Q" not in typed:
+        drive = drive._replace(load_sense=_load_sense(machine))
     if machine.drive is None or not _OF_STAGES.isdisjoint(typed):
         return drive
     return drive._replace(train=drivetrain_of(machine.drive))
+
+
+def missing_values(machine: Machine) -> dict[str, str]:
+    """Give what the text needs and a machine with a crank-rocker lacks: symbols, each with a value that might be."""
+    known = drive_data(machine)
+    return {symbol: value for symbol, (_path, _allowed, value) in _SAID.items() if symbol not in known}
 
 
 def drive_data(machine: Machine, mechanism: str | None = None) -> dict[str, object]:
@@ -131,7 +140,6 @@ def _of_gear(machine: Machine) -> Iterator[tuple[str, object]]:
     """Ratio and efficiency of all stages; flywheel moment of what turns with their shafts, at the motor."""
     drive = machine.drive
     if drive is None:
-        yield "eta_sh", 1.0
         return
     ratios = [_first(stage.ratio.array) for stage in drive.stage]
     train = drivetrain_of(drive)
@@ -179,6 +187,14 @@ def _of_loads(machine: Machine, place: PlacedMechanism) -> Iterator[tuple[str, o
     if own and None not in torques:
         torque = sum(one for one in torques if one is not None)
         yield "Q", _written(torque / float(place.geometry.rocker_length), "N")
+
+
+def _load_sense(machine: Machine) -> LoadSense:
+    """Whether what loads the rocker resists wherever it turns, or has a direction of its own, or there is both."""
+    resists = {load.sense == "resisting" for load in machine.load.values() if load.on.rpartition(".")[2] == "rocker"}
+    if len(resists) > 1:
+        return "both"
+    return "resisting" if True in resists else "active"
 
 
 def _torque(load: LoadSpec) -> float | None:

@@ -126,10 +126,16 @@ class ThrownMachine:
         InputError
             If there is no such throw, or it is none of which the text speaks.
         """
+        name = self._without_shaft(name)
         refuse(self._problems(name, degrees, masses))
         shaft, throw = self.throws[name]
         angle = np.deg2rad(degrees)[np.newaxis, np.newaxis] + self.loaded.zero
         return _Letters(ThrowSpan(self.loaded, shaft, throw, angle)).throw(name, masses)
+
+    def _without_shaft(self, name: str) -> str:
+        """Take the shaft's name from a throw's where there is but one shaft."""
+        (first, *others) = self.loaded.shafts.names
+        return name if others else name.removeprefix(f"{first}.")
 
     def _problems(self, name: str, degrees: Array, masses: str) -> Iterator[Problem]:
         """Refuse a throw that there is not, no angle, and other masses than those of which there are."""

@@ -9,10 +9,13 @@ import numpy as np
 
 from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.io.any_machine import source_of
+from cranktrain.io.own_tables import own_table
+from cranktrain.io.syntax import parsed
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.plans.machine_drive import machine_drive
 from cranktrain.textbook.alike_places import instead
+from cranktrain.textbook.asked_angle import asked_angle
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
 from cranktrain.texts.crank_rocker_drive import (
     Directions,
@@ -40,6 +43,7 @@ USUAL_ANGLE = 60.0
 FACTS = ("at", "advancing", "going back", "mean", "rms", "turn")
 """What is given of every curve: its value at the angle, its peaks in both half-periods, means, the work of a turn."""
 PEAKS = FACTS[1:3]
+_ROUNDING = 1e-12
 
 _VERDICTS: Mapping[str, Verdict] = {"right": "right", "source": "printed", "refuted": "refuted"}
 
@@ -55,7 +59,7 @@ def drive(
     Parameters
     ----------
     machine : str, path-like, dict or Machine, optional
-        As `cranktrain.run` takes it; the text's own example unless given.
+        As `cranktrain.run` takes it, or a file with a drive's table; the text's own example unless given.
     set : mapping of str, optional
         Other values by path; what the text needs and the machine lacks by the text's symbols: `i`, `eta_p`, `eta_sh`,
         `Q`, `GD2_0`, …
@@ -79,16 +83,19 @@ def drive(
     """
     values = {} if set is None else dict(set)
     symbols = {name: values.pop(name) for name in DRIVE_KEYS if name in values}
-    if machine is None:
+    angle, table = asked_angle(at), own_table(machine)
+    if machine is None or table is not None:
         refuse(Problem(path, str(value), _("is for a machine: name it")) for path, value in values.items())
-        return drive_statements(read_drive(tomllib.loads(example_table("drive")) | symbols), at)
+        data = tomllib.loads(example_table("drive")) if table is None else parsed(table.text, table.name)
+        with problems_as(lambda one: one if table is None or one.path in symbols else table.located(one)):
+            return drive_statements(read_drive({**data, **symbols}), angle)
     given = source_of(machine, values)
 
     def said(problem: Problem) -> Problem:
         return replace(problem, repair=instead(given.machine.places)) if problem.path == "mechanism" else problem
 
     with problems_as(given.placed), problems_as(said):
-        return drive_statements(machine_drive(given.machine, symbols), at)
+        return drive_statements(machine_drive(given.machine, symbols), angle)
 
 
 def drive_statements(drive: CrankRockerDrive, angle: float = USUAL_ANGLE) -> Statements:
@@ -121,7 +128,7 @@ def drive_statements(drive: CrankRockerDrive, angle: float = USUAL_ANGLE) -> Sta
             *_rubbing(drive, np.deg2rad(over)),
         ),
         {
-            _("The linkage"): tuple(_of_linkage(drive)),
+            _("The linkage"): (*_of_linkage(drive), *_of_numbers(drive)),
             _("What is absurd about it"): tuple(_absurd(drive)),
             _("Friction in the pins instead of η_ш, at the crank"): tuple(_of_friction(drive)),
         },
@@ -208,9 +215,10 @@ def _unit(curve: DriveCurve, at: str) -> str:
 def _facts(
     drive: CrankRockerDrive, curve: DriveCurve, facts: CurveFacts, angle: float
 ) -> dict[str, tuple[float, float]]:
-    """Each fact of a curve with its angle. [deg]"""
+    """Each fact of a curve with its angle; a flat line has no peaks at any. [deg]"""
     value = float(values_at(drive, curve, np.deg2rad(np.array([angle])))[0])
-    peaks = [(peak.value, float(np.degrees(peak.angle))) for peak in facts[:2]]
+    is_flat = all(abs(peak.value - facts.mean) <= _ROUNDING * abs(facts.mean) for peak in facts[:2])
+    peaks = [(peak.value, np.nan if is_flat else float(np.degrees(peak.angle))) for peak in facts[:2]]
     return dict(zip(FACTS, [(value, angle), *peaks, *((one, np.nan) for one in facts[2:])], strict=True))
 
 
@@ -223,7 +231,7 @@ def _over_turn(drive: CrankRockerDrive, curve: DriveCurve, right: DriveCurve, an
 
 def _rubbing(drive: CrankRockerDrive, angle: Array) -> Iterator[StatementCurve]:
     """Torque on the crank whose pins rub, if radii are known."""
-    if drive.friction is not None:
+    if drive.friction is not None and any(map(float, drive.friction)):
         load = drive.load * drive.geometry.rocker_length
         torque = rubbing_links(angle, drive.geometry, load, drive.friction).torque
         name = _("torque on the crank with friction circles")
@@ -234,9 +242,8 @@ def _of_linkage(drive: CrankRockerDrive) -> Iterator[str]:
     """Say where the rocker turns round, and how far it swings."""
     dead = dead_positions(drive.geometry)
     yield _(
-        "Dead positions at {extended:.4f}° (rod and crank extended) and {folded:.4f}° (folded): there every torque of "
-        "the load is 0, and changes its sign if the load is active. Swing {swing:.4f}°; the rocker advances during "
-        "{advance:.2f}° of a turn and goes back during {back:.2f}°."
+        "Dead positions at {extended:.4f}° (extended) and {folded:.4f}° (folded), where the load has no torque. Swing "
+        "{swing:.4f}°, advance during {advance:.2f}°, back during {back:.2f}°."
     ).format(
         extended=np.degrees(dead.extended),
         folded=np.degrees(dead.folded),
@@ -244,6 +251,32 @@ def _of_linkage(drive: CrankRockerDrive) -> Iterator[str]:
         advance=np.degrees(dead.advance.end - dead.advance.start),
         back=np.degrees(dead.back.end - dead.back.start),
     )
+
+
+def _of_numbers(drive: CrankRockerDrive) -> Iterator[str]:
+    """Say which numbers are counted with, and which rows of (14) are of the machine's own load."""
+    train = drive.train
+    yield _(
+        "i = {ratio:g}, η_p = {gear:.4g}, η_ш = {linkage:.4g}; Q = {load}, M_xx = {idle}; (GD²)₀ = {own}, of what is "
+        "driven GD² = {driven}."
+    ).format(
+        ratio=train.ratio,
+        gear=float(train.gear_efficiency),
+        linkage=float(train.linkage_efficiency),
+        load=number(float(drive.load), "N"),
+        idle=number(float(drive.idle_torque), "N*m"),
+        own=number(float(drive.gear_moment), "kg*m^2"),
+        driven=number(float(drive.driven_moment), "kg*m^2"),
+    )
+    said = {
+        "active": _("This machine's load is active: of (14) the first row is its own."),
+        "resisting": _("This machine's load resists: of (14) the row of dry friction is its own."),
+        "both": _(
+            "Of this machine's loads some are active and some resist: Q is their sum, and no row of (14) its own."
+        ),
+    }
+    if drive.load_sense:
+        yield said[drive.load_sense]
 
 
 def _absurd(drive: CrankRockerDrive) -> Iterator[str]:
@@ -277,6 +310,13 @@ def _of_friction(drive: CrankRockerDrive) -> Iterator[str]:
     if drive.friction is None:
         yield _("No pins are given: f with r_O, r_B, r_A, r_O1.")
         return
+    if not any(map(float, drive.friction)):
+        yield _("The pins have no friction: f or all their radii are 0.")
+        return
+    yield _(
+        "The load is the torque Q r₁ on the rocker's shaft, as (1) has it: a force Q across the rocker at A would "
+        "press on the pin O₁, too, and rub there."
+    )
     found = pin_friction(drive, drive.friction)
     if found is None:
         yield _("The pins lock the links, or no load drives them.")

@@ -47,7 +47,7 @@ def errata(source: str | None = None) -> Statements:
     >>> errata("C").notes[rod.name]
     ('the pressure angle is largest at 90°, sin α = r/l, not where crank and rod stand square, at 60°',)
     """
-    names = [text.name for text in TEXTS] if source is None else [text_called(source).name]
+    names = [text.name for text in TEXTS] if source is None else [text_called(str(source), "source").name]
     steps = [(name, step) for name in names for step in ERRATA[name]()]
     return Statements(
         _("Errors of the sources, each with what is right"),

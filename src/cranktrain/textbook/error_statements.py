@@ -10,6 +10,7 @@ from cranktrain.texts.largest_errors import LargestErrors
 
 ERRORS = ("Δx", "Δv", "Δj")
 """Of displacement in parts of the stroke, of velocity and acceleration in parts of the exact peaks."""
+_ROUNDING = 1e-12
 LARGEST = "largest"
 """Where an error is given: where it is largest over the turn."""
 
@@ -26,10 +27,10 @@ class MotionForm(NamedTuple):
 def error_statements(
     form: MotionForm, of: str, errors: Sequence[tuple[float, float]], verdict: Verdict
 ) -> Iterator[Statement]:
-    """Give the three errors [1], each with its angle [deg]."""
+    """Give the three errors [1], each with its angle [deg]; what is but rounding is at none."""
     for order, (symbol, (error, angle)) in enumerate(zip(ERRORS, errors, strict=True)):
         equation = form.equations[min(order, len(form.equations) - 1)]
-        where = angle % 360.0
+        where = angle % 360.0 if abs(error) > _ROUNDING else np.nan
         yield Statement(form.source, equation, symbol, form.name, of, form.at, error, "1", verdict, 0.0, where)
 
 

@@ -1,5 +1,7 @@
 """What a text states of a machine, formula by formula, beside what is right: records, tables of them, curves."""
 
+import csv
+import io
 from collections.abc import Iterator, Mapping
 from dataclasses import field, fields
 from importlib import import_module
@@ -123,10 +125,21 @@ class Statements:
         """One after another."""
         return iter(self.each)
 
-    def numbered(self, equation: str) -> tuple[Statement, ...]:
-        """Those of a formula by its number in the text, with or without brackets; none if there is none."""
-        asked = plain_number(equation)
-        return tuple(one for one in self.each if asked in numbers_in(one.equation))
+    def numbered(self, equation: str | int) -> tuple[Statement, ...]:
+        """Those of a formula by its number in the text, with or without brackets.
+
+        Raises
+        ------
+        InputError
+            If none has that number, with those that there are.
+        """
+        asked = plain_number(str(equation))
+        found = tuple(one for one in self.each if asked in numbers_in(one.equation))
+        if not found:
+            there = ", ".join(dict.fromkeys(one.equation for one in self.each if one.equation))
+            allowed = _("must be one of the numbers that there are: {numbers}").format(numbers=there or _("none"))
+            raise InputError([Problem("equation", str(equation), allowed)])
+        return found
 
     def __repr__(self) -> str:
         """Show what they are of and how many there are, in one line."""
@@ -139,7 +152,12 @@ class Statements:
         return _pandas().DataFrame([[getattr(one, name) for name in names] for one in self.each], columns=names)
 
     def csv(self) -> str:
-        """The curves as a table over the crank angle, in SI; exact ones beside, where they are none of the others."""
+        """The curves as a table over the crank angle, in SI; exact ones beside, where they are none of the others.
+
+        Where there are no curves, the numbers with their names, a row for each.
+        """
+        if not self.curves:
+            return self._csv_of_numbers()
         heads, columns = ["crank_angle_deg"], [self.crank_angle]
         are_several = len({one.of for one in self.curves}) > 1
         for one in self.curves:
@@ -154,6 +172,16 @@ class Statements:
         lines += [",".join(f"{value + 0.0:.12g}" for value in row) for row in np.stack(columns, axis=1)]
         return "\n".join(lines) + "\n"
 
+    def _csv_of_numbers(self) -> str:
+        """Every record in a row; what is not known is empty."""
+        text = io.StringIO(newline="")
+        writer = csv.writer(text, lineterminator="\n")
+        names = [one.name for one in fields(Statement)]
+        writer.writerow(names)
+        for one in self.each:
+            writer.writerow(_plain(getattr(one, name)) for name in names)
+        return text.getvalue()
+
     @property
     def curve_frame(self) -> "pandas.DataFrame":
         """The curves as a data frame over the crank angle: columns by equation, name, whose, verdict and unit."""
@@ -167,6 +195,13 @@ class Statements:
         heads = pandas.MultiIndex.from_tuples(list(columns), names=("equation", "name", "of", "verdict", "unit"))
         values = np.stack(list(columns.values()), axis=1) if columns else np.zeros((self.crank_angle.size, 0))
         return pandas.DataFrame(values, pandas.Index(self.crank_angle, name="crank_angle"), heads)
+
+
+def _plain(value: str | float) -> str:
+    """Write a cell of a table; of NaN an empty one."""
+    if isinstance(value, str):
+        return value
+    return f"{value + 0.0:.12g}" if np.isfinite(value) else ""
 
 
 def _pandas() -> Any:

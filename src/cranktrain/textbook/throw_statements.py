@@ -6,8 +6,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from cranktrain.errors import problems_as
+from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.io.any_machine import source_of
+from cranktrain.io.own_tables import own_table
+from cranktrain.io.syntax import parsed
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.plans.machine_throw import MachineThrow, ThrownMachine
@@ -19,6 +21,7 @@ from cranktrain.questions.crankshaft.methods.throw_reactions import (
     throw_length,
     throw_reactions,
 )
+from cranktrain.textbook.asked_angle import asked_angle
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
 from cranktrain.texts.example_tables import example_table
 from cranktrain.texts.throw_conditions import BalanceConditions, balance_conditions
@@ -65,7 +68,8 @@ def throw(
     Parameters
     ----------
     machine : str, path-like, dict or Machine, optional
-        As `cranktrain.run` takes it, with [crankshaft]; the text's own example unless given.
+        As `cranktrain.run` takes it, with [crankshaft], or a file with a throw's table; the text's own example unless
+        given.
     throw_number : int or str, optional
         Of the throw; with several shafts below the shaft's name: `main.3`. The first unless given.
     at : float, optional
@@ -94,13 +98,23 @@ def throw(
     R_KP K of the rods ... N
     """
     values = {} if set is None else dict(set)
-    if machine is None:
-        return throw_statements(read_throw(tomllib.loads(example_table("throw")) | values))
+    angle, table = None if at is None else asked_angle(at), own_table(machine)
+    if machine is None or table is not None:
+        asked = {
+            "throw_number": throw_number,
+            "at": at,
+            "crank_masses": None if crank_masses == "given" else crank_masses,
+        }
+        allowed = _("is for the throw of a machine: name it")
+        refuse(Problem(name, str(value), allowed) for name, value in asked.items() if value is not None)
+        data = tomllib.loads(example_table("throw")) if table is None else parsed(table.text, table.name)
+        with problems_as(lambda one: one if table is None or one.path in values else table.located(one)):
+            return throw_statements(read_throw({**data, **values}))
     given = source_of(machine, values)
     with problems_as(given.placed):
         thrown = ThrownMachine(given.machine)
         name = next(iter(thrown.throws)) if throw_number is None else str(throw_number)
-        return machine_statements(thrown, name, at, crank_masses)
+        return machine_statements(thrown, name, angle, crank_masses)
 
 
 def throw_statements(of: Throw) -> Statements:
@@ -130,8 +144,13 @@ def machine_statements(of: ThrownMachine, name: str, at: float | None, masses: C
         *_reactions(one.throw, one, name, at),
         *_conditions(one.throw, name),
     ]
-    title = _("Throw {name} of {machine} at {at:g}°, bearings {left} (L) and {right} (P) [{source}]").format(
-        name=name, machine=of.machine.name, at=at, left=one.bearings[0], right=one.bearings[1], source=SOURCE
+    title = _("Throw {name} of {machine} at {at}°, bearings {left} (L) and {right} (P) [{source}]").format(
+        name=name,
+        machine=of.machine.name,
+        at=f"{at:g}".replace("-", "−"),
+        left=one.bearings[0],
+        right=one.bearings[1],
+        source=SOURCE,
     )
     return Statements(
         title, tuple(each), of.crank_angle, tuple(_curves(over)), _notes(one.throw, _of_machine(one, masses))

@@ -270,9 +270,15 @@ def _moments(drive: CrankRockerDrive) -> Iterator[DriveCurve]:
 
     right, whole = N_("at the motor, with i² and no η"), N_("at the motor, rod and crank with their masses")
     yield _moment("(20)", "GD²", right, "right", "ratio", lambda k: reduced(k**2))
-    yield _moment(
-        "(20)", "GD² of all", whole, "right", "inertia", lambda own_of: motor_flywheel_moment(own, 4 * own_of, train)
-    )
+    if drive.has_masses:
+        yield _moment(
+            "(20)",
+            "GD² of all",
+            whole,
+            "right",
+            "inertia",
+            lambda own_of: motor_flywheel_moment(own, 4 * own_of, train),
+        )
     printed, kunitsky = N_("at the motor, with η and i"), N_("at the motor, by Kunitsky and Popov")
     yield _moment(
         "(20)", "GD²", printed, "source", "ratio", lambda k: printed_flywheel_moment(own, on_crank * k**2, train)

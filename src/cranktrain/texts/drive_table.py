@@ -31,6 +31,7 @@ from cranktrain.texts.friction_circles import FrictionRadii, friction_radius
 
 Efficiency = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)]
 Torque = Annotated[Given, Quantity(Dimension.TORQUE)]
+LoadSense = Literal["", "active", "resisting", "both"]
 
 _KEYS = {
     "load": "Q",
@@ -123,7 +124,7 @@ class CrankRockerDrive(NamedTuple):
 
     load: Q, tangential force at A against the growing α₁ [N]; idle_torque: M_xx0 on the rocker's shaft [N·m];
     gear_moment: (GD²)₀; driven_moment: GD² on O₁ [kg·m²]; rod, crank_inertia: not in the source; friction: radii of the
-    friction circles, None where none are known.
+    friction circles, None where none are known; load_sense: of a machine's load, empty of a Q that was given.
     """
 
     geometry: CrankRocker
@@ -135,6 +136,12 @@ class CrankRockerDrive(NamedTuple):
     rod: RigidRod
     crank_inertia: Array
     friction: FrictionRadii | None = None
+    load_sense: LoadSense = ""
+
+    @property
+    def has_masses(self) -> bool:
+        """Whether rod or crank has what the source leaves out."""
+        return float(self.rod.mass) > 0 or float(self.crank_inertia) > 0
 
 
 def read_drive(data: Mapping[str, object]) -> CrankRockerDrive:

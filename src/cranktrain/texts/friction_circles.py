@@ -48,7 +48,8 @@ def rubbing_links(angle: Array, geometry: CrankRocker, load: Array, radii: Frict
     geometry : CrankRocker
     load : Array, broadcastable
         Torque on the rocker's shaft against its growing angle: of a weight or a spring as it stands, of dry friction
-        times the sign of the rocker's speed. [N·m]
+        times the sign of the rocker's speed. A couple, which presses on no pin: a force across the rocker at A, of the
+        same torque, would press on the pivot, too. [N·m]
     radii : FrictionRadii
 
     Returns

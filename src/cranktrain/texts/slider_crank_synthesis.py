@@ -175,7 +175,10 @@ def wrong_steps() -> tuple[WrongStep, ...]:
             largest_pressure_angle(CRANK_RADIUS, ROD_LENGTH),
             limit,
             "rad",
-            N_("two errors that nearly cancel leave a rod 1.7 times longer than the limit needs"),
+            N_(
+                "the tangent makes the rod 0.866 times as long as the limit needs and 0.3 for tan 30° makes that 1.925 "
+                "times as long: together 1.667 times, 1.69 as rounded"
+            ),
         ),
         WrongStep(
             N_("pressure angle in the plans at φ = [α] and 180° + [α]"),

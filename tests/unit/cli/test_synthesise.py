@@ -105,6 +105,10 @@ def test_the_source_and_its_errors(typed):
     assert value_of(output, "L") == 160.00
     assert value_of(output, "n") == 1181.2
     assert "[slider-crank-synthesis]" in output
+    assert len(output.splitlines()) <= 45
+    assert re.search(r"3\.  Tangent of 30° +0\.3 +0\.5774\n", output)
+    (whole,) = re.findall(r"`cranktrain (textbook errata --source C --full)`", output)
+    output = typed(*whole.split()).output
     assert re.search(r"printed +0,08/tg 30° = 0,08/0,3\n +gives +0\.3\n +right +0\.5774\n", output)
     assert re.search(r"^ +60° +9\.990 +10\.007 +10\.036$", output, re.MULTILINE)
     own = typed("synthesise", *SLIDER_CRANK[:2], "200 mm", *SLIDER_CRANK[3:], "--textbook").output
@@ -257,4 +261,15 @@ def test_steps_of_the_source_with_requirements_that_are_typed(typed):
     assert re.search(r"period of a turn +Tц +0\.0231 ", steps)
     assert re.search(r"^  90° .* 16\.3363 +16\.3363$", steps, re.MULTILINE)
     assert all(len(line) <= 80 for line in steps.splitlines())
-    assert "Its steps" not in typed("synthesise", "slider-crank", *wanted, "--offset", "1 mm").output
+    offset = typed("synthesise", "slider-crank", *wanted, "--offset", "1 mm").output
+    assert re.search(r"central slider-crank with one pressure angle both ways, and nothing\s+of --offset", offset)
+    assert "rod by the rule" not in offset
+    without = typed("synthesise", "slider-crank", *wanted[:4], "--textbook").output
+    assert re.search(r"a stroke, a mean speed and a pressure angle; --mean-speed: not\s+given", without)
+
+
+@pytest.mark.parametrize("more", [("--friction", "0.1"), ("--speed", "1000 rpm"), ("--rod-length", "270 mm")])
+def test_the_sources_example_with_what_it_does_not_say(typed, more):
+    done = typed("synthesise", "slider-crank", "--textbook", *more)
+    assert (done.status, done.errors) == (0, "")
+    assert value_of(done.output, "S") == 160.00

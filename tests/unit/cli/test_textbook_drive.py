@@ -1,10 +1,17 @@
 """`textbook --drive`: (1) to (21) of a crank-rocker's drive as typed, of a table and of a machine, and mistakes."""
 
 import csv
+import math
 import re
+from decimal import Decimal
+from itertools import pairwise
 
+import numpy as np
 import pytest
 from tests.sentences import ENDS_IN
+
+import cranktrain as ct
+from cranktrain.textbook.drive_statements import PEAKS
 
 LINKS = 'r = "250 mm"\nl = "700 mm"\nr1 = "500 mm"\nd = "800 mm"\n'
 DRIVE = 'i = 40\neta_p = 0.94\neta_sh = 0.9\nQ = "4 kN"\nGD2_0 = "2.4 kgf*m^2"\nGD2_O1 = "200 kgf*m^2"\n'
@@ -12,8 +19,13 @@ OF_MACHINE = ("--set=i=40", "--set=eta_p=0.94", "--set=eta_sh=0.9", "--set=GD2_0
 
 
 def rows(output, number):
-    """Numbers of each row of a formula: verdict, at α, peaks with angles, mean, rms."""
-    return [line.split()[1:] for line in output.splitlines() if line.startswith(f"  {number} ")]
+    """Of each row of a formula: verdict, at α, peaks with angles, mean, rms."""
+    over = output.splitlines()[output.splitlines().index("Over a turn") :]
+    return [
+        [below.strip().partition(":")[0], *line.split()[1:]]
+        for line, below in pairwise(over)
+        if line.startswith(f"  {number} ")
+    ]
 
 
 def test_example(typed):
@@ -107,3 +119,117 @@ def test_without_pins_there_is_no_friction(typed, written):
     assert (
         "No pins are given: f with r_O, r_B, r_A, r_O1." in typed("textbook", "--drive", "drive.toml", "--full").output
     )
+
+
+def table_rows(output):
+    """Of each formula over a turn, its verdict and name, the cells as written, of tables one below another too."""
+    found = {}
+    lines = output.splitlines()
+    for line, below in pairwise(lines[lines.index("Over a turn") :]):
+        number, *cells = line.split() or [""]
+        if number.startswith("(") and ": " in below:
+            found.setdefault((number, *below.strip().split(": ", 1)), []).extend(cells)
+    return found
+
+
+def is_written(cell, value):
+    """Whether a cell is a number to its last figure."""
+    written = Decimal(cell.replace("−", "-").rstrip("°"))
+    return abs(float(written) - value) <= 0.51 * 10.0 ** written.as_tuple().exponent
+
+
+UNITS = {"Q": " N", "M_xx0": " N*m", "GD2_0": " kg*m^2", "GD2_O1": " kg*m^2", "i": "", "m": " kg"}
+
+
+@pytest.mark.parametrize("symbols", [tuple(UNITS), ("Q",), ("i",)], ids=" ".join)
+@pytest.mark.parametrize("power", range(-3, 7, 3))
+def test_every_number_of_a_turn_is_shown_whole(typed, symbols, power):
+    """However wide the numbers are, what stands on the screen is the record, to the last figure shown."""
+    values = {one: f"{'-' if one == 'Q' else ''}{1.2345 * 10.0**power:.8g}{UNITS[one]}" for one in symbols}
+    options = [word for symbol, value in values.items() for word in ("--set", f"{symbol}={value}")]
+    answer = typed("textbook", "--drive", "example", *options, "--full")
+    assert (answer.status, answer.errors) == (0, "")
+    assert max(map(len, answer.output.splitlines())) <= 80
+    shown, records = table_rows(answer.output), ct.textbook.drive(set=values)
+    curves = [one for one in records.curves if one.verdict != "beyond"]
+    assert set(shown) == {(one.equation, one.verdict, one.name) for one in curves}
+    for (equation, _verdict, name), cells in shown.items():
+        own = [one for one in records if (one.equation, one.name) == (equation, name)]
+        expected = []
+        for one in own:
+            expected += (
+                [one.value, one.crank_angle] if one.at in PEAKS and np.isfinite(one.crank_angle) else [one.value]
+            )
+        assert len(cells) == len(expected)
+        assert [*map(is_written, cells, expected)] == [True] * len(cells), (cells, expected)
+
+
+PUMPING = ("--set=i=40", "--set=eta_p=0.94", "--set=Q=4 kN", "--set=GD2_0=2 kg*m^2", "--set=GD2_O1=200 kg*m^2")
+
+
+def test_what_a_machine_lacks_is_asked_for_and_what_is_taken_is_shown(typed):
+    without = typed("textbook", "--drive", "pumping_unit_c57", *PUMPING)
+    assert without.status == 2
+    assert "or --set eta_sh=0.9" in without.errors
+    shown = typed("textbook", "--drive", "pumping_unit_c57", *PUMPING, "--set=eta_sh=0.8").output
+    assert re.search(r"i = 40, η_p = 0\.94, η_ш = 0\.8; Q = 4000\.0 N", shown)
+    assert re.search(r"\(GD²\)₀ =\s+2\.000 kg·m², of what is driven\s+GD² = 200\.000 kg·m²", shown)
+    assert len(shown.splitlines()) <= 45
+
+
+def test_masses_have_a_row_where_there_are_some(typed):
+    of_masses = "rod and crank with their masses"
+    assert of_masses in typed("textbook", "--drive", "example").output
+    assert of_masses not in typed("textbook", "--drive", "pumping_unit_c57", *PUMPING, "--set=eta_sh=0.8").output
+
+
+@pytest.mark.parametrize(
+    ("sense", "said"), [("active", "the first row is its own"), ("resisting", "dry friction is its")]
+)
+def test_screen_says_which_row_is_the_machines(typed, sense, said):
+    shown = typed("textbook", "--drive", "tilting_table", "--set", f"load.table.sense={sense}").output
+    assert said in re.sub(r"\s+", " ", shown)
+
+
+def test_friction_circles_have_the_load_as_a_couple_on_the_rockers_shaft(typed):
+    """By an equilibrium of rod, rocker and crank at α = 0, in which a force at A, not a couple, presses on O₁."""
+    rubbing = next(one for one in ct.textbook.drive().curves if one.verdict == "beyond")
+    assert rubbing.values[0] == pytest.approx(_torque_at_zero(with_force_at_a=False), rel=1e-9)
+    assert _torque_at_zero(with_force_at_a=True) == pytest.approx(-844.6367, abs=1e-4)
+    assert "torque Q r₁ on the rocker's shaft" in re.sub(
+        r"\s+", " ", typed("textbook", "--drive", "example", "--full").output
+    )
+
+
+def _torque_at_zero(*, with_force_at_a):
+    """Crank torque of the example's rubbing pins at α = 0, from the joints' places: circles of ρ = R sin(atan f)."""
+    r, l, r1, d, load = 0.25, 0.7, 0.5, 0.8, 4000.0
+    pin_o, pin_b, _pin_a, pin_1 = (size * math.sin(math.atan(0.08)) for size in (0.07, 0.05, 0.05, 0.06))
+    span = d - r  # from B, on the line of the pivots, to O₁
+    along = (l * l - r1 * r1 + span * span) / (2 * span)
+    a = np.array([r + along, math.sqrt(l * l - along * along)])
+    b, o1 = np.array([r, 0.0]), np.array([d, 0.0])
+    rocker, rod = (a - o1) / r1, (a - b) / l
+    # With the crank on the line of the pivots the rocker turns as the crank does by −r/(d − r), and so does the rod.
+    turning = -r / span
+    sense_b, sense_1 = np.sign(turning - 1), np.sign(turning)  # A stands
+    tilt = pin_b * sense_b / l
+    cosine = math.sqrt(1 - tilt * tilt)
+    across = np.array([-rod[1], rod[0]])
+    force_at_a = -load * np.array([-rocker[1], rocker[0]]) * with_force_at_a
+    for sign in (1, -1):
+        unit = sign * cosine * rod - tilt * across
+        arm = r1 * (rocker[0] * unit[1] - rocker[1] * unit[0])
+        size = load * r1 / arm
+        for _round in range(60):
+            size = (load * r1 + pin_1 * sense_1 * np.hypot(*(size * unit + force_at_a))) / arm
+        if size > 0:
+            return size * (b[0] * unit[1] - b[1] * unit[0] - pin_b * sense_b + pin_o)
+    raise AssertionError
+
+
+def test_without_friction_nothing_is_said_of_locked_pins(typed):
+    said = re.sub(r"\s+", " ", typed("textbook", "--drive", "example", "--set", "f=0", "--full").output)
+    assert "The pins have no friction: f or all their radii are 0." in said
+    assert "cannot drive" not in said
+    assert "beyond" not in {one.verdict for one in ct.textbook.drive(set={"f": 0}).curves}

@@ -72,7 +72,7 @@ def test_a_page_begins_with_one_screen(typed, arguments):
     assert len(lines) <= SCREEN
     assert all(len(line) <= 80 for line in lines)
     assert not re.search(r"\bdeg\b|\*m|\^[23]|(?<![\w.-])-\d", answer.output)
-    rest = re.search(r"`cranktrain (textbook [^`]*--full[^`]*)`", " ".join(answer.output.split()))
+    rest = re.search(r"`cranktrain (textbook [^`]*--full[^`]*)`", " ".join(answer.output.replace("\\\n", " ").split()))
     assert rest
     whole = typed(*shlex.split(rest[1]))
     assert (whole.status, whole.errors) == (0, "")
@@ -178,7 +178,10 @@ def test_a_formula_by_its_number(typed):
 @pytest.mark.parametrize(
     ("arguments", "answer"),
     [
-        (["--equation", "999"], "--equation = 999: must be the number of a formula or figure: (333), (334)"),
+        (
+            ["--equation", "999"],
+            "--equation = 999: must be the number of a formula, figure or page: A fig. 146, (333)–(335)",
+        ),
         (["--equation", ""], "must be the number"),
         (
             ["--equation", "44", "--source", "Z"],
@@ -192,3 +195,34 @@ def test_bad_numbers_are_answered(typed, arguments, answer):
     done = typed("textbook", *arguments)
     assert done.status == 2
     assert answer in " ".join(done.errors.split())
+
+
+@pytest.mark.parametrize(
+    ("spelt", "heading"),
+    [
+        *((one, "fig. 35") for one in ("35", "fig35", "fig. 35", "Figure 35", "рис. 35")),
+        ("fig 146", "fig. 146"),
+        *((one, "p. 14") for one in ("p14", "p. 14", "стр. 14")),
+        ("eq 44", "(44)"),
+        ("equation 44", "(44)"),
+        *((one, "(I.13)") for one in ("I13", "I.13", "i 13")),
+        ("p. 19", "p. 19, 1"),
+        ("fig 1.3", "fig. 1.3"),
+        ("2", "(2)"),
+        ("fig. 2", "fig. 2"),
+    ],
+)
+def test_numbers_are_found_as_people_write_them(typed, spelt, heading):
+    answer = typed("textbook", "--equation", spelt)
+    assert (answer.status, answer.errors) == (0, "")
+    assert f"\n{heading}  " in answer.output
+
+
+def test_a_number_that_no_text_has_is_told_with_those_there_are(typed):
+    wrong = typed("textbook", "--equation", "99")
+    assert wrong.status == 2
+    for words in ("A fig. 146, (333)–(335), fig. 147, (336)–(337)", "B fig. 1, (1)–(21), fig. 2", "p. 14", "fig. 35"):
+        assert words in wrong.errors
+    other = typed("textbook", "--source", "bolotin", "--equation", "337")
+    assert other.status == 2
+    assert "that number is in A steam-engine" in other.errors

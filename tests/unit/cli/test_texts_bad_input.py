@@ -62,10 +62,10 @@ def test_what_no_text_speaks_of_is_told_so(typed, road):
         (
             "pumping_unit_c57",
             (),
-            ["drive.stage.ratio", "drive.stage.efficiency", "load", "drive.part", "masses.rocker"],
+            ["drive.stage.ratio", "drive.stage.efficiency", "drive.stage", "load", "drive.part", "masses.rocker"],
         ),
         ("jaw_crusher", (), ["load", "masses.rocker"]),
-        ("tilting_table", ("drive",), ["drive.stage.ratio", "drive.stage.efficiency", "drive.part"]),
+        ("tilting_table", ("drive",), ["drive.stage.ratio", "drive.stage.efficiency", "drive.stage", "drive.part"]),
         ("tilting_table", ("load",), ["load"]),
         ("tilting_table", ("masses.rocker",), ["masses.rocker"]),
         ("tilting_table", ("drive.motor", "drive.part"), ["drive.part"]),

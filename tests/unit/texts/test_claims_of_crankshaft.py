@@ -89,9 +89,9 @@ def test_its_commands_take_the_example_and_an_engines_file(capsys, tmp_path, mon
     monkeypatch.chdir(tmp_path)
     words = said("crankshafts with their supports, a throw at a time")
     commands = re.findall(r"`cranktrain ([^`]+)`", words)
-    assert [one.rpartition(" ")[2] for one in commands] == ["example", "FILE"]
+    assert [one.rpartition(" ")[2] for one in commands] == ["example", "kamaz_740"]
     for command in commands:
-        assert main(tuple(shlex.split(command.replace("FILE", name)))) == 0
+        assert main(tuple(shlex.split(command.replace("kamaz_740", name)))) == 0
         assert "[crankshaft-reactions]" in capsys.readouterr().out
 
 

@@ -71,3 +71,14 @@ def test_side_force_with_friction_by_equilibrium_of_the_slider():
         beta, friction = mp.pi / 6, mp.mpf("0.1")
         rod = 1 / (mp.cos(beta) - friction * mp.sin(beta))  # S of P = 1, the crank driving: S cos β = P + μN
         assert abs(rod * mp.sin(beta) - mp.tan(beta) / (1 - friction * mp.tan(beta))) < mp.mpf(10) ** -25
+
+
+def test_its_two_errors_of_the_rod_do_not_cancel():
+    """By r/sin 30°, r/tan 30° and r/0.3, and the printed 0.27 m."""
+    notes = ct.textbook.errata("C").notes.values()
+    (words,) = (one for (one,) in notes if "the tangent makes the rod" in one)
+    with mp.workdps(30):
+        right, tangent = R / mp.sin(mp.pi / 6), R / mp.tan(mp.pi / 6)
+        for ratio, digits in ((tangent / right, 3), (R / mp.mpf("0.3") / tangent, 3), (R / mp.mpf("0.3") / right, 3)):
+            assert f"{float(ratio):.{digits}f} times" in words
+        assert f"{float(mp.mpf(270) / right):.2f} as rounded" in words

@@ -5,7 +5,7 @@ import sys
 import textwrap
 from collections.abc import Container, Generator, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from itertools import dropwhile
+from itertools import dropwhile, zip_longest
 from typing import Any
 
 from rich.cells import cell_len
@@ -24,6 +24,10 @@ GAP = 2
 
 _WIDTH = 80
 """Where there is no terminal."""
+
+_COMMAND = re.compile(r"`cranktrain [^`]*`")
+_WORD = re.compile(r"(?:--set )?(?:'[^']*'|\"[^\"]*\"|[^\s'\"])+")
+"""Of a command: what stands between blanks outside of quotes, a setting with its option."""
 
 _LEAST_FOLDED = 9
 """A cell is not folded narrower than this, however narrow the screen."""
@@ -70,9 +74,42 @@ def section(console: Console, heading: str, lines: Iterable[str | Text]) -> None
 
 
 def paragraph(console: Console, text: str, style: str = "") -> list[Text]:
-    """Fold a text to the width of the screen less the indent; an empty one is an empty line."""
-    lines = textwrap.wrap(as_printed(visible(text)), console.width - INDENT, break_on_hyphens=False)
-    return [Text(line, style) for line in lines] or [Text()]
+    """Fold a text to the width of the screen less the indent; an empty one is an empty line.
+
+    A command in it stays in one line, or is folded as a shell takes it.
+    """
+    width = console.width - INDENT
+    whole = _COMMAND.sub(lambda found: found[0].replace(" ", KEPT), as_printed(visible(text)))
+    lines = textwrap.wrap(whole, width, break_on_hyphens=False, break_long_words=False)
+    return [Text(part, style) for line in lines for part in _in_width(line, width)] or [Text()]
+
+
+def _in_width(line: str, width: int) -> list[str]:
+    """Fold a line that is one long word: a command between its words, with a backslash; any other anywhere."""
+    if cell_len(line) <= width:
+        return [line]
+    if KEPT not in line:
+        return textwrap.wrap(line, width)
+    return command_lines(line.replace(KEPT, " "), width)
+
+
+def command_lines(command: str, width: int) -> list[str]:
+    r"""Fold a command between its words as a shell takes it; what stands in quotes is one word.
+
+    Examples
+    --------
+    >>> command_lines("`cranktrain run a --set 'x=2 mm'`", 20)
+    ['`cranktrain run a \\', "    --set 'x=2 mm'`"]
+    """
+    words = _WORD.findall(command)
+    lines = [words[0]]
+    for word, after in zip_longest(words[1:], words[2:]):
+        if cell_len(f"{lines[-1]} {word}") <= width - (2 if after else 0):
+            lines[-1] += f" {word}"
+        else:
+            lines[-1] += " \\"
+            lines.append(f"    {word}")
+    return lines
 
 
 def folded(

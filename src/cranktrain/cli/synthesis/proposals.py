@@ -15,7 +15,7 @@ from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.screen.typesetting import printed
 from cranktrain.cli.synthesis.plan import write_plan
 from cranktrain.cli.synthesis.requirements import Typed, proposed
-from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_errors_of
+from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_first_errors
 from cranktrain.cli.textbook.synthesis import show_steps
 from cranktrain.grouping import grouped
 from cranktrain.how_far import say_how_far
@@ -72,7 +72,8 @@ def _give_proposal(
     problem: str, typed: Typed, output: str | None, file: MachineFile | None, *, force: bool, with_source: bool
 ) -> None:
     """Do so, in the units in which numbers are shown."""
-    wanted = SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed
+    is_own = with_source and not any(typed.get(name) for name in SOURCE_EXAMPLE)
+    wanted = _with_example(typed) if is_own else typed
     with says_how_far():
         proposal = proposed(problem, wanted, file, None if file is None else _progress)
     is_plan = output is not None and PurePath(output).suffix.lower() in FORMATS and file is None
@@ -86,9 +87,9 @@ def _give_proposal(
         show_proposal(console, proposal)
         if with_source:
             with printed():
-                if wanted is typed:
+                if not is_own:
                     show_steps(console, typed)
-                show_errors_of(console, SYNTHESIS)
+                show_first_errors(console, SYNTHESIS)
         console.print()
         if output is None:
             said = _("-o FILE.toml writes it as a machine file, for: cranktrain run FILE.toml")
@@ -98,6 +99,12 @@ def _give_proposal(
             command = shlex.join(["cranktrain", "run", one_line(output)])
             said = _("written: {name}; go on with: {command}").format(name=one_line(output), command=command)
         console.print(said, soft_wrap=True)
+
+
+def _with_example(typed: Typed) -> Typed:
+    """Take the source's own example for what is not typed; a crank's speed stands for the slider's."""
+    own = {name: value for name, value in SOURCE_EXAMPLE.items() if name != "mean_speed" or not typed.get("speed")}
+    return {**own, **{name: value for name, value in typed.items() if value}}
 
 
 def _progress(reached: float, bound: float) -> None:

@@ -76,6 +76,8 @@ def show_textbook(
             show_errata(console, text, full=full)
     elif source is not None and not file:
         refuse(_without_machine(settings, with_table=with_table))
+        if text is None and full:
+            raise InputError([Problem("--full", None, _("is for one text: name it, such as --source bolotin"))])
         show_texts() if text is None else show_text(text, has_forms=text.name in _SHOWN, full=full)
     else:
         if text_named(file) and not os.path.exists(file):  # noqa: PTH110 - takes a NUL byte

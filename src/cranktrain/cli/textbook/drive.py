@@ -8,18 +8,20 @@ from pathlib import PurePath
 from typing import NamedTuple
 
 import numpy as np
+from rich.cells import cell_len
 from rich.console import Console
 from rich.text import Text
 
+from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.drive_output import write_drive
 from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
-from cranktrain.cli.textbook.source import is_machine
 from cranktrain.cli.textbook.speaking import with_speaking
 from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.document import Document
 from cranktrain.io.machine_file import read_machine
+from cranktrain.io.own_tables import is_machine
 from cranktrain.io.syntax import parsed
 from cranktrain.language import _
 from cranktrain.one_line import one_line
@@ -87,7 +89,7 @@ def show_drive(
     """
     allowed = _("must be left out beside --drive")
     found = [Problem(name, value or None, allowed) for name, value in others.items() if value is not None]
-    refuse([*found, *output_problems(output, TABLE, CURVES)])
+    refuse([*found, *output_problems(output, TABLE, CURVES, force=force)])
     file = read_drive_file(source, settings)
     at = USUAL_ANGLE if angle is None else angle
     if output is not None:
@@ -160,7 +162,7 @@ def _show(console: Console, found: Statements, angle: float, *, first_of: _Asked
     section(console, heading, _force_lines(shown, width))
     section(console, _("Over a turn"), _curve_lines(shown, width))
     if first_of:
-        section(console, _("To go on"), _go_on(*first_of))
+        section(console, _("To go on"), _go_on(width, *first_of))
         return
     for subject, sentences in others:
         section(console, subject, _listed(sentences, width))
@@ -177,13 +179,16 @@ def _first(found: Statements) -> Statements:
     )
 
 
-def _go_on(source: str, angle: float | None, settings: Sequence[str]) -> Iterator[str]:
-    """Say what shows the rest."""
+def _go_on(width: int, source: str, angle: float | None, settings: Sequence[str]) -> Iterator[str]:
+    """Say what shows the rest; a command that has no room in a line by what is to be added to the typed one."""
     at = [] if angle is None else ["--at", f"{angle:g}"]
-    whole = textbook_command("--drive", source, *at, "--full", settings=settings)
-    yield _("`{command}`: (1) to (21), what is refuted and absurd, friction in the pins").format(command=whole)
-    drawn = textbook_command("--drive", source, *at, "-o", "fig2.svg", settings=settings)
-    yield _("`{command}`: fig. 2, redrawn; as .csv its curves").format(command=drawn)
+    for added, said in (
+        (["--full"], _("all, with what is refuted, and pin friction")),
+        (["-o", "fig2.svg"], _("fig. 2, redrawn; as .csv its curves")),
+    ):
+        command = f"`{textbook_command('--drive', source, *at, *added, settings=settings)}`"
+        shown = command if cell_len(command) < width else _("the same with {option}").format(option=" ".join(added))
+        yield f"{shown}: {said}"
 
 
 def _listed(sentences: Sequence[str], width: int) -> Sequence[str | Text]:
@@ -216,27 +221,33 @@ def _amount(one: Statement) -> str:
 def _curve_lines(found: Statements, width: int) -> Iterator[Text]:
     """Every curve with its value at the angle, its peaks in both half-periods, means and work."""
     words = {"right": _("right"), "printed": _("printed"), "refuted": _("refuted")}
-    heads = ("", "", _("at α"), _("advancing"), _("going back"), _("mean"), _("rms"), _("a turn"))
+    heads = (_("at α"), _("advancing"), _("going back"), _("mean"), _("rms"), _("a turn, J"))
     for unit in ("1", "N*m", "kg", "kg*m^2"):
-        rows: list[tuple[str, ...]] = []
-        for curve in (one for one in found.curves if one.unit == unit and one.verdict in words):
+        curves = [one for one in found.curves if one.unit == unit and one.verdict in words]
+        if not curves:
+            continue
+        rows: list[list[str]] = []
+        for curve in curves:
             facts = {one.at: one for one in found if (one.equation, one.name) == (curve.equation, curve.name)}
-            cells = [_fact(facts[at]) if at in facts else "" for at in FACTS]
-            rows.append((curve.equation, words[curve.verdict], *cells))
-            rows.append(("", curve.name, "", "", "", "", "", ""))
-        if rows:
-            yield from _narrow(heads, rows, unit, width)
+            rows.append([_fact(facts[at]) if at in facts else "" for at in FACTS])
+        columns = [Column(head, "", tuple(texts)) for head, *texts in zip(heads, *rows, strict=True) if any(texts)]
+        title = {"1": "", "N*m": "N·m", "kg": "kg", "kg*m^2": ""}[unit]
+        if unit == "kg*m^2":
+            yield Text("GD², kg·m² (kgf·m²)", style="bold")
+        yield from _named(
+            columns, title, [(one.equation, f"{words[one.verdict]}: {one.name}") for one in curves], width
+        )
 
 
-def _narrow(heads: Sequence[str], rows: Sequence[Sequence[str]], unit: str, width: int) -> Iterator[Text]:
-    """A table whose rows of names are not columns of it."""
-    shown = heads if unit == "N*m" else (*heads[:-1], "")
-    laid = table(shown, [row for row in rows if row[0]], right=range(2, 8))
-    yield Text({"1": "AC/BC", "N*m": "N·m; J", "kg": "kg", "kg*m^2": "GD², kg·m² (kgf·m²)"}[unit], style="bold")
-    yield laid[0][:width]
-    for line, (_number, name, *_cells) in zip(laid[1:], [row for row in rows if not row[0]], strict=True):
-        yield line[:width]
-        yield Text(f"       {name}")
+def _named(columns: Sequence[Column], title: str, named: Sequence[tuple[str, str]], width: int) -> Iterator[Text]:
+    """Rows with numbers before and names below; columns for which there is no room stand in a table of their own."""
+    numbers = [number for number, _name in named]
+    for part in side_by_side(columns, width - max(map(cell_len, numbers))):
+        head, *lines = column_table(part, numbers, title, has_units=False)
+        yield head
+        for line, (_number, name) in zip(lines, named, strict=True):
+            yield line
+            yield Text(f"       {name}")
 
 
 def _fact(one: Statement) -> str:
@@ -244,4 +255,4 @@ def _fact(one: Statement) -> str:
     if one.at == "turn":
         return figure(one.value, "J")
     plain = "0" if abs(one.value) < _ROUNDING else f"{one.value:.5g}"
-    return f"{plain} {one.crank_angle:.1f}°" if one.at in PEAKS else plain
+    return f"{plain} {one.crank_angle:.1f}°" if one.at in PEAKS and np.isfinite(one.crank_angle) else plain

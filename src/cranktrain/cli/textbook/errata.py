@@ -17,7 +17,7 @@ from cranktrain.textbook.errata_statements import amounts, errata
 from cranktrain.textbook.statements import Statement, Statements
 from cranktrain.textbook.synthesis_statements import SOURCE as SYNTHESIS
 from cranktrain.textbook.synthesis_statements import synthesis
-from cranktrain.texts.contents import TEXTS, Text
+from cranktrain.texts.contents import TEXTS, Text, text_called
 from cranktrain.texts.slider_crank_synthesis import REQUIREMENTS
 
 SOURCE_EXAMPLE = {
@@ -42,6 +42,13 @@ def show_errata(console: Console, text: Text | None = None, *, full: bool = True
     if not full:
         asked = f" --source {text.letter}" if text else ""
         section(console, _("To go on"), _go_on(asked))
+
+
+def show_first_errors(console: Console, name: str) -> None:
+    """Show a text's first errors one in a line, and the command for all."""
+    text = text_called(name)
+    _list_errors_of(console, text, _OF_EACH)
+    section(console, _("To go on"), _go_on(f" --source {text.letter}"))
 
 
 def show_errors_of(console: Console, name: str) -> None:

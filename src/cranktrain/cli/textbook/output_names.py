@@ -10,8 +10,10 @@ from cranktrain.viz.output import FORMATS
 TABLE, CURVES = ".toml", ".csv"
 
 
-def output_problems(output: str | None, *kinds: str) -> Iterator[Problem]:
-    """Refuse a name that says nothing of what is to be written: one of `kinds`, or a picture."""
+def output_problems(output: str | None, *kinds: str, force: bool) -> Iterator[Problem]:
+    """Refuse a name that says nothing of what is to be written: one of `kinds`, or a picture; `--force` without one."""
+    if output is None and force:
+        yield Problem("--force", None, _("is for a file that is written: ask for -o FILE, too"))
     known = (*kinds, *FORMATS)
     if output is not None and PurePath(output).suffix.lower() not in known:
         yield Problem("-o", output, _("must end in one of: {suffixes}").format(suffixes=", ".join(known)))

@@ -12,10 +12,12 @@ from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
 from cranktrain.cli.textbook.curve_tables import ROUND_ANGLES, show_curves
 from cranktrain.cli.textbook.forms import show_form
 from cranktrain.cli.to_type import textbook_command
+from cranktrain.errors import InputError
 from cranktrain.grouping import grouped, places_of_equal
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
+from cranktrain.plans.machine_drive import machine_drive, missing_values
 from cranktrain.textbook.distinct_pistons import AlikePistons, alike
 from cranktrain.textbook.error_statements import ERRORS, LARGEST
 from cranktrain.textbook.motion_statements import form_curves, form_statements
@@ -53,8 +55,7 @@ def go_on(
 ) -> Iterator[str]:
     """Say what shows the rest."""
     if any(place.kind.name == "crank_rocker" for place in machine.places):
-        command = textbook_command("--drive", file, settings=settings)
-        yield _("`{command}`: (1) to (21), its drive with them").format(command=command)
+        yield from _go_on_to_drive(machine, file, settings)
         return
     source = ["--source", text.name] if text else []
     own = textbook_command(file, *source, settings=settings)
@@ -67,6 +68,23 @@ def go_on(
         yield _("`{command}`: ranges, where the errors are largest, constructions, constants").format(command=whole)
         table = textbook_command(file, *source, "--table", settings=settings)
         yield _("`{command}`: the motion over the turn").format(command=table)
+
+
+def _go_on_to_drive(machine: Machine, file: str, settings: Sequence[str]) -> Iterator[str]:
+    """Say what shows the machine's drive, with values for what it lacks; nothing of a linkage that has none so."""
+    lacking = missing_values(machine)
+    try:
+        machine_drive(machine, lacking)
+    except InputError:
+        return
+    own = [f"{symbol}={value}" for symbol, value in lacking.items()]
+    command = textbook_command("--drive", file, settings=(*settings, *own))
+    if not lacking:
+        yield _("`{command}`: (1) to (21), its drive with them").format(command=command)
+        return
+    yield _(
+        "`{command}`: (1) to (21), its drive with them; the machine does not say {symbols}: put in your own"
+    ).format(command=command, symbols=", ".join(lacking))
 
 
 def _ranges(places: Sequence[PlacedMechanism], text: Text | None) -> list[Range]:

@@ -7,6 +7,7 @@ from rich.text import Text as Line
 
 from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, section, table
+from cranktrain.cli.synthesis.requirements import option_of
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.textbook.statements import Statements
@@ -14,17 +15,32 @@ from cranktrain.textbook.synthesis_statements import PLACE, SOURCE, synthesis
 from cranktrain.wording import figure
 
 NEEDED = ("stroke", "mean_speed", "pressure_angle")
+_NOT_ITS_OWN = ("offset", "return_pressure_angle")
 _SHOWN = {"m": "mm", "rad": "deg"}
 
 
 def show_steps(console: Console, typed: Mapping[str, str | bool | None]) -> None:
-    """Show the text's steps with the requirements that are typed, if they are all that it starts from, and central."""
+    """Show the text's steps with the requirements that are typed, or say why they are not its own."""
+    heading = _("Its steps with these requirements [{source}]").format(source=SOURCE)
     given = {name: value for name in (*NEEDED, "rod_length") if isinstance(value := typed.get(name), str)}
-    if given.keys() >= set(NEEDED) and not typed.get("offset"):
-        found = synthesis(**given)
-        width = console.width - INDENT
-        section(console, _("Its steps with these requirements [{source}]").format(source=SOURCE), _sizes(found))
-        section(console, _("Place and velocity of the slider"), _over_the_turn(found, width))
+    if unlike := [*_unlike(typed, given)]:
+        section(console, heading, unlike)
+        return
+    found = synthesis(**given)
+    section(console, heading, _sizes(found))
+    section(console, _("Place and velocity of the slider"), _over_the_turn(found, console.width - INDENT))
+
+
+def _unlike(typed: Mapping[str, str | bool | None], given: Mapping[str, str]) -> Iterator[str]:
+    """Say of what the text does not speak, and what it needs besides."""
+    if lacking := [option_of(name) for name in NEEDED if name not in given]:
+        yield _("It starts from a stroke, a mean speed and a pressure angle; {options}: not given.").format(
+            options=", ".join(lacking)
+        )
+    if others := [option_of(name) for name in _NOT_ITS_OWN if typed.get(name)]:
+        yield _("It has a central slider-crank with one pressure angle both ways, and nothing of {options}.").format(
+            options=", ".join(others)
+        )
 
 
 def _sizes(found: Statements) -> list[Line]:

@@ -95,10 +95,15 @@ def show_equation(number: str, source: str | None, *, others: Mapping[str, str |
     texts = [text_called(source)] if source else TEXTS
     found = with_equation(number, texts)
     if not found:
-        every = dict.fromkeys(one.number for text in texts for one in text.formulas if one.number.startswith("("))
-        numbers = ", ".join(every)
-        missing = _("must be the number of a formula or figure: {numbers}").format(numbers=numbers)
-        raise InputError([Problem("--equation", number, missing)])
+        elsewhere = [] if source is None else with_equation(number)
+        repair = None
+        if elsewhere:
+            letters = ", ".join(dict.fromkeys(f"{text.letter} {text.name}" for text, _one in elsewhere))
+            repair = _("that number is in {texts}").format(texts=letters)
+        missing = _("must be the number of a formula, figure or page: {numbers}").format(
+            numbers="; ".join(f"{text.letter} {', '.join(text.number_ranges)}" for text in texts)
+        )
+        raise InputError([Problem("--equation", number, missing, repair)])
     with page(_("By the number {number}").format(number=number)) as console:
         for text, one in found:
             heading = f"{one.number}  {_(one.subject)}  [{text.name}]"

@@ -14,7 +14,6 @@ from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.curve_tables import show_curves
 from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
-from cranktrain.cli.textbook.source import is_machine
 from cranktrain.cli.textbook.speaking import with_speaking
 from cranktrain.cli.textbook.throw_output import write_machine_throw, write_throw
 from cranktrain.cli.to_type import textbook_command
@@ -22,6 +21,7 @@ from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.grouping import grouped
 from cranktrain.io.document import Document
 from cranktrain.io.machine_file import read_machine
+from cranktrain.io.own_tables import is_machine
 from cranktrain.io.syntax import parsed
 from cranktrain.language import _
 from cranktrain.numerics.ties import first_largest, first_smallest
@@ -116,7 +116,7 @@ def show_throw(
         found.append(Problem("--throw", '""', missing))
     refuse(found)
     of_machine = is_machine(source)
-    refuse(output_problems(output, CURVES if of_machine else TABLE))
+    refuse(output_problems(output, CURVES if of_machine else TABLE, force=force))
     if of_machine:
         _show_of_machine(source, settings, output, asked, full=full, force=force)
         return

@@ -14,6 +14,14 @@ __all__ = ["TEXTS", "Formula", "Text", "numbers_in", "plain_number", "text_calle
 TEXTS: tuple[Text, ...] = (steam_engine.TEXT, gandzha.TEXT, synthesis.TEXT, bolotin.TEXT, crankshaft.TEXT)
 """Every text, in the order in which the project came by them."""
 
+_SPELLINGS = (
+    (r"^(?:eqs?|equation|ф-?ла|формула)\.?(?=[\di])", ""),
+    (r"^(?:figs?|figure|рис|рисунок)\.?(?=\d)", "fig."),
+    (r"^(?:pp?|page|с|стр)\.?(?=\d)", "p."),
+    (r"^i(?=\d)", "i."),
+)
+"""How people write numbers of formulas, figures and pages, and how the texts' contents have them, plain."""
+
 _PART = 3
 """So many letters of a name may stand for it: fewer are in names by chance."""
 
@@ -35,21 +43,43 @@ def with_equation(number: str, texts: Sequence[Text] = TEXTS) -> list[tuple[Text
     []
     """
     asked = plain_number(number)
-    return [(text, formula) for text in texts for formula in text.formulas if asked in numbers_in(formula.number)]
+    spelt = (asked, f"fig.{asked}", f"p.{asked}") if re.fullmatch(r"\d[\d.]*", asked) else (asked,)
+    found: list[tuple[Text, Formula]] = []
+    for one in spelt:
+        found = [(text, formula) for text in texts for formula in text.formulas if one in numbers_in(formula.number)]
+        if found:
+            break
+    return found
 
 
 def numbers_in(numbered: str) -> set[str]:
     """What a formula may be asked for by: all that stands for its number, and each number in brackets there; plain."""
-    return {plain_number(numbered), *map(plain_number, re.findall(r"\([^)]*\)", numbered))}
+    figures = re.findall(r"(?:fig|p)\.\s*\d[\d.]*", numbered)
+    return {*map(plain_number, (numbered, *re.findall(r"\([^)]*\)", numbered), *figures))}
 
 
 def plain_number(number: str) -> str:
-    """Write a number without what people leave out: brackets, spaces, case; I is a letter in either alphabet."""
-    return re.sub(r"[()\s]", "", number.casefold()).replace("і", "i")
+    """Write a number without what people leave out: brackets, spaces, case; I is a letter in either alphabet.
+
+    Examples
+    --------
+    >>> plain_number("(I.13)"), plain_number("I13"), plain_number("eq 44"), plain_number("Рис. 35"), plain_number("p14")
+    ('i.13', 'i.13', '44', 'fig.35', 'p.14')
+    """
+    plain = re.sub(r"[()\s]", "", number.casefold()).replace("і", "i")
+    for pattern, instead in _SPELLINGS:
+        plain = re.sub(pattern, instead, plain)
+    return plain
 
 
-def text_called(name: str) -> Text:
+def text_called(name: str, asked_as: str = "--source") -> Text:
     """Find a text by its name, letter or author, in any case, or by a part of its name that no other has.
+
+    Parameters
+    ----------
+    name : str
+    asked_as : str
+        What a problem with it is called.
 
     Raises
     ------
@@ -71,7 +101,7 @@ def text_called(name: str) -> Text:
         names=", ".join(f"{text.letter} {text.name}" for text in found or TEXTS)
     )
     repair = _('write "{text}"').format(text=meant) if meant else None
-    raise InputError([Problem("--source", name, allowed, repair)])
+    raise InputError([Problem(asked_as, name, allowed, repair)])
 
 
 def _as_named(name: str) -> str:

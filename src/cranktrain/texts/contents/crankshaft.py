@@ -15,8 +15,8 @@ TEXT = Text(
     name="crankshaft-reactions",
     title=N_("reactions of a crankshaft's supports, throw by throw"),
     said_of=N_(
-        "crankshafts with their supports, a throw at a time: `cranktrain textbook --throw example`, or of an engine's "
-        "file `cranktrain textbook --throw FILE`"
+        "crankshafts with their supports, a throw at a time: `cranktrain textbook --throw example`, or of an engine "
+        "with [crankshaft], such as `cranktrain textbook --throw kamaz_740`"
     ),
     letter="E",
     formulas=(

@@ -1,5 +1,6 @@
 """What a text holds: its formulas and figures, each with its range, its verdict and the command that shows it."""
 
+import re
 from typing import Literal
 
 from cranktrain.language import N_, _
@@ -15,6 +16,10 @@ _VERDICTS = {
     ("wrong", True): N_("wrong, corrected"),
     ("wrong", False): N_("wrong, not computed"),
 }
+
+
+_SHORT = 12
+"""A longer number is a formula, by which nobody asks."""
 
 
 @record
@@ -84,3 +89,20 @@ class Text:
     formulas: tuple[Formula, ...]
     letter: str
     authors: tuple[str, ...] = ()
+
+    @property
+    def number_ranges(self) -> tuple[str, ...]:
+        """By what its formulas, figures and pages are asked for, with numbers that follow one another as a range."""
+        found: list[list[str]] = []
+        for number in dict.fromkeys(one.number for one in self.formulas if len(one.number) <= _SHORT):
+            if found and number.startswith("(") and _after(found[-1][-1]) == number:
+                found[-1].append(number)
+            else:
+                found.append([number])
+        return tuple(f"{one[0]}–{one[-1]}" if len(one) > 1 else one[0] for one in found)
+
+
+def _after(number: str) -> str:
+    """The next number in brackets: `(I.12)` after `(I.11)`; none after what is no number."""
+    match = re.fullmatch(r"(\(\D*)(\d+)\)", number)
+    return f"{match[1]}{int(match[2]) + 1})" if match else ""

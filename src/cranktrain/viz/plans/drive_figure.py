@@ -31,7 +31,7 @@ _TABLE = 70.0
 """Height of what stands below the mechanism. [mm]"""
 _FAR = 2.2
 """An instant centre farther from O than so many ground lengths is said and not drawn."""
-_SECOND = 9.0
+_SECOND = 14.0
 """Room for the numbers of a scale at the right. [mm]"""
 _COLUMNS = (1.0,)
 _ARC = 8.0
@@ -95,7 +95,7 @@ def drive_figure(drive: CrankRockerDrive, name: str = "", angle: float = 60.0, s
     page.rule(top - 17.5)
     wide = _WIDE * (page.width - 2 * MARGIN)
     room = Box(MARGIN, MARGIN + _TABLE, wide, top - 24.0 - MARGIN - _TABLE)
-    page.heading(MARGIN, top - 23.0, _("At α = {angle:g}°").format(angle=angle))
+    page.heading(MARGIN, top - 23.0, _("At α = {angle}°").format(angle=f"{angle:g}".replace("-", "−")))
     scale = _draw_mechanism(page, drive, np.deg2rad(angle), room)
     page.scale_bar(MARGIN, MARGIN, scale)
     _write_numbers(page, drive, np.deg2rad(angle), (MARGIN, MARGIN + _TABLE - 1.0, wide))
@@ -172,15 +172,20 @@ def _write_numbers(page: Page, drive: CrankRockerDrive, angle: float, place: tup
     at = directions(np.array(angle), drive.geometry)
     ac, bc = centre_distances(drive.geometry.rod_length, at)
     rows = [(_("by the sine rule"), ""), *_angles(at), *_forces(drive, at)]
-    rows.append(("AC = AB sin(α − β) / sin(α₁ − α)", f"{figure(1e3 * float(ac))} mm"))
-    rows.append(("BC = AB sin(α₁ − β) / sin(α₁ − α)", f"{figure(1e3 * float(bc))} mm"))
-    rows.append(("AC/BC = sin(α − β) / sin(α₁ − β),  (10)", f"{float(ac / bc):.6f}"))
+    rows.append(("AC = AB |sin(α − β) / sin(α₁ − α)|", _signed(abs(1e3 * float(ac)), "mm")))
+    rows.append(("BC = AB |sin(α₁ − β) / sin(α₁ − α)|", _signed(abs(1e3 * float(bc)), "mm")))
+    rows.append(("AC/BC = sin(α − β) / sin(α₁ − β),  (10)", f"{float(ac / bc):.6f}".replace("-", "−")))
     low = write_table(page, rows, place, _COLUMNS, LEAST_ROW)
     notes = (
         _("In the triangle ABC the angle at A is 180° − (α₁ − β), at B it is"),
         _("α − β: (10) is the sine rule, (11). C is the rod's instant centre."),
     )
     page.notes(place[0], low - 0.5, notes)
+
+
+def _signed(size: float, unit: str) -> str:
+    """A number with a true minus and its unit."""
+    return f"{figure(size)} {unit}".replace("-", "−")
 
 
 def _angles(at: Directions) -> Iterator[tuple[str, str]]:
@@ -191,9 +196,9 @@ def _angles(at: Directions) -> Iterator[tuple[str, str]]:
 
 def _forces(drive: CrankRockerDrive, at: Directions) -> Iterator[tuple[str, str]]:
     """Q, Q′ and T."""
-    yield "Q", f"{figure(float(drive.load))} N"
-    yield "Q′ = Q / sin(α₁ − β),  (2)", f"{figure(float(rod_force(drive.load, at)))} N"
-    yield "T = Q AC/BC,  (9)", f"{figure(float(crank_pin_force(drive.load, at)))} N"
+    yield "Q", _signed(float(drive.load), "N")
+    yield "Q′ = Q / sin(α₁ − β),  (2)", _signed(float(rod_force(drive.load, at)), "N")
+    yield "T = Q AC/BC,  (9)", _signed(float(crank_pin_force(drive.load, at)), "N")
 
 
 def _draw_curves(page: Page, drive: CrankRockerDrive, box: Box) -> None:
@@ -212,8 +217,8 @@ def _draw_curves(page: Page, drive: CrankRockerDrive, box: Box) -> None:
             _("Flywheel moment at the motor (20), kg·m²"),
             (
                 _Kind("(20)", "GD²", "right", "active", _("without the rod")),
-                _Kind("(20)", "GD² of all", "right", "whole", _("rod and crank, too")),
-                _Kind("(20)", "GD²", "source", "source", _("as printed (right)"), is_apart=True),
+                *([_Kind("(20)", "GD² of all", "right", "whole", _("rod and crank, too"))] if drive.has_masses else []),
+                _Kind("(20)", "GD²", "source", "source", _("as printed (right-hand axis)"), is_apart=True),
                 _Kind("(20)", "GD²", "refuted", "refuted", _("refuted")),
             ),
         ),
@@ -254,7 +259,7 @@ def _draw_panel(axes: Axes, drive: CrankRockerDrive, kinds: Sequence[_Kind]) -> 
         curve = next(curve for curve in known if (curve.number, curve.thing, curve.verdict) == wanted)
         pen = _PENS[one.pen]
         line = {"color": pen.colour, "linewidth": pen.width, "linestyle": (0, pen.dashes) if pen.dashes else "-"}
-        own = _second_scale(axes) if one.is_apart else axes
+        own = _second_scale(axes, _("as printed, kg·m²")) if one.is_apart else axes
         own.plot(degrees, values_at(drive, curve, np.deg2rad(degrees)), **line)
         if one.pen == "active":
             for peak in curve_facts(drive, curve)[:2]:
@@ -264,12 +269,13 @@ def _draw_panel(axes: Axes, drive: CrankRockerDrive, kinds: Sequence[_Kind]) -> 
     axes.set(xlim=(0.0, 360.0), xticks=np.arange(0.0, 361.0, 30.0))
 
 
-def _second_scale(axes: Axes) -> Axes:
-    """A scale at the right."""
+def _second_scale(axes: Axes, title: str) -> Axes:
+    """A scale at the right with its title."""
     second = axes.twinx()
     second.yaxis.set_major_locator(MaxNLocator(4))
     second.spines["top"].set_visible(False)
     second.grid(visible=False)
+    second.set_ylabel(title)
     return second
 
 

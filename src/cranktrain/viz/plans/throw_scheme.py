@@ -93,10 +93,10 @@ def machine_throw_figure(
     at = of.usual_angle(over) if at is None else at
     one = of.throw(name, np.array([at]), masses)
     page = Page(*paper(size))
-    heading = _(
-        "Throw {name} at {at:g}°, bearings {left} (L) and {right} (P), with the symbols of fig. 35 of [{source}]"
+    heading = _("Throw {name} at {at}°, bearings {left} (L) and {right} (P), with the symbols of fig. 35 of [{source}]")
+    said = heading.format(
+        name=name, at=f"{at:g}".replace("-", "−"), left=one.bearings[0], right=one.bearings[1], source=_SOURCE
     )
-    said = heading.format(name=name, at=at, left=one.bearings[0], right=one.bearings[1], source=_SOURCE)
     _draw_scheme(page, one.first(), (of.machine.name, said), MARGIN + _OVER_CYCLE, is_clockwise=one.is_clockwise)
     _draw_cycle(page, of.crank_angle, over, at)
     return page.figure
