@@ -15,13 +15,18 @@ from Pynite import FEModel3D
 from scipy.linalg import cho_solve_banded, cholesky_banded
 from timing import interleaved_ratio
 
+from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.metal.pieces_of_throws import (
+    WEB_RULES,
+    ThrowGeometry,
+    pieces_of_throws,
+    webs_of_throws,
+)
+from cranktrain.questions.crankshaft.metal.sections import Material, round_section, web_section
+from cranktrain.questions.crankshaft.metal.shaft import Crankshaft, StraightSpans, Supports
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
-from cranktrain.questions.crankshaft.sections import Material, round_section, web_section
-from cranktrain.questions.crankshaft.shaft import Crankshaft, StraightSpans, Supports
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
-from cranktrain.questions.crankshaft.throw_line import WEB_RULES, ThrowGeometry, pieces_of_throws, webs_of_throws
 
-LINEAR = BEARING_METHODS[:5]
+LINEAR = tuple(method for method in BEARING_METHODS if method.bearings.is_linear)
 SPAN, RADIUS, STIFFNESS, BENDING = 0.19, 0.09, 8e8, 3e5
 
 

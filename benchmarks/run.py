@@ -53,7 +53,7 @@ LIMITS = {
 """Twice what was reached, in parts of the yardstick's time; of the last two rows in parts of another way's."""
 FACT = "stroke"
 MECHANICS = tuple(f"cranktrain.questions.{name}" for name in ("motion", "forces", "torque"))
-CRANKSHAFT = "cranktrain.questions.crankshaft"
+CRANKSHAFT = tuple(f"cranktrain.questions.{name}" for name in ("wear", "crankshaft"))
 METHODS_ALONE = ("loads_over_cycle", "main_bearing_loads")
 """The stages that ask all methods for the bearings' loads, at the angles of the grid and no others."""
 COMMANDS = {

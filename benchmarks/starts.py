@@ -23,16 +23,16 @@ from tests.starts import kernels, kloss, reference_drive  # noqa: E402 - found o
 
 # the project is imported below the path that the tests need
 import cranktrain as ct  # noqa: E402 - below the path
-from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, untimed  # noqa: E402 - below the path
-from cranktrain.questions.drive.running.reduced import (  # noqa: E402 - below the path
+from cranktrain.questions.start.starting import run_start  # noqa: E402 - below the path
+from cranktrain.study.start import parts_and_stages, start_case  # noqa: E402 - below the path
+from cranktrain.transient.equation import DriveTrain, Kernels, no_brake, untimed  # noqa: E402 - below the path
+from cranktrain.transient.reduced import (  # noqa: E402 - below the path
     filled_at,
     in_one_row,
     reduced_machine,
     settle,
 )
-from cranktrain.questions.drive.running.runs import run, run_all, wanted  # noqa: E402 - below the path
-from cranktrain.questions.drive.starting import run_start  # noqa: E402 - below the path
-from cranktrain.study.start import parts_and_stages, start_case  # noqa: E402 - below the path
+from cranktrain.transient.runs import run, run_all, wanted  # noqa: E402 - below the path
 
 LEAST_RATIO = 20.0
 MOST_TIME, MOST_TIME_OF_ALL = 0.5e-3, 0.3

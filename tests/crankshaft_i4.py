@@ -3,10 +3,15 @@
 import numpy as np
 from tests.reference_case import ReferenceCase
 
-from cranktrain.questions.crankshaft.sections import Material, round_section, web_section
-from cranktrain.questions.crankshaft.shaft import Crankshaft, StraightSpans, Supports
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
-from cranktrain.questions.crankshaft.throw_line import WEB_RULES, ThrowGeometry, pieces_of_throws, webs_of_throws
+from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.metal.pieces_of_throws import (
+    WEB_RULES,
+    ThrowGeometry,
+    pieces_of_throws,
+    webs_of_throws,
+)
+from cranktrain.questions.crankshaft.metal.sections import Material, round_section, web_section
+from cranktrain.questions.crankshaft.metal.shaft import Crankshaft, StraightSpans, Supports
 
 CASE = ReferenceCase.load("crankshaft_I4")
 MACHINE = CASE.machine

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from cranktrain.questions.crankshaft.shaft import Crankshaft, Pieces, StraightSpans, Supports, Webs
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.metal.shaft import Crankshaft, Pieces, StraightSpans, Supports, Webs
 
 STEEL, IN_SHEAR = 206e9, 79e9
 

@@ -2,18 +2,20 @@
 
 import numpy as np
 
-from cranktrain.questions.drive.motors.brake import Brake
-from cranktrain.questions.drive.motors.cage import CageMotor, CatalogueValues, catalogue_curve
-from cranktrain.questions.drive.motors.circuit import Circuit
-from cranktrain.questions.drive.motors.direct_current import SeriesMotor, ShuntMotor
-from cranktrain.questions.drive.motors.inverter import FluxInverter, Inverter, Ramp
-from cranktrain.questions.drive.motors.prime_mover import PrimeMover
-from cranktrain.questions.drive.motors.rheostat import Rheostat, SteppedRotor, TimedRotor
-from cranktrain.questions.drive.motors.servo import Servo
-from cranktrain.questions.drive.motors.soft_start import SoftStart
-from cranktrain.questions.drive.motors.star_delta import StarDelta
-from cranktrain.questions.drive.motors.table import TableMotor
-from cranktrain.questions.drive.motors.wound_rotor import WoundRotor
+from cranktrain.motors.cage.inverter import FluxInverter
+from cranktrain.motors.cage.law import CageMotor, CatalogueValues, catalogue_curve
+from cranktrain.motors.cage.soft_start import SoftStart
+from cranktrain.motors.cage.star_delta import StarDelta
+from cranktrain.motors.circuit.inverter import Inverter
+from cranktrain.motors.circuit.law import Circuit
+from cranktrain.motors.induction.ramp import Ramp
+from cranktrain.motors.prime_mover.law import PrimeMover
+from cranktrain.motors.series.law import SeriesMotor
+from cranktrain.motors.servo.law import Servo
+from cranktrain.motors.shunt.law import ShuntMotor
+from cranktrain.motors.table.law import TableMotor
+from cranktrain.motors.wound_rotor.law import WoundRotor
+from cranktrain.motors.wound_rotor.rheostat import Rheostat, SteppedRotor, TimedRotor
 
 SYNCHRONOUS = 50 * np.pi
 CATALOGUE = CatalogueValues(7500 / (1465 * np.pi / 30), 1465 * np.pi / 30, SYNCHRONOUS, 3.0, 2.3, 1.8)
@@ -39,5 +41,4 @@ EXAMPLES = {
     "servo": Servo(20.0, 2000.0, 30.0),
     "table": FULL_LOAD,
     "prime_mover": PrimeMover(196.0, 188.0, 655.0, FULL_LOAD),
-    "brake": Brake(50.0, 0.2),
 }

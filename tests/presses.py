@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 
-from cranktrain.questions.drive.clutched.courses import Grip
-from cranktrain.questions.drive.clutched.equation import press_of
-from cranktrain.questions.drive.running.equation import Kernels, no_brake, no_heat, no_motor
-from cranktrain.questions.drive.running.gearing import stages
+from cranktrain.transient.clutched.courses import Grip
+from cranktrain.transient.clutched.equation import press_of
+from cranktrain.transient.equation import Kernels, no_brake, no_heat, no_motor
+from cranktrain.transient.gearing import stages
 
 RADIUS, ROD, RAM = 0.065, 0.65, 900.0
 GRAVITY = 9.80665

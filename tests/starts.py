@@ -3,13 +3,13 @@
 import math
 
 import numpy as np
+from tests.mechanism_in_time import Mechanism, OutputLoad, machine_of
 
 from cranktrain.linkage.forces import Body, Gravity
 from cranktrain.mechanisms import kind_named
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
-from cranktrain.questions.drive.running.equation import DriveTrain, Kernels, no_brake, untimed
-from cranktrain.questions.drive.running.gearing import stages
-from cranktrain.questions.drive.running.mechanism import Mechanism, OutputLoad, machine_of
+from cranktrain.transient.equation import DriveTrain, Kernels, no_brake, untimed
+from cranktrain.transient.gearing import stages
 
 SYNCHRONOUS = 50 * math.pi
 

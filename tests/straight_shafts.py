@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from cranktrain.questions.crankshaft.shaft import Crankshaft, Pieces, StraightSpans, Supports, Webs
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.metal.shaft import Crankshaft, Pieces, StraightSpans, Supports, Webs
 
 
 def straight_shaft(place, *, bending=1.0, shear=np.inf, compliance=0.0, settlement=None, clearance=0.0):

@@ -11,9 +11,15 @@ from cranktrain.questions import (
     gas,
     loads,
     motion,
+    press,
     pumping,
+    reduction,
+    servo,
+    sizing,
+    start,
     torque,
     torsion,
+    wear,
 )
 
 QUESTIONS: tuple[Question, ...] = (
@@ -26,7 +32,13 @@ QUESTIONS: tuple[Question, ...] = (
     pumping.QUESTION,
     balance.QUESTION,
     evenness.QUESTION,
+    wear.QUESTION,
     crankshaft.QUESTION,
     torsion.QUESTION,
+    reduction.QUESTION,
     drive.QUESTION,
+    servo.QUESTION,
+    sizing.QUESTION,
+    start.QUESTION,
+    press.QUESTION,
 )

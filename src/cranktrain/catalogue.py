@@ -4,9 +4,12 @@ import re
 from dataclasses import dataclass, field, fields
 from functools import cache
 from operator import attrgetter
-from typing import Any
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 from cranktrain.language import _
+
+Worst: TypeAlias = Literal["smallest", "largest"]
+"""Which end of the values of several members is the worst, and says more than the other."""
 
 _COORDINATE = re.compile("displacement|angle|position")
 """The word in a coordinate's name for which the names of its derivatives have another."""
@@ -31,6 +34,14 @@ class Entry:
         Where its formula is derived: a page of docs/theory or an equation of a source.
     path : str
         Where in a stage's result its array is: `stroke`, or `rod_angle.first` where a field holds several.
+    shown : str
+        By what `scales` finds its unit for people: speeds of shafts are in rpm, natural frequencies in Hz.
+    worst : "smallest" or "largest", or None
+        Which end of its members' values is the worst; None where one says as little as the other.
+    of : str
+        Of a fact that is the end of a curve, the name of the curve; a curve's screens tell it by such facts.
+    is_place : bool
+        Whether it is a crank angle at which something is, of which a part in percent says nothing.
     """
 
     name: str
@@ -40,23 +51,25 @@ class Entry:
     sentence: str
     source: str
     path: str
+    shown: str
+    worst: Worst | None = None
+    of: str = ""
+    is_place: bool = False
 
     def __repr__(self) -> str:
         """Show name, symbol, unit and sentence."""
         return f"<{self.name} {self.symbol} [{self.unit}]: {self.sentence}>"
 
     @property
-    def shown(self) -> str:
-        """What `scales` finds its unit for people by: speeds of shafts are in rpm, natural frequencies in Hz."""
-        if self.unit == "rad/s" and "speed" in self.name:
-            return "rpm"
-        return "Hz" if self.name.endswith("frequency") else self.unit
+    def words(self) -> str:
+        """Its name in words; what has the symbol GD² is called so, as an inertia has kg·m², too."""
+        words = self.name.replace("_", " ")
+        return f"{words} GD²" if "GD²" in self.symbol else words
 
     @property
-    def words(self) -> str:
-        """Its name in words; a flywheel moment is called GD², as an inertia has kg·m², too."""
-        words = self.name.replace("_", " ")
-        return words.replace("flywheel moment", "flywheel moment GD²")
+    def at(self) -> str:
+        """Of an extreme, the name of the quantity that says at which crank angle it is."""
+        return _name(self.name, ".angle")
 
     @property
     def is_fact(self) -> bool:
@@ -64,17 +77,47 @@ class Entry:
         return "crank_angle" not in self.dimensions
 
 
-def quantity(symbol: str, unit: str, dimensions: tuple[str, ...], sentence: str, source: str) -> Any:
-    """Declare a field of a result class as a quantity of the catalogue; the arguments are those of `Entry`."""
-    return _declared(dimensions, source, ("", symbol, unit, sentence))
+def quantity(
+    symbol: str,
+    unit: str,
+    dimensions: tuple[str, ...],
+    sentence: str,
+    source: str,
+    *,
+    shown: str | None = None,
+    worst: Worst | None = None,
+    is_place: bool = False,
+) -> Any:
+    """Declare a field of a result class as a quantity of the catalogue; the arguments are those of `Entry`.
+
+    It is shown in its own unit unless another is given.
+    """
+    return _declared(dimensions, source, _Part("", symbol, unit, sentence, shown or unit, worst, is_place=is_place))
 
 
-def extreme(symbol: str, unit: str, dimensions: tuple[str, ...], value: str, angle: str, source: str) -> Any:
+def extreme(
+    symbol: str,
+    unit: str,
+    dimensions: tuple[str, ...],
+    value: str,
+    angle: str,
+    source: str,
+    *,
+    shown: str | None = None,
+    worst: Worst | None = None,
+    of: str = "",
+) -> Any:
     """Declare a field that holds an `Extreme` or a `Peak` as two quantities: of `x`, how much it is, and `x_at`, where.
 
-    `value` and `angle` are their sentences, each as it is read, so that it can be translated.
+    `value` and `angle` are their sentences, each as it is read, so that it can be translated; `of` is the curve whose
+    end it is.
     """
-    return _declared(dimensions, source, (".value", symbol, unit, value), (".angle", f"φ({symbol})", "deg", angle))
+    return _declared(
+        dimensions,
+        source,
+        _Part(".value", symbol, unit, value, shown or unit, worst, of),
+        _Part(".angle", f"φ({symbol})", "deg", angle, "deg", worst, is_place=True),
+    )
 
 
 def coefficients(
@@ -86,27 +129,53 @@ def coefficients(
     position likewise; of `point_x` they are `point_x_velocity_coefficient` and so on. `value`, `first` and `second` are
     their sentences.
     """
+    by_angle, by_its_square = f"{unit}/rad", f"{unit}/rad^2"
     return _declared(
         dimensions,
         source,
-        (".value", symbol, unit, value),
-        (".first", f"{symbol}′", f"{unit}/rad", first),
-        (".second", f"{symbol}″", f"{unit}/rad^2", second),
+        _Part(".value", symbol, unit, value, unit),
+        _Part(".first", f"{symbol}′", by_angle, first, by_angle),
+        _Part(".second", f"{symbol}″", by_its_square, second, by_its_square),
     )
 
 
-def _declared(dimensions: tuple[str, ...], source: str, *parts: tuple[str, str, str, str]) -> Any:
-    """Field with the quantities that it holds: of each its path in the field's value, symbol, unit and sentence."""
-    return field(metadata={"entries": [(*part, dimensions, source) for part in parts]})
+class _Part(NamedTuple):
+    """A quantity that a field holds: its path in the field's value; the others are those of `Entry`."""
+
+    path: str
+    symbol: str
+    unit: str
+    sentence: str
+    shown: str
+    worst: Worst | None = None
+    of: str = ""
+    is_place: bool = False
+
+
+def _declared(dimensions: tuple[str, ...], source: str, *parts: _Part) -> Any:
+    """Field with the quantities that it holds."""
+    return field(metadata={"entries": [(part, dimensions, source) for part in parts]})
 
 
 @cache
 def entries(result_class: type) -> tuple[Entry, ...]:
     """Give the catalogue entries of a result class, in the order of its fields."""
     return tuple(
-        Entry(_name(held.name, part), symbol, unit, dimensions, _(sentence), source, held.name + part)
+        Entry(
+            _name(held.name, part.path),
+            part.symbol,
+            part.unit,
+            dimensions,
+            _(part.sentence),
+            source,
+            held.name + part.path,
+            part.shown,
+            part.worst,
+            part.of,
+            part.is_place,
+        )
         for held in fields(result_class)
-        for part, symbol, unit, sentence, dimensions, source in held.metadata.get("entries", ())
+        for part, dimensions, source in held.metadata.get("entries", ())
     )
 
 

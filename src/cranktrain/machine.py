@@ -18,6 +18,7 @@ from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.closing import closing_problems
 from cranktrain.layout.crank_bodies import pin_problems
 from cranktrain.layout.design import Design
+from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
 from cranktrain.layout.load_tables import LoadSpec, LoadTables, in_place_of_lists
@@ -37,7 +38,6 @@ from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
 from cranktrain.questions.cylinders.spec import CylindersSpec
-from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.gas.spec import GasTables
 from cranktrain.questions.pumping.spec import PumpingSpec

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from cranktrain.analysis import SpeedWanted
     from cranktrain.analysis.pipeline import Pipeline
     from cranktrain.io.any_machine import MachineLike
-    from cranktrain.questions.drive.running.runs import Progress
     from cranktrain.study.start import Start
+    from cranktrain.transient.runs import Progress
 
 
 def run(

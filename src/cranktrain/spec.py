@@ -285,8 +285,11 @@ def quantity_of(annotation: object) -> Quantity | None:
 
 
 def words_of(annotation: object) -> list[object]:
-    """Words that a declared type allows."""
-    return [word for part in parts_of(annotation) if get_origin(part) is Literal for word in get_args(part)]
+    """Words that a declared type allows: a `Literal`, or a tuple of words that marks it."""
+    found: list[object] = []
+    for part in parts_of(annotation):
+        found += part if type(part) is tuple else get_args(part) if get_origin(part) is Literal else ()
+    return found
 
 
 def _fitting_alternatives(

@@ -96,19 +96,33 @@ def everything():
 
 def test_names_are_unique():
     names = [entry.name for entry in ENTRIES]
-    assert sorted({name for name in names if names.count(name) > 1}) == []
+    assert sorted({name for name in names if names.count(name) > 1}) == [], (
+        "give one of the two quantities another name"
+    )
 
 
 @pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.name)
 def test_entry(entry):
     factors = [re.fullmatch(r"([A-Za-z]+)(\^[23])?", part) for part in re.split(r"[*/]", entry.unit)]
-    assert entry.unit == "1" or all(found and found[1] in UNITS for found in factors), entry.unit
-    assert set(entry.dimensions) <= DIMENSIONS.keys()
-    assert entry.dimensions.count("crank_angle") == 0 or entry.dimensions[-1] == "crank_angle"
-    assert re.fullmatch(r"[a-z]+(_[a-z]+)*", entry.name)
-    assert entry.sentence[0].isupper()
-    assert not entry.sentence.endswith(".")
-    assert (ROOT / f"{entry.source}.md").is_file(), entry.source
+    assert entry.unit == "1" or all(found and found[1] in UNITS for found in factors), (
+        f"{entry.unit}: write it as products and powers of {UNITS}, or 1"
+    )
+    assert set(entry.dimensions) <= DIMENSIONS.keys(), "declare these as dimensions of the Question"
+    assert entry.dimensions.count("crank_angle") == 0 or entry.dimensions[-1] == "crank_angle", (
+        "the crank angle is the last dimension"
+    )
+    assert re.fullmatch(r"[a-z]+(_[a-z]+)*", entry.name), (
+        "a name is of small letters with underscores between its words"
+    )
+    assert entry.sentence[0].isupper(), f"begin it with a capital letter: {entry.sentence}"
+    assert not entry.sentence.endswith("."), f"leave out the full stop: {entry.sentence}"
+    assert (ROOT / f"{entry.source}.md").is_file(), f"write {entry.source}.md, the page of theory that it names"
+
+
+def test_no_dimension_has_the_name_of_a_quantity():
+    """A dataset has both under their names."""
+    twice = sorted(DIMENSIONS.keys() & {entry.name for entry in ENTRIES})
+    assert twice == [], "give the dimension, or the quantity, a name of its own: a dataset cannot hold both"
 
 
 @pytest.fixture(scope="module")
@@ -135,15 +149,17 @@ def test_every_result_is_given_by_the_machine_with_everything_or_by_an_example(e
     for name in example_names():
         if left:
             left -= examples(name)
-    assert left == set()
+    assert left == set(), "declare what they need in EVERYTHING above, or bring an example in examples/ that has them"
 
 
 def test_a_machine_with_everything_misses_nothing_that_it_declares(everything):
-    assert missing_of_declared(everything, {*EVERYTHING, "mechanism"}) == {}
+    assert missing_of_declared(everything, {*EVERYTHING, "mechanism"}) == {}, "add these keys to EVERYTHING above"
 
 
 def test_nothing_is_given_that_no_stage_declares(everything):
-    assert set(everything.catalogue) <= {entry.name for entry in ENTRIES}
+    assert set(everything.catalogue) <= {entry.name for entry in ENTRIES}, (
+        "a result class is given by a Stage of a Question"
+    )
 
 
 def missing_of_declared(result, tables):
@@ -171,8 +187,10 @@ def test_labels_are_unique(everything):
 
 def test_checks_have_names_of_their_own(everything):
     names = [check.name for check in everything.checks]
-    assert len(set(names)) == len(names)
-    assert all(check.sentence and check.limit > 0 for check in everything.checks)
+    assert len(set(names)) == len(names), "give every check a name of its own"
+    assert all(check.sentence and check.limit > 0 for check in everything.checks), (
+        "a check has a sentence, and a limit that rounding explains"
+    )
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -181,7 +199,9 @@ def test_stages_can_be_declared_in_any_order(seed):
     known: set[type] = set()
     outcomes = {stage.gives for stage in STAGES}
     for stage in ordered(tuple(shuffled)):
-        assert {need for need in stage.needs.values() if need in outcomes} <= known
+        assert {need for need in stage.needs.values() if need in outcomes} <= known, (
+            "stages need each other in a circle"
+        )
         known.add(stage.gives)
     assert known == outcomes
 
@@ -303,13 +323,17 @@ def test_every_placeholder_of_a_sentence_is_filled():
                     keywords=keywords,
                 ) if all(keyword.arg for keyword in keywords):
                     given = {keyword.arg for keyword in keywords}
-                    assert placeholders(text) == given, f"{path}:{node.lineno}"
+                    assert placeholders(text) == given, (
+                        f"{path}:{node.lineno}: give format() just what the sentence has in {{ }}"
+                    )
                 case _:
                     continue
 
 
 def test_sentences_of_the_catalogue_have_no_placeholders():
-    assert [entry.name for entry in ENTRIES if placeholders(entry.sentence)] == []
+    assert [entry.name for entry in ENTRIES if placeholders(entry.sentence)] == [], (
+        "a sentence of the catalogue is shown as it stands: take { } out"
+    )
 
 
 def test_flywheels_are_told_by_their_inertia_and_flywheel_moments_as_such():
@@ -319,8 +343,8 @@ def test_flywheels_are_told_by_their_inertia_and_flywheel_moments_as_such():
     assert moments
     assert not moments.keys() & {name for question in QUESTIONS for name in question.headline}
     for entry in moments.values():
-        assert "GD²" in entry.symbol
-        assert "GD²" in entry.sentence
+        assert "GD²" in entry.symbol, "a flywheel moment has GD² in its symbol, by which screens call it so"
+        assert "GD²" in entry.sentence, "say GD² in the sentence, too: its kg·m² are taken for an inertia's"
         assert "GD²" in entry.words
     others = [entry for entry in every if entry.name not in moments]
     assert not [entry.name for entry in others if "GD²" in entry.symbol or "GD²" in entry.words]

@@ -62,18 +62,20 @@ def test_tool_finds_nothing(tool):
 
 def test_modules_are_short():
     lengths = {name_of(path): len(path.read_text(encoding="utf-8").splitlines()) for path in MODULES}
-    assert {name: length for name, length in lengths.items() if length > MOST_LINES} == {}
+    assert {name: length for name, length in lengths.items() if length > MOST_LINES} == {}, (
+        "part these modules by their subjects"
+    )
 
 
 def test_public_names_have_docstrings():
     found = {name_of(path): undocumented(ast.parse(path.read_text(encoding="utf-8"))) for path in MODULES}
-    assert {name: names for name, names in found.items() if names} == {}
+    assert {name: names for name, names in found.items() if names} == {}, "write a docstring for these"
 
 
 @pytest.mark.parametrize("path", [path for path in MODULES if path.name != "__main__.py"], ids=name_of)
 def test_examples_in_docstrings(path):
     outcome = doctest.testmod(importlib.import_module(module_name(path)), optionflags=doctest.ELLIPSIS)
-    assert outcome.failed == 0
+    assert outcome.failed == 0, "an example in a docstring gives something else than it says: see the output"
 
 
 def test_files_know_no_machine_but_the_users():
@@ -90,21 +92,23 @@ def test_documents_named_in_a_file_exist():
         for path in [*MODULES, *DOCUMENTS, *SCRIPTS, *SETTINGS]
         for name in re.findall(r"\b[\w-]+\.md\b", path.read_text(encoding="utf-8"))
     }
-    assert {name: path for name, path in named.items() if name not in present} == {}
+    assert {name: path for name, path in named.items() if name not in present} == {}, (
+        "there is no such document: name one that there is"
+    )
 
 
 def test_sentences_of_the_table_stand_nowhere_else():
     pinned = [text for name, text in vars(sentences).items() if name.isupper()]
     files = [path for path in (ROOT / "tests").rglob("*.py") if path.name != "sentences.py"]
     again = {name_of(path): [text for text in pinned if text in path.read_text(encoding="utf-8")] for path in files}
-    assert {name: texts for name, texts in again.items() if texts} == {}
+    assert {name: texts for name, texts in again.items() if texts} == {}, "take the sentence from tests/sentences.py"
 
 
 def test_tests_whose_times_are_known_exist():
     """Lines of `tests/times.txt` for others can be struck out."""
     known = (one.partition("::") for one in read_times())
     gone = [(path, function) for path, _colons, function in known if not has_test(path, function)]
-    assert gone == []
+    assert gone == [], "strike these lines out of tests/times.txt"
 
 
 def has_test(path, function):

@@ -139,7 +139,7 @@ def test_pictures_are_there(site):
 
 def test_every_equation_has_a_label_of_its_own():
     labels = Counter(label for page in LABELS.values() for label in page)
-    assert [label for label, n in labels.items() if n > 1] == []
+    assert [label for label, n in labels.items() if n > 1] == [], "number the equation on: two have this number"
 
 
 def test_theory_cited_by_the_code_exists():
@@ -149,7 +149,7 @@ def test_theory_cited_by_the_code_exists():
             equations = set(re.findall(r"\d+\.\d+", cited["equations"] or ""))
             if cited["page"] not in LABELS or not equations <= set(LABELS[cited["page"]]):
                 lost.append((path.relative_to(ROOT).as_posix(), cited[0]))
-    assert lost == []
+    assert lost == [], "these pages or equations are not in docs/theory: cite what is there"
 
 
 def test_files_that_pages_name_are_there():
@@ -167,7 +167,7 @@ def test_files_that_pages_name_are_there():
 @pytest.mark.parametrize("page", DECISIONS, ids=lambda page: page.stem)
 def test_decision_has_its_heads(page):
     text = page.read_text(encoding="utf-8")
-    assert re.findall(r"^## (.+)$", text, re.MULTILINE) == DECISION_HEADS
+    assert re.findall(r"^## (.+)$", text, re.MULTILINE) == DECISION_HEADS, "a decision has these heads, in this order"
     assert re.search(rf"^# {int(page.stem[:4])}\. ", text)
 
 

@@ -31,25 +31,31 @@ def example_of(kind, text):
 
 def test_kinds_are_the_folders():
     folders = {path.name for path in FOLDER.iterdir() if (path / "__init__.py").exists()}
-    assert {kind.name for kind in gas.KINDS} == folders
-    assert len(gas.KINDS) == len(folders)
+    assert {kind.name for kind in gas.KINDS} == folders, (
+        "a folder of fluids/ is a line in KINDS of its __init__.py, and its kind has the folder's name"
+    )
+    assert len(gas.KINDS) == len(folders), "a kind stands in KINDS once"
     assert all(gas.fluid_named(kind.name) is kind for kind in gas.KINDS)
 
 
 @every_kind
 def test_folder_and_pages(kind):
     for part in ("README.md", "spec.py"):
-        assert (FOLDER / kind.name / part).is_file(), part
-    assert (ROOT / f"docs/gas/{kind.name}.md").is_file()
-    assert f'`kind = "{kind.name}"`' in (FOLDER / kind.name / "README.md").read_text(encoding="utf-8")
+        assert (FOLDER / kind.name / part).is_file(), f"write fluids/{kind.name}/{part}"
+    assert (ROOT / f"docs/gas/{kind.name}.md").is_file(), "write the page, which includes the folder's README"
+    assert f'`kind = "{kind.name}"`' in (FOLDER / kind.name / "README.md").read_text(encoding="utf-8"), (
+        "the README names its kind"
+    )
 
 
 @every_kind
 def test_union_takes_the_example(kind):
     spec = example_of(kind, kind.example)
-    assert kind.spec.model_fields["kind"].annotation.__args__ == (kind.name,)
+    assert kind.spec.model_fields["kind"].annotation.__args__ == (kind.name,), (
+        "the spec's `kind` is a Literal of the folder's name"
+    )
     again = TypeAdapter(gas.AnyGas).validate_python(spec.model_dump())
-    assert type(again) is kind.spec
+    assert type(again) is kind.spec, "add the spec to the union AnyGas of fluids/__init__.py"
     assert gas.fluid_of(again) is kind
 
 
@@ -66,13 +72,15 @@ def test_what_the_example_leaves_out_is_valid_too(kind):
 @every_kind
 def test_every_key_is_described(kind):
     for name in kind.spec.model_fields:
-        assert described(kind.spec, name).endswith(".")
+        assert described(kind.spec, name).endswith("."), f"describe {name} in a sentence, with Field(description=N_(…))"
 
 
 @every_kind
 def test_readme_names_every_key(kind):
     text = (FOLDER / kind.name / "README.md").read_text(encoding="utf-8")
-    assert [name for name in kind.spec.model_fields if f"`{name}" not in text] == []
+    assert [name for name in kind.spec.model_fields if f"`{name}" not in text] == [], (
+        "tell these keys in the folder's README"
+    )
 
 
 @every_kind
@@ -92,8 +100,8 @@ def test_pressure_of_the_states_shape(kind, cycle):
     of_one = gas.chamber_state(ENGINE.volume(ANGLE), ENGINE.limits, ANGLE, cycle)
     np.testing.assert_array_equal(kind.pressure(of_one, alone), pressure[0, 0, 0])
     for sentence in (*kind.flags(spec), *kind.notes(ready)):
-        assert sentence[0].isupper()
-        assert sentence[-1] in ".?"
+        assert sentence[0].isupper(), f"flags and notes are sentences: {sentence}"
+        assert sentence[-1] in ".?", f"flags and notes are sentences: {sentence}"
 
 
 def row_of(i):

@@ -47,7 +47,7 @@ def test_every_row_is_read():
 
 def test_no_word_is_said_twice():
     said = Counter([*(word for word, _meaning, _named in WORDS), *INSTEAD])
-    assert [word for word, n in said.items() if n > 1] == []
+    assert [word for word, n in said.items() if n > 1] == [], "a word stands once in docs/glossary.md"
 
 
 @pytest.mark.parametrize(("word", "named"), [(word, named) for word, _meaning, named in WORDS if named])
@@ -61,7 +61,7 @@ def test_what_a_word_names_is_there(word, named):
 
 @pytest.mark.parametrize("word", INSTEAD)
 def test_words_that_are_not_used_name_nothing(word):
-    assert names().get(word, []) == []
+    assert names().get(word, []) == [], f"docs/glossary.md says which word is used instead of {word}"
 
 
 def test_one_public_class_has_a_name():
@@ -72,4 +72,4 @@ def test_one_public_class_has_a_name():
         for node in ast.parse(path.read_text(encoding="utf-8")).body
         if isinstance(node, ast.ClassDef) and not node.name.startswith("_")
     )
-    assert [name for name, n in named.items() if n > 1] == []
+    assert [name for name, n in named.items() if n > 1] == [], "two classes have this name: give one of them another"

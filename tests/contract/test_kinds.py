@@ -53,30 +53,40 @@ def distances(drawing, pins):
 
 def test_kinds_are_the_folders():
     folders = {path.name for path in FOLDER.iterdir() if (path / "__init__.py").exists()}
-    assert {kind.name for kind in KINDS} == folders
-    assert len(KINDS) == len(folders)
+    assert {kind.name for kind in KINDS} == folders, (
+        "a folder of mechanisms/ is a line in KINDS of its __init__.py, and its KIND has the folder's name"
+    )
+    assert len(KINDS) == len(folders), "a kind stands in KINDS once"
     assert all(kind_named(kind.name) is kind for kind in KINDS)
 
 
 @every_kind
 def test_folder_and_pages(kind):
     for part in ("README.md", "spec.py", "kinematics.py"):  # forces and drawing may be those of a chain
-        assert (FOLDER / kind.name / part).is_file(), part
+        assert (FOLDER / kind.name / part).is_file(), (
+            f"write mechanisms/{kind.name}/{part}; CONTRIBUTING says what is in it"
+        )
     page = kind.name.replace("_", "-")
-    assert (ROOT / f"docs/theory/{page}.md").is_file()
-    assert (ROOT / f"docs/mechanisms/{page}.md").is_file()
+    assert (ROOT / f"docs/theory/{page}.md").is_file(), (
+        "write the theory first: symbols, numbered equations, validity, sources"
+    )
+    assert (ROOT / f"docs/mechanisms/{page}.md").is_file(), "write the page, which includes the folder's README"
 
 
 @every_kind
 def test_spec_names_its_kind(kind):
-    assert kind.spec.model_fields["kind"].annotation.__args__ == (kind.name,)
+    assert kind.spec.model_fields["kind"].annotation.__args__ == (kind.name,), (
+        "the spec's `kind` is a Literal of the folder's name"
+    )
 
 
 @every_kind
 def test_example_runs(kind):
     result = ct.run(example(kind))
-    assert kind.name in {place.kind.name for place in result.machines[0].places}
-    assert all(check.passed.all() for check in result.checks)
+    assert kind.name in {place.kind.name for place in result.machines[0].places}, (
+        "KIND.example is a machine file of this kind"
+    )
+    assert all(check.passed.all() for check in result.checks), "every check holds of KIND.example"
     assert result.summary()
 
 
@@ -179,15 +189,17 @@ def test_drawing_names_pins_that_it_has(kind):
     drawing = place.kind.drawing(PHI, place.geometry)
     named = {pin for link in drawing.links for pin in link.pins}
     named |= {guide.pin for guide in drawing.guides} | set(drawing.fixed) | set(drawing.paths)
-    assert named <= set(drawing.pins)
-    assert set(drawing.pins) <= named
+    assert named <= set(drawing.pins), "drawing.pins lacks pins that links, guides, fixed and paths name"
+    assert set(drawing.pins) <= named, (
+        "these pins are drawn by nothing: name them in a link, a guide, fixed or paths, or leave them out"
+    )
     for name in drawing.fixed:
         for part in drawing.positions[name]:
             assert np.ptp(part) == 0, name
     for name in drawing.paths:
         assert max(np.ptp(part) for part in drawing.positions[name]) > 0, name
     blocks = {pin for block in drawing.blocks for pin in (block.pin, *block.link)}
-    assert blocks | set(drawing.ends) <= set(drawing.pins)
+    assert blocks | set(drawing.ends) <= set(drawing.pins), "drawing.pins lacks pins that blocks and ends name"
     assert {block.pin for block in drawing.blocks}.isdisjoint(drawing.ends)
     known = set(drawing.fixed)
     for link in drawing.links:
@@ -297,9 +309,11 @@ def test_moving_and_sliding_are_in_the_motion(kind):
     """But for cranks and blocks, which the motion has as pins."""
     place = place_of(kind)
     dynamics, motion = place.kind.dynamics, place.kind.motion(PHI, place.geometry)
-    assert len(set(dynamics.moving)) == len(dynamics.moving)
+    assert len(set(dynamics.moving)) == len(dynamics.moving), "name every link of DYNAMICS.moving once"
     sliding = {name for name in dynamics.sliding if name != "block" and not name.endswith(".slot")}
-    assert {*place.kind.links, *sliding} <= set(dynamics.moving)
+    assert {*place.kind.links, *sliding} <= set(dynamics.moving), (
+        "what carries points or slides is named in DYNAMICS.moving"
+    )
     for name in dynamics.sliding:
         assert np.shape(place.kind.named(motion, name).first) == PHI.shape
 
@@ -310,9 +324,11 @@ def test_groups_are_statically_determined(kind):
     place = place_of(kind)
     dynamics, motion = place.kind.dynamics, place.kind.motion(PHI, place.geometry)
     grouped = [name for group in dynamics.groups for name in group.links]
-    assert len(set(grouped)) == len(grouped)
+    assert len(set(grouped)) == len(grouped), "a link is of one group of DYNAMICS.groups"
     hanging = {reaction.on for reaction in dynamics.reactions if reaction.by != FRAME} & set(dynamics.moving)
-    assert hanging <= set(grouped) <= set(dynamics.moving)
+    assert hanging <= set(grouped) <= set(dynamics.moving), (
+        "what hangs on other links is of a group, and every group is of links in DYNAMICS.moving"
+    )
     lengths = dict(zip(dynamics.moving, dynamics.links(motion, place.geometry), strict=True))
     for group in dynamics.groups:
         joints = [reaction.name for reaction in dynamics.reactions if reaction.on in group.links]
@@ -350,8 +366,12 @@ def test_joints_have_names_and_bodies(kind):
     dynamics = place.kind.dynamics
     joints = dynamics.forces(motion, place.geometry, bodies, loads, conditions).joints
     names = [joint.name for joint in dynamics.reactions]
-    assert len(set(names)) == len(names) == len(joints)
-    assert list(getattr(joints, "_fields", names)) == names
+    assert len(set(names)) == len(names) == len(joints), (
+        "DYNAMICS.reactions names every joint that its forces give, once"
+    )
+    assert list(getattr(joints, "_fields", names)) == names, (
+        "DYNAMICS.reactions come in the order in which its forces give the joints"
+    )
     assert all(joint.on != joint.by for joint in dynamics.reactions)
     assert all(np.shape(part) == PHI.shape for wrench in joints for part in wrench)
 

@@ -12,4 +12,6 @@ def test_no_message_is_put_together_before_it_is_translated():
     for path in PACKAGE.rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ("_", "N_"):
-                assert not isinstance(node.args[0], ast.JoinedStr | ast.BinOp), f"{path}:{node.lineno}"
+                assert not isinstance(node.args[0], ast.JoinedStr | ast.BinOp), (
+                    f'{path}:{node.lineno}: write _("… {{x}} …").format(x=…), so that a translator sees the sentence'
+                )

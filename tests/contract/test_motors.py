@@ -1,23 +1,31 @@
-"""Every kind of motor: its kernel, compiled, gives what NumPy gives, and its breaks are all that there are."""
+"""Every kind of motor brings a folder with its parts, page, a valid example; the laws of its torque compile.
+
+What is compiled gives what NumPy gives, and its breaks are all that there are.
+"""
 
 import re
+import tomllib
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
+from pydantic import TypeAdapter
 from tests.motors import EXAMPLES, SYNCHRONOUS
 
 from cranktrain.linkage import compiled
+from cranktrain.motors import KINDS, AnyMotor, motor_of
 from cranktrain.numerics.nested import mapped
-from cranktrain.questions.drive.motors import MOTORS
+from cranktrain.spec import validated
 
-FOLDER = Path(__file__).parents[2] / "src/cranktrain/questions/drive/motors"
+ROOT = Path(__file__).parents[2]
+FOLDER = ROOT / "src/cranktrain/motors"
 SPEEDS = np.array([-60.0, -1.0, 0.0, 10.0, 31.0, 60.0, 95.0, 140.0, 156.0, SYNCHRONOUS, 170.0, 192.0, 240.0])
 TIMES = (0.0, 0.1, 0.7, 1.05, 1.6, 5.0)
 OTHER_LIBRARY = 8 * np.finfo(float).eps
 
-every_motor = pytest.mark.parametrize("motor", MOTORS, ids=lambda motor: motor.name)
+LAWS = [law for kind in KINDS for law in kind.laws]
+every_motor = pytest.mark.parametrize("motor", LAWS, ids=lambda motor: motor.name)
 
 
 def in_time(geometry, time):
@@ -26,18 +34,74 @@ def in_time(geometry, time):
     return geometry if ramp is None or time > ramp.ramp_time else geometry._replace(torque_limit=np.inf)
 
 
+every_kind = pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)
+
+
+def uncommented(example):
+    """Lines of a key or a table that are only commented out taken for what they hold."""
+    return "\n".join(
+        line.removeprefix("# ") if line.startswith("# ") and ("=" in line or "[" in line) else line
+        for line in example.splitlines()
+    )
+
+
+def spec_of(kind, example):
+    return validated(kind.spec, tomllib.loads(example)["drive"]["motor"])
+
+
+def test_kinds_are_the_folders_with_a_readme():
+    folders = {path.parent.name for path in FOLDER.glob("*/README.md")}
+    assert {kind.name for kind in KINDS} == folders, "a folder of a motor needs a line in KINDS, and a kind its README"
+
+
+@every_kind
+def test_page_and_readme(kind):
+    text = (FOLDER / kind.name / "README.md").read_text(encoding="utf-8")
+    assert f'`kind = "{kind.name}"`' in text
+    assert kind.example in text
+    assert [name for name in kind.spec.model_fields if name != "kind" and f"`{name}`" not in text] == []
+    assert (ROOT / f"docs/motors/{kind.name}.md").is_file(), "docs/motors needs its page, which includes the README"
+    assert f"\n{kind.name}\n" in (ROOT / "docs/motors/index.md").read_text(encoding="utf-8")
+
+
+@every_kind
+@pytest.mark.parametrize("read", [str, uncommented])
+def test_the_example_is_a_motor_of_one_of_its_laws(kind, read):
+    if kind.name == "wound_rotor" and read is uncommented:  # a rheostat stands instead of a constant resistance
+        example = kind.example.replace("# resistance_ratio", "## resistance_ratio")
+    else:
+        example = kind.example
+    spec = spec_of(kind, read(example))
+    again = TypeAdapter(AnyMotor).validate_python(spec.model_dump())
+    assert type(again) is kind.spec
+    found = motor_of(again)
+    assert found.law in kind.laws
+    assert found.law.limits(found, 0)._fields == ("peak", "start", "unknown")
+    torque = found.torque(np.array([[0.5 * float(min(found.top_speed[0], 100.0))]]))
+    assert torque.shape == (1, 1)
+    assert torque[0, 0] > 0
+
+
+@every_kind
+def test_what_limits_do_not_know_is_said(kind):
+    found = motor_of(spec_of(kind, kind.example))
+    limits = found.law.limits(found, 0)
+    assert np.isnan([limits.peak, limits.start]).any() == (limits.unknown != "")
+
+
 def test_every_motor_has_an_example_and_a_name_of_its_own():
-    assert [motor.name for motor in MOTORS] == list(EXAMPLES)
+    assert {motor.name for motor in LAWS} == set(EXAMPLES)
+    assert len(LAWS) == len(EXAMPLES)
 
 
 @every_motor
 def test_what_it_says_of_itself(motor):
-    assert type(EXAMPLES[motor.name]) is motor.geometry
+    assert type(EXAMPLES[motor.name]) is motor.numbers
     assert re.match(r"docs/theory/drive, eqs?\. \(25\.\d+\)", motor.source)
     assert motor.title
     assert motor.range
     assert re.search(
-        rf'^    "{motor.name}",$', "".join(p.read_text("utf-8") for p in FOLDER.glob("*.py")), re.MULTILINE
+        rf'^    "{motor.name}",$', "".join(p.read_text("utf-8") for p in FOLDER.rglob("*.py")), re.MULTILINE
     )
 
 
@@ -110,4 +174,4 @@ def test_jumps_in_time_are_breaks(motor):
 
 def test_breaks_of_kloss_alone_are_none():
     kloss = EXAMPLES["cage"]._replace(kloss_until=np.inf)
-    assert np.all(np.isnan(MOTORS[0].breaks(kloss).speeds))
+    assert np.all(np.isnan(LAWS[0].breaks(kloss).speeds))

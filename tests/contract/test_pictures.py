@@ -1,12 +1,14 @@
 """What holds for every picture: its question has it, its name is its own, it is drawn; panels need no paper."""
 
 import ast
+import re
 import subprocess
 import sys
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 from pkgutil import iter_modules
+from typing import get_args, get_type_hints
 
 import pytest
 from tests.loaded_machines import LOADED
@@ -42,22 +44,41 @@ def shown(picture):
 
 
 def test_folders_are_named_after_questions():
-    assert set(FOLDERS) <= {question.name for question in QUESTIONS}
+    assert set(FOLDERS) <= {question.name for question in QUESTIONS}, (
+        "a folder of viz/sheets has the name of the question whose pictures it has"
+    )
 
 
 def test_names_are_their_own():
     names = [(picture.kind, picture.name) for picture in viz.PICTURES]
-    assert len(set(names)) == len(names)
+    assert len(set(names)) == len(names), "give the picture a name that no other of its kind has"
     functions = [picture.home.partition(":")[2] for picture in viz.PICTURES]
-    assert len(set(functions)) == len(functions)
-    assert set(functions) <= set(dir(viz))
+    assert len(set(functions)) == len(functions), "a function draws one picture"
+    assert set(functions) <= set(dir(viz)), "Picture.home names a function that is there: module:function"
+
+
+SHEETS = {picture.name for picture in viz.PICTURES if picture.kind == "sheet"}
+
+
+def test_a_result_names_its_sheets():
+    """For the type checker, for `help`, and for who asks for another."""
+    declared = get_args(get_type_hints(ct.Result.sheet)["name"])
+    assert set(declared) == SHEETS, "name the sheet in `Sheet` of analysis/result.py, which the type checker reads"
+    assert len(declared) == len(SHEETS)
+    said = re.findall(r"`(\w+)`", ct.Result.sheet.__doc__)
+    assert set(said) == SHEETS, "name the sheet in the docstring of `Result.sheet`, which help() shows"
+    with pytest.raises(ct.InputError) as refused:
+        result_of("vaz_21213").sheet("machines")
+    assert set(re.findall(r"\w+", str(refused.value))) >= SHEETS
 
 
 def test_what_is_needed_and_what_suffices_are_results():
     known = {entry.name for stage in STAGES for entry in entries(stage.gives)}
     for picture in viz.PICTURES:
-        assert set(picture.needs) <= known
-        assert set(picture.quantities or ()) <= known
+        assert set(picture.needs) <= known, f"{picture.name}: it needs quantities of the catalogue, which these are not"
+        assert set(picture.quantities or ()) <= known, (
+            f"{picture.name}: quantities are of the catalogue, which these are not"
+        )
 
 
 @pytest.mark.parametrize("picture", viz.PICTURES, ids=lambda picture: f"{picture.kind} {picture.name}")
@@ -94,7 +115,7 @@ def test_panels_need_nothing_that_draws():
     code += "print([name for name in sys.modules if name == 'matplotlib' or name.startswith('cranktrain.viz.paper')])"
     environment = {"PYTHONPATH": ":".join(filter(None, sys.path))}
     done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
-    assert done.stdout == "[]\n"
+    assert done.stdout == "[]\n", "panels are data: import what draws in sheet.py"
 
 
 def test_nothing_below_names_pictures():
@@ -104,4 +125,6 @@ def test_nothing_below_names_pictures():
             continue
         tree = ast.parse(path.read_text(encoding="utf-8"))
         constants = [node.value for node in ast.walk(tree) if isinstance(node, ast.Constant)]
-        assert not any("viz" in word for word in constants if isinstance(word, str)), path
+        assert not any("viz" in word for word in constants if isinstance(word, str)), (
+            f"{path}: a face finds it by name, in faces.py"
+        )

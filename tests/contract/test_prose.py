@@ -71,13 +71,13 @@ NOT_COMPUTED = {
     },
     "src/cranktrain/questions/crankshaft/README.md": {
         "20°": "a default",
-        "60°": "the rule of wear",
         **dict.fromkeys(("500 GPa", "1 %", "1 GPa"), "a limit of the flag"),
         **{one.text: "a default, of steel" for one in STEEL if " " in one.text},
     },
     "src/cranktrain/questions/gas/README.md": {"1 %": "a limit of the flag", "250 K": "a limit of the flag"},
     "src/cranktrain/questions/loads/README.md": {"2 %": "a limit"},
     "src/cranktrain/questions/pumping/README.md": {"1 %": "a limit of the flag"},
+    "src/cranktrain/questions/wear/README.md": {"60°": "the rule"},
     "src/cranktrain/fluids/compressor/README.md": {"20 °C": "a default", "1.9 %": "of the tests' case"},
     "src/cranktrain/fluids/dual/README.md": {"101.325 kPa": "the standard atmosphere", "50 kPa": "a limit of the flag"},
     "src/cranktrain/fluids/indicator/README.md": {

@@ -19,6 +19,7 @@ from cranktrain.layout import parts as layout
 from cranktrain.layout.question import needs_of
 from cranktrain.machine import Machine
 from cranktrain.spec import Spec
+from cranktrain.viz import PICTURES
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "src/cranktrain/questions"
@@ -59,21 +60,25 @@ def section(question, head: str) -> str:
 
 def test_questions_are_the_folders():
     folders = {path.parent.name for path in FOLDER.glob("*/__init__.py")}
-    assert sorted(question.name for question in QUESTIONS) == sorted(folders)
+    assert sorted(question.name for question in QUESTIONS) == sorted(folders), (
+        "a folder of questions/ is a line in QUESTIONS of all_questions.py, and its Question has the folder's name"
+    )
 
 
 def test_questions_come_in_the_order_of_their_layers():
     level = levels()
     order = [level[question.name] for question in QUESTIONS]
-    assert order == sorted(order)
+    assert order == sorted(order), "put the question in QUESTIONS behind all that its layer in pyproject.toml stands on"
 
 
 @every_question
 def test_folder_and_pages(question):
-    assert (ROOT / f"docs/questions/{question.name}.md").is_file()
+    assert (ROOT / f"docs/questions/{question.name}.md").is_file(), "write the page, which includes the folder's README"
     text = (FOLDER / question.name / "README.md").read_text(encoding="utf-8")
-    assert text.startswith(f"# {question.name.capitalize()}\n")
-    assert [head for head in re.findall(r"^## (.+)$", text, re.MULTILINE) if head in HEADS] == HEADS
+    assert text.startswith(f"# {question.name.capitalize()}\n"), "a question's README begins with its name"
+    assert [head for head in re.findall(r"^## (.+)$", text, re.MULTILINE) if head in HEADS] == HEADS, (
+        "give the README these heads in this order"
+    )
 
 
 @every_question
@@ -82,20 +87,28 @@ def test_readme_names_results_that_there_are_in_their_order(question):
     rows = [line.split(" | ") for line in section(question, "Results").splitlines() if line.startswith("| `")]
     classes = [stage.gives.__name__ for stage in question.stages]
     named = [name for row in rows for name in re.findall(r"`(\w+)`", row[0])]
-    assert named == [name for name in classes if name in named]
+    assert named == [name for name in classes if name in named], (
+        "name the results of the README in the order of the question's stages"
+    )
     for row in rows:
         own = re.findall(r"`(\w+)`", row[0])
         names = [
             entry.name for stage in question.stages if stage.gives.__name__ in own for entry in entries(stage.gives)
         ]
         told = [name for name in re.findall(r"`([a-z_]+)`", row[-1]) if name not in DIMENSIONS]
-        assert told == [name for name in names if name in told]
+        assert told == [name for name in names if name in told], (
+            f"{own}: name quantities that it has, in the order of its fields"
+        )
 
 
 @every_question
 def test_readme_names_its_tables_and_headline(question):
-    assert {key for key in question.tables if f"[{key}" not in section(question, "Tables")} <= {"gravity"}
-    assert [name for name in question.headline if f"`{name}`" not in section(question, "Results")] == []
+    assert {key for key in question.tables if f"[{key}" not in section(question, "Tables")} <= {"gravity"}, (
+        "tell these tables in the README, under Tables"
+    )
+    assert [name for name in question.headline if f"`{name}`" not in section(question, "Results")] == [], (
+        "tell these facts of the headline in the README, under Results"
+    )
 
 
 @every_question
@@ -103,7 +116,9 @@ def test_readme_rests_on_the_questions_whose_results_it_needs(question):
     homes = {stage.gives: one.name for one in QUESTIONS for stage in one.stages}
     needed = {homes[need] for stage in question.stages for need in stage.needs.values() if need in homes}
     linked = set(re.findall(r"/docs/questions/(\w+)\.md\)", section(question, "Rests on")))
-    assert needed - {question.name} <= linked
+    assert needed - {question.name} <= linked, (
+        "link the pages of these questions in the README, under Rests on: its stages need their results"
+    )
 
 
 @every_question
@@ -111,21 +126,25 @@ def test_sources_are_pages_of_the_theory(question):
     index = (ROOT / "docs/theory/index.md").read_text(encoding="utf-8")
     pages = {f"docs/theory/{name}" for name in re.findall(r"^[a-z0-9-]+$", index, re.MULTILINE)} | {"docs/conventions"}
     sources = {entry.source for stage in question.stages for entry in entries(stage.gives)}
-    assert sources <= pages
+    assert sources <= pages, "a source is a page of docs/theory that its index.md lists"
     assert all((ROOT / f"{source}.md").is_file() for source in sources)
     links = {
         f"docs/{page}" for page in re.findall(r"\(\.\./\.\./\.\./\.\./docs/(.+?)\.md", section(question, "Theory"))
     }
-    assert sources <= links
+    assert sources <= links, "link these pages of the theory in the README, under Theory"
 
 
 @every_question
 def test_dimensions_are_declared(question):
     for stage in question.stages:
         for entry in entries(stage.gives):
-            assert set(entry.dimensions) <= set(DIMENSIONS), entry.name
+            assert set(entry.dimensions) <= set(DIMENSIONS), (
+                f"{entry.name}: declare these as dimensions of the Question"
+            )
     used = {name for stage in STAGES for entry in entries(stage.gives) for name in entry.dimensions}
-    assert {dimension.name for dimension in question.dimensions} <= used
+    assert {dimension.name for dimension in question.dimensions} <= used, (
+        "no quantity has this dimension: take it out of the Question"
+    )
 
 
 def test_dimensions_are_declared_once():
@@ -134,25 +153,42 @@ def test_dimensions_are_declared_once():
         *(one for question in QUESTIONS for one in question.dimensions),
         *texts.DIMENSIONS,
     )
-    assert [name for name, n in Counter(dimension.name for dimension in declared).items() if n > 1] == []
+    assert [name for name, n in Counter(dimension.name for dimension in declared).items() if n > 1] == [], (
+        "a dimension that several have is declared once, in layout/parts.py"
+    )
 
 
 @every_question
 def test_headline_is_of_its_own_facts(question):
     facts = {entry.name for stage in question.stages for entry in entries(stage.gives) if entry.is_fact}
-    assert len(set(question.headline)) == len(question.headline) > 0
-    assert set(question.headline) <= facts
+    assert len(set(question.headline)) == len(question.headline), "name each fact of the headline once"
+    assert set(question.headline) <= facts, "its headline is of facts that its own stages give"
+
+
+def test_each_title_has_a_headline():
+    """Questions that answer under one title may share it; one without rows has none."""
+    with_headline = {question.title for question in QUESTIONS if question.headline}
+    assert {question.title for question in QUESTIONS if question.rows} == with_headline, (
+        "give the Question, or one of the same title, a headline: the facts that say most"
+    )
 
 
 @every_question
 def test_rows_and_offers_are_of_its_own_results(question):
     """What a row asks for may be of a question asked before; what is offered, and the rows themselves, are its own."""
     asked_before = {stage.gives for one in QUESTIONS[: QUESTIONS.index(question) + 1] for stage in one.stages}
-    assert question.title and question.rows
+    assert question.title, "give the Question a title: the head of its rows"
+    drawn = {name for picture in PICTURES for name in picture.needs} & set(quantities(question))
+    assert question.rows or drawn or not question.stages, "what stages give is said in rows, or drawn by a picture"
+    assert question.stages or not question.rows, "rows say what stages give"
     for function in question.rows:
-        assert function.__module__ == f"cranktrain.questions.{question.name}.rows"
-        assert set(needs_of(function).types.values()) <= asked_before
-    assert set(question.offers) <= set(quantities(question))
+        assert function.__module__ == f"cranktrain.questions.{question.name}.rows", (
+            "rows stand in the question's rows.py"
+        )
+        assert set(needs_of(function).types.values()) <= asked_before, (
+            "a row asks for results of its question, or of one before it in QUESTIONS"
+        )
+    assert set(question.offers) <= set(quantities(question)), "a question offers quantities that its own stages give"
 
 
 @every_question
@@ -166,15 +202,19 @@ def test_tables_are_fields_of_the_machine(question):
 
 def test_every_table_of_the_machine_is_of_one_question_or_the_layout():
     keys = [*OF_LAYOUT, *(key for question in QUESTIONS for key in question.tables)]
-    assert sorted(keys) == sorted(Machine.model_fields)
+    assert sorted(keys) == sorted(Machine.model_fields), (
+        "a field of Machine is a table of one Question, or stands in OF_LAYOUT above"
+    )
 
 
 @every_question
 def test_stages_live_in_its_folder(question):
     home = f"cranktrain.questions.{question.name}"
     for stage in question.stages:
-        assert stage.function.__module__.startswith(f"{home}.")
-        assert stage.gives.__module__.startswith((f"{home}.", "cranktrain.layout."))
+        assert stage.function.__module__.startswith(f"{home}."), "a stage stands in the folder of its question"
+        assert stage.gives.__module__.startswith((f"{home}.", "cranktrain.layout.")), (
+            "a result stands beside its stage, or below, in layout"
+        )
 
 
 @every_question
@@ -182,4 +222,6 @@ def test_what_shows_a_use_is_computed_by_then(question):
     before = QUESTIONS[: QUESTIONS.index(question) + 1]
     results = {stage.gives for one in before for stage in one.stages}
     for use in question.uses:
-        assert {*use.results, *filter(None, [use.instead])} <= results
+        assert {*use.results, *filter(None, [use.instead])} <= results, (
+            "a Use names results of its question, or of one before it in QUESTIONS"
+        )

@@ -135,8 +135,10 @@ def unit_of(chosen, name):
 
 
 def test_every_unit_and_every_name_is_asked_about():
-    assert set(UNITS) == OF_PINT.keys()
-    assert MEASURES.keys() | OF_NONE == NAMES
+    assert set(UNITS) == OF_PINT.keys(), "add the unit to OF_PINT above, as pint spells it"
+    assert MEASURES.keys() | OF_NONE == NAMES, (
+        "say in MEASURES above in which unit the quantity is measured, or that it is OF_NONE"
+    )
 
 
 @pytest.mark.parametrize("name", sorted(NAMES))

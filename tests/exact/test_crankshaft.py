@@ -5,8 +5,8 @@ import pytest
 from tests.crankshafts import drawn_crankshaft
 from tests.frame_elements import beam_loads, frame_loads, frame_torques
 
+from cranktrain.questions.crankshaft.bending.torque_along import torque_along
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
-from cranktrain.questions.crankshaft.torque_along import torque_along
 
 METHODS = {method.name: method for method in BEARING_METHODS}
 LIMIT = 1e-11

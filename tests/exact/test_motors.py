@@ -6,16 +6,17 @@ import pytest
 from flint import acb, arb, ctx
 from tests.motors import CAGE, CATALOGUE, CIRCUIT, SYNCHRONOUS
 
-from cranktrain.questions.drive.motors.breakdown_slip import full_fit, slip_from_rated, slip_from_start
-from cranktrain.questions.drive.motors.cage import CatalogueValues, cage_torque, catalogue_curve, kloss_curve
-from cranktrain.questions.drive.motors.catalogue import four_pole_motors
-from cranktrain.questions.drive.motors.circuit import circuit_torque
-from cranktrain.questions.drive.motors.inverter import Inverter, Ramp, inverter_torque
-from cranktrain.questions.drive.motors.rheostat import resistance_steps
-from cranktrain.questions.drive.sizing.duty import intermittent_factor, no_load_factor, short_time_factor
-from cranktrain.questions.drive.sizing.peaky_load import PeakyLoad, SlipLine, periodic_inertia, periodic_torques
-from cranktrain.questions.drive.sizing.starting import loaded_start, unloaded_start
-from cranktrain.questions.drive.sizing.torque_means import mean_torque, rms_torque
+from cranktrain.motors.cage.catalogue import four_pole_motors
+from cranktrain.motors.cage.law import CatalogueValues, cage_torque, catalogue_curve, kloss_curve
+from cranktrain.motors.circuit.inverter import Inverter, inverter_torque
+from cranktrain.motors.circuit.law import circuit_torque
+from cranktrain.motors.induction.breakdown_slip import full_fit, slip_from_rated, slip_from_start
+from cranktrain.motors.induction.ramp import Ramp
+from cranktrain.motors.wound_rotor.rheostat import resistance_steps
+from cranktrain.questions.sizing.duty import intermittent_factor, no_load_factor, short_time_factor
+from cranktrain.questions.sizing.peaky_load import PeakyLoad, SlipLine, periodic_inertia, periodic_torques
+from cranktrain.questions.sizing.starting import loaded_start, unloaded_start
+from cranktrain.questions.sizing.torque_means import mean_torque, rms_torque
 
 DIGITS = 40
 CLOSE = 1e-12

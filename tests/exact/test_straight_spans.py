@@ -5,8 +5,8 @@ import pytest
 from tests.frame_elements import beam_loads
 from tests.validation.test_crankshaft_arrangements import loaded_shafts, machine
 
+from cranktrain.questions.crankshaft.metal.shaft import StraightSpans
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
-from cranktrain.questions.crankshaft.shaft import StraightSpans
 
 METHODS = {method.name: method for method in BEARING_METHODS}
 V12 = [f"{angle} deg" for angle in (0, 120, 240, 240, 120, 0)]
@@ -43,12 +43,12 @@ def loaded(**crankshaft):
 @pytest.mark.parametrize("bearings", [[1, 2, 3, 4, 5, 6, 7], [1, 3, 5, 7], [1, 4, 7], [1, 2, 7]])
 def test_stiffness(bearings):
     """Like throws in whatever direction have one; so has a span with several of them."""
-    shaft = loaded(bearings=bearings).each[0].shaft
+    shaft = loaded(bearings=bearings).each[0].metal
     np.testing.assert_allclose(shaft.straight.bending, of_spans(shaft), rtol=1e-13)
 
 
 def test_like_throws_are_alike():
-    bending = loaded(bearing_distance="75 mm").each[0].shaft.straight.bending
+    bending = loaded(bearing_distance="75 mm").each[0].metal.straight.bending
     np.testing.assert_allclose(bending, np.broadcast_to(bending[:, :1], bending.shape), rtol=1e-14)
 
 
@@ -56,7 +56,7 @@ def test_like_throws_are_alike():
 @pytest.mark.parametrize("bearings", [[1, 2, 3, 4, 5, 6, 7], [1, 3, 5, 7]])
 def test_v12_against_beam_elements(method, gives, bearings):
     whole = loaded(bearings=bearings, **GIVES)
-    (spanned,), shaft = whole.loads(np.radians([[10.0, 77.0, 301.0]])), whole.each[0].shaft
+    (spanned,), shaft = whole.loads(np.radians([[10.0, 77.0, 301.0]])), whole.each[0].metal
     found, acting = METHODS[method].of(shaft.supports, spanned).load, spanned.loads
     beam = shaft._replace(straight=StraightSpans(of_spans(shaft), shaft.straight.shear))
     for angle in range(3):

@@ -9,9 +9,9 @@ from flint import arb, ctx
 from tests.crankshafts import drawn_crankshaft
 from tests.frame_elements import DIGITS, NONE, CrankFrame
 
-from cranktrain.questions.crankshaft.frame_twist import twist_when_clamped, twist_when_free
-from cranktrain.questions.crankshaft.shaft_loads import ShaftLoads
-from cranktrain.questions.crankshaft.throw_gaps import Gaps, carter, ker_wilson, zimanenko
+from cranktrain.questions.crankshaft.bending.frame_twist import twist_when_clamped, twist_when_free
+from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.metal.throw_gaps import Gaps, carter, ker_wilson, zimanenko
 
 LIMIT = 1e-11
 SEEDS = [seed for seed in range(24) if np.count_nonzero(drawn_crankshaft(seed)[0].pieces.radius) > 1][:12]

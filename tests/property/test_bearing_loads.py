@@ -5,13 +5,15 @@ import pytest
 from tests.crankshafts import drawn_crankshaft
 
 from cranktrain.numerics.nested import leaves
-from cranktrain.questions.crankshaft.bearing_loads import residuals
-from cranktrain.questions.crankshaft.blocks import turned_by
+from cranktrain.questions.crankshaft.bending.bearing_loads import residuals
+from cranktrain.questions.crankshaft.bending.blocks import turned_by
+from cranktrain.questions.crankshaft.bending.shaft_loads import on_axis
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
-from cranktrain.questions.crankshaft.shaft_loads import on_axis
 
 EVERY = pytest.mark.parametrize("method", BEARING_METHODS, ids=lambda method: method.name)
-LINEAR = pytest.mark.parametrize("method", BEARING_METHODS[:5], ids=lambda method: method.name)
+LINEAR = pytest.mark.parametrize(
+    "method", [one for one in BEARING_METHODS if one.bearings.is_linear], ids=lambda method: method.name
+)
 SEEDS = pytest.mark.parametrize("seed", range(8))
 
 

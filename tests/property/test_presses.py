@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from tests.presses import IDLE, KERNELS, PRESSING, SYNCHRONOUS, press_with
 
-from cranktrain.questions.drive.clutched.courses import Grip
-from cranktrain.questions.drive.clutched.equation import BRAKE_HEAT, CLUTCH_HEAT
-from cranktrain.questions.drive.clutched.runs import RESTS, SLIDES, SLIPS_ON, WHEEL_STALLS, PressPlan
-from cranktrain.questions.drive.clutched.stroke import single_stroke
+from cranktrain.transient.clutched.courses import Grip
+from cranktrain.transient.clutched.equation import BRAKE_HEAT, CLUTCH_HEAT
+from cranktrain.transient.clutched.runs import RESTS, SLIDES, SLIPS_ON, WHEEL_STALLS, PressPlan
+from cranktrain.transient.clutched.stroke import single_stroke
 
 
 def grip(random, low, high):

@@ -6,9 +6,9 @@ import pytest
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import STAGES, lacking, run_stages
-from cranktrain.questions.crankshaft.acting import LoadedShafts
+from cranktrain.questions.crankshaft.bending.torque_along import torque_along
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
-from cranktrain.questions.crankshaft.torque_along import torque_along
 
 METHODS = {method.name: method for method in BEARING_METHODS}
 SECTIONS = {
@@ -180,9 +180,9 @@ def test_a_gear_between_two_shafts(rotation):
     np.testing.assert_allclose(np.abs(low.thrust[0, -1]), tangent * np.tan(np.pi / 9), atol=1e-11 * np.max(tangent))
     # Nothing is left of the upper shaft's torque beyond its gear; all of both is at the end of the lower one.
     for one, own, wanted in zip(loaded.each, acting, (np.sum(of_shafts.values, axis=0), 0 * torque), strict=True):
-        borne = METHODS["split"].loads(one.shaft, own).load
-        last = torque_along(one.shaft, own, borne).end[0, -1]
-        turn = one.laid.turn
+        borne = METHODS["split"].loads(one.metal, own).load
+        last = torque_along(one.metal, own, borne).end[0, -1]
+        turn = one.layout.turn
         np.testing.assert_allclose(turn * last, wanted, rtol=0, atol=1e-10 * np.max(np.abs(torque)))
 
 
@@ -270,7 +270,7 @@ def test_settlement_of_the_middle_bearing():
         ["0 deg", "180 deg"],
         crankshaft={"bearing_distance": "75 mm", "bearing": {"2": {"settlement": ["0 mm", "-0.05 mm"]}}},
     )
-    bending = loaded_shafts(plain).each[0].shaft.straight.bending[0]
+    bending = loaded_shafts(plain).each[0].metal.straight.bending[0]
     assert bending[0] == pytest.approx(bending[1], rel=1e-12)
     added = loads(ct.run(sunk), "three_moment") - loads(ct.run(plain), "three_moment")
     wanted = 3 * bending[0] * 0.05e-3 / 0.15**3

@@ -10,9 +10,13 @@ import pytest
 from tests.crankshaft_i4 import CASE, SIZES, N, crankshaft, pin_forces, shaft_loads
 from tests.reference_case import GOLDEN
 
-from cranktrain.questions.crankshaft.equivalent_stiffness import end_slopes, equivalent_stiffness, pin_displacement
+from cranktrain.questions.crankshaft.bending.equivalent_stiffness import (
+    end_slopes,
+    equivalent_stiffness,
+    pin_displacement,
+)
+from cranktrain.questions.crankshaft.bending.torque_along import torque_along
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
-from cranktrain.questions.crankshaft.torque_along import torque_along
 
 METHODS = {method.name: method for method in BEARING_METHODS}
 LINEAR = ("split", "three_moment", "five_moment", "frame_rigid", "frame_elastic")

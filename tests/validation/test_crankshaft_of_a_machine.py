@@ -12,7 +12,7 @@ from tests.crankshaft_i4 import CASE, CENTRIFUGAL, MACHINE, RADIUS, SPEED, pin_f
 from tests.reference_case import GOLDEN
 
 import cranktrain as ct
-from cranktrain.questions.crankshaft.wear import wear_sums
+from cranktrain.questions.wear.rays import wear_sums
 
 AMBIENT = 101325.0 - 1e6 * MACHINE["gas"]["ambient_MPa"]
 """Forces count from the standard atmosphere, the case's from its own ambient. [Pa]"""

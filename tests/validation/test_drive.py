@@ -8,9 +8,9 @@ import pytest
 from tests.reference_case import GOLDEN, ReferenceCase
 
 import cranktrain as ct
-from cranktrain.questions.drive.gear_train import lost_torque, through_stages
-from cranktrain.questions.drive.running.gearing import stages
 from cranktrain.questions.drive.steady_drive import SteadyDrive
+from cranktrain.questions.reduction.gear_train import lost_torque, through_stages
+from cranktrain.transient.gearing import stages
 
 BLOCK_B, STAGES, STARTUP, SIZING = (
     json.loads((GOLDEN / f"drive/{name}.json").read_text(encoding="utf-8"))
@@ -191,10 +191,10 @@ def test_the_check_of_energy_can_fail():
 def _turning(result):
     """Machine, motor and gearing of the first design."""
     from cranktrain.analysis.parts import parts_of
-    from cranktrain.questions.drive.declared import DeclaredDrive
-    from cranktrain.questions.drive.motor_tables import DeclaredMotor
-    from cranktrain.questions.drive.reduction import ReducedMachines
+    from cranktrain.layout.drive.declared import DeclaredDrive
+    from cranktrain.motors import DeclaredMotor
     from cranktrain.questions.drive.steady_turn import DriveInTurn
+    from cranktrain.questions.reduction.machines import ReducedMachines
 
     parts = parts_of([result.machines[0]], step=np.radians(1))
     drive, motor = parts[DeclaredDrive], parts[DeclaredMotor]

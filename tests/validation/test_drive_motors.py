@@ -10,22 +10,23 @@ import numpy as np
 import pytest
 from tests.motors import CATALOGUE, CIRCUIT, SYNCHRONOUS
 
-from cranktrain.questions.drive.motors.breakdown_slip import contradiction
-from cranktrain.questions.drive.motors.cage import (
+from cranktrain.motors.cage.catalogue import four_pole_motors
+from cranktrain.motors.cage.law import (
     cage_torque,
     catalogue_curve,
     kloss_curve,
     torque_at_slip,
 )
-from cranktrain.questions.drive.motors.catalogue import four_pole_motors
-from cranktrain.questions.drive.motors.circuit import circuit_torque, generating_peak, kloss_of_circuit
-from cranktrain.questions.drive.motors.inverter import Inverter, Ramp, at_frequency, inverter_torque
-from cranktrain.questions.drive.motors.rheostat import resistance_steps
-from cranktrain.questions.drive.motors.star_delta import StarDelta, star_delta_torque
-from cranktrain.questions.drive.sizing.checks import CRITERIA, TorqueDemand, motor_choice, motor_uses
-from cranktrain.questions.drive.sizing.clutch import Engagement, engaged
-from cranktrain.questions.drive.sizing.duty import intermittent_factor
-from cranktrain.questions.drive.sizing.peaky_load import (
+from cranktrain.motors.cage.star_delta import StarDelta, star_delta_torque
+from cranktrain.motors.circuit.inverter import Inverter, at_frequency, inverter_torque
+from cranktrain.motors.circuit.law import circuit_torque, generating_peak, kloss_of_circuit
+from cranktrain.motors.induction.breakdown_slip import contradiction
+from cranktrain.motors.induction.ramp import Ramp
+from cranktrain.motors.wound_rotor.rheostat import resistance_steps
+from cranktrain.questions.sizing.checks import CRITERIA, TorqueDemand, motor_choice, motor_uses
+from cranktrain.questions.sizing.clutch import Engagement, engaged
+from cranktrain.questions.sizing.duty import intermittent_factor
+from cranktrain.questions.sizing.peaky_load import (
     PeakyLoad,
     SlipLine,
     periodic_inertia,
@@ -33,7 +34,7 @@ from cranktrain.questions.drive.sizing.peaky_load import (
     recovered_inertia,
     slip_time_constant,
 )
-from cranktrain.questions.drive.sizing.starting import loaded_start, quickest_breakdown_slip, unloaded_start
+from cranktrain.questions.sizing.starting import loaded_start, quickest_breakdown_slip, unloaded_start
 
 GOLDEN = Path(__file__).parents[1] / "golden/drive"
 MOTOR = json.loads((GOLDEN / "motor.json").read_text(encoding="utf-8"))

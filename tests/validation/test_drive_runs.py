@@ -7,10 +7,10 @@ import pytest
 from tests.reference_case import GOLDEN, ReferenceCase
 from tests.starts import SYNCHRONOUS, heavy_drive, kernels, reference_drive, start_angle
 
-from cranktrain.questions.drive.running.endings import DEAD_POSITION, REVERSAL, SPEED_PASSED, TIME_OUT
-from cranktrain.questions.drive.running.implicit import run_implicitly
-from cranktrain.questions.drive.running.runs import run, wanted
-from cranktrain.questions.drive.running.steady import steady_cycle
+from cranktrain.transient.endings import DEAD_POSITION, REVERSAL, SPEED_PASSED, TIME_OUT
+from cranktrain.transient.implicit import run_implicitly
+from cranktrain.transient.runs import run, wanted
+from cranktrain.transient.steady import steady_cycle
 
 STARTUP = json.loads((GOLDEN / "drive/startup.json").read_text(encoding="utf-8"))
 ROWS = np.genfromtxt(GOLDEN / "drive/startup.csv", delimiter=",", names=True, skip_header=1)

@@ -20,7 +20,6 @@ from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.speed import Speed
 from cranktrain.numerics.periodic import cycle_grid, fourier_curve, plus
 from cranktrain.questions.drive.cycle_equation import speed_over_turn
-from cranktrain.questions.drive.cycle_pieces import mesh_of
 from cranktrain.questions.evenness.applied_torque import applied_torque
 from cranktrain.questions.evenness.flywheel import FlywheelSize, flywheel_size
 from cranktrain.questions.evenness.flywheel_inertia import exact_flywheel, flywheels_by_method, textbook_inertia
@@ -34,6 +33,7 @@ from cranktrain.questions.evenness.speed_over_cycle import steady_speed
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
+from cranktrain.questions.reduction.cycle_pieces import mesh_of
 from cranktrain.questions.torque.sources import TorqueSources
 
 EXPECTED = json.loads((Path(__file__).parents[1] / "golden/theory/flywheel_press.json").read_text(encoding="utf-8"))

@@ -15,8 +15,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import cranktrain as ct
-from cranktrain.questions.drive.motor_tables.declared import DeclaredMotor
-from cranktrain.questions.drive.motor_tables.of_designs import motor_of
+from cranktrain.motors.declared import DeclaredMotor
+from cranktrain.motors.of_designs import motor_of
 
 RADIUS, ROD, PISTON, CRANK, RATIO, ROTOR = 0.06, 0.24, 12.0, 0.15, 6.0, 0.004
 PLATE = {"power": "5 kW", "speed": "1440 rpm", "synchronous_speed": "1500 rpm"}
@@ -151,7 +151,7 @@ def integrated(motor, loads, first):
     def slopes(angle, state, low, high):
         turning = motor_speed(angle, float(state[0]))
         inside = min(max(turning, low * (1 + 1e-15)), high * (1 - 1e-15))
-        torque, crank = motor.motor.torque(inside, math.inf, numbers), turning / RATIO
+        torque, crank = motor.law.torque(inside, math.inf, numbers), turning / RATIO
         taken = loads.taken * (turning / loads.speed) ** EXPONENT - loads.driving
         gained = RATIO * torque - taken - loads.force * piston_rate(angle)
         return [gained, 1 / crank, RATIO * torque, torque**2 / crank]
@@ -189,7 +189,7 @@ def corner_cases():
 def test_every_motor_is_here_and_has_the_corners_that_are_crossed():
     for name in MOTORS:
         motor = motor_of(machine(name).drive.motor)
-        assert motor.motor.name == name
+        assert motor.law.name == name
         assert np.count_nonzero(motor.corner_speeds(0) > 0) == CORNERS.get(name, 0), name
 
 

@@ -7,9 +7,9 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 from tests.presses import GRAVITY, IDLE, KERNELS, PRESS, PRESSING, RAM, high_slip, slope
 
-from cranktrain.questions.drive.clutched.equation import ANGLE, BRAKE_HEAT, CLUTCH_HEAT, MOTOR_WORK, SPEED, WHEEL
-from cranktrain.questions.drive.clutched.runs import AT_STAND, COMMAND, LOCKED, LOOSE, OFF, PressPlan
-from cranktrain.questions.drive.clutched.stroke import single_stroke
+from cranktrain.transient.clutched.equation import ANGLE, BRAKE_HEAT, CLUTCH_HEAT, MOTOR_WORK, SPEED, WHEEL
+from cranktrain.transient.clutched.runs import AT_STAND, COMMAND, LOCKED, LOOSE, OFF, PressPlan
+from cranktrain.transient.clutched.stroke import single_stroke
 
 CRANK, FRICTION, WHEEL_INERTIA, DRIVEN = 14.0, 150.0, 24.0, 0.4
 RATIO, FORWARD, BACKWARD = 5.0, 0.96, 0.95

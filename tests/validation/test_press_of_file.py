@@ -9,10 +9,10 @@ from tests.presses import GRAVITY, IDLE, NUMBERS, RADIUS, RAM, ROD, high_slip, p
 
 import cranktrain as ct
 from cranktrain.errors import InputError
-from cranktrain.questions.drive.clutched.runs import PressPlan
-from cranktrain.questions.drive.clutched.settled import settled_stroke
-from cranktrain.questions.drive.press_strokes import PressStrokes
-from cranktrain.questions.drive.running.equation import Kernels, no_brake, no_heat
+from cranktrain.questions.press.strokes import PressStrokes
+from cranktrain.transient.clutched.runs import PressPlan
+from cranktrain.transient.clutched.settled import settled_stroke
+from cranktrain.transient.equation import Kernels, no_brake, no_heat
 
 FULL = 600e3
 CORNERS = (0.125, 0.12505)

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
-from cranktrain.questions.drive.motor_checks import START
-from cranktrain.questions.drive.motor_tables.of_designs import motor_of
+from cranktrain.motors.of_designs import motor_of
+from cranktrain.questions.sizing.motor_checks import START
 
 WITH_LOAD = "A start with its load at the worst angle asks"
 TOO_SMALL = (WITH_LOAD, "The motor is too small")

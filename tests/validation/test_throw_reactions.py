@@ -6,7 +6,7 @@ from tests.reference_case import ReferenceCase
 from tests.straight_shafts import forces_on, straight_shaft
 
 from cranktrain.questions.crankshaft.methods.split import SPLIT
-from cranktrain.questions.crankshaft.throw_reactions import (
+from cranktrain.questions.crankshaft.methods.throw_reactions import (
     ThrowForces,
     ThrowLengths,
     journal_load,

@@ -89,7 +89,7 @@ def test_text_and_the_rest_are_the_split_span(name, masses):
 def directions(of, throw, degrees):
     """Where a throw's crank points, by the drawing of a mechanism on it, and 90° ahead of that, shape (2, angle)."""
     shaft, number = of.throws[throw]
-    name = of.loaded.shafts.names[of.loaded.each[shaft].laid.declared.shaft]
+    name = of.loaded.shafts.names[of.loaded.each[shaft].layout.declared.shaft]
     place = next(one for one in of.machine.places if (one.shaft, one.throw) == (name, number) and not one.is_far)
     drawn = placed(of.machine, place, np.deg2rad(degrees) + of.loaded.zero[0, 0]).positions
     crank = drawn["A"] - drawn["O"]

@@ -28,9 +28,6 @@ _GAP = "  "
 _UNIT = 2
 """Which of a row's texts is its unit."""
 
-_POSITIONS = ("_at", "dead_centre", "angle")
-"""Ends of names of crank angles that are places, of which a part in percent would say nothing."""
-
 
 class ComparedRow(NamedTuple):
     """A fact of two machines.
@@ -223,7 +220,7 @@ def _compared(row: FactValues) -> ComparedRow:
 def _percent(row: FactValues) -> float:
     """By how much the second is more, in percent of the first; none of places, nor of 0."""
     first, second = row.values
-    is_place = row.entry.unit == "deg" and row.entry.name.endswith(_POSITIONS)
+    is_place = row.entry.is_place
     if first == second and np.isfinite(first) and not is_place:
         return 0.0
     if is_place or first == 0.0 or not np.isfinite(second - first):

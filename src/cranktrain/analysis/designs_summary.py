@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from cranktrain.analysis.dimensions import rivals
 from cranktrain.analysis.figures import shown_in, text_in
-from cranktrain.analysis.members import SMALLEST, side_of, whose_of
+from cranktrain.analysis.members import ends, whose_of
 from cranktrain.analysis.result import Fact, Result
 from cranktrain.catalogue import Entry
 from cranktrain.language import _
@@ -43,11 +43,11 @@ def summary_of_designs(result: Result) -> Iterator[str]:
         else _("{n} designs").format(n=n_designs)
     )
     asked = {name: fact for name, fact in result.facts.items() if name in (result.asked or ())}
-    for name, fact in (asked or result.headline).items():
-        yield from _lines(name, fact, result.labels_of(fact.entry), n_designs)
+    for fact in (asked or result.headline).values():
+        yield from _lines(fact, result.labels_of(fact.entry), n_designs)
 
 
-def _lines(name: str, fact: Fact, labels: Mapping[str, Sequence[str]], n_designs: int) -> Iterator[str]:
+def _lines(fact: Fact, labels: Mapping[str, Sequence[str]], n_designs: int) -> Iterator[str]:
     """Say a fact by the method that is meant; where errors are counted from that, those of each of the others."""
     every = np.asarray(fact.value, dtype=np.float64)
     meant, *others = rivals(labels)
@@ -56,8 +56,8 @@ def _lines(name: str, fact: Fact, labels: Mapping[str, Sequence[str]], n_designs
         along = [names for names, chosen in zip(labels.values(), place, strict=True) if isinstance(chosen, slice)]
         members = along[0] if len(along) == 1 else ()
         values = every[(slice(None), *place)].reshape(n_designs, -1)
-        if (side := side_of(name)) is not None and np.all(np.any(np.isfinite(values), axis=1)):
-            values = (np.nanmin if side == SMALLEST else np.nanmax)(values, axis=1, keepdims=True)
+        if (worst := fact.entry.worst) is not None and np.all(np.any(np.isfinite(values), axis=1)):
+            values = ends(values, worst, axis=1)
             members = ()
         said = ", ".join(filter(None, (fact.entry.words, "" if method == _EXACT else method)))
         yield f"{said}: {_between(values, fact.entry, members)}"

@@ -8,7 +8,7 @@ import numpy as np
 
 from cranktrain.analysis.dimensions import DIMENSIONS, rivals
 from cranktrain.analysis.figures import ABSENT, shown_in, text_in
-from cranktrain.catalogue import Entry
+from cranktrain.catalogue import Entry, Worst
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
@@ -27,7 +27,7 @@ _MOST_OF_EACH = 2
 _EXACT = "exact"
 """The first of several methods, beside which the others are approximations."""
 
-SMALLEST, LARGEST = N_("min"), N_("max")
+_SAID: Mapping[Worst, str] = {"smallest": N_("min"), "largest": N_("max")}
 
 _MOST_LETTERS = 16
 """Of the names of members; of more the smallest and the largest stands."""
@@ -92,7 +92,7 @@ def _flat_rows(entry: Entry, found: Sequence[Labelled | None]) -> Iterator[tuple
     there = [one for one in found if one is not None]
     members = [_members(one) for one in there]
     if not entry.is_fact:
-        sides: Sequence[str] = (SMALLEST, LARGEST)
+        sides: Sequence[Worst] = tuple(_SAID)
     elif all(len({*_texts(entry, one.values)} - {ABSENT}) <= 1 for one in there):
         yield "", tuple(_first(one) for one in found)
         return
@@ -100,9 +100,9 @@ def _flat_rows(entry: Entry, found: Sequence[Labelled | None]) -> Iterator[tuple
         yield from rows
         return
     else:
-        sides = [side for side in (SMALLEST, LARGEST) if not _is_other(entry.name, side)]
+        sides = tuple(_SAID) if entry.worst is None else (entry.worst,)
     for side in sides:
-        said = "" if len(sides) == 1 else _(side)
+        said = "" if len(sides) == 1 else _(_SAID[side])
         yield said, tuple(_extreme(_meant(one), side) for one in found)
 
 
@@ -125,7 +125,7 @@ def _same_members(
     """Rows of members that all machines have: of numbers the first few, of others those together that are equal."""
     there = [one for one in found if one is not None]
     dimension = entry.dimensions[-1]
-    if DIMENSIONS[dimension].is_number and side_of(entry.name) is None:
+    if DIMENSIONS[dimension].is_number and entry.worst is None:
         for member in _counted(there):
             title = _(DIMENSIONS[dimension].title)
             yield f"{title} {member}", tuple(_of_member(one, member) for one in found)
@@ -184,21 +184,14 @@ def _of_member(one: Labelled | None, member: str) -> float:
     return float(one.values[..., _members(one).index(member)].ravel()[0])
 
 
-def _extreme(one: Labelled | None, side: str) -> float:
+def _extreme(one: Labelled | None, side: Worst) -> float:
     """Smallest or largest of all members; NaN where none has a value."""
     if one is None or not np.any(np.isfinite(one.values)):
         return np.nan
-    least: Any = np.nanmin if side == SMALLEST else np.nanmax
-    return float(least(one.values))
+    return float(ends(one.values, side))
 
 
-def side_of(name: str) -> str | None:
-    """Say which side a fact is of by its name: of the largest forces of many joints the smallest says nothing."""
-    words = name.split("_")
-    if "smallest" in words:
-        return SMALLEST
-    return LARGEST if {"largest", "peak"} & set(words) else None
-
-
-def _is_other(name: str, side: str) -> bool:
-    return side_of(name) not in (None, side)
+def ends(values: Array, side: Worst, axis: int | None = None) -> Array:
+    """Smallest or largest of values that there are; all along an axis, which stays, unless there is none."""
+    least: Any = np.nanmin if side == "smallest" else np.nanmax
+    return least(values, axis=axis, keepdims=axis is not None)

@@ -3,7 +3,8 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from itertools import groupby
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -29,6 +30,13 @@ if TYPE_CHECKING:
     import xarray
 
 Outcome = TypeVar("Outcome")
+
+# fmt: off
+Sheet: TypeAlias = Literal[
+    "machine", "forces", "crankshaft", "crankpins", "wear", "shaft_torque", "loads", "drive", "pumping", "torsion",
+]
+# fmt: on
+"""Sheets of paper by their names."""
 
 _MILLION = 1e6
 """From here on six figures would take a power of ten."""
@@ -185,16 +193,18 @@ class Result:
         return tuple(in_print(flag) for outcome in self.outcomes for flag in getattr(outcome, "unlikely", ()))
 
     def rows(self, design: int = 0) -> Iterator[tuple[str, list[AnswerLine]]]:
-        """Give the lines of the answer for one design: question by question its title and rows, if it has any.
+        """Give the lines of the answer for one design, question by question: titles and rows, if there are any.
 
-        What kinds of mechanisms have of their own stands with the first question.
+        Questions with one title stand together; what kinds of mechanisms have of their own, with the first question.
         """
         own = tuple(rows for kind in KINDS for rows in kind.rows)
-        for question in QUESTIONS:
-            functions = (*question.rows, *(own if question is QUESTIONS[0] else ()))
-            rows = [row for function in functions for row in self._rows(function, design) if row.says]
+        for title, alike in groupby(QUESTIONS, lambda question: question.title):
+            each = [(*question.rows, *(own if question is QUESTIONS[0] else ())) for question in alike]
+            rows = [
+                row for functions in each for rows_of in functions for row in self._rows(rows_of, design) if row.says
+            ]
             if rows:
-                yield _(question.title), rows
+                yield _(title), rows
 
     def _rows(self, function: Callable[..., Iterable[AnswerLine]], design: int) -> Iterable[AnswerLine]:
         """Rows of one function; none where a result that it asks for is not there."""
@@ -279,13 +289,14 @@ class Result:
         with self._in_its_units():
             return face("plot_result")(self, *quantities, design=design, **members)
 
-    def sheet(self, name: str = "machine", *, size: str = "A4", design: int = 0) -> Any:
+    def sheet(self, name: Sheet = "machine", *, size: Literal["A4", "A3"] = "A4", design: int = 0) -> Any:
         """Draw a sheet of paper.
 
         Parameters
         ----------
-        name : str
-            `machine`, `forces` or `torsion`.
+        name : Sheet
+            `machine` (motion and what the machine does, on one page), `forces`, `crankshaft`, `crankpins`, `wear`,
+            `shaft_torque`, `loads`, `drive`, `pumping` or `torsion`.
         size : "A4" or "A3"
         design : int
             Which of the result's machines.

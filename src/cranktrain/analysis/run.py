@@ -1,6 +1,6 @@
 """From a machine to its result: layout, then every stage that the machine allows."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial as with_arguments
 from typing import Any
@@ -12,6 +12,7 @@ from cranktrain.analysis.grids import FACTS_STEP, coarse_curves, has_curves, on_
 from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
+from cranktrain.analysis.shapes import refuse_misshapen
 from cranktrain.analysis.stages import STAGES, lacking, leading_to, missing_results, run_stages, stages_giving
 from cranktrain.analysis.unused import unused
 from cranktrain.errors import InputError, Problem
@@ -119,13 +120,13 @@ def _run(
     """Compute all designs at once."""
     parts = with_speed(parts_of(machines, step=FACTS_STEP), speed, stages, step)
     absent = lacking(stages, parts)
-    outcomes = run_stages(chosen, parts, absent)
+    outcomes = _outcomes(chosen, parts, absent, machines)
     # Curves want points as close as facts, or closer: of these a coarser step takes some.
     n_between = int(np.ceil(step / FACTS_STEP - _ONE_STEP))
     curves = outcomes
     if abs(step / n_between - FACTS_STEP) > _ONE_STEP:
         drawn = leading_to(chosen, [one.gives for one in chosen if has_curves(one.gives)])
-        curves = run_stages(drawn, on_grid(parts, step / n_between), absent)
+        curves = _outcomes(drawn, on_grid(parts, step / n_between), absent, machines)
     parts = on_grid(parts, step)
     grid: Any = parts[CrankAngle]
     shown = with_curves(outcomes, curves, n_between)
@@ -139,6 +140,16 @@ def _run(
         missing=missing_results(chosen, absent),
         unused=unused(machines[0], absent),
     )
+
+
+def _outcomes(
+    stages: Sequence[Stage], parts: Parts, absent: Collection[type], machines: Sequence[Machine]
+) -> dict[type, object]:
+    """Run stages, and refuse what has another shape than it declares."""
+    outcomes = run_stages(stages, parts, absent)
+    grid: Any = parts[CrankAngle]
+    refuse_misshapen(outcomes.values(), _labels(parts, machines, outcomes), grid.shown.size)
+    return outcomes
 
 
 def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:

@@ -8,13 +8,12 @@ it knows nothing else:
     pressure = fluid.pressure(chamber_state(volume, limits, angle_from_firing, cycle), ready)
 """
 
-from typing import Annotated
-
-from pydantic import Field
+from typing import TYPE_CHECKING
 
 from cranktrain.fluids import compressor, diesel, dual, indicator, otto, wiebe
 from cranktrain.fluids.fluid import AnyFluid, Fluid, FluidSpec, Kink, Rooms, table_path
 from cranktrain.fluids.state import ChamberState, VolumeLimits, chamber_state
+from cranktrain.spec_class import by_kind
 
 __all__ = [
     "KINDS",
@@ -34,15 +33,10 @@ __all__ = [
 
 KINDS: tuple[AnyFluid, ...] = (indicator.KIND, otto.KIND, diesel.KIND, dual.KIND, wiebe.KIND, compressor.KIND)
 
-AnyGas = Annotated[
-    indicator.IndicatorSpec
-    | otto.OttoSpec
-    | diesel.DieselSpec
-    | dual.DualSpec
-    | wiebe.WiebeSpec
-    | compressor.CompressorSpec,
-    Field(discriminator="kind"),
-]
+if TYPE_CHECKING:
+    AnyGas = FluidSpec
+else:
+    AnyGas = by_kind(kind.spec for kind in KINDS)
 
 
 def fluid_named(name: str) -> AnyFluid:

@@ -1,8 +1,6 @@
 """Mechanisms: one folder for each kind, with its spec, kernels, drawing and README; a new kind is one line here."""
 
-from typing import Annotated
-
-from pydantic import Field
+from typing import TYPE_CHECKING
 
 from cranktrain.mechanisms import (
     articulated_rod,
@@ -18,6 +16,7 @@ from cranktrain.mechanisms import (
 )
 from cranktrain.mechanisms.kind import AnyKind, Kind
 from cranktrain.mechanisms.spec import MechanismSpec
+from cranktrain.spec_class import by_kind
 
 __all__ = ["KINDS", "AnyMechanism", "Kind", "MechanismSpec", "kind_named", "kind_of"]
 
@@ -34,19 +33,10 @@ KINDS: tuple[AnyKind, ...] = (
     chain.KIND,
 )
 
-AnyMechanism = Annotated[
-    slider_crank.SliderCrankSpec
-    | crank_rocker.CrankRockerSpec
-    | articulated_rod.ArticulatedRodSpec
-    | scotch_yoke.ScotchYokeSpec
-    | oscillating_cylinder.OscillatingCylinderSpec
-    | slotted_lever.SlottedLeverSpec
-    | eccentric.EccentricSpec
-    | stephenson.StephensonSpec
-    | walschaerts.WalschaertsSpec
-    | chain.ChainSpec,
-    Field(discriminator="kind"),
-]
+if TYPE_CHECKING:
+    AnyMechanism = MechanismSpec
+else:
+    AnyMechanism = by_kind(kind.spec for kind in KINDS)
 
 
 def kind_named(name: str) -> AnyKind:

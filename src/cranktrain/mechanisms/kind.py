@@ -109,9 +109,9 @@ class Kind(Generic[Motion, Geometry]):
         The least gap over a turn in closed form, for a kind of whose gap every length takes as much as it changes.
     openings : callable (geometry) → Openings, optional
         Finds what `closing_margin` looks for; for a kind whose gap has to be walked for.
-    is_direct : bool
-        Whether its rod joins a piston and the crank pin itself: what textbooks say of λ, of P·f(β) and of two harmonics
-        is said of it, and slaves may hang on its rod.
+    direct_ratio : callable (geometry) → Array, optional
+        For a kind whose rod joins a piston and the crank pin itself: λ of the textbooks, NaN with an offset. What they
+        say of λ, of P·f(β) and of two harmonics is said of it, and slaves may hang on its rod.
     is_slave : bool
         Whether its rod hangs on the rod of a mechanism that is direct.
     is_outlined : bool
@@ -148,11 +148,16 @@ class Kind(Generic[Motion, Geometry]):
     closing_field: str | Callable[[Any, Geometry], str] = "rod_length"
     least_gap: Callable[[Geometry], Extreme] | None = None
     openings: Callable[[Geometry], Openings] | None = None
-    is_direct: bool = False
+    direct_ratio: Callable[[Geometry], Array] | None = None
     is_slave: bool = False
     is_outlined: bool = False
     has_own_pin: bool = False
     rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
+
+    @property
+    def is_direct(self) -> bool:
+        """Whether its rod joins a piston and the crank pin itself."""
+        return self.direct_ratio is not None
 
     @property
     def followed_links(self) -> tuple[str, ...]:

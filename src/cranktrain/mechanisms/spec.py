@@ -8,7 +8,7 @@ from pydantic import Field
 from cranktrain.allowed import Name
 from cranktrain.language import N_
 from cranktrain.motion import Array
-from cranktrain.quantities import Length
+from cranktrain.quantities import Given, Length
 from cranktrain.spec import Spec
 
 LISTS = frozenset({"part"})
@@ -33,6 +33,11 @@ class MechanismSpec(Spec, frozen=True):
 
     master_field: ClassVar[str | None] = None
     """Field that names the bank whose slider-crank, on the same throw, this mechanism hangs on."""
+
+    @property
+    def pressure_angle_limit(self) -> Given | None:
+        """Largest pressure angle that its rod is permitted; None where it has none, or no limit."""
+        return None
 
 
 class Master(NamedTuple):

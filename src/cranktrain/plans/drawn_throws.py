@@ -65,7 +65,7 @@ def _sort(machine: Machine, throw: Sequence[PlacedMechanism]) -> tuple[object, .
     pistons = [place for place in throw if place.kind.output.is_slider]
     cylinders = cylinders_of(machine.cylinder, pistons)
     return tuple(map(_of_place, throw)), tuple(
-        str(getattr(one.spec, field, None)) for one in cylinders for field in ("bore", "piston_rod", "chambers")
+        str(size) for one in cylinders for size in (one.bore, one.piston_rod, one.chambers)
     )
 
 

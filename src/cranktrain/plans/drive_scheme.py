@@ -6,12 +6,12 @@ from typing import Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from cranktrain.language import N_, _
+from cranktrain.layout.drive.grip_tables import BrakeSpec, ClutchSpec
+from cranktrain.layout.drive.shafts import shaft_number
+from cranktrain.layout.drive.table import DriveSpec, StageKind, StageSpec
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.questions.drive.clutched.spec import BrakeSpec, ClutchSpec
-from cranktrain.questions.drive.motor_tables import AnyMotor, motor_of
-from cranktrain.questions.drive.shafts import shaft_number
-from cranktrain.questions.drive.spec import DriveSpec, StageKind, StageSpec
+from cranktrain.motors import AnyMotor, motor_of
 
 Symbol: TypeAlias = Literal["motor", "disc", "brake", "clutch", "stage", "crank"] | StageKind
 
@@ -134,7 +134,7 @@ def _on_shaft(spec: DriveSpec, place: int, n_stages: int) -> Iterator[DriveEleme
     """Motor, what turns with a shaft by its own name, clutch and brake."""
     brake, clutch = spec.brake, spec.clutch
     if place == 0 and spec.motor is not None:
-        yield DriveElement("motor", _(motor_of(spec.motor).motor.title), tuple(_of_motor(spec.motor)))
+        yield DriveElement("motor", _(motor_of(spec.motor).law.title), tuple(_of_motor(spec.motor)))
     for name, part in spec.part.items():
         if shaft_number(part.on) == place:
             yield DriveElement(
@@ -154,9 +154,8 @@ def _on_shaft(spec: DriveSpec, place: int, n_stages: int) -> Iterator[DriveEleme
 def _of_motor(motor: AnyMotor) -> Iterator[ChainFact]:
     """Rated point, largest torque and rotor of a motor, as far as its table has them."""
     rating, largest = motor_of(motor).rating, motor.largest_torque
-    letter = "M_pk" if motor.kind == "servo" else "M_b"
     facts = [ChainFact("P", _first(rating.power), "W"), ChainFact("n", _first(rating.speed), "rad/s")]
-    facts += [] if largest is None else [ChainFact(letter, _first(largest), "N*m")]
+    facts += [] if largest is None else [ChainFact(motor.symbol_of_largest, _first(largest), "N*m")]
     yield from (fact for fact in facts if np.isfinite(fact.value))
     if motor.rotor_inertia is not None:
         yield from _of_rotor(motor.rotor_inertia, is_moment=motor.flywheel_moment is not None)

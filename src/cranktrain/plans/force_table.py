@@ -182,7 +182,7 @@ def _piston(machine: Machine, wanted: str | None) -> PlacedMechanism:
 
 def _area(machine: Machine, piston: PlacedMechanism) -> float:
     """Area of a piston, π/4 of its bore squared. [m²]"""
-    bores = (cylinder.spec.bore for cylinder in cylinders_of(machine.cylinder, [piston]))
+    bores = (cylinder.bore for cylinder in cylinders_of(machine.cylinder, [piston]))
     bore = next(bores, None)
     if bore is None:
         raise InputError([Problem("cylinder.bore", None, _("is missing: forces over the piston's area need it"))])

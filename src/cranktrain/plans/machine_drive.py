@@ -9,15 +9,15 @@ import numpy as np
 
 from cranktrain.errors import InputError, Problem, problems_as
 from cranktrain.language import N_, _
+from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.layout.masses import masses_of
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.questions.drive.running.gearing import stages
-from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.texts.crank_rocker_drive import Drivetrain
 from cranktrain.texts.drive_table import CrankRockerDrive, read_drive
+from cranktrain.transient.gearing import stages
 
 _KIND = "crank_rocker"
 _OF_STAGES = frozenset({"i", "eta_p", "eta_sh"})

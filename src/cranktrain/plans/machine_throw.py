@@ -14,11 +14,11 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, largest_of
 from cranktrain.plans.acting import idle_problems
 from cranktrain.plans.throw_loads import CrankMasses, ThrowLoad, ThrowSpan, of_member
-from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.bearing_loads import bearing_loads, end_moments
-from cranktrain.questions.crankshaft.shaft_loads import AxisLoads
-from cranktrain.questions.crankshaft.spans import cut_shaft, spans_of
-from cranktrain.questions.crankshaft.throw_reactions import (
+from cranktrain.questions.crankshaft.bending.bearing_loads import bearing_loads, end_moments
+from cranktrain.questions.crankshaft.bending.cut_shaft import cut_shaft, spans_of
+from cranktrain.questions.crankshaft.bending.shaft_loads import AxisLoads
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
+from cranktrain.questions.crankshaft.methods.throw_reactions import (
     ThrowForces,
     ThrowLengths,
     ThrowReactions,
@@ -106,9 +106,9 @@ class ThrownMachine:
         """Shaft and throw by the names of throws: their numbers, with several shafts below the shaft's name."""
         names = self.loaded.shafts.names
         return {
-            f"{'' if len(names) == 1 else f'{names[one.laid.declared.shaft]}.'}{throw + 1}": (shaft, throw)
+            f"{'' if len(names) == 1 else f'{names[one.layout.declared.shaft]}.'}{throw + 1}": (shaft, throw)
             for shaft, one in enumerate(self.loaded.each)
-            for throw in sorted(set(one.laid.declared.throw.tolist()))
+            for throw in sorted(set(one.layout.declared.throw.tolist()))
         }
 
     def usual_angle(self, over: MachineThrow) -> float:
@@ -171,7 +171,7 @@ class _Letters:
 
     def throw(self, name: str, masses: CrankMasses) -> MachineThrow:
         """Put every load to its letter, or to those for which there is none."""
-        declared = self.of.one.laid.declared
+        declared = self.of.one.layout.declared
         every = list(self.of.every(masses))
         found = self._lettered(every)
         return MachineThrow(
@@ -179,7 +179,7 @@ class _Letters:
             (declared.bearing_names[self.of.span - 1], declared.bearing_names[self.of.span]),
             self.of.span == 1,
             self.of.span == declared.bearings.shape[1] - 1,
-            self.of.one.laid.turn < 0,
+            self.of.one.layout.turn < 0,
             self._has_mass(),
             tuple(", ".join(one.name for one in found[rod]) for rod in ("rod 0", "rod 1") if rod in found),
             Throw(self._lengths(found), self._forces(found), self._rods(found)),
@@ -205,7 +205,7 @@ class _Letters:
 
     def _lengths(self, found: Mapping[str, Sequence[ThrowLoad]]) -> ThrowLengths:
         """Lengths of fig. 35."""
-        declared = self.of.one.laid.declared
+        declared = self.of.one.layout.declared
         centre = float(declared.centres[0, self.of.pin])
         (left_plane, right_plane), thick = declared.planes[0, self.of.pin], declared.web_thickness[0, self.of.pin]
         first, second = (found[f"rod {side}"][0].z if f"rod {side}" in found else centre for side in (0, 1))
@@ -272,7 +272,7 @@ class _Letters:
         """Whether any mechanism of the throw says what the crank weighs."""
         members = [
             self.of.member(int(mechanism))
-            for mechanism in self.of.one.laid.rods.mechanism[self.of.one.laid.rods.pin == self.of.pin]
+            for mechanism in self.of.one.layout.rods.mechanism[self.of.one.layout.rods.pin == self.of.pin]
         ]
         bodies = [(batch.kind.dynamics.by_link(made.bodies)["crank"], member) for batch, made, member in members]
         return any(of_member(body.mass, member) > 0 for body, member in bodies)

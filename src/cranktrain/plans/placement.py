@@ -109,7 +109,7 @@ def _facing(machine: Machine) -> tuple[PlacedMechanism, PlacedMechanism] | None:
 
 def _bore(machine: Machine, place: PlacedMechanism, motion: Array) -> float:
     """Bore of a piston's cylinder; where the file has none, 0.6 of the stroke. [m]"""
-    bore = cylinders_of(machine.cylinder, [place])[0].spec.bore
+    bore = cylinders_of(machine.cylinder, [place])[0].bore
     return 0.6 * float(np.ptp(motion[np.isfinite(motion)])) if bore is None else bore.si
 
 

@@ -13,7 +13,6 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing
-from cranktrain.mechanisms.slider_crank import SliderCrankSpec
 from cranktrain.motion import Array
 from cranktrain.plans.lettering import lettered
 from cranktrain.plans.placement import plain_crank_called
@@ -195,7 +194,7 @@ def source_angles(
     place = plain_crank_called(machine, mechanism)
     geometry = plain_crank(place.geometry)
     largest = np.arcsin((geometry.crank_radius + abs(geometry.offset)) / geometry.rod_length)
-    declared = place.spec.permissible_pressure_angle if isinstance(place.spec, SliderCrankSpec) else None
+    declared = place.spec.pressure_angle_limit
     pressure = np.rad2deg(largest if declared is None else declared.si) if permissible is None else permissible
     half = np.array([0.0, pressure, (pressure + 90.0) / 2, 90.0, 120.0, 150.0])
     start = np.rad2deg(-own_angle(place.phase, place.geometry) - machine.zero) if is_shown else 0.0

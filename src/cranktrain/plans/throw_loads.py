@@ -12,10 +12,10 @@ from cranktrain.language import _
 from cranktrain.layout.masses import MechanismMasses
 from cranktrain.layout.mechanisms import Batch
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.crank_sizes import crank_parts
-from cranktrain.questions.crankshaft.shaft_loads import on_axis
-from cranktrain.questions.crankshaft.spans import spans_of
+from cranktrain.questions.crankshaft.bending.cut_shaft import spans_of
+from cranktrain.questions.crankshaft.bending.shaft_loads import on_axis
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
+from cranktrain.questions.crankshaft.results.crank_sizes import crank_parts
 from cranktrain.questions.forces.rod_masses import weighed_ends
 
 CrankMasses = Literal["given", "sizes"]
@@ -42,7 +42,7 @@ class ThrowSpan:
     def __init__(self, of: LoadedShafts, shaft: int, throw: int, angle: Array) -> None:
         self.loaded, self.frames, self.turn, self.one = of.loaded, of.frames, of.turn, of.each[shaft]
         self.carriers = of.loaded.carriers
-        declared = self.one.laid.declared
+        declared = self.one.layout.declared
         own = np.flatnonzero(declared.throw == throw)
         self.pin = int(own[0])
         self.span = self._span(own)
@@ -50,22 +50,22 @@ class ThrowSpan:
         self.loads = of.loads(angle)[shaft].loads
         self.on_axis = on_axis(self.loads)
         self.speed = np.broadcast_to(self.loaded.speed.drive(angle).speed, angle.shape)[0, 0]
-        self.piece = int(self.one.laid.pins[self.pin])
-        pieces = self.one.shaft.pieces
+        self.piece = int(self.one.layout.pins[self.pin])
+        pieces = self.one.metal.pieces
         self.radius = float(pieces.radius[0, self.piece])
         self.outward, self.ahead = self._directions(self.pin)
         self.none = np.zeros_like(self.speed)
 
     def _directions(self, pin: int) -> tuple[Array, Array]:
         """Where a pin points from the shaft's axis, and 90° ahead of that in the sense of rotation."""
-        turned = self.loads.turned[0] + self.one.shaft.pieces.angle[0, self.one.laid.pins[pin]]
-        return np.stack([np.cos(turned), np.sin(turned)]), self.one.laid.turn * np.stack(
+        turned = self.loads.turned[0] + self.one.metal.pieces.angle[0, self.one.layout.pins[pin]]
+        return np.stack([np.cos(turned), np.sin(turned)]), self.one.layout.turn * np.stack(
             [-np.sin(turned), np.cos(turned)]
         )
 
     def _span(self, own: NDArray[np.intp]) -> int:
         """Which span the throw's pin is in, from 1; refuse what the text does not speak of."""
-        declared = self.one.laid.declared
+        declared = self.one.layout.declared
         spans = spans_of(declared.bearings, declared.centres)[0]
         span, throws = int(spans[own[0]]), declared.throw[spans == spans[own[0]]]
         allowed = ""
@@ -85,7 +85,7 @@ class ThrowSpan:
 
     def _is_here(self, z: float) -> bool:
         """Whether a place is between the bearings, or beyond one at an end of the shaft."""
-        bearings = self.one.laid.declared.bearings
+        bearings = self.one.layout.declared.bearings
         span, n = int(spans_of(bearings, np.array([[z]]))[0, 0]), bearings.shape[1]
         return span == self.span or (span == 0 and self.span == 1) or (span == n and self.span == n - 1)
 
@@ -96,7 +96,7 @@ class ThrowSpan:
             (one.rods.number.size, self._rod),
             (one.cranks.number.size, partial(self._crank, masses=masses)),
             (one.held.number.size, self._weight),
-            (one.laid.declared.pulls.z.shape[1], self._pull),
+            (one.layout.declared.pulls.z.shape[1], self._pull),
             (len(one.meshes), self._gear),
         )
         load = 0
@@ -148,9 +148,9 @@ class ThrowSpan:
     def _crank(self, load: int, number_of: int, masses: CrankMasses) -> Iterator[ThrowLoad]:
         """A crank's part on a web: its inertia, and what else acts on it."""
         number, part = self.one.cranks
-        web, webs = int(self.loads.piece[load]), self.one.laid.webs[self.pin].tolist()
+        web, webs = int(self.loads.piece[load]), self.one.layout.webs[self.pin].tolist()
         mechanism = int(number[number_of])
-        outward, ahead = self._directions(int(self.one.laid.rods.pin[self.one.laid.rods.mechanism == mechanism][0]))
+        outward, ahead = self._directions(int(self.one.layout.rods.pin[self.one.layout.rods.mechanism == mechanism][0]))
         batch, made, member = self.member(mechanism)
         body = batch.kind.dynamics.by_link(made.bodies)["crank"]
         along, across = (of_member(body.mass * arm, member) for arm in (body.along, body.across))
@@ -167,13 +167,13 @@ class ThrowSpan:
 
     def _sized(self) -> Iterator[ThrowLoad]:
         """Inertia of pin and webs by their sizes; of other pins here as of what hangs over."""
-        declared, parts = self.one.laid.declared, crank_parts(self.one.laid)
+        declared, parts = self.one.layout.declared, crank_parts(self.one.layout)
         none = np.zeros_like(self.outward)
         for pin in range(declared.throw.size):
             centre, planes = float(declared.centres[0, pin]), declared.planes[0, pin]
             if not self._is_here(centre):
                 continue
-            radius = float(self.one.shaft.pieces.radius[0, self.one.laid.pins[pin]])
+            radius = float(self.one.metal.pieces.radius[0, self.one.layout.pins[pin]])
             outward = self.speed**2 * self._directions(pin)[0]
             each = [(centre, parts.pin[0, pin] * radius, "pin")]
             each += [(float(planes[side]), parts.web_moment[0, pin, side], f"web {side}") for side in (0, 1)]
@@ -184,7 +184,7 @@ class ThrowSpan:
 
     def _weight(self, load: int, _number: int) -> Iterator[ThrowLoad]:
         """A balance weight: internal on a web of the throw, external beyond the bearings."""
-        z, webs = float(self.loads.z[0, load]), self.one.laid.webs[self.pin].tolist()
+        z, webs = float(self.loads.z[0, load]), self.one.layout.webs[self.pin].tolist()
         name, letter = _("balance weight"), ""
         if self.loads.on_web[load]:
             web = int(self.loads.piece[load])
@@ -195,7 +195,7 @@ class ThrowSpan:
 
     def _pull(self, load: int, number_of: int) -> Iterator[ThrowLoad]:
         """A belt's pull, a flywheel's weight."""
-        yield self._load(load, _("pull {name}").format(name=self.one.laid.declared.pulls.names[number_of]))
+        yield self._load(load, _("pull {name}").format(name=self.one.layout.declared.pulls.names[number_of]))
 
     def _gear(self, load: int, number_of: int) -> Iterator[ThrowLoad]:
         """What the teeth of a gear do, with its thrust."""

@@ -2,7 +2,7 @@
 
 from typing import Literal, NamedTuple
 
-from cranktrain.questions.crankshaft.throw_reactions import throw_length
+from cranktrain.questions.crankshaft.methods.throw_reactions import throw_length
 from cranktrain.texts.throw_table import CHAIN, Throw
 
 Way = Literal["outward", "inward", "against", "with"]

@@ -15,30 +15,31 @@ from cranktrain.catalogue import Entry, entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.drive.declared import DeclaredDrive
+from cranktrain.layout.drive.grips import DeclaredBrake, DeclaredStroke
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.motors import DeclaredMotor
 from cranktrain.one_line import short
-from cranktrain.questions.drive.at_angles import has_inertia, reduced_at
-from cranktrain.questions.drive.clutched.declared import DeclaredBrake, DeclaredStroke
-from cranktrain.questions.drive.declared import DeclaredDrive, DeclaredStart
-from cranktrain.questions.drive.gentle_rows import corners_and_rows
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.press_strokes import PressStrokes
-from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.running.equation import AT_MOTOR, BrakePlace
-from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.reduced import ReducedMachine
-from cranktrain.questions.drive.running.runs import Progress
-from cranktrain.questions.drive.start_case import StartCase
-from cranktrain.questions.drive.start_notes import start_notes
-from cranktrain.questions.drive.start_record import StartCurves, StartEvent, StartRun
-from cranktrain.questions.drive.start_rows import start_rows
-from cranktrain.questions.drive.starting import asked_times, run_start
 from cranktrain.questions.drive.steady_drive import SteadyDrive
-from cranktrain.questions.drive.stroke_starting import run_stroke
-from cranktrain.questions.drive.switching import Braking
+from cranktrain.questions.press.stroke_start import run_stroke
+from cranktrain.questions.press.strokes import PressStrokes
+from cranktrain.questions.reduction.at_angles import has_inertia, reduced_at
+from cranktrain.questions.reduction.machines import ReducedMachines
+from cranktrain.questions.start.case import StartCase
+from cranktrain.questions.start.gentle_rows import corners_and_rows
+from cranktrain.questions.start.notes import start_notes
+from cranktrain.questions.start.parts import DeclaredStart
+from cranktrain.questions.start.record import StartCurves, StartEvent, StartRun
+from cranktrain.questions.start.rows import start_rows
+from cranktrain.questions.start.starting import asked_times, run_start
+from cranktrain.questions.start.switching import Braking
 from cranktrain.record import record
 from cranktrain.rows import AnswerLine
+from cranktrain.transient.equation import AT_MOTOR, BrakePlace
+from cranktrain.transient.gearing import overall_ratio, turning_inertia
+from cranktrain.transient.reduced import ReducedMachine
+from cranktrain.transient.runs import Progress
 
 if TYPE_CHECKING:
     import xarray

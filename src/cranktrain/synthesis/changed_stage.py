@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
+from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.numerics.ties import first_largest
-from cranktrain.questions.drive.spec import DriveSpec
 
 
 def without_stage(spec: DriveSpec | None) -> Iterator[Problem]:

@@ -11,7 +11,8 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.questions.balance.shaking import ShakingCouples, ShakingForces
-from cranktrain.questions.crankshaft.stages import MainBearingLoads, title_of
+from cranktrain.questions.crankshaft.methods import title_of
+from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
 from cranktrain.synthesis.least_loads import Least
 from cranktrain.synthesis.proposal import Number
 from cranktrain.synthesis.weight_places import Kept, WeightPlace
@@ -149,18 +150,18 @@ def _of_places(weighed: FoundWeights) -> Iterator[Number]:
     """Mass, radius and share of the weight at every place, and its angle where one is not opposite."""
     turned = bool(np.any(weighed.moment.imag != 0))
     for i, (place, moment) in enumerate(zip(weighed.places, weighed.moment.tolist(), strict=True)):
-        at = f"({place.throw if place.z is None else i + 1})"
+        at = str(place.throw if place.z is None else i + 1)
         radius = float(weighed.radius[i])
-        yield Number(f"mass{at}", f"m{at}", abs(moment) / radius, "kg", _("Mass of the weight"))
-        yield Number(f"radius{at}", f"ρ{at}", radius, "mm", _("Radius of its centroid"))
+        yield Number("mass", "m", abs(moment) / radius, "kg", _("Mass of the weight"), at)
+        yield Number("radius", "ρ", radius, "mm", _("Radius of its centroid"), at)
         if place.z is not None:
-            yield Number(f"z{at}", f"z{at}", place.z, "mm", _("Middle of the web that carries it"))
+            yield Number("z", "z", place.z, "mm", _("Middle of the web that carries it"), at)
         if turned:
             ahead = float(np.angle(moment))
-            yield Number(f"ahead{at}", f"δ{at}", ahead, "deg", _("How far it is ahead of opposite the throw"))
+            yield Number("ahead", "δ", ahead, "deg", _("How far it is ahead of opposite the throw"), at)
         if place.full > 0:
             share = (place.there + moment.real) / place.full
-            yield Number(f"share{at}", f"u/u_0{at}", share, "%", _("Of a full counterweight there, with what stays"))
+            yield Number("share", "u/u_0", share, "%", _("Of a full counterweight there, with what stays"), at)
 
 
 def _of_bearings(aimed: Aimed, before: State, after: State) -> Iterator[Number]:
@@ -172,7 +173,7 @@ def _of_bearings(aimed: Aimed, before: State, after: State) -> Iterator[Number]:
             ("mean_before", "Q_m0", before.mean, N_("Mean load of bearing as the file has it")),
             ("mean_load", "Q_m", after.mean, N_("Mean load of bearing with the counterweights")),
         ):
-            yield Number(f"{key}({name})", f"{symbol}({name})", float(state[i]), "kN", _(words))
+            yield Number(key, symbol, float(state[i]), "kN", _(words), name)
 
 
 def relief_remarks(aimed: Aimed, weighed: FoundWeights, least: Least, kept: Kept) -> Iterator[str]:

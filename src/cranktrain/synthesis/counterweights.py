@@ -140,8 +140,8 @@ def counterweights(
     chosen, wrong = chosen_throws(throws, n_throws)
     kept = kept_balance(machine, afresh=afresh)
     refuse([*wrong, *_solved_for(machine, kept)])
-    places = throw_places(machine, sought.laid, kept)
-    places = web_places(places, sought.laid) if weights == "webs" else places
+    places = throw_places(machine, sought.layout, kept)
+    places = web_places(places, sought.layout) if weights == "webs" else places
     places = [place for place in places if place.throw in chosen]
     radii = np.array([place.crank_radius if radius is None else radius for place in places])
     most = _most(places, radii, largest_mass, largest_share)
@@ -154,7 +154,7 @@ def counterweights(
     shaft = _shaft(added, spread, sought, turns=turns)
     least = (least_largest_load if aim == "largest" else least_mean_load)(shaft, turns=turns, progress=progress)
     moment = spread @ _turned(without_idle(shaft, least.unknown, turns=turns), turns=turns)
-    aimed = Aimed(sought.method.name, sought.laid.declared.bearing_names, sought.bearings, aim)
+    aimed = Aimed(sought.method.name, sought.layout.declared.bearing_names, sought.bearings, aim)
     weighed = FoundWeights(places, moment, np.max(spread, axis=1), radii)
     made = added.machine(moment)
     before, after = aimed.state(machine), aimed.state(made)

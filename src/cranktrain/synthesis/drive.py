@@ -8,11 +8,11 @@ import numpy as np
 from cranktrain.analysis.parts import refuse_wrong
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
+from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.machine import Machine
+from cranktrain.motors.cage.catalogue import four_pole_motors
 from cranktrain.numerics.ties import smallest_of
 from cranktrain.quantities import Dimension, Quantity, unlisted
-from cranktrain.questions.drive.motors.catalogue import four_pole_motors
-from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.spec import words_of
 from cranktrain.synthesis.changed_stage import largest_stage, without_stage
 from cranktrain.synthesis.drive_trials import (

@@ -12,23 +12,23 @@ from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.run import run
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.layout.drive.declared import DeclaredDrive
+from cranktrain.layout.drive.grips import DeclaredClutch
+from cranktrain.layout.drive.shafts import shaft_number
+from cranktrain.layout.drive.table import DriveSpec, PartSpec
 from cranktrain.machine import Machine
+from cranktrain.motors import DeclaredMotor
+from cranktrain.motors.cage.catalogue import four_pole_motors
 from cranktrain.numerics.ties import first_largest, first_smallest, largest_first
-from cranktrain.questions.drive.choosing_ratio import nearest_ratio, preferred_ratios
-from cranktrain.questions.drive.clutched.declared import DeclaredClutch
-from cranktrain.questions.drive.declared import DeclaredDrive
-from cranktrain.questions.drive.declared_duty import DeclaredDuty
-from cranktrain.questions.drive.motor_checks import CheckedMotor, check_names, checked_motor
-from cranktrain.questions.drive.motor_sizing import SizedDesign, sized_design
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.motors.catalogue import four_pole_motors
-from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.running.gearing import Gearing, with_inertia
-from cranktrain.questions.drive.shafts import shaft_number
-from cranktrain.questions.drive.spec import DriveSpec, PartSpec
-from cranktrain.questions.drive.static_torques import StaticTorques
+from cranktrain.questions.reduction.machines import ReducedMachines
+from cranktrain.questions.reduction.static_torques import StaticTorques
+from cranktrain.questions.sizing.choosing_ratio import nearest_ratio, preferred_ratios
+from cranktrain.questions.sizing.motor_checks import CheckedMotor, check_names, checked_motor
+from cranktrain.questions.sizing.motor_sizing import SizedDesign, sized_design
+from cranktrain.questions.sizing.parts import DeclaredDuty
 from cranktrain.record import record
 from cranktrain.synthesis.sized_motor import KeptSlip, motor_table, slip_of_size
+from cranktrain.transient.gearing import Gearing, with_inertia
 
 Ratio = Literal["preferred", "exact"]
 

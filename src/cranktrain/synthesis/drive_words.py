@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.language import N_, _
-from cranktrain.questions.drive.flywheel_sizing import formula_inertia
-from cranktrain.questions.drive.spec import DriveSpec
+from cranktrain.language import _
+from cranktrain.layout.drive.table import DriveSpec
+from cranktrain.questions.sizing.flywheel_sizing import formula_inertia
 from cranktrain.synthesis.drive_trials import AskedDrive, Bench, Trial
 from cranktrain.synthesis.proposal import Alternative, Number
 from cranktrain.synthesis.sized_motor import KeptSlip, declared_slip, typical_slip
@@ -16,7 +16,6 @@ _SYMBOLS = ("u_M", "u_max", "u_A", "u_t", "u_z", "u_J", "u_n")
 _NAMES = ("effective", "peak", "worst_start", "start_time", "starts", "inertia", "speed_share")
 _NOT_BESIDE = frozenset({"overall_ratio", "off"})
 """Numbers of the chosen one that tables of others leave out: they follow from those that stand there."""
-_KINDS = {"cage": N_("a cage motor"), "wound_rotor": N_("a motor with slip rings")}
 
 
 def numbers(asked: AskedDrive, one: Trial, chosen: Trial) -> Iterator[Number]:
@@ -132,7 +131,7 @@ def _of_slip(asked: AskedDrive, chosen: Trial) -> Iterator[str]:
     spec: DriveSpec | None = asked.machine.drive
     motor = None if spec is None else spec.motor
     own, ordinary = declared_slip(asked.machine), number(typical_slip(chosen.place), "%")
-    if motor is not None and motor.kind not in _KINDS:
+    if motor is not None and motor.slip_at_rating is None:
         yield _('The declared motor, kind = "{kind}", is replaced by an ordinary cage motor.').format(kind=motor.kind)
     elif own.slip is not None and asked.kept != own:
         said = _("The slip at the rated torque is {slip}; the declared motor has {own}.")

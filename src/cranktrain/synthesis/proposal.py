@@ -31,13 +31,22 @@ _LINE = 116
 
 
 class Number(NamedTuple):
-    """A number of a proposal: name, symbol, value in SI, the unit to show it in, and what it is in a sentence."""
+    """A number of a proposal: name, symbol, value in SI, the unit to show it in, and what it is in a sentence.
+
+    member: which throw, web, cylinder or bearing it is of, where there are several.
+    """
 
     name: str
     symbol: str
     value: float
     unit: str
     sentence: str
+    member: str = ""
+
+    @property
+    def key(self) -> str:
+        """By what a proposal gives it: `mass(2)` is the mass at throw 2."""
+        return f"{self.name}({self.member})" if self.member else self.name
 
 
 class Alternative(NamedTuple):
@@ -86,14 +95,14 @@ class Proposal:
         )
 
     def value(self, name: str) -> float:
-        """Give a number by its name, in SI.
+        """Give a number by its name, in SI: `stroke`, or `stroke(2)` of one of several members.
 
         Raises
         ------
         KeyError
             If the proposal has no such number.
         """
-        return {one.name: one.value for one in self.numbers}[name]
+        return {one.key: one.value for one in self.numbers}[name]
 
     def machine_file(self) -> str:
         """Write the machine file: TOML with the status of every number, the remarks as comments; ready to run."""

@@ -108,7 +108,7 @@ def radial(
             n=n_cylinders, stroke=number(2 * crank_radius, "mm")
         ),
         numbers=tuple(
-            one._replace(name=f"{one.name}({i})", symbol=f"{one.symbol}({i})")
+            one._replace(member=str(i))
             for i, rod in enumerate(chosen, start=2)
             for one in slave_numbers(rod, compression_ratio)
         ),

@@ -11,19 +11,18 @@ from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.run import run
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
+from cranktrain.layout.drive.declared import DeclaredDrive
+from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.machine import Machine
+from cranktrain.motors import DeclaredMotor
 from cranktrain.numerics.ties import first_largest, first_smallest, smallest_of
-from cranktrain.questions.drive.choosing_ratio import preferred_ratios
-from cranktrain.questions.drive.declared import DeclaredDrive
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.motors.servo import SERVO
-from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio
-from cranktrain.questions.drive.servo.demand import ServoDemand
-from cranktrain.questions.drive.servo.rocking import RockingDrive
-from cranktrain.questions.drive.servo.stages import ServoDrive
-from cranktrain.questions.drive.spec import DriveSpec
+from cranktrain.questions.servo.demand import ServoDemand
+from cranktrain.questions.servo.rocking import RockingDrive
+from cranktrain.questions.servo.stages import ServoDrive
+from cranktrain.questions.sizing.choosing_ratio import preferred_ratios
 from cranktrain.synthesis.changed_stage import largest_stage, without_stage
 from cranktrain.synthesis.proposal import Alternative, MachineProposal, Number, found_ratio
+from cranktrain.transient.gearing import Gearing, overall_ratio
 from cranktrain.wording import number
 
 _QUANTITIES = ("servo_rms_torque", "rocking_rms_torque")
@@ -124,7 +123,7 @@ def _case(machine: Machine) -> _Servo:
     parts: Any = parts_of((machine,), step=FACTS_STEP)
     gearing, motor = parts[DeclaredDrive].gearings[0], parts.get(DeclaredMotor)
     problems: list[Problem] = []
-    if motor is not None and motor.motor is not SERVO:
+    if motor is not None and not motor.law.is_commanded:
         allowed = _('must be kind = "servo": only such a motor follows a wanted motion')
         problems.append(Problem("drive.motor.kind", spec.motor.kind if spec.motor else None, allowed))
     elif not gearing.motor_inertia > 0:
@@ -170,9 +169,9 @@ def _shares(motor: DeclaredMotor | None, demand: ServoDemand, speed: float) -> t
     """What is asked of a declared motor over what it can do; NaN where it does not say."""
     if motor is None:
         return (math.nan,) * len(_CHECKS)
-    limits = type(motor.numbers)(*(number[0] for number in motor.numbers))
-    uses, top = demand.uses(limits, float(motor.rating.torque[0])), float(motor.top_speed[0])
-    return float(uses.rms), float(uses.peak), speed / top if math.isfinite(top) else math.nan
+    rated, top = float(motor.rating.torque[0]), float(motor.top_speed[0])
+    at_once = demand.peak_share(motor.ceiling(demand.motor_speed, 0))
+    return demand.rms / rated, at_once, speed / top if math.isfinite(top) else math.nan
 
 
 def _fine(own: float, best: _Behind) -> list[float]:

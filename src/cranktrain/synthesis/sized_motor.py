@@ -6,18 +6,15 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.language import _
+from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.machine import Machine
+from cranktrain.motors.cage.catalogue import four_pole_motors
+from cranktrain.motors.cage.spec import HIGH_SLIP_BREAKDOWN
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.quantities import shown
-from cranktrain.questions.drive.motor_tables.cage import CageSpec
-from cranktrain.questions.drive.motor_tables.wound_rotor import WoundRotorSpec
-from cranktrain.questions.drive.motors.catalogue import four_pole_motors
-from cranktrain.questions.drive.spec import DriveSpec
 from cranktrain.synthesis.proposal import found, found_ratio, quantity_text
 from cranktrain.wording import number
 
-_HIGH_SLIP_BREAKDOWN = 2.75
-"""Breakdown torque over the rated one of cage motors with high slip, NEMA design D; typical."""
 _ORDINARY, _MOST_ORDINARY = 1.5, 0.05
 """Up to so many times the slip of a typical motor of its size, and up to 5 %, a cage motor's is an ordinary one."""
 
@@ -53,29 +50,16 @@ def typical_slip(place: int) -> float:
 
 
 def declared_slip(machine: Machine) -> KeptSlip:
-    """Slip that the machine's own motor has at its rated torque, where it is not that of an ordinary cage motor.
-
-    Notes
-    -----
-    Of a cage motor without a plate the rated torque is taken as the breakdown torque over 2.75, typical of NEMA
-    design D; by Kloss's formula its slip is s_b (m − √(m² − 1)), with m that ratio. docs/theory/drive, eq. (25.4).
-    """
+    """Slip that the machine's own motor has at its rated torque, where it is not that of an ordinary cage motor."""
     drive: DriveSpec | None = machine.drive
-    spec = None if drive is None else drive.motor
-    if not isinstance(spec, CageSpec | WoundRotorSpec):
+    own = None if drive is None or drive.motor is None else drive.motor.slip_at_rating
+    if own is None or np.isnan(own.slip):
         return KeptSlip()
-    motor = spec.declared()
-    slip, torque = 1 - np.asarray(motor.rating.speed / motor.top_speed), motor.rating.torque
-    if isinstance(spec, WoundRotorSpec):
-        part = 1.0 if spec.resistance_ratio is None else spec.resistance_ratio.si
-        return KeptSlip(is_wound=True, slip=float(np.ravel(slip)[0]) * part) if spec.is_rated else KeptSlip()
-    if not spec.is_rated and spec.size is None and spec.breakdown_slip is not None:
-        ratio = _HIGH_SLIP_BREAKDOWN
-        slip = spec.breakdown_slip.array * (ratio - np.sqrt(ratio * ratio - 1))
-        torque = np.nan if spec.breakdown_torque is None else spec.breakdown_torque.array / ratio
-    first, power = float(np.ravel(slip)[0]), float(np.ravel(torque * motor.top_speed * (1 - slip))[0])
-    nearest = first_smallest(np.abs(four_pole_motors().power - power))
-    return KeptSlip(slip=first) if first > max(_ORDINARY * typical_slip(nearest), _MOST_ORDINARY) else KeptSlip()
+    if own.is_by_resistance:
+        return KeptSlip(is_wound=True, slip=own.slip)
+    nearest = first_smallest(np.abs(four_pole_motors().power - own.power))
+    is_high = own.slip > max(_ORDINARY * typical_slip(nearest), _MOST_ORDINARY)
+    return KeptSlip(slip=own.slip) if is_high else KeptSlip()
 
 
 def slip_of_size(place: int, kept: KeptSlip) -> float:
@@ -129,7 +113,7 @@ def _entries(place: int, kept: KeptSlip) -> Iterator[_Entry]:
     else:
         yield _Entry("speed", _whole(field * (1 - slip)), "rpm", is_of_slip=True)
     yield _Entry("synchronous_speed", field, "rpm")
-    yield _Entry("breakdown_ratio", float(values.breakdown_ratio[place]) if kept.is_wound else _HIGH_SLIP_BREAKDOWN)
+    yield _Entry("breakdown_ratio", float(values.breakdown_ratio[place]) if kept.is_wound else HIGH_SLIP_BREAKDOWN)
     if kept.is_wound:
         yield _Entry("resistance_ratio", round(slip / typical_slip(place), 4), is_of_slip=True)
     yield _Entry("inertia", float(motors.inertia[place]), "kg·m²")

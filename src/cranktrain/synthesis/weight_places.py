@@ -15,7 +15,7 @@ from cranktrain.numerics.ties import first_smallest
 from cranktrain.quantities import unlisted
 from cranktrain.questions.balance.spec import WeightSpec
 from cranktrain.questions.balance.weights import BalanceWeights
-from cranktrain.questions.crankshaft.laid import LaidShaft
+from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout
 
 _SOLVED_FOR = ("counterweights", "share", "planes")
 """Keys of [balance] that say which counterweights are solved for."""
@@ -81,28 +81,28 @@ def kept_balance(machine: Machine, *, afresh: bool) -> Kept:
     )
 
 
-def throw_places(machine: Machine, laid: LaidShaft, kept: Kept) -> list[WeightPlace]:
+def throw_places(machine: Machine, layout: ShaftLayout, kept: Kept) -> list[WeightPlace]:
     """A place on each throw of the crankshaft, whose webs carry alike."""
-    directions, radius = _directions(machine), laid.shaft.pieces.radius[0, laid.pins]
+    directions, radius = _directions(machine), layout.shaft.pieces.radius[0, layout.pins]
     full, there = full_moments(machine), np.zeros(directions.size)
     for throw, moment in kept.weights:
         full[throw] += max(moment, 0.0)
         there[throw] += max(-moment, 0.0)
-    first = [int(np.flatnonzero(laid.declared.throw == n)[0]) for n in range(len(directions))]
+    first = [int(np.flatnonzero(layout.declared.throw == n)[0]) for n in range(len(directions))]
     return [
         WeightPlace(n + 1, None, float(directions[n] + np.pi), float(radius[pin]), float(full[n]), float(there[n]))
         for n, pin in enumerate(first)
     ]
 
 
-def web_places(of_throws: Sequence[WeightPlace], laid: LaidShaft) -> list[WeightPlace]:
+def web_places(of_throws: Sequence[WeightPlace], layout: ShaftLayout) -> list[WeightPlace]:
     """A place on each web of the crankshaft, along the shaft; each is half as heavy as on a throw of two."""
     found: dict[int, WeightPlace] = {}
-    for pin, webs in enumerate(laid.webs):
-        place = of_throws[int(laid.declared.throw[pin])]
+    for pin, webs in enumerate(layout.webs):
+        place = of_throws[int(layout.declared.throw[pin])]
         own = [side for side in (0, 1) if webs[side] >= 0]
         for side in own:
-            z = float(laid.declared.planes[0, pin, side])
+            z = float(layout.declared.planes[0, pin, side])
             found.setdefault(
                 int(webs[side]), place._replace(z=z, full=place.full / len(own), there=place.there / len(own))
             )

@@ -13,8 +13,8 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, largest_between, points_together
-from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.bearing_method import BearingMethod
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
+from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.record import record
 
@@ -70,7 +70,7 @@ class WeightedShaft:
         """
         n_designs = len(self.crank_angle.zero)
         acting = self.shafts.loads(np.broadcast_to(shown, (n_designs, 1, shown.size)) + self.crank_angle.zero)
-        shaft = self.shafts.each[self.which].shaft
+        shaft = self.shafts.each[self.which].metal
         load = np.moveaxis(self.method.of(shaft.supports, acting[self.which]).load, 2, 3)
         change = np.moveaxis(load[1:] - load[0], 0, -1) / self.more
         return load[0] - change @ self.at, change

@@ -12,7 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.plans.machine_throw import MachineThrow, ThrownMachine
 from cranktrain.plans.throw_loads import CrankMasses
-from cranktrain.questions.crankshaft.throw_reactions import (
+from cranktrain.questions.crankshaft.methods.throw_reactions import (
     ThrowForces,
     ThrowReactions,
     throw_constituents,

@@ -6,9 +6,9 @@ import numpy as np
 
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.motion import ONE, Array
-from cranktrain.questions.drive.gear_train import torque_through
-from cranktrain.questions.drive.running.gearing import Gearing, equal_friction, overall_ratio, stages
+from cranktrain.questions.reduction.gear_train import torque_through
 from cranktrain.texts.crank_rocker import pin_velocity_ratio, product_of_sines
+from cranktrain.transient.gearing import Gearing, equal_friction, overall_ratio, stages
 
 
 class Directions(NamedTuple):

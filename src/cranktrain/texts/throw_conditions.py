@@ -4,7 +4,12 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from cranktrain.questions.crankshaft.throw_reactions import ThrowForces, ThrowLengths, throw_balance, throw_length
+from cranktrain.questions.crankshaft.methods.throw_reactions import (
+    ThrowForces,
+    ThrowLengths,
+    throw_balance,
+    throw_length,
+)
 
 _ROUNDING = 1e-12
 """Of the largest sum that a residual comes from."""

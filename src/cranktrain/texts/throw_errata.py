@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.language import N_
-from cranktrain.questions.crankshaft.throw_reactions import (
+from cranktrain.questions.crankshaft.methods.throw_reactions import (
     ThrowForces,
     ThrowLengths,
     ThrowReactions,

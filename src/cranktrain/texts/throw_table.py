@@ -11,7 +11,7 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.quantities import Given, written
 from cranktrain.quantities.fields import Force, NonNegativeLength
-from cranktrain.questions.crankshaft.throw_reactions import ThrowForces, ThrowLengths, throw_length
+from cranktrain.questions.crankshaft.methods.throw_reactions import ThrowForces, ThrowLengths, throw_length
 from cranktrain.spec import Spec, validated
 
 CHAIN = ("l1", "hL", "l2", "l3", "l4", "l5", "hP", "l6")

@@ -6,7 +6,7 @@ import pytest
 from tests.sentences import CANNOT_CLOSE
 
 from cranktrain import examples
-from cranktrain.questions.drive import starting
+from cranktrain.questions.start import starting
 
 EXAMPLES = Path(examples.__file__).parent
 PRESS = "high_slip_press"

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cranktrain.plans.throw_scheme import throw_scheme
-from cranktrain.questions.crankshaft.throw_reactions import throw_constituents, throw_reactions
+from cranktrain.questions.crankshaft.methods.throw_reactions import throw_constituents, throw_reactions
 from cranktrain.texts.throw_table import read_throw
 
 SIZES = {"l1": "14 mm", "hL": "22 mm", "l2": "15 mm", "l5": "15 mm", "hP": "24 mm", "l6": "14 mm"}

@@ -10,7 +10,7 @@ import cranktrain as ct
 from cranktrain.cli.synthesis.proposals import give_proposal
 from cranktrain.io.added_tables import with_values
 from cranktrain.io.machine_file import document_of
-from cranktrain.questions.drive.motors.catalogue import four_pole_motors
+from cranktrain.motors.cage.catalogue import four_pole_motors
 from cranktrain.synthesis.drive import drive
 
 R20 = (1.0, 1.12, 1.25, 1.4, 1.6, 1.8, 2.0, 2.24, 2.5, 2.8, 3.15, 3.55, 4.0, 4.5, 5.0, 5.6, 6.3, 7.1, 8.0, 9.0)

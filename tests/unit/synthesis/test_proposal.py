@@ -61,5 +61,14 @@ def test_number_by_name():
     assert Proposal("", (number,), (), (), ()).value("crank_radius") == 0.08
 
 
+def test_number_of_a_member():
+    """Its name and its symbol are those of all members, whatever brackets they have."""
+    each = tuple(
+        Number("width(inner)", "b(i)", size, "mm", "Inner width", member) for size, member in ((1.0, "1"), (2.0, "b"))
+    )
+    proposal = Proposal("", each, (), (), ())
+    assert [proposal.value(f"width(inner)({member})") for member in ("1", "b")] == [1.0, 2.0]
+
+
 def test_no_speed_no_shaft():
     assert shaft_table(None) == ()

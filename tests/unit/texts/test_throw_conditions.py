@@ -2,7 +2,7 @@
 
 import pytest
 
-from cranktrain.questions.crankshaft.throw_reactions import throw_constituents, throw_reactions
+from cranktrain.questions.crankshaft.methods.throw_reactions import throw_constituents, throw_reactions
 from cranktrain.texts.throw_conditions import balance_conditions
 from cranktrain.texts.throw_table import read_throw
 

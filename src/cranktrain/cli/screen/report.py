@@ -108,21 +108,17 @@ def _in_steps(result: Result, entry: Entry, place: Place) -> tuple[float, str, i
 
 
 def _refined(result: Result, entry: Entry, place: Place) -> tuple[float, str, int] | None:
-    """Largest size of a curve, where and whose, if facts say it of the same members: no step has a part in these."""
+    """Largest size of a curve, where and whose, if facts are its ends: no step has a part in these."""
     found: list[tuple[float, str, int]] = []
-    # Facts of the machine's torque and of the gas's pressure are called shortly.
-    stem = entry.name.removeprefix("machine_").removeprefix("gas_")
-    for side in ("smallest", "largest", "peak"):
-        extreme, at = (result.facts.get(f"{side}_{stem}{ending}") for ending in ("", "_at"))
-        if extreme is None or at is None or (*extreme.entry.dimensions, "crank_angle") != entry.dimensions:
-            continue
-        values, angles = (np.ravel(np.asarray(fact.value)[place]) for fact in (extreme, at))
+    for extreme in (one for one in result.catalogue.values() if one.of == entry.name):
+        values, angles = (np.ravel(getattr(result, name)[place]) for name in (extreme.name, extreme.at))
         sizes = np.nan_to_num(np.abs(values), nan=-1.0)
         member = first_largest(sizes)
         if sizes[member] >= 0:
             where = "" if np.isnan(angles[member]) else f"{angles[member]:.1f}"  # of what is level, nowhere
             found.append((float(values[member]), where, member))
-    return largest_of(found, lambda one: abs(one[0])) if found else None
+    # Of ends that are as far from 0, the lower one.
+    return largest_of(sorted(found), lambda one: abs(one[0])) if found else None
 
 
 def _checks(console: Console, result: Result) -> Iterator[Text]:

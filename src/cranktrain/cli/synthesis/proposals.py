@@ -1,6 +1,5 @@
 """A proposal on the screen: its numbers, what else was considered, remarks, and how to go on."""
 
-import re
 import shlex
 from collections.abc import Iterator, Sequence
 from contextlib import nullcontext
@@ -35,7 +34,6 @@ from cranktrain.wording import figure, number
 
 _ROUNDING = 1e-12
 """Of the largest number of a column: below it is nothing but rounding."""
-_OF_MEMBER = re.compile(r"(?P<name>.+)\((?P<member>[^()]+)\)$")
 
 
 def give_proposal(
@@ -131,13 +129,13 @@ def show_proposal(console: Console, proposal: Proposal) -> None:
 
 
 def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
-    """Numbers one in a line; those of several members, such as `stroke(2)`, in columns."""
-    single = [one for one in numbers if _OF_MEMBER.match(one.name) is None]
+    """Numbers one in a line; those of several members, such as the strokes of cylinders, in columns."""
+    single = [one for one in numbers if not one.member]
     if single:
         rows = [(one.sentence, one.symbol, figure(one.value, one.unit), _unit(one)) for one in single]
         yield from table(("", "", "", ""), rows, right=(2,))
-    several = grouped((found["name"], one) for one in numbers if (found := _OF_MEMBER.match(one.name)))
-    members = grouped((tuple(_member(one) for one in each), each) for each in several.values())
+    several = grouped((one.name, one) for one in numbers if one.member)
+    members = grouped((tuple(one.member for one in each), each) for each in several.values())
     for i, (labels, columns) in enumerate(members.items()):
         if i or single:
             yield ""
@@ -148,8 +146,8 @@ def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
 
 def _alternatives(proposal: Proposal, width: int) -> Iterator[str | Text]:
     """Tables of alternatives, one for each set of numbers; those that the proposal has too stand beside its own."""
-    own = {one.name: one for one in proposal.numbers}
-    others = [(label, {one.name: one for one in numbers}) for label, numbers in proposal.alternatives]
+    own = {one.key: one for one in proposal.numbers}
+    others = [(label, {one.key: one for one in numbers}) for label, numbers in proposal.alternatives]
     families = grouped((tuple(own if set(other) <= set(own) else other), (label, other)) for label, other in others)
     for i, (names, rows) in enumerate(families.items()):
         if i:
@@ -170,7 +168,7 @@ def _column(like: Number, numbers: Sequence[Number | None]) -> Column:
     texts = tuple(
         "" if one is None else figure(one.value if abs(one.value) > least else 0.0, one.unit) for one in numbers
     )
-    return Column(_symbol(like), _unit(like), texts)
+    return Column(like.symbol, _unit(like), texts)
 
 
 def _unit(one: Number) -> str:
@@ -180,16 +178,4 @@ def _unit(one: Number) -> str:
 
 def _legend(numbers: Sequence[Number]) -> str:
     """Say what the symbols are."""
-    return "; ".join(f"{_symbol(one)} {one.sentence[:1].lower()}{one.sentence[1:]}" for one in numbers)
-
-
-def _member(one: Number) -> str:
-    """Which member it is of."""
-    found = _OF_MEMBER.match(one.name)
-    return found["member"] if found else ""
-
-
-def _symbol(one: Number) -> str:
-    """Symbol without the member that it is of."""
-    found = _OF_MEMBER.match(one.symbol)
-    return found["name"] if found else one.symbol
+    return "; ".join(f"{one.symbol} {one.sentence[:1].lower()}{one.sentence[1:]}" for one in numbers)

@@ -120,7 +120,7 @@ def _value(requirement: Parameter, given: str | bool) -> object:
     quantity, words = quantity_of(requirement.annotation), words_of(requirement.annotation)
     if isinstance(given, bool):
         return given
-    if str in parts_of(requirement.annotation):
+    if str in parts_of(requirement.annotation) and not words:
         return given.strip()
     if quantity is None:
         chosen = given.strip().casefold().replace("-", "_")

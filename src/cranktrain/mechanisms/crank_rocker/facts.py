@@ -47,10 +47,10 @@ class Transmission(StageResult):
         _THEORY,
     )
     smallest_transmission_angle: Array = quantity(
-        "μ_min", "rad", _LINKAGE, N_("Smallest angle between rod and rocker"), _THEORY
+        "μ_min", "rad", _LINKAGE, N_("Smallest angle between rod and rocker"), _THEORY, worst="smallest"
     )
     largest_transmission_angle: Array = quantity(
-        "μ_max", "rad", _LINKAGE, N_("Largest angle between rod and rocker"), _THEORY
+        "μ_max", "rad", _LINKAGE, N_("Largest angle between rod and rocker"), _THEORY, worst="largest"
     )
 
     def answer(self, names: Names, design: int) -> str:

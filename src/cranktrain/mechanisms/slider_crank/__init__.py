@@ -13,6 +13,7 @@ from cranktrain.mechanisms.slider_crank.kinematics import (
     slider_crank,
     slider_crank_gap,
     slider_crank_least_gap,
+    slider_crank_ratio,
 )
 from cranktrain.mechanisms.slider_crank.spec import (
     SliderCrankSpec,
@@ -41,7 +42,7 @@ KIND = Kind(
     members=Members,
     stages=(),
     dynamics=DYNAMICS,
-    is_direct=True,
+    direct_ratio=slider_crank_ratio,
     is_outlined=True,
     speed="1500 rpm",
     tables=Path(__file__).with_name("starting.toml"),

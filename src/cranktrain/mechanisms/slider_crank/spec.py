@@ -50,6 +50,11 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
         ),
     )
 
+    @property
+    def pressure_angle_limit(self) -> Given | None:
+        """That of the file."""
+        return self.permissible_pressure_angle
+
     def _problems(self) -> Iterator[Problem]:
         """Find a crank or a rod that is given twice or not at all, and a stroke that no crank can make."""
         wrong = [problem for names in (_CRANKS, _RODS) for problem in _not_once(self, names)]

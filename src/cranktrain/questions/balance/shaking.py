@@ -43,10 +43,20 @@ class ShakingForces(Shaken):
         "F_b", "N", _ORDER, N_("Part of the order's shaking force that turns against the crank"), _THEORY
     )
     shaking_force_largest: Array = quantity(
-        "F_n", "N", _ORDER, N_("Largest shaking force of the order: half the long axis of its ellipse"), _THEORY
+        "F_n",
+        "N",
+        _ORDER,
+        N_("Largest shaking force of the order: half the long axis of its ellipse"),
+        _THEORY,
+        worst="largest",
     )
     shaking_force_smallest: Array = quantity(
-        "F_q", "N", _ORDER, N_("Smallest shaking force of the order: half the short axis of its ellipse"), _THEORY
+        "F_q",
+        "N",
+        _ORDER,
+        N_("Smallest shaking force of the order: half the short axis of its ellipse"),
+        _THEORY,
+        worst="smallest",
     )
     shaking_force_direction: Array = quantity(
         "δ_F", "rad", _ORDER, N_("Of the order's largest shaking force, from Y in the normal sense"), _THEORY
@@ -77,10 +87,20 @@ class ShakingCouples(Shaken):
         "C_b", "N*m", _ORDER, N_("Part of the order's shaking couple that turns against the crank"), _THEORY
     )
     shaking_couple_largest: Array = quantity(
-        "C_n", "N*m", _ORDER, N_("Largest shaking couple of the order: half the long axis of its ellipse"), _THEORY
+        "C_n",
+        "N*m",
+        _ORDER,
+        N_("Largest shaking couple of the order: half the long axis of its ellipse"),
+        _THEORY,
+        worst="largest",
     )
     shaking_couple_smallest: Array = quantity(
-        "C_q", "N*m", _ORDER, N_("Smallest shaking couple of the order: half the short axis of its ellipse"), _THEORY
+        "C_q",
+        "N*m",
+        _ORDER,
+        N_("Smallest shaking couple of the order: half the short axis of its ellipse"),
+        _THEORY,
+        worst="smallest",
     )
     shaking_couple_direction: Array = quantity(
         "δ_C",

@@ -8,33 +8,26 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.uses import table
 from cranktrain.questions.crankshaft import rows
-from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.bearings_between_events import bearings_between_events
-from cranktrain.questions.crankshaft.crank_sizes import crank_sizes
-from cranktrain.questions.crankshaft.cycle_points import cycle_points
-from cranktrain.questions.crankshaft.gears import declared_gears, gear_problems
-from cranktrain.questions.crankshaft.housing import housing_spread, in_elastic_bearings
-from cranktrain.questions.crankshaft.journal_loads import journal_loads, journal_wear
-from cranktrain.questions.crankshaft.laid import laid_crankshafts, with_rods
-from cranktrain.questions.crankshaft.loads_over_cycle import loads_over_cycle
-from cranktrain.questions.crankshaft.model import loaded_shafts
+from cranktrain.questions.crankshaft.loads.gears import declared_gears, gear_problems
+from cranktrain.questions.crankshaft.loads.load_places import loaded_shafts
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts, loads_over_cycle
 from cranktrain.questions.crankshaft.parts import declared_crankshafts
-from cranktrain.questions.crankshaft.pin_wear import crank_pin_wear
-from cranktrain.questions.crankshaft.pressures import (
-    crank_pin_pressures,
-    have_bearing_widths,
-    have_rod_widths,
-    main_bearing_pressures,
-)
 from cranktrain.questions.crankshaft.problems import crankshaft_problems
-from cranktrain.questions.crankshaft.section_torques import section_torques
-from cranktrain.questions.crankshaft.shaft_peaks import shaft_peaks
-from cranktrain.questions.crankshaft.shaft_places import shaft_places
+from cranktrain.questions.crankshaft.results import (
+    bearings_between_events,
+    crank_sizes,
+    housing_spread,
+    journal_loads,
+    main_bearing_loads,
+    pressures,
+    section_torques,
+    shaft_peaks,
+    shaft_places,
+    throw_bending,
+    unlikely,
+)
+from cranktrain.questions.crankshaft.shaft_layout import shaft_layouts, with_rods
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
-from cranktrain.questions.crankshaft.stages import MainBearingLoads, main_bearing_loads
-from cranktrain.questions.crankshaft.throw_bending import throw_bending
-from cranktrain.questions.crankshaft.unlikely import unlikely_crankshafts
-from cranktrain.questions.forces.crank_pins import have_crank_pins
 
 
 def _problems(design: Design) -> Iterator[Problem]:
@@ -55,24 +48,22 @@ QUESTION = Question(
     problems=_problems,
     parts=_parts,
     stages=(
-        Stage(cycle_points, applies=have_crank_pins),
-        Stage(crank_pin_wear),
-        Stage(laid_crankshafts, applies=with_rods),
-        Stage(shaft_places),
-        Stage(crank_sizes),
-        Stage(throw_bending),
+        Stage(shaft_layouts, applies=with_rods),
+        Stage(shaft_places.shaft_places),
+        Stage(crank_sizes.crank_sizes),
+        Stage(throw_bending.throw_bending),
         Stage(loaded_shafts),
         Stage(loads_over_cycle),
-        Stage(bearings_between_events),
-        Stage(shaft_peaks),
-        Stage(main_bearing_loads),
-        Stage(housing_spread, applies=in_elastic_bearings),
-        Stage(journal_loads),
-        Stage(journal_wear),
-        Stage(section_torques),
-        Stage(crank_pin_pressures, applies=have_rod_widths),
-        Stage(main_bearing_pressures, applies=have_bearing_widths),
-        Stage(unlikely_crankshafts),
+        Stage(bearings_between_events.bearings_between_events),
+        Stage(shaft_peaks.shaft_peaks),
+        Stage(main_bearing_loads.main_bearing_loads),
+        Stage(housing_spread.housing_spread, applies=housing_spread.in_elastic_bearings),
+        Stage(journal_loads.journal_loads),
+        Stage(journal_loads.journal_wear),
+        Stage(section_torques.section_torques),
+        Stage(pressures.crank_pin_pressures, applies=pressures.have_rod_widths),
+        Stage(pressures.main_bearing_pressures, applies=pressures.have_bearing_widths),
+        Stage(unlikely.unlikely_crankshafts),
     ),
     dimensions=(
         ResultDimension("bearing_method", N_("bearing method"), own=0),
@@ -80,11 +71,10 @@ QUESTION = Question(
         ResultDimension("pin", N_("pin")),
         ResultDimension("throw_plane", N_("plane of the throw")),
         ResultDimension("section", N_("section")),
-        ResultDimension("ray", N_("ray"), is_number=True),
     ),
     headline=("largest_bearing_load",),
     title=N_("Main bearings"),
     rows=(rows.bearing_rows, rows.torque_rows),
     offers={"main_bearing_load_x": N_("loads of main bearings")},
-    uses=(Use(table("crankshaft"), (MainBearingLoads,)), Use(table("gear"), (LoadedShafts,))),
+    uses=(Use(table("crankshaft"), (main_bearing_loads.MainBearingLoads,)), Use(table("gear"), (LoadedShafts,))),
 )

@@ -10,10 +10,10 @@ from cranktrain.language import N_
 from cranktrain.layout.design import Designs
 from cranktrain.motion import ONE, ZERO, Array
 from cranktrain.quantities import Given
-from cranktrain.questions.crankshaft.line import LineBearing, line_pins, shaft_line, table_of
-from cranktrain.questions.crankshaft.sections import Material
+from cranktrain.questions.crankshaft.metal.pieces_of_throws import WEB_RULES, WebRule
+from cranktrain.questions.crankshaft.metal.sections import Material
+from cranktrain.questions.crankshaft.shaft_line import LineBearing, line_pins, shaft_line, table_of
 from cranktrain.questions.crankshaft.spec import STEEL, CrankshaftSpec, CrankshaftTable
-from cranktrain.questions.crankshaft.throw_line import WEB_RULES, WebRule
 from cranktrain.record import record
 
 

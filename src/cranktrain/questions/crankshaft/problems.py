@@ -11,7 +11,15 @@ from cranktrain.layout.axial import throw_positions
 from cranktrain.layout.design import Design
 from cranktrain.layout.specs import MAIN
 from cranktrain.quantities import Given, one_of
-from cranktrain.questions.crankshaft.line import LinePin, ShaftLine, line_pins, path_of, resting, shaft_line, table_of
+from cranktrain.questions.crankshaft.shaft_line import (
+    LinePin,
+    ShaftLine,
+    line_pins,
+    path_of,
+    resting,
+    shaft_line,
+    table_of,
+)
 from cranktrain.questions.crankshaft.spec import NEEDED, CrankshaftSpec, CrankshaftTable, GearSpec
 from cranktrain.record import record
 from cranktrain.wording import precise

@@ -4,31 +4,17 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
-from cranktrain.questions.crankshaft.housing import HousingSpread
-from cranktrain.questions.crankshaft.section_torques import SectionTorques, widest_sections
-from cranktrain.questions.crankshaft.stages import MainBearingLoads
+from cranktrain.questions.crankshaft.methods import method_named
+from cranktrain.questions.crankshaft.methods.bearing_method import ELASTIC, BearingMethod
+from cranktrain.questions.crankshaft.results.housing_spread import HousingSpread
+from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
+from cranktrain.questions.crankshaft.results.section_torques import SectionTorques, widest_sections
 from cranktrain.rows import Amount, AnswerLine, Extent, worded
 from cranktrain.wording import Names
 
-_ROWS = (
-    (
-        N_("on elastic bearings"),
-        "frame_elastic",
-        "five_moment",
-        N_("{load} in bearing {bearing}; a straight shaft {other}"),
-    ),
-    (N_("on rigid bearings"), "frame_rigid", "split", N_("{load} in bearing {bearing}; split {other}")),
-    (N_("with clearance"), "clearance", "clearance", N_("{load} in bearing {bearing}")),
-)
-"""What the bearings are taken for; the method for that, and what stands beside it; how both are said."""
-_TRUST = {
-    "frame_elastic": N_("elastic frame; bearing {bearing} by all: {range}"),
-    "frame_rigid": N_("between both; bearing {bearing}: {range}"),
-}
-"""Which method to trust, by the best that the file has numbers for."""
 _ALIKE = 1e-9
 """Loads that differ by less, in parts of the largest, are one."""
 
@@ -36,19 +22,28 @@ _ALIKE = 1e-9
 def bearing_rows(
     labels: Names, design: int, found: MainBearingLoads, housing: HousingSpread | None
 ) -> Iterator[AnswerLine]:
-    """The largest load and where it is, of the crank frame; of other methods beside it; and by how much all differ."""
-    bearings = labels["bearing"]
-    most = dict(zip(labels["bearing_method"], found.largest_bearing_load.value[design], strict=True))
-    for name, method, beside, said in _ROWS:
-        own = most.get(method)
-        if own is not None and np.all(np.isfinite(own)):
-            load, other = (Amount(float(np.max(each)), "N") for each in (own, most[beside]))
-            yield worded(_(name), _(said), load=load, other=other, bearing=bearings[first_largest(own)])
-            if housing is not None and method == "frame_elastic":
+    """The largest load and where it is, by what the bearings are taken for; and by how much all methods differ."""
+    methods, every = [method_named(name) for name in labels["bearing_method"]], found.largest_bearing_load.value[design]
+    for taken in dict.fromkeys(method.bearings for method in methods):
+        of_these = [(method, load) for method, load in zip(methods, every, strict=True) if method.bearings is taken]
+        (_best, largest), *others = of_these
+        if np.all(np.isfinite(largest)):
+            yield _by_bearings(_(taken.title), largest, others, labels["bearing"])
+            if housing is not None and taken is ELASTIC:
                 yield from _by_housing(housing, design)
-    every = np.stack(list(most.values()))
     if np.all(np.isfinite(every)):
-        yield _spread(every, bearings, next(name for name in _TRUST if name in most))
+        yield _spread(every, labels["bearing"], methods[0])
+
+
+def _by_bearings(
+    title: str, largest: Array, others: Sequence[tuple[BearingMethod, Array]], bearings: Sequence[str]
+) -> AnswerLine:
+    """The largest load by the most trusted of the methods that take the bearings for the same, and another beside."""
+    load, bearing = Amount(float(np.max(largest)), "N"), bearings[first_largest(largest)]
+    for method, other in others:
+        if method.beside is not None:
+            return worded(title, _(method.beside), load=load, other=Amount(float(np.max(other)), "N"), bearing=bearing)
+    return worded(title, _("{load} in bearing {bearing}"), load=load, bearing=bearing)
 
 
 def _by_housing(housing: HousingSpread, design: int) -> Iterator[AnswerLine]:
@@ -60,13 +55,13 @@ def _by_housing(housing: HousingSpread, design: int) -> Iterator[AnswerLine]:
         yield worded(_("half, twice as stiff"), _("{soft}, {stiff}"), soft=Amount(soft, "N"), stiff=Amount(stiff, "N"))
 
 
-def _spread(most: Array, bearings: Sequence[str], best: str) -> AnswerLine:
+def _spread(most: Array, bearings: Sequence[str], best: BearingMethod) -> AnswerLine:
     """Which method to trust, and how much all differ where they differ most; on two bearings they do not."""
     if np.all(np.ptp(most, axis=0) <= _ALIKE * np.max(most)):
         return worded(_("to trust"), _("any: all methods give the same"))
     widest = first_largest(np.ptp(most, axis=0))
     extent = Extent(float(np.min(most[:, widest])), float(np.max(most[:, widest])), "N")
-    return worded(_("to trust"), _(_TRUST[best]), range=extent, bearing=bearings[widest])
+    return worded(_("to trust"), _(best.trust), range=extent, bearing=bearings[widest], method=_(best.title))
 
 
 def torque_rows(labels: Names, design: int, found: SectionTorques) -> Iterator[AnswerLine]:

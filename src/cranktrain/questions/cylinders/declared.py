@@ -7,6 +7,7 @@ from cranktrain.errors import Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
+from cranktrain.quantities import Given
 from cranktrain.questions.cylinders.spec import CylinderSpec, CylindersSpec, ratio_of
 from cranktrain.record import record
 
@@ -22,7 +23,10 @@ class Cylinder:
         Which of the pistons work in it: one, or the exhaust and the scavenge piston.
     signs : tuple of float
         Of each of them: +1 where room grows as the piston moves toward its shaft, −1 of one with side rods.
-    spec : CylinderSpec
+    bore, piston_rod, compression_ratio, exhaust_port, scavenge_port : Given or None
+        As the file has them.
+    chambers : tuple of str
+        Sides of the piston on which there is a chamber.
     paths : mapping of str to str
         Where in the machine file each field that is given stands.
     is_master : bool
@@ -35,7 +39,12 @@ class Cylinder:
     bank: str
     pistons: tuple[int, ...]
     signs: tuple[float, ...]
-    spec: CylinderSpec
+    bore: Given | None
+    piston_rod: Given | None
+    compression_ratio: Given | None
+    exhaust_port: Given | None
+    scavenge_port: Given | None
+    chambers: tuple[str, ...]
     paths: Mapping[str, str]
     is_master: bool
     carrier: int
@@ -45,11 +54,6 @@ class Cylinder:
         """Whether a table of its own or of its bank gives the compression ratio."""
         table = self.paths.get("compression_ratio", "cylinder.").rpartition(".")[0]
         return table != "cylinder"
-
-    @property
-    def chambers(self) -> tuple[str, ...]:
-        """Sides of the piston on which there is a chamber."""
-        return self.spec.chambers or ("head",)
 
 
 def cylinders_of(common: CylindersSpec, pistons: Sequence[PlacedMechanism]) -> tuple[Cylinder, ...]:
@@ -70,12 +74,18 @@ def _cylinder(common: CylindersSpec, pistons: Sequence[PlacedMechanism], index: 
         if (ratio := ratio_of(table)) is not None:
             fields["compression_ratio"] = (f"{path}.{ratio[0]}", ratio[1])
         given |= {name: found for name, found in fields.items() if found[1] is not None}
+    values: dict[str, Any] = {field: value for field, (_path, value) in given.items()}
     return Cylinder(
         name=name,
         bank=bank,
         pistons=index,
         signs=tuple(-1.0 if place.is_far else 1.0 for place in places),
-        spec=CylinderSpec.model_construct(**{field: value for field, (_path, value) in given.items()}),
+        bore=values.get("bore"),
+        piston_rod=values.get("piston_rod"),
+        compression_ratio=values.get("compression_ratio"),
+        exhaust_port=values.get("exhaust_port"),
+        scavenge_port=values.get("scavenge_port"),
+        chambers=values.get("chambers", ("head",)),
         paths={field: path for field, (path, _value) in given.items()},
         is_master=all(place.kind.is_direct for place in places),
         carrier=next((i for i, other in enumerate(pistons) if _carries(other, places[0])), -1),
@@ -103,14 +113,14 @@ def cylinder_problems(
         for name in common.overrides
         if name not in known
     ]
-    without = [cylinder.name for cylinder in cylinders if cylinder.spec.bore is None]
+    without = [cylinder.name for cylinder in cylinders if cylinder.bore is None]
     if without and len(without) < len(cylinders):
         allowed = _(
             "is missing for {cylinders}, while others have one; give it in [cylinder], or in [cylinder.{first}]"
         ).format(cylinders=", ".join(without), first=without[0])
         problems.append(Problem("cylinder.bore", None, allowed))
     for cylinder in cylinders:
-        bore, rod = cylinder.spec.bore, cylinder.spec.piston_rod
+        bore, rod = cylinder.bore, cylinder.piston_rod
         if bore is not None and rod is not None and rod.si >= bore.si:
             allowed = _("must be less than the bore, {bore}").format(bore=bore.text)
             problems.append(Problem(cylinder.paths["piston_rod"], rod.text, allowed))

@@ -86,9 +86,15 @@ class Firing:
         _CYLINDER,
         N_("Crank angle of nominal firing, the (exhaust) crank along the cylinder"),
         _THEORY,
+        is_place=True,
     )
     firing_dead_centre: Array = quantity(
-        "φ_fT", "deg", _CYLINDER, N_("Crank angle of the least volume at firing: the true dead centre"), _THEORY
+        "φ_fT",
+        "deg",
+        _CYLINDER,
+        N_("Crank angle of the least volume at firing: the true dead centre"),
+        _THEORY,
+        is_place=True,
     )
     firing_interval: Array = quantity(
         "Δφ_f", "deg", _CYLINDER, N_("From this cylinder's firing to the next one in the order"), _THEORY

@@ -38,10 +38,10 @@ class VolumetricDeadCentres:
         "S_e + S_s", "m", _CYLINDER, N_("Sum of both pistons' own strokes, as makers publish it"), _THEORY
     )
     inner_volumetric_dead_centre: Array = quantity(
-        "φ_i", "deg", _CYLINDER, N_("Crank angle of the least volume"), _THEORY
+        "φ_i", "deg", _CYLINDER, N_("Crank angle of the least volume"), _THEORY, is_place=True
     )
     outer_volumetric_dead_centre: Array = quantity(
-        "φ_o", "deg", _CYLINDER, N_("Crank angle of the greatest volume"), _THEORY
+        "φ_o", "deg", _CYLINDER, N_("Crank angle of the greatest volume"), _THEORY, is_place=True
     )
     inner_volumetric_shift: Array = quantity(
         "α_i",

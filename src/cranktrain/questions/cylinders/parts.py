@@ -71,6 +71,13 @@ def chamber_sides(cylinders: Sequence[Cylinder]) -> list[tuple[Cylinder, str]]:
     return [(cylinder, side) for cylinder in cylinders for side in cylinder.chambers]
 
 
+def chambers_at(design: Design, piston: str) -> dict[int, str]:
+    """Give the places of a piston's chambers among those of all pistons, each with its side of the piston."""
+    own = [place.name for place in design.pistons].index(piston)
+    sides = chamber_sides(design.once(cylinders))
+    return {place: side for place, (cylinder, side) in enumerate(sides) if own in cylinder.pistons}
+
+
 def chamber_names(cylinders: Sequence[Cylinder]) -> list[str]:
     """Name the chambers: `1L`, or `1L.head` and `1L.crank` where both sides of the piston work."""
     return [
@@ -104,7 +111,7 @@ def chambers_of(cylinders: Sequence[Cylinder], n_pistons: int, n_designs: int) -
 
 def _si(cylinders: Sequence[Cylinder], field: str, n_designs: int) -> Array:
     """Give a field of all cylinders, shape (design, cylinder), NaN where one has none."""
-    given = [getattr(cylinder.spec, field) for cylinder in cylinders]
+    given = [getattr(cylinder, field) for cylinder in cylinders]
     return by_design([np.nan if value is None else value.array for value in given], n_designs)
 
 

@@ -5,10 +5,10 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.drive.at_angles import ReducedAt
-from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
 from cranktrain.questions.drive.steady_turn import DriveInTurn
 from cranktrain.questions.evenness.speed_law import Power
+from cranktrain.questions.reduction.at_angles import ReducedAt
+from cranktrain.transient.gearing import overall_ratio, turning_inertia
 
 _N_SPEEDS, _AT_ONCE = 400, 40
 _N_ANGLES = 96

@@ -5,8 +5,8 @@ from collections.abc import Callable
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.drive.cycle_pieces import INTEGRALS, N_NODES, CyclePieces, to_places
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn
+from cranktrain.questions.reduction.cycle_pieces import INTEGRALS, N_NODES, CyclePieces, to_places
 
 _MOST_STEPS = 60
 _FIRST_STEPS, _LAST_STEPS = 16, 10

@@ -7,9 +7,9 @@ from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.layout.speed import DrivenSpeed
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, largest_between
-from cranktrain.questions.drive.reduction import ReducedMachines
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn
 from cranktrain.questions.drive.steady_drive import SteadyDrive
+from cranktrain.questions.reduction.machines import ReducedMachines
 
 
 def driven_speed(steady: SteadyDrive, machines: ReducedMachines, crank_angle: CrankAngle) -> DrivenSpeed:

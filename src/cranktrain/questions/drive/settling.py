@@ -5,14 +5,14 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.drive.balanced_speed import balance
 from cranktrain.questions.drive.cycle_equation import speed_over_turn
-from cranktrain.questions.drive.cycle_pieces import NODES, CyclePieces, mesh_of, to_integrals, to_places
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.running.gearing import overall_ratio, turning_inertia
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, passings
 from cranktrain.questions.drive.steady_turn import DriveInTurn
+from cranktrain.questions.reduction.cycle_pieces import NODES, CyclePieces, mesh_of, to_integrals, to_places
+from cranktrain.questions.reduction.machines import ReducedMachines
+from cranktrain.transient.gearing import overall_ratio, turning_inertia
 
 _MOST_MESHES = 24
 _MOST_FOR_KINKS = 3

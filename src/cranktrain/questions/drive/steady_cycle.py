@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array
 from cranktrain.numerics.products import product
 from cranktrain.numerics.roots import bracketed_roots
-from cranktrain.questions.drive.cycle_pieces import N_NODES, CyclePieces, to_integrals
+from cranktrain.questions.reduction.cycle_pieces import N_NODES, CyclePieces, to_integrals
 from cranktrain.record import record
 
 _TRIED = np.linspace(1e-9, 1 - 1e-9, 129)

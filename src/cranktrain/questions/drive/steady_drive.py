@@ -9,19 +9,19 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
+from cranktrain.motors import DeclaredMotor
+from cranktrain.motors.limits import beyond_measured
 from cranktrain.questions.drive.balanced_speed import balance
-from cranktrain.questions.drive.declared import DeclaredDrive
-from cranktrain.questions.drive.gear_train import lost_torque
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.motor_tables.table import beyond_table
-from cranktrain.questions.drive.reduction import ReducedMachines
-from cranktrain.questions.drive.running.gearing import overall_ratio
 from cranktrain.questions.drive.settling import missed_motion, settled
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, speed_range
-from cranktrain.questions.drive.steady_turn import DriveInTurn, holds_speed
+from cranktrain.questions.drive.steady_turn import DriveInTurn
+from cranktrain.questions.reduction.gear_train import lost_torque
+from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.record import record
+from cranktrain.transient.gearing import overall_ratio
 from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/reduced-machine"
@@ -41,18 +41,20 @@ class SteadyDrive(StageResult):
 
     running: tuple[SpeedOverTurn | None, ...]
     drive_speed: Array = quantity(
-        "ω_s", "rad/s", _CURVE, N_("Speed of the crank over the cycle, with its motor"), _THEORY
+        "ω_s", "rad/s", _CURVE, N_("Speed of the crank over the cycle, with its motor"), _THEORY, shown="rpm"
     )
     drive_acceleration: Array = quantity(
         "ε_s", "rad/s^2", _CURVE, N_("Angular acceleration of the crank, with its motor"), _THEORY
     )
-    motor_speed: Array = quantity("ω_m", "rad/s", _CURVE, N_("Speed of the motor"), _THEORY)
+    motor_speed: Array = quantity("ω_m", "rad/s", _CURVE, N_("Speed of the motor"), _THEORY, shown="rpm")
     motor_torque: Array = quantity("M_m", "N*m", _CURVE, N_("Torque of the motor at its own shaft"), _THEORY)
     transmitted_torque: Array = quantity(
         "x", "N*m", _CURVE, N_("Torque that the drive passes on to the crank, load and inertia together"), _THEORY
     )
     cycle_time: Array = quantity("T", "s", (), N_("Time of a cycle in steady running"), _THEORY)
-    mean_motor_speed: Array = quantity("ω_m,mean", "rad/s", (), N_("Mean speed of the motor over time"), _THEORY)
+    mean_motor_speed: Array = quantity(
+        "ω_m,mean", "rad/s", (), N_("Mean speed of the motor over time"), _THEORY, shown="rpm"
+    )
     drive_fluctuation: Array = quantity(
         "δ_s", "1", (), N_("Coefficient of fluctuation of the crank's speed, with its motor"), _THEORY
     )
@@ -102,7 +104,7 @@ def steady_drive(
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value))
     each = [
         _of_design(
-            DriveInTurn(machines.each[design], motor, design, gearing, is_held=holds_speed(motor, design)),
+            DriveInTurn(machines.each[design], motor, design, gearing, is_held=motor.is_free(design)),
             machines,
             grid[design],
             float(held[design]),
@@ -244,4 +246,4 @@ def _flags(turning: DriveInTurn, found: SpeedOverTurn, declared: float) -> Itera
     if abs(own - declared) > _OTHER_PACE * declared:
         said = _("With this motor and its ratio the crank turns at {own}, not at the declared {declared}.")
         yield said.format(own=number(own, "rpm"), declared=number(declared, "rpm"))
-    yield from beyond_table(turning.motor, turning.design, found.speed * overall_ratio(turning.gearing))
+    yield from beyond_measured(turning.motor, turning.design, found.speed * overall_ratio(turning.gearing))

@@ -5,13 +5,12 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import ONE, Array
-from cranktrain.questions.drive.at_angles import ReducedAt, reduced_at
-from cranktrain.questions.drive.gear_train import Passed, through_stages, torque_through
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.motors.servo import SERVO
-from cranktrain.questions.drive.running.gearing import Gearing, overall_ratio, turning_inertia
-from cranktrain.questions.drive.running.reduced import ReducedMachine
+from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, largest_over_turn
+from cranktrain.questions.reduction.at_angles import ReducedAt, reduced_at
+from cranktrain.questions.reduction.gear_train import Passed, through_stages, torque_through
+from cranktrain.transient.gearing import Gearing, overall_ratio, turning_inertia
+from cranktrain.transient.reduced import ReducedMachine
 
 _NONE = np.empty(0)
 NOWHERE = ReducedAt(_NONE, _NONE, _NONE, (), _NONE)
@@ -84,8 +83,3 @@ class DriveInTurn(NamedTuple):
     def at(self, angle: Array) -> "DriveInTurn":
         """The same at other crank angles, shape (n,). [rad]"""
         return self._replace(here=reduced_at(self.machine, angle))
-
-
-def holds_speed(motor: DeclaredMotor, design: int) -> bool:
-    """Whether a motor gives what torque its speed takes: a servo of which no torque is asked for."""
-    return motor.motor is SERVO and bool(motor.numbers.command[design] >= motor.numbers.peak_torque[design])

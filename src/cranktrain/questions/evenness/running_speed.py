@@ -35,23 +35,39 @@ class RunningSpeed(StageResult):
     """Speed of the shaft over the cycle, with the flywheel that there is; load says against what, as answers begin."""
 
     load: str
-    crank_speed: Array = quantity("ω", "rad/s", _CURVE, N_("Speed of the crank over the cycle"), _THEORY)
+    crank_speed: Array = quantity("ω", "rad/s", _CURVE, N_("Speed of the crank over the cycle"), _THEORY, shown="rpm")
     crank_acceleration: Array = quantity("ε", "rad/s^2", _CURVE, N_("Angular acceleration of the crank"), _THEORY)
     coefficient_of_fluctuation: Array = quantity(
         "δ", "1", (), N_("Coefficient of fluctuation: largest less smallest speed over the mean"), _THEORY
     )
     mean_speed_over_time: Array = quantity(
-        "ω_t", "rad/s", (), N_("Mean speed over time, as a counter of revolutions shows it"), _THEORY
+        "ω_t", "rad/s", (), N_("Mean speed over time, as a counter of revolutions shows it"), _THEORY, shown="rpm"
     )
-    mean_speed_over_angle: Array = quantity("ω_φ", "rad/s", (), N_("Mean speed over the crank angle"), _THEORY)
+    mean_speed_over_angle: Array = quantity(
+        "ω_φ", "rad/s", (), N_("Mean speed over the crank angle"), _THEORY, shown="rpm"
+    )
     mean_speed_of_extremes: Array = quantity(
-        "ω_a", "rad/s", (), N_("Half the sum of largest and smallest speed"), _THEORY
+        "ω_a", "rad/s", (), N_("Half the sum of largest and smallest speed"), _THEORY, shown="rpm"
     )
     largest_crank_speed: Extreme = extreme(
-        "ω_M", "rad/s", (), N_("Largest speed of the crank"), N_("Crank angle of the largest speed"), _THEORY
+        "ω_M",
+        "rad/s",
+        (),
+        N_("Largest speed of the crank"),
+        N_("Crank angle of the largest speed"),
+        _THEORY,
+        shown="rpm",
+        of="crank_speed",
     )
     smallest_crank_speed: Extreme = extreme(
-        "ω_m", "rad/s", (), N_("Smallest speed of the crank"), N_("Crank angle of the smallest speed"), _THEORY
+        "ω_m",
+        "rad/s",
+        (),
+        N_("Smallest speed of the crank"),
+        N_("Crank angle of the smallest speed"),
+        _THEORY,
+        shown="rpm",
+        of="crank_speed",
     )
 
     def answer(self, _names: Names, design: int) -> str:

@@ -85,6 +85,7 @@ class CrankPinLoads:
         N_("Largest load of the crank pin"),
         N_("Crank angle of the largest load of the crank pin"),
         _THEORY,
+        worst="largest",
     )
 
     def answer(self, names: Names, design: int) -> str | None:

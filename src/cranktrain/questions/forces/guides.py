@@ -56,6 +56,7 @@ class GuideEdges(StageResult):
         N_("Largest normal force of an edge of the guide"),
         N_("Crank angle of the largest normal force of an edge of the guide"),
         _THEORY,
+        worst="largest",
     )
 
 

@@ -42,6 +42,7 @@ class JointForces(StageResult):
         N_("Largest force in the joint"),
         N_("Crank angle of the largest force in the joint"),
         _THEORY,
+        worst="largest",
     )
 
 

@@ -42,6 +42,7 @@ class LargestForces(StageResult):
         N_("Largest force along the cylinder, either way"),
         N_("Crank angle of the largest force along the cylinder"),
         _THEORY,
+        worst="largest",
     )
     largest_side_force: Extreme = extreme(
         "N_max",
@@ -50,6 +51,7 @@ class LargestForces(StageResult):
         N_("Largest force of the wall, on either side"),
         N_("Crank angle of the largest force of the wall"),
         _THEORY,
+        worst="largest",
     )
     largest_rod_force: Extreme = extreme(
         "S_max",
@@ -58,6 +60,7 @@ class LargestForces(StageResult):
         N_("Largest force along the rod at either pin, in compression or tension"),
         N_("Crank angle of the largest force along the rod"),
         _THEORY,
+        worst="largest",
     )
     side_force_formula_error: Array = quantity(
         "ΔN_f",

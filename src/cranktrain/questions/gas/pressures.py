@@ -55,10 +55,17 @@ class GasPressures(StageResult):
         "p_i", "Pa", _CHAMBER, N_("Indicated mean effective pressure: work over swept volume"), _THEORY
     )
     peak_pressure: Extreme = extreme(
-        "p_max", "Pa", _CHAMBER, N_("Largest pressure"), N_("Crank angle of the largest pressure"), _THEORY
+        "p_max",
+        "Pa",
+        _CHAMBER,
+        N_("Largest pressure"),
+        N_("Crank angle of the largest pressure"),
+        _THEORY,
+        worst="largest",
+        of="gas_pressure",
     )
     peak_pressure_after: Array = quantity(
-        "α(p_max)", "deg", _CHAMBER, N_("Largest pressure after the least volume"), _THEORY
+        "α(p_max)", "deg", _CHAMBER, N_("Largest pressure after the least volume"), _THEORY, worst="largest"
     )
     steepest_pressure_rise: Extreme = extreme(
         "p′_max",

@@ -50,10 +50,23 @@ class LoadWork(StageResult):
     load_work: Array = quantity("W_l", "J", _LOAD, N_("Work of the load over a cycle, by exact quadrature"), _THEORY)
     mean_load_power: Array = quantity("P_l,m", "W", _LOAD, N_("Mean power of the load over the cycle"), _THEORY)
     largest_load_power: Peak = extreme(
-        "P_l,max", "W", _LOAD, N_("Largest power of the load, of either sign"), N_("Crank angle of that power"), _THEORY
+        "P_l,max",
+        "W",
+        _LOAD,
+        N_("Largest power of the load, of either sign"),
+        N_("Crank angle of that power"),
+        _THEORY,
+        worst="largest",
+        of="load_power",
     )
     largest_load_force: Peak = extreme(
-        "F_l,max", "N", _LOAD, N_("Largest size of a load that is a force"), N_("Crank angle of that force"), _THEORY
+        "F_l,max",
+        "N",
+        _LOAD,
+        N_("Largest size of a load that is a force"),
+        N_("Crank angle of that force"),
+        _THEORY,
+        worst="largest",
     )
     largest_load_moment: Peak = extreme(
         "C_l,max",
@@ -62,6 +75,7 @@ class LoadWork(StageResult):
         N_("Largest size of a load that is a torque"),
         N_("Crank angle of that torque"),
         _THEORY,
+        worst="largest",
     )
 
     def answer(self, names: Names, design: int) -> str:

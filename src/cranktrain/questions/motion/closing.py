@@ -39,7 +39,9 @@ class Closing(StageResult):
     closing_margin: Array = quantity(
         "m", "1", _MECHANISM, N_("Smallest relative change of one length after which the crank cannot turn"), _THEORY
     )
-    closing_angle: Array = quantity("φ_m", "deg", _MECHANISM, N_("Crank angle at which the links would part"), _THEORY)
+    closing_angle: Array = quantity(
+        "φ_m", "deg", _MECHANISM, N_("Crank angle at which the links would part"), _THEORY, is_place=True
+    )
     length_names: tuple[tuple[str, ...], ...] = ()
 
     def answer(self, names: Names, design: int) -> str | None:

@@ -127,9 +127,11 @@ class DeadCentres(StageResult):
 
     outputs: tuple[OutputPart, ...]
     stroke: Array = quantity("S", "m", _PISTON, N_("Stroke, between the true dead centres"), _THEORY)
-    top_dead_centre: Array = quantity("φ_T", "deg", _PISTON, N_("Crank angle of the true top dead centre"), _THEORY)
+    top_dead_centre: Array = quantity(
+        "φ_T", "deg", _PISTON, N_("Crank angle of the true top dead centre"), _THEORY, is_place=True
+    )
     bottom_dead_centre: Array = quantity(
-        "φ_B", "deg", _PISTON, N_("Crank angle of the true bottom dead centre"), _THEORY
+        "φ_B", "deg", _PISTON, N_("Crank angle of the true bottom dead centre"), _THEORY, is_place=True
     )
     top_shift: Array = quantity(
         "ε_T", "deg", _PISTON, N_("Top dead centre after the crank points along the cylinder"), _THEORY

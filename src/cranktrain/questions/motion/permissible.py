@@ -7,7 +7,6 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.layout.design import Designs
-from cranktrain.mechanisms.slider_crank import SliderCrankSpec
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.ties import first_largest
@@ -29,13 +28,8 @@ class PermissibleAngles:
 
 def permissible_angles_of(designs: Designs) -> PermissibleAngles | None:
     """Collect the limits; None where there is none at all."""
-    limits = [
-        place.spec.permissible_pressure_angle.array
-        if isinstance(place.spec, SliderCrankSpec) and place.spec.permissible_pressure_angle is not None
-        else np.nan
-        for place in designs.together.pistons
-    ]
-    value = designs.by_design(limits)
+    limits = [place.spec.pressure_angle_limit for place in designs.together.pistons]
+    value = designs.by_design([np.nan if limit is None else limit.array for limit in limits])
     return None if np.all(np.isnan(value)) else PermissibleAngles(value)
 
 

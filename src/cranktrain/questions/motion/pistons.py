@@ -83,6 +83,7 @@ class PistonSpeeds(StageResult):
         N_("Largest piston speed, toward the shaft or away from it"),
         N_("Crank angle of the largest piston speed"),
         _THEORY,
+        worst="largest",
     )
     largest_piston_velocity: Extreme = extreme(
         "v_max",
@@ -91,6 +92,8 @@ class PistonSpeeds(StageResult):
         N_("Largest piston velocity toward the shaft"),
         N_("Crank angle of the largest velocity toward the shaft"),
         _THEORY,
+        worst="largest",
+        of="piston_velocity",
     )
     smallest_piston_velocity: Extreme = extreme(
         "v_min",
@@ -99,6 +102,8 @@ class PistonSpeeds(StageResult):
         N_("Largest piston velocity away from the shaft, negative"),
         N_("Crank angle of the largest velocity away from the shaft"),
         _THEORY,
+        worst="smallest",
+        of="piston_velocity",
     )
     largest_piston_acceleration: Extreme = extreme(
         "j_max",
@@ -107,6 +112,8 @@ class PistonSpeeds(StageResult):
         N_("Largest piston acceleration toward the shaft"),
         N_("Crank angle of the largest acceleration toward the shaft"),
         _THEORY,
+        worst="largest",
+        of="piston_acceleration",
     )
     smallest_piston_acceleration: Extreme = extreme(
         "j_min",
@@ -115,6 +122,8 @@ class PistonSpeeds(StageResult):
         N_("Largest piston acceleration away from the shaft, negative"),
         N_("Crank angle of the largest acceleration away from the shaft"),
         _THEORY,
+        worst="smallest",
+        of="piston_acceleration",
     )
 
     def answer(self, names: Names, design: int) -> str:

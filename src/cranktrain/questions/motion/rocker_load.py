@@ -60,10 +60,15 @@ class LoadMotion:
     )
     load_stroke: Array = quantity("S_Q", "m", _ROCKER, N_("Stroke of the load"), _THEORY)
     largest_torque_factor: Array = quantity(
-        "TF_max", "m", _ROCKER, N_("Largest torque factor, crank torque for each newton of load"), _THEORY
+        "TF_max",
+        "m",
+        _ROCKER,
+        N_("Largest torque factor, crank torque for each newton of load"),
+        _THEORY,
+        worst="largest",
     )
     smallest_torque_factor: Array = quantity(
-        "TF_min", "m", _ROCKER, N_("Smallest (largest negative) torque factor"), _THEORY
+        "TF_min", "m", _ROCKER, N_("Smallest (largest negative) torque factor"), _THEORY, worst="smallest"
     )
 
     def answer(self, names: Names, design: int) -> str:

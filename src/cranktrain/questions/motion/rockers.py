@@ -91,6 +91,8 @@ class DeadPositions(StageResult):
         N_("Rocker angle at its dead position farthest in the sense of rotation"),
         N_("Crank angle of the dead position farthest in the sense of rotation"),
         _THEORY,
+        worst="largest",
+        of="rocker_angle",
     )
     smallest_rocker_angle: Extreme = extreme(
         "θ_min",
@@ -99,6 +101,8 @@ class DeadPositions(StageResult):
         N_("Rocker angle at its other dead position"),
         N_("Crank angle of the other dead position"),
         _THEORY,
+        worst="smallest",
+        of="rocker_angle",
     )
 
     def answer(self, names: Names, design: int) -> str | None:

@@ -41,6 +41,7 @@ class RodMotion(StageResult):
         N_("Largest angle between rod and cylinder axis; positive where the crank-side pin stands toward +y"),
         N_("Crank angle of the largest pressure angle"),
         _THEORY,
+        worst="largest",
     )
     opposite_pressure_angle: Extreme = extreme(
         "β_opp",

@@ -27,7 +27,7 @@ QUESTION = Question(
     problems=pumping_problems,
     parts=_parts,
     stages=(Stage(gearbox_torque, applies=is_pumping_unit),),
-    dimensions=(ResultDimension("rod_position", N_("position of the rod"), is_number=True),),
+    dimensions=(ResultDimension("stroke_position", N_("position of the rod"), is_number=True),),
     headline=("upstroke_peak", "downstroke_peak", "cyclic_load_factor"),
     title=N_("Pumping unit"),
     rows=(rows.pumping_rows,),

@@ -24,7 +24,7 @@ from cranktrain.references import THEORY_OF_PUMPING_UNITS as _THEORY
 from cranktrain.wording import Names, number
 
 _CURVE = ("crank_angle",)
-_POSITION = ("rod_position",)
+_POSITION = ("stroke_position",)
 _POSITIONS = np.linspace(0.0, 1.0, 21)
 _EXACT_LIMIT = 1e-9
 _FLAT = 1e-6
@@ -54,9 +54,11 @@ class GearboxTorque(StageResult):
         N_("Rod load that brings the gearbox to its rated torque: a most going up, a least going down"),
         _THEORY,
     )
-    upstroke_angle: Array = quantity("φ_u", "deg", _POSITION, N_("Crank angle at a position on the upstroke"), _THEORY)
+    upstroke_angle: Array = quantity(
+        "φ_u", "deg", _POSITION, N_("Crank angle at a position on the upstroke"), _THEORY, is_place=True
+    )
     downstroke_angle: Array = quantity(
-        "φ_d", "deg", _POSITION, N_("Crank angle at a position on the downstroke"), _THEORY
+        "φ_d", "deg", _POSITION, N_("Crank angle at a position on the downstroke"), _THEORY, is_place=True
     )
     upstroke_permissible_load: Array = quantity(
         "W_p,u", "N", _POSITION, N_("Most that the rod may pull going up, by the rated torque"), _THEORY
@@ -65,8 +67,12 @@ class GearboxTorque(StageResult):
         "W_p,d", "N", _POSITION, N_("Least that the rod must pull going down, by the rated torque"), _THEORY
     )
     rod_stroke: Array = quantity("S_PR", "m", (), N_("Stroke of the polished rod"), _THEORY)
-    bottom_angle: Array = quantity("φ_b", "deg", (), N_("Crank angle at which the polished rod is lowest"), _THEORY)
-    top_angle: Array = quantity("φ_t", "deg", (), N_("Crank angle at which the polished rod is highest"), _THEORY)
+    bottom_angle: Array = quantity(
+        "φ_b", "deg", (), N_("Crank angle at which the polished rod is lowest"), _THEORY, is_place=True
+    )
+    top_angle: Array = quantity(
+        "φ_t", "deg", (), N_("Crank angle at which the polished rod is highest"), _THEORY, is_place=True
+    )
     upstroke_peak: Extreme = extreme(
         "T_u", "N*m", (), N_("Largest net torque of the upstroke"), N_("Crank angle of that torque"), _THEORY
     )
@@ -206,7 +212,7 @@ def gearbox_torque(
             least_rms_peak=each("least_rms_peak"),
             torque_share=largest / declared.rated_torque,
             load_share=each("pull") / declared.rated_load,
-            labels={"rod_position": tuple(f"{position:g}" for position in np.round(_POSITIONS, 2).tolist())},
+            labels={"stroke_position": tuple(f"{position:g}" for position in np.round(_POSITIONS, 2).tolist())},
             checks=tuple(_checks(unit, work)),
         )
     return replace(found, flags=tuple(_flags(found, declared)))

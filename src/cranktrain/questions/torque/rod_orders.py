@@ -34,9 +34,8 @@ def rod_orders(pistons: Pistons, crank_angle: CrankAngle) -> RodOrders:
     highest = len(labels["order"]) // turns
     ratio = np.full((len(crank_angle.zero), len(pistons.names)), np.nan)
     for batch in pistons.batches:
-        if batch.kind.is_direct:
-            size = batch.members.geometry
-            ratio[:, batch.index] = np.where(size.offset == 0.0, size.crank_radius / size.rod_length, np.nan)[..., 0]
+        if batch.kind.direct_ratio is not None:
+            ratio[:, batch.index] = batch.kind.direct_ratio(batch.members.geometry)[..., 0]
     by_order = np.stack([of(ratio, highest)[..., 1:] for of in (acceleration_harmonics, torque_harmonics)])
     # Orders between whole ones are those of a cycle of two turns: no piston's inertia knows them.
     every = np.where(np.isnan(by_order[..., :1]), np.nan, np.zeros(len(labels["order"])))

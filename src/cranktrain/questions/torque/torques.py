@@ -47,10 +47,22 @@ class ShaftTorques(StageResult):
     )
     mean_torque: Array = quantity("T_m", "N*m", (), N_("Mean torque of the machine over a cycle"), _THEORY)
     largest_torque: Peak = extreme(
-        "T_max", "N*m", (), N_("Largest torque of the machine"), N_("Crank angle of the largest torque"), _THEORY
+        "T_max",
+        "N*m",
+        (),
+        N_("Largest torque of the machine"),
+        N_("Crank angle of the largest torque"),
+        _THEORY,
+        of="machine_torque",
     )
     smallest_torque: Peak = extreme(
-        "T_min", "N*m", (), N_("Smallest torque of the machine"), N_("Crank angle of the smallest torque"), _THEORY
+        "T_min",
+        "N*m",
+        (),
+        N_("Smallest torque of the machine"),
+        N_("Crank angle of the smallest torque"),
+        _THEORY,
+        of="machine_torque",
     )
     gross: Array = field(kw_only=True)
     in_journals: Peak = field(kw_only=True)
@@ -133,6 +145,8 @@ class JournalTorques(StageResult):
         N_("Largest torque in the journal, of either sense"),
         N_("Crank angle of the largest torque in the journal"),
         _THEORY,
+        worst="largest",
+        of="journal_torque",
     )
 
 

@@ -68,7 +68,12 @@ class CriticalSpeeds(StageResult):
     """
 
     critical_speed: Array = quantity(
-        "Ω", "rad/s", _ORDER, N_("Speed of the crank at which the order has the mode's natural frequency"), _THEORY
+        "Ω",
+        "rad/s",
+        _ORDER,
+        N_("Speed of the crank at which the order has the mode's natural frequency"),
+        _THEORY,
+        shown="rpm",
     )
     speed: Array | None = field(kw_only=True)
     sums: Array | None = field(kw_only=True)

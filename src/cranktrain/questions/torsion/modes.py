@@ -15,8 +15,8 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import reduced_inertia
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.laid import with_rods
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
+from cranktrain.questions.crankshaft.shaft_layout import with_rods
 from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.torsion.parts import DeclaredTrain
@@ -129,7 +129,7 @@ class TorsionalModes(StageResult):
     """
 
     natural_frequency: Array = quantity(
-        "ω_n", "rad/s", ("mode",), N_("Natural frequency of the torsional vibration"), _THEORY
+        "ω_n", "rad/s", ("mode",), N_("Natural frequency of the torsional vibration"), _THEORY, shown="Hz"
     )
     mode_shape: Array = quantity(
         "a", "1", _MODE, N_("Amplitude of the disc, referred to the crank; 1 at the free end"), _THEORY

@@ -15,9 +15,9 @@ from cranktrain.layout.design import Design
 from cranktrain.layout.specs import MAIN
 from cranktrain.motion import ONE, ZERO, Array
 from cranktrain.numerics.designs import by_design
-from cranktrain.questions.crankshaft.line import line_pins, table_of
+from cranktrain.questions.crankshaft.bending.throw_stiffness import THROW_METHODS
+from cranktrain.questions.crankshaft.shaft_line import line_pins, table_of
 from cranktrain.questions.crankshaft.spec import CrankshaftSpec
-from cranktrain.questions.crankshaft.throw_stiffness import THROW_METHODS
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.record import record
 

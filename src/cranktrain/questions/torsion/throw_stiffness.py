@@ -10,10 +10,10 @@ from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, first_smallest
-from cranktrain.questions.crankshaft.laid import LaidCrankshafts, LaidShaft
+from cranktrain.questions.crankshaft.bending.throw_stiffness import THROW_METHODS, ShaftInTorsion
+from cranktrain.questions.crankshaft.metal.throw_gaps import ThrowSizes, gaps_of, ker_wilson_web
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
-from cranktrain.questions.crankshaft.throw_gaps import ThrowSizes, gaps_of, ker_wilson_web
-from cranktrain.questions.crankshaft.throw_stiffness import THROW_METHODS, ShaftInTorsion
+from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout, ShaftLayouts
 from cranktrain.questions.torsion.parts import DeclaredTrain
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TORSION as _THEORY
@@ -86,9 +86,9 @@ def of_sized_crankshaft(train: DeclaredTrain, crankshafts: DeclaredCrankshafts |
     return crankshafts is not None and len(crankshafts.each) == 1 and train.throws.size > 1
 
 
-def throw_stiffness(declared: DeclaredTrain, laid: LaidCrankshafts) -> ThrowStiffness:
+def throw_stiffness(declared: DeclaredTrain, layouts: ShaftLayouts) -> ThrowStiffness:
     """Stiffness by all methods, beside what is given; docs/theory/torsion, eqs. (23.13) to (23.21)."""
-    shaft = _in_torsion(laid.each[0])
+    shaft = _in_torsion(layouts.each[0])
     by_size = {method.name: method.stiffness(shaft) for method in THROW_METHODS}
     given = {} if declared.method else {GIVEN: declared.stiffness[:, declared.gaps]}
     found = given | by_size
@@ -112,20 +112,20 @@ def title_of(name: str) -> str:
     return _("given") if name == GIVEN else next(_(method.title) for method in THROW_METHODS if method.name == name)
 
 
-def _in_torsion(laid: LaidShaft) -> ShaftInTorsion:
+def _in_torsion(layout: ShaftLayout) -> ShaftInTorsion:
     """Put a shaft's sizes together as both frames and rules read them."""
-    declared = laid.declared
+    declared = layout.declared
     there = declared.journals[np.newaxis, :, np.newaxis]
     sizes = ThrowSizes(
         declared.planes,
-        laid.shaft.pieces.radius[:, laid.pins],
+        layout.shaft.pieces.radius[:, layout.pins],
         np.where(there, declared.journal, np.nan),
         declared.pin,
         declared.pin_length,
         declared.web_width,
         declared.web_thickness,
     )
-    return ShaftInTorsion(laid.shaft, laid.pins, gaps_of(sizes), declared.material.shear)
+    return ShaftInTorsion(layout.shaft, layout.pins, gaps_of(sizes), declared.material.shear)
 
 
 def _flags(declared: DeclaredTrain, shaft: ShaftInTorsion, by_size: dict[str, Array]) -> Iterator[str]:

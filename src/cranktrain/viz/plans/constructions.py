@@ -146,7 +146,7 @@ def _sheet(
 def _bore(machine: Machine, found: Construction) -> float | None:
     """Bore of the mechanism's cylinder, where the file has one. [mm]"""
     place = plain_crank_called(machine, found.mechanism)
-    bore = cylinders_of(machine.cylinder, [place])[0].spec.bore if place.kind.output.has_chambers else None
+    bore = cylinders_of(machine.cylinder, [place])[0].bore if place.kind.output.has_chambers else None
     return None if bore is None else 1e3 * bore.si
 
 

@@ -262,7 +262,7 @@ def scene_of(
     places = first_throw(machine) if throw is None else throw
     pistons = [place for place in places if place.kind.output.is_slider]
     cylinders = cylinders_of(machine.cylinder, pistons)
-    bored = ((pistons[i].name, one.spec.bore) for one in cylinders for i in one.pistons)
+    bored = ((pistons[i].name, one.bore) for one in cylinders for i in one.pistons)
     bores = {name: shown(bore.si, "mm") for name, bore in bored if bore is not None}
     shafts = shaft_places(machine)
     members: list[DrawnMechanism] = []
@@ -273,7 +273,7 @@ def scene_of(
     ports = {
         cylinder.name: {
             end: shown(height.si, "mm")
-            for end, height in (("exhaust", cylinder.spec.exhaust_port), ("scavenge", cylinder.spec.scavenge_port))
+            for end, height in (("exhaust", cylinder.exhaust_port), ("scavenge", cylinder.scavenge_port))
             if height is not None
         }
         for cylinder in cylinders

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
-from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans
+from cranktrain.questions.crankshaft.bending.loads_in_spans import LoadsInSpans
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 
 SPANS = sys.modules[LoadsInSpans.__module__]
 

@@ -4,15 +4,20 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from cranktrain.questions.crankshaft.sections import (
+from cranktrain.questions.crankshaft.metal.pieces_of_throws import (
+    WEB_RULES,
+    ThrowGeometry,
+    pieces_of_throws,
+    webs_of_throws,
+)
+from cranktrain.questions.crankshaft.metal.sections import (
     Material,
     rectangle_in_torsion,
     round_in_shear,
     round_section,
     web_section,
 )
-from cranktrain.questions.crankshaft.shaft import bearing_compliance
-from cranktrain.questions.crankshaft.throw_line import WEB_RULES, ThrowGeometry, pieces_of_throws, webs_of_throws
+from cranktrain.questions.crankshaft.metal.shaft import bearing_compliance
 
 STEEL = Material(np.array(206e9), np.array(206e9 / 2.6))
 

@@ -6,7 +6,7 @@ from tests.crankshaft_i4 import crankshaft
 from tests.crankshafts import drawn_crankshaft
 from tests.straight_shafts import forces_on, straight_shaft
 
-from cranktrain.questions.crankshaft.equivalent_stiffness import end_slopes, equivalent_stiffness
+from cranktrain.questions.crankshaft.bending.equivalent_stiffness import end_slopes, equivalent_stiffness
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
 
 EVERY = pytest.mark.parametrize("method", BEARING_METHODS, ids=lambda method: method.name)

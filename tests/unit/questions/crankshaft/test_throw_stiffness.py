@@ -6,9 +6,10 @@ from tests.crankshaft_i4 import RADIUS, SIZES, N, crankshaft
 from tests.crankshafts import drawn_crankshaft
 
 from cranktrain.numerics.nested import mapped
-from cranktrain.questions.crankshaft.frame_twist import twist_when_clamped, twist_when_free
-from cranktrain.questions.crankshaft.shaft import Pieces, Webs
-from cranktrain.questions.crankshaft.throw_gaps import (
+from cranktrain.questions.crankshaft.bending.frame_twist import twist_when_clamped, twist_when_free
+from cranktrain.questions.crankshaft.bending.throw_stiffness import THROW_METHODS, ShaftInTorsion
+from cranktrain.questions.crankshaft.metal.shaft import Pieces, Webs
+from cranktrain.questions.crankshaft.metal.throw_gaps import (
     ThrowSizes,
     carter,
     gaps_of,
@@ -17,7 +18,6 @@ from cranktrain.questions.crankshaft.throw_gaps import (
     like_throws,
     zimanenko,
 )
-from cranktrain.questions.crankshaft.throw_stiffness import THROW_METHODS, ShaftInTorsion
 
 SHEAR = 206e9 / 2.6
 RULES = (carter, ker_wilson, zimanenko)

@@ -9,9 +9,9 @@ import cranktrain as ct
 from cranktrain.numerics import one_way_steps, sectors
 from cranktrain.numerics.sectors import size_by_sector
 from cranktrain.numerics.subintervals import subintervals
-from cranktrain.questions.crankshaft.cycle_points import CyclePoints
-from cranktrain.questions.crankshaft.turning_axes import in_turning_axes
-from cranktrain.questions.crankshaft.wear import RAYS, oil_hole, wear_of, wear_sums
+from cranktrain.questions.crankshaft.results.journal_loads import in_turning_axes
+from cranktrain.questions.wear.cycle_points import CyclePoints
+from cranktrain.questions.wear.rays import RAYS, oil_hole, wear_of, wear_sums
 
 
 def test_a_load_counts_on_all_rays_within_60_degrees_of_it():

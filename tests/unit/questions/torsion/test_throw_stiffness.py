@@ -7,7 +7,7 @@ from tests.sentences import KEEP_ONE
 
 import cranktrain as ct
 from cranktrain.errors import InputError
-from cranktrain.questions.crankshaft.throw_stiffness import THROW_METHODS
+from cranktrain.questions.crankshaft.bending.throw_stiffness import THROW_METHODS
 from cranktrain.questions.torsion.spec import TorsionSpec
 
 NAMES = [method.name for method in THROW_METHODS]

@@ -4,18 +4,18 @@ import numpy as np
 
 from cranktrain.language import N_
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, bearing_loads
-from cranktrain.questions.crankshaft.bearing_method import BearingMethod
-from cranktrain.questions.crankshaft.blocks import turned_by
-from cranktrain.questions.crankshaft.contact import TouchingShaft, displacements_in_clearance
-from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans
+from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads, bearing_loads
+from cranktrain.questions.crankshaft.bending.blocks import turned_by
+from cranktrain.questions.crankshaft.bending.cut_shaft import CutShaft
+from cranktrain.questions.crankshaft.bending.loads_in_spans import LoadsInSpans
+from cranktrain.questions.crankshaft.bending.support_moments import Bearings, SpanFlexibility, support_moments
+from cranktrain.questions.crankshaft.metal.shaft import Supports
+from cranktrain.questions.crankshaft.methods.bearing_method import LOOSE, BearingMethod
+from cranktrain.questions.crankshaft.methods.contact import TouchingShaft, displacements_in_clearance
 from cranktrain.questions.crankshaft.methods.crank_frame import (
     in_turning_axes,
     settlements_in_turning_axes,
 )
-from cranktrain.questions.crankshaft.shaft import Supports
-from cranktrain.questions.crankshaft.spans import CutShaft
-from cranktrain.questions.crankshaft.support_moments import Bearings, SpanFlexibility, support_moments
 
 
 def clearance(supports: Supports, loads: LoadsInSpans) -> BearingLoads:
@@ -119,4 +119,6 @@ CLEARANCE = BearingMethod(
     clearance,
     "docs/theory/crankshaft",
     N_("journals, webs and pins that bend and twist, in bearings with clearance"),
+    LOOSE,
+    rank=6,
 )

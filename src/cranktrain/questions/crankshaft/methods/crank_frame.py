@@ -4,12 +4,12 @@ import numpy as np
 
 from cranktrain.language import N_
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, bearing_loads
-from cranktrain.questions.crankshaft.bearing_method import BearingMethod
-from cranktrain.questions.crankshaft.blocks import product, transposed, turned_by
-from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans
-from cranktrain.questions.crankshaft.shaft import Supports
-from cranktrain.questions.crankshaft.support_moments import Bearings, support_moments
+from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads, bearing_loads
+from cranktrain.questions.crankshaft.bending.blocks import product, transposed, turned_by
+from cranktrain.questions.crankshaft.bending.loads_in_spans import LoadsInSpans
+from cranktrain.questions.crankshaft.bending.support_moments import Bearings, support_moments
+from cranktrain.questions.crankshaft.metal.shaft import Supports
+from cranktrain.questions.crankshaft.methods.bearing_method import ELASTIC, RIGID, BearingMethod
 
 
 def rigid_frame(supports: Supports, loads: LoadsInSpans) -> BearingLoads:
@@ -63,6 +63,9 @@ RIGID_FRAME = BearingMethod(
     rigid_frame,
     "docs/theory/crankshaft",
     N_("journals, webs and pins that bend and twist, on rigid bearings"),
+    RIGID,
+    rank=2,
+    trust=N_("between both; bearing {bearing}: {range}"),
 )
 
 ELASTIC_FRAME = BearingMethod(
@@ -71,4 +74,7 @@ ELASTIC_FRAME = BearingMethod(
     elastic_frame,
     "docs/theory/crankshaft",
     N_("journals, webs and pins that bend and twist, on elastic bearings"),
+    ELASTIC,
+    rank=1,
+    trust=N_("elastic frame; bearing {bearing} by all: {range}"),
 )

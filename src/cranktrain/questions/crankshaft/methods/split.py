@@ -3,10 +3,10 @@
 import numpy as np
 
 from cranktrain.language import N_
-from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, bearing_loads, end_moments
-from cranktrain.questions.crankshaft.bearing_method import BearingMethod
-from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans
-from cranktrain.questions.crankshaft.shaft import Supports
+from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads, bearing_loads, end_moments
+from cranktrain.questions.crankshaft.bending.loads_in_spans import LoadsInSpans
+from cranktrain.questions.crankshaft.metal.shaft import Supports
+from cranktrain.questions.crankshaft.methods.bearing_method import RIGID, BearingMethod
 
 
 def split(supports: Supports, loads: LoadsInSpans) -> BearingLoads:
@@ -25,4 +25,7 @@ SPLIT = BearingMethod(
     split,
     "docs/theory/crankshaft",
     N_("a hinge at every bearing: each span carries its own loads, whatever the stiffness"),
+    RIGID,
+    rank=5,
+    beside=N_("{load} in bearing {bearing}; split {other}"),
 )

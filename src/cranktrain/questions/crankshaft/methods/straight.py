@@ -3,11 +3,11 @@
 import numpy as np
 
 from cranktrain.language import N_
-from cranktrain.questions.crankshaft.bearing_loads import BearingLoads, bearing_loads
-from cranktrain.questions.crankshaft.bearing_method import BearingMethod
-from cranktrain.questions.crankshaft.loads_in_spans import LoadsInSpans
-from cranktrain.questions.crankshaft.shaft import Supports
-from cranktrain.questions.crankshaft.support_moments import Bearings, support_moments
+from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads, bearing_loads
+from cranktrain.questions.crankshaft.bending.loads_in_spans import LoadsInSpans
+from cranktrain.questions.crankshaft.bending.support_moments import Bearings, support_moments
+from cranktrain.questions.crankshaft.metal.shaft import Supports
+from cranktrain.questions.crankshaft.methods.bearing_method import ELASTIC, RIGID, BearingMethod
 
 
 def three_moment(supports: Supports, loads: LoadsInSpans) -> BearingLoads:
@@ -33,6 +33,8 @@ THREE_MOMENT = BearingMethod(
     three_moment,
     "docs/theory/crankshaft",
     N_("a straight beam in each span, its EI the mean of both planes of the throws, on rigid bearings"),
+    RIGID,
+    rank=4,
 )
 
 FIVE_MOMENT = BearingMethod(
@@ -41,4 +43,7 @@ FIVE_MOMENT = BearingMethod(
     five_moment,
     "docs/theory/crankshaft",
     N_("a straight beam in each span, its EI the mean of both planes of the throws, on elastic bearings"),
+    ELASTIC,
+    rank=3,
+    beside=N_("{load} in bearing {bearing}; a straight shaft {other}"),
 )

@@ -6,7 +6,7 @@ from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.one_line import short
-from cranktrain.questions.crankshaft.stages import title_of
+from cranktrain.questions.crankshaft.methods import title_of
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import column
 from cranktrain.viz.panel import OneDesign

@@ -11,8 +11,8 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.ties import first_largest
-from cranktrain.questions.crankshaft.acting import LoadedShafts
-from cranktrain.questions.crankshaft.section_torques import SECTIONS
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
+from cranktrain.questions.crankshaft.results.section_torques import SECTIONS
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 from cranktrain.wording import ranged
 
@@ -140,7 +140,9 @@ def pin_wear(shown: OneDesign) -> Iterator[WearDiagram]:
 
 def journal_wear(shown: OneDesign) -> Iterator[tuple[WearDiagram, WearDiagram]]:
     """Wear of every journal, up is toward throw 1, and of its bearing as it is seen, by the first method."""
-    turns = [-one.laid.turn for one in shown.result[LoadedShafts].each for _bearing in one.laid.declared.bearing_names]
+    turns = [
+        -one.layout.turn for one in shown.result[LoadedShafts].each for _bearing in one.layout.declared.bearing_names
+    ]
     for bearing, (name, turn) in enumerate(zip(shown.result.labels["bearing"], turns, strict=True)):
         journal, shell = (
             WearDiagram(

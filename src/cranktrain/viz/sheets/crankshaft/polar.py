@@ -1,6 +1,6 @@
 """Polar diagrams on paper: loads of bearings and pins side by side to one scale, with rings and the largest load."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -9,6 +9,7 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of
 from cranktrain.plans.positions import fitting
+from cranktrain.questions.crankshaft.methods import BEARING_METHODS
 from cranktrain.scales import Scale
 from cranktrain.viz.figures import plain
 from cranktrain.viz.paper.page import Box, Page, rounded_down
@@ -37,21 +38,31 @@ class MethodPen(NamedTuple):
     layer: float
 
 
-METHOD_PENS: Mapping[str, MethodPen] = {
-    "": MethodPen(1.2, INK, (), 6.0),
-    "frame_elastic": MethodPen(1.5, INK, (), 6.0),
-    "frame_rigid": MethodPen(0.9, COLOURS["s"], (6.0, 2.0), 5.0),
-    "five_moment": MethodPen(0.8, COLOURS["v"], (1.2, 1.4), 5.0),
-    "three_moment": MethodPen(0.7, COLOURS["j"], (9.0, 2.0, 1.5, 2.0), 4.0),
-    "split": MethodPen(0.7, COLOURS["T"], (), 3.0),
-    "clearance": MethodPen(0.8, COLOURS["p"], (3.0, 1.5), 4.0),
-}
-"""How a method is drawn: no meaning is in colour alone."""
+_ALONE = MethodPen(1.2, INK, (), 6.0)
+"""Of a curve that is of no method."""
+_PENS = (
+    MethodPen(1.5, INK, (), 6.0),
+    MethodPen(0.9, COLOURS["s"], (6.0, 2.0), 5.0),
+    MethodPen(0.8, COLOURS["v"], (1.2, 1.4), 5.0),
+    MethodPen(0.7, COLOURS["j"], (9.0, 2.0, 1.5, 2.0), 4.0),
+    MethodPen(0.7, COLOURS["T"], (), 3.0),
+    MethodPen(0.8, COLOURS["p"], (3.0, 1.5), 4.0),
+)
+"""Of methods in the order of trust, of those behind see `method_pen`: no meaning is in colour alone."""
+
+
+def method_pen(place: int) -> MethodPen:
+    """Pen of the method at a place in the order of trust, from 0; behind all pens a dash with ever more dots."""
+    if place < len(_PENS):
+        return _PENS[place]
+    n_dots = place - len(_PENS) + 2
+    return MethodPen(0.7, COLOURS["N"], (6.0, 1.5, *n_dots * (1.2, 1.5)), 3.0)
 
 
 def line_of_method(method: str, *, is_first: bool) -> dict[str, object]:
-    """How a method's curve is drawn; the first one's, which is the most trusted, as the first."""
-    pen = METHOD_PENS["frame_elastic" if is_first and method else method]
+    """How a method's curve is drawn, "" is none; the first of a picture is its most trusted."""
+    places = {one.name: place for place, one in enumerate(BEARING_METHODS)}
+    pen = method_pen(0 if is_first else places[method]) if method else _ALONE
     line = (0, pen.dashes) if pen.dashes else "-"
     return {"color": pen.colour, "linewidth": pen.width, "linestyle": line, "zorder": pen.layer}
 

@@ -9,8 +9,8 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import falling, first_largest
-from cranktrain.questions.crankshaft.section_torques import SECTIONS
-from cranktrain.questions.crankshaft.stages import title_of
+from cranktrain.questions.crankshaft.methods import title_of
+from cranktrain.questions.crankshaft.results.section_torques import SECTIONS
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import column
 from cranktrain.viz.panel import OneDesign

@@ -8,9 +8,9 @@ from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
-from cranktrain.questions.drive.servo.demand import ServoDemand
-from cranktrain.questions.drive.servo.rocking import RockingDrive
-from cranktrain.questions.drive.servo.stages import ServoDrive
+from cranktrain.questions.servo.demand import ServoDemand
+from cranktrain.questions.servo.rocking import RockingDrive
+from cranktrain.questions.servo.stages import ServoDrive
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 
 

@@ -6,8 +6,8 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.language import _
-from cranktrain.questions.drive.motor_tables import DeclaredMotor, motor_of
-from cranktrain.questions.drive.servo.demand import ServoDemand
+from cranktrain.motors import DeclaredMotor, motor_of
+from cranktrain.questions.servo.demand import ServoDemand
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.panel import OneDesign, closed

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from cranktrain.language import _
-from cranktrain.questions.drive.start_record import StartEvent
+from cranktrain.questions.start.record import StartEvent
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper.page import Axes, Page

@@ -6,10 +6,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.questions.drive.motor_limits import rated_slip
-from cranktrain.questions.drive.motor_tables import DeclaredMotor
-from cranktrain.questions.drive.motors import WOUND_ROTOR
-from cranktrain.questions.drive.motors.servo import SERVO, Servo, servo_limit
+from cranktrain.motors import DeclaredMotor
 from cranktrain.scales import scale_for
 from cranktrain.viz.paper.page import Box, Page
 from cranktrain.viz.paper.panels import axes_in
@@ -69,19 +66,19 @@ def _curves(motor: DeclaredMotor, design: int, way: Array) -> tuple[Array, list[
     top = float(motor.top_speed[design])
     end = _BEYOND * max(top if np.isfinite(top) else 0.0, float(np.max(way)))
     speeds = np.linspace(_BEYOND * min(0.0, float(np.min(way))), end, 801)
-    if motor.motor is SERVO:
-        limit = servo_limit(speeds, Servo(*(one[design] for one in motor.numbers)))
+    if motor.law.is_commanded:
+        limit = motor.ceiling(speeds, design)
         return speeds, [limit, -limit]
     return speeds, [motor.torque(np.broadcast_to(speeds, (motor.n_designs, speeds.size)))[design]]
 
 
 def _has_resistance(motor: DeclaredMotor, design: int) -> bool:
     """Whether a resistance behind slip rings lets it slip by more than its plate says."""
-    return motor.motor is WOUND_ROTOR and bool(motor.numbers.resistance[design] != 1)
+    return bool(motor.slip_ratio[design] != 1)
 
 
 def _rated_speed(motor: DeclaredMotor, design: int) -> float:
     """Speed at the rated torque, on the curve that is drawn. [rad/s]"""
     if _has_resistance(motor, design):
-        return float(motor.top_speed[design]) * (1 - rated_slip(motor, design))
+        return float(motor.top_speed[design]) * (1 - motor.rated_slip(design))
     return float(motor.rating.speed[design])

@@ -6,9 +6,10 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.language import _
-from cranktrain.mechanisms.dynamics import FRAME
+from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, largest_first
+from cranktrain.questions.forces.joint_forces import joint_label
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.scales import Scale, scale_for
 from cranktrain.viz.figures import figure
@@ -54,11 +55,14 @@ def mechanism_of(shown: OneDesign, piston: str | None) -> str:
 
 def joint_forces(shown: OneDesign, mechanism: str) -> list[JointForce]:
     """Joints of a mechanism by their largest reactions, the most loaded first; those that bear nothing are left out."""
-    labels = shown.result.labels.get("joint", ())
+    dynamics = _dynamics_of(shown, mechanism)
+    places = {
+        reaction.name: shown.member("joint", joint_label(mechanism, reaction))
+        for reaction in dynamics.reactions
+        if reaction.on in dynamics.moving
+    }
     forces = {
-        label.removeprefix(f"{mechanism}."): np.stack([closed(shown(f"joint_force_{x}")[place]) for x in "xy"])
-        for place, label in enumerate(labels)
-        if label.startswith(f"{mechanism}.")
+        name: np.stack([closed(shown(f"joint_force_{x}")[place]) for x in "xy"]) for name, place in places.items()
     }
     peaks = {name: float(np.max(np.hypot(*force))) for name, force in forces.items()}
     most = max((peak for peak in peaks.values() if np.isfinite(peak)), default=0.0)
@@ -73,6 +77,13 @@ def joint_forces(shown: OneDesign, mechanism: str) -> list[JointForce]:
     return found
 
 
+def _dynamics_of(shown: OneDesign, mechanism: str) -> AnyDynamics:
+    """What moves of a mechanism, and its joints."""
+    loaded = shown.result[LoadedMachine]
+    at = loaded.mechanisms.names.index(mechanism)
+    return next(batch.kind.dynamics for batch in loaded.mechanisms.batches if at in batch.index)
+
+
 class SharedPin(NamedTuple):
     """A joint of more than two links: its name, the link that its pin is part of, and the others."""
 
@@ -83,9 +94,7 @@ class SharedPin(NamedTuple):
 
 def pins_shared(shown: OneDesign, mechanism: str) -> Iterator[SharedPin]:
     """Joints of a mechanism in which more than two of its links meet; a crank has its pin, and the frame its pivots."""
-    loaded = shown.result[LoadedMachine]
-    at = loaded.mechanisms.names.index(mechanism)
-    dynamics = next(batch.kind.dynamics for batch in loaded.mechanisms.batches if at in batch.index)
+    dynamics = _dynamics_of(shown, mechanism)
     others: dict[tuple[str, str], list[str]] = {}
     for one in dynamics.reactions:
         others.setdefault((one.name.partition("/")[0], one.by), []).append(one.on)

@@ -143,12 +143,11 @@ def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tup
 
 def _means(shown: OneDesign, piston: str) -> Iterator[str]:
     """Mean pressure of each of a piston's chambers; where there are two, whose, and that the second's card is thin."""
-    chambers = chambers_of(shown.result, piston)
-    for later, chamber in enumerate(chambers):
+    chambers = chambers_of(shown, piston)
+    for later, (chamber, side) in enumerate(chambers.items()):
         mean = float(shown("indicated_mean_pressure")[chamber])
         said = _("{side} (thin): mean {mean}") if later else _("{side}: mean {mean}")
         words = said if len(chambers) > 1 else _("mean {mean}")
-        side = shown.result.labels["chamber"][chamber].rpartition(".")[2]
         yield words.format(side=side, mean=with_unit(mean, scale_for("Pa", abs(mean))))
 
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from cranktrain.analysis import Result
 from cranktrain.language import _
+from cranktrain.questions.cylinders.parts import chambers_at
 from cranktrain.scales import scale_for
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 
@@ -12,14 +12,14 @@ def pressure_panel(shown: OneDesign, piston: str) -> Panel:
     """Absolute pressure in the chambers of a piston over the cycle."""
     curves = tuple(
         Curve(closed(shown("gas_pressure")[chamber]), "chamber" if later else "main", "p", symbol)
-        for later, (chamber, symbol) in enumerate(_symbols(shown.result, piston).items())
+        for later, (chamber, symbol) in enumerate(_symbols(shown, piston).items())
     )
     return Panel(_("Gas pressure at piston {piston}, absolute").format(piston=piston), "Pa", shown.cycle, curves)
 
 
 def indicator_panel(shown: OneDesign, piston: str) -> Panel:
     """Pressure over the volume of each of a piston's chambers, both as they are shown."""
-    chambers = chambers_of(shown.result, piston)
+    chambers = chambers_of(shown, piston)
     pressure = scale_for("Pa", 0.0)
     curves = tuple(
         Curve(pressure.of(closed(shown("gas_pressure")[chamber])), "later_card" if later else "card", "p")
@@ -32,19 +32,14 @@ def indicator_panel(shown: OneDesign, piston: str) -> Panel:
     return Panel(said, pressure.label, volume.of(volumes), curves)
 
 
-def _symbols(result: Result, piston: str) -> dict[int, str]:
+def _symbols(shown: OneDesign, piston: str) -> dict[int, str]:
     """Chambers of a piston, and what each one's pressure is called: where there are two, by its side."""
-    chambers = chambers_of(result, piston)
+    chambers = chambers_of(shown, piston)
     if len(chambers) == 1:
         return dict.fromkeys(chambers, "p")
-    sides = (result.labels["chamber"][chamber].rpartition(".")[2] for chamber in chambers)
-    return {chamber: rf"p_\mathrm{{{side}}}" for chamber, side in zip(chambers, sides, strict=True)}
+    return {chamber: rf"p_\mathrm{{{side}}}" for chamber, side in chambers.items()}
 
 
-def chambers_of(result: Result, piston: str) -> list[int]:
-    """Places of a piston's chambers: of its own name, of both its sides, or of the cylinder that it shares."""
-    return [
-        i
-        for i, name in enumerate(result.labels["chamber"])
-        if name == piston or name.startswith(f"{piston}.") or piston.startswith(f"{name}.")
-    ] or [0]
+def chambers_of(shown: OneDesign, piston: str) -> dict[int, str]:
+    """Places of a piston's chambers, with their sides; of a piston without any the first of the machine's."""
+    return chambers_at(shown.result.machines[shown.design].design, piston) or {0: ""}

@@ -55,7 +55,7 @@ class _Turn(NamedTuple):
     def curve(self, name: str, *at: int) -> Array:
         """Give a quantity of a member over the turn; an angle that goes round goes on at the end."""
         whole = self.shown(name)[at][self.points]
-        if name.endswith("angle"):
+        if self.shown.result.catalogue[name].unit == "rad":
             whole[-1] += 2 * np.pi * np.rint((whole[-2] - whole[-1]) / (2 * np.pi))
         return whole
 

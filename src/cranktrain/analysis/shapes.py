@@ -1,0 +1,41 @@
+"""Arrays of results held against the dimensions that they declare, before anybody reads them by these."""
+
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+
+from cranktrain.catalogue import Entry, entries, values
+
+
+def refuse_misshapen(outcomes: Iterable[object], labels: Mapping[str, Sequence[str]], n_angles: int) -> None:
+    """Refuse results whose arrays have other shapes than they declare.
+
+    Parameters
+    ----------
+    outcomes : iterable of result objects
+    labels : mapping of str to sequence of str
+        Names along each dimension, the designs' too.
+    n_angles : int
+        Crank angles of the grid.
+
+    Raises
+    ------
+    TypeError
+        With the first such quantity: a stage is wrong, or what its result class says.
+    """
+    lengths = {name: len(names) for name, names in labels.items()} | {"crank_angle": n_angles}
+    for outcome in outcomes:
+        for entry in entries(type(outcome)):
+            shape = np.shape(values(outcome, entry))
+            if shape != tuple(lengths.get(name) for name in ("design", *entry.dimensions)):
+                raise TypeError(_contradiction(type(outcome), entry, shape, lengths))
+
+
+def _contradiction(outcome: type, entry: Entry, shape: tuple[int, ...], lengths: Mapping[str, int]) -> str:
+    """Say of a quantity which shape its array has, and which it declares."""
+    axes = ", ".join(f"{name} ({lengths.get(name, 'no labels')})" for name in ("design", *entry.dimensions))
+    return (
+        f"{outcome.__name__}.{entry.path}, the quantity {entry.name}, has the shape {shape}, but is declared along "
+        f"{axes}. Its stage must give an axis for each of these, in this order, "
+        "or the class and its labels name the axes that it gives."
+    )

@@ -1,0 +1,189 @@
+"""A motor as questions take it: its law with the numbers of all designs, and what its plate says."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any, ClassVar, NamedTuple, cast
+
+import numpy as np
+
+from cranktrain.language import N_
+from cranktrain.motion import ONE, Array, single
+from cranktrain.motors.law import ByTime, MotorLaw
+from cranktrain.numerics.nested import mapped
+from cranktrain.record import record
+
+UNKNOWN = single(float("nan"))
+UNLIMITED = single(float("inf"))
+LONG_SINCE = float("inf")
+"""Time since it was switched on after which no starter matters any more: what steady running asks for. [s]"""
+
+
+class Rating(NamedTuple):
+    """Rated point, NaN where the table has none; arrays of shape (design,). [N·m, rad/s]"""
+
+    torque: Array = UNKNOWN
+    speed: Array = UNKNOWN
+
+    @property
+    def power(self) -> Array:
+        """At the shaft. [W]"""
+        return self.torque * self.speed
+
+
+@record
+class DeclaredMotor:
+    """A motor at its own shaft, in all designs.
+
+    Attributes
+    ----------
+    law : MotorLaw
+    numbers : NamedTuple of arrays
+        What its kernel takes; the last axis of each is the design: (design,), of points of a curve (point, design).
+    rating : Rating
+    top_speed : Array, shape (design,)
+        Above which it drives no more: synchronous speed, speed without load; infinite where there is none. [rad/s]
+    inertia : Array, shape (design,), or None
+        Of its rotor. [kg·m²]
+    current_numbers : NamedTuple of arrays, or None
+        As `numbers`, what its current hangs on; None where nothing is known of it.
+    rated_current : Array, shape (design,)
+        NaN where it is not known. [A]
+    slip_ratio : Array, shape (design,)
+        Slip at the rated torque over that on its plate: more than 1 with a constant resistance behind slip rings. [1]
+    is_heat_known : bool
+    notes, flags : tuple of str
+        What was taken where the table says nothing, and what is to be minded about its numbers; of the first design.
+    """
+
+    needs: ClassVar[str] = N_("[drive.motor]")
+
+    law: MotorLaw[Any]
+    numbers: Any
+    rating: Rating
+    top_speed: Array
+    inertia: Array | None = None
+    current_numbers: Any = None
+    rated_current: Array = UNKNOWN
+    slip_ratio: Array = ONE
+    is_heat_known: bool = True
+    notes: tuple[str, ...] = ()
+    flags: tuple[str, ...] = ()
+
+    @property
+    def n_designs(self) -> int:
+        """How many designs it is of."""
+        return self.top_speed.shape[-1]
+
+    @property
+    def heat(self) -> ByTime | None:
+        """Kernel of what heats it; None where nothing is known of it."""
+        return self.law.heat if self.is_heat_known else None
+
+    @property
+    def current(self) -> ByTime | None:
+        """Kernel of its current; None where nothing is known of it."""
+        return None if self.current_numbers is None else self.law.current
+
+    def with_designs(self, change: Callable[[Any], Array]) -> "DeclaredMotor":
+        """The same motor with the last axis of each of its numbers, the designs, taken or spread out otherwise."""
+        numbers, of_current = self.numbers, self.current_numbers
+        return replace(
+            self,
+            numbers=mapped(lambda _name, number: change(number), numbers),
+            rating=Rating(*map(change, self.rating)),
+            top_speed=change(self.top_speed),
+            inertia=None if self.inertia is None else change(self.inertia),
+            current_numbers=None if of_current is None else mapped(lambda _name, number: change(number), of_current),
+            rated_current=change(self.rated_current),
+            slip_ratio=change(self.slip_ratio),
+        )
+
+    def over_designs(self, n_designs: int) -> "DeclaredMotor":
+        """The same motor with each of its numbers, one number or of shape (..., design), of as many designs."""
+
+        def of_each(number: Any) -> Array:
+            found = np.atleast_1d(np.asarray(number, dtype=float))
+            return np.broadcast_to(found, (*found.shape[:-1], n_designs))
+
+        return self.with_designs(of_each)
+
+    def of_design(self, design: int) -> "DeclaredMotor":
+        """The motor of one design, as the only one."""
+        return self.with_designs(lambda number: number[..., design : design + 1])
+
+    def highest_speed(self, design: int) -> float:
+        """Top speed; thrice the rated one of a motor that always drives; infinite where neither is known. [rad/s]"""
+        top, rated = float(self.top_speed[design]), float(self.rating.speed[design])
+        return next((speed for speed in (top, 3 * rated) if np.isfinite(speed)), np.inf)
+
+    def corner_speeds(self, design: int) -> Array:
+        """Speeds of its shaft at which its law jumps or has a corner, long since it was switched on, rising. [rad/s]"""
+        each = [float(np.ravel(speed[..., design])[0]) for speed in self.law.breaks(self.numbers).speeds]
+        return np.unique([speed for speed in each if np.isfinite(speed)])
+
+    def torque(self, speed: Array, time: Array | float = LONG_SINCE) -> Array:
+        """Torque at its shaft.
+
+        Parameters
+        ----------
+        speed : Array, shape (design, n) or (n,)
+            [rad/s]
+        time : Array, broadcastable, optional
+            Since it was switched on; long since, unless given. [s]
+
+        Returns
+        -------
+        Array, shape (design, n)
+            [N·m]
+        """
+        return self.law.torque(speed, cast(Array, time), _over_speeds(self.numbers))
+
+    def heating(self, speed: Array, time: Array | float = LONG_SINCE) -> Array:
+        """Power that heats it, shapes as of `torque`; NaN where nothing is known. [W]"""
+        return self._by_time(self.heat, self.numbers, speed, time)
+
+    def current_ratio(self, speed: Array, time: Array | float = LONG_SINCE) -> Array:
+        """Line current over the rated one, shapes as of `torque`; NaN where nothing is known. [1]"""
+        return self._by_time(self.current, self.current_numbers, speed, time)
+
+    def ceiling(self, speed: Array, design: int) -> Array:
+        """The most that a motor which gives what it is asked for gives either way, shape (n,). [N·m]"""
+        if self.law.ceiling is None:
+            raise ValueError(f"{self.law.name} gives what its law says, not what it is asked for")
+        return self.law.ceiling(speed, mapped(lambda _name, number: number[..., design], self.numbers))
+
+    def is_free(self, design: int) -> bool:
+        """Whether it gives what torque its speed takes: one that is asked for nothing less than its ceiling."""
+        return self.law.is_commanded and bool(self.law.is_free(self.numbers)[design])
+
+    def measured_speeds(self, design: int) -> tuple[float, float] | None:
+        """First and last speed between which it was measured; None of a motor by a formula. [rad/s]"""
+        if self.law.measured is None:
+            return None
+        least, most = (np.broadcast_to(speed, self.n_designs) for speed in self.law.measured(self.numbers))
+        return float(least[design]), float(most[design])
+
+    def rated_slip(self, design: int) -> float:
+        """Slip at the rated torque: with a resistance behind slip rings more than on the plate, in its proportion. [1]
+
+        docs/theory/drive, eq. (25.14).
+        """
+        of_plate = 1 - float(self.rating.speed[design]) / float(self.top_speed[design])
+        return of_plate * float(self.slip_ratio[design])
+
+    def row(self, design: int) -> tuple[Any, ...]:
+        """Numbers of one design, plain floats, as kernels of one machine take them; of points of a curve an array."""
+        return mapped(lambda _name, number: _plain(number[..., design]), self.numbers)
+
+    def _by_time(self, kernel: ByTime | None, numbers: Any, speed: Array, time: Array | float) -> Array:
+        if kernel is None:
+            return np.full((self.n_designs, np.shape(speed)[-1]), np.nan)
+        return kernel(speed, cast(Array, time), _over_speeds(numbers))
+
+
+def _over_speeds(numbers: tuple[Any, ...]) -> tuple[Any, ...]:
+    return mapped(lambda _name, number: number[..., np.newaxis], numbers)
+
+
+def _plain(number: Any) -> Any:
+    return float(number) if np.ndim(number) == 0 else np.ascontiguousarray(number)

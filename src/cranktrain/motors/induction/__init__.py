@@ -1,0 +1,1 @@
+"""What induction motors have in common: Kloss's formula, currents, the field's speed, starters; no motor itself."""

@@ -1,0 +1,75 @@
+"""What the tables of induction motors have in common: the speed of the field, and where it is not clear."""
+
+from collections.abc import Iterator
+from typing import Annotated
+
+import numpy as np
+from pydantic import Field
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
+from cranktrain.motion import Array, single
+from cranktrain.motors.spec import RatedSpec, first, missing_keys, out_of_place
+from cranktrain.quantities import Dimension, Given, PositiveFrequency, PositiveSpeed, Quantity, shown
+
+AboveOne = Annotated[Given, Quantity(Dimension.RATIO, above=1.0)]
+AtLeastOne = Annotated[Given, Quantity(Dimension.RATIO, at_least=1.0)]
+Part = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)]
+
+LINE_FREQUENCY = 50.0
+"""Unless the table says another. [Hz]"""
+MOST_RATED_SLIP = 0.1
+"""Of motors whose synchronous speed is guessed from the rated one; with more, another frequency may be meant."""
+_ROUNDING = 1e-9
+
+
+class InductionSpec(RatedSpec, frozen=True):
+    """An induction motor: its field turns at a speed that is written, or by frequency and poles, or the nearest one."""
+
+    synchronous_speed: PositiveSpeed | None = Field(
+        default=None, description=N_("Of the field; the nearest one above the rated speed at 50 Hz unless given.")
+    )
+    frequency: PositiveFrequency | None = Field(default=None, description=N_("Of the line; 50 Hz unless given."))
+    poles: int | None = Field(default=None, ge=2, le=100, multiple_of=2, description=N_("Number of poles."))
+
+    @property
+    def field_speed(self) -> Array:
+        """Synchronous speed; NaN where nothing says it. [rad/s]"""
+        if self.synchronous_speed is not None:
+            return self.synchronous_speed.array
+        of_a_pair = 2 * np.pi * (single(LINE_FREQUENCY) if self.frequency is None else self.frequency.array)
+        if self.poles is not None:
+            return of_a_pair / (self.poles / 2)
+        pairs = np.ceil(of_a_pair / self.rating.speed) - 1
+        return np.where(pairs > 0, of_a_pair / np.maximum(1, pairs), np.nan)
+
+    def field_problems(self) -> Iterator[Problem]:
+        """Find a synchronous speed given twice, none, one that is not above the rated speed, or no clear one."""
+        if self.synchronous_speed is not None:
+            yield from out_of_place(self, ("frequency", "poles"), _("must not stand beside synchronous_speed"))
+        if self.synchronous_speed is None and self.poles is None:
+            yield from self._guess_problems()
+        elif self.speed is not None and (top := first(self.field_speed)) <= self.speed.si:
+            key = "synchronous_speed" if self.poles is None else "poles"
+            allowed = _(
+                "must give a synchronous speed above speed = {speed}, not {top} rpm: the shaft is behind the field"
+            )
+            yield Problem(key, None, allowed.format(speed=self.speed.text, top=f"{shown(top, 'rpm'):.6g}"))
+
+    def _guess_problems(self) -> Iterator[Problem]:
+        """Find a rated speed that is not a little below a synchronous one."""
+        if self.speed is None:
+            if not self.has_no_plate:
+                return
+            yield from missing_keys(self, ("synchronous_speed",))
+        elif not 1 - self.speed.si / first(self.field_speed) <= MOST_RATED_SLIP + _ROUNDING:
+            allowed = _(
+                "is missing; speed = {speed} is not within 10 % below a synchronous speed: give it, or frequency"
+            )
+            yield Problem("synchronous_speed", None, allowed.format(speed=self.speed.text))
+
+    def field_notes(self) -> Iterator[str]:
+        """Say which synchronous speed was taken, where the table does not."""
+        if self.synchronous_speed is None and self.poles is None:
+            speed = f"{shown(first(self.field_speed), 'rpm'):.6g} rpm"
+            yield _("The synchronous speed is {speed}, the nearest above the rated one.").format(speed=speed)

@@ -1,0 +1,1 @@
+"""How a shaft bends and twists between its bearings under any loads, arrays alone."""

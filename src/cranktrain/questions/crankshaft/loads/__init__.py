@@ -1,0 +1,1 @@
+"""All that acts on the machine's crankshafts: rods, cranks, weights, pulls and gears."""

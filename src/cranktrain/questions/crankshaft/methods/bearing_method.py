@@ -1,0 +1,118 @@
+"""What a method for the loads of main bearings is, and what it takes the bearings for."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from cranktrain.language import N_
+from cranktrain.numerics.designs import of_designs
+from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads
+from cranktrain.questions.crankshaft.bending.loads_in_spans import (
+    LoadsInSpans,
+    SpannedLoads,
+    alike_shafts,
+    spanned_loads,
+)
+from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads
+from cranktrain.questions.crankshaft.metal.shaft import Crankshaft, Supports
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
+from cranktrain.record import record
+
+Kernel = Callable[[Supports, LoadsInSpans], BearingLoads]
+"""Bearing loads of designs that are alike."""
+
+
+@record
+class TakenBearings:
+    """Bearings as a method has them; methods of the same bearings share a line of the answer.
+
+    Attributes
+    ----------
+    title : str
+        How answers call a shaft in such bearings, not yet translated.
+    needs : str
+        What the machine file must say of them, not yet translated; "" for nothing.
+    are_known : callable (DeclaredCrankshafts) → bool
+        Whether it does.
+    is_linear : bool
+        Whether what they bear of loads together is the sum of what they bear of each.
+    """
+
+    title: str
+    needs: str
+    are_known: Callable[[DeclaredCrankshafts], bool]
+    is_linear: bool = True
+
+
+RIGID = TakenBearings(N_("on rigid bearings"), "", lambda _declared: True)
+ELASTIC = TakenBearings(
+    N_("on elastic bearings"), N_("[crankshaft] bearing_stiffness"), lambda declared: declared.is_elastic
+)
+LOOSE = TakenBearings(
+    N_("with clearance"),
+    N_("[crankshaft] bearing_clearance"),
+    lambda declared: declared.has_clearance,
+    is_linear=False,
+)
+
+
+@record
+class BearingMethod:
+    """A way to find what bearings carry.
+
+    Attributes
+    ----------
+    name : str
+        How users call it.
+    title : str
+        How answers call it, not yet translated.
+    kernel : callable (Supports, LoadsInSpans) → BearingLoads
+    source : str
+        Where its equations stand.
+    range : str
+        What it takes the shaft and its bearings for: a sentence, not yet translated.
+    bearings : TakenBearings
+        The latter as data: what it needs of the file, and with which methods it shares a line of the answer.
+    rank : int
+        Of trust: 1 is the most trusted. The answer begins with it, and pictures draw it so.
+    beside : str or None
+        That line where its largest load, `{other}`, stands beside `{load}` in `{bearing}`, that of the most trusted
+        method of these bearings, not yet translated; None where it has no place there.
+    trust : str
+        What the answer says of whom to trust where this is the best that the file has numbers for, not yet translated:
+        `{range}` is what all methods give in `{bearing}`.
+    """
+
+    name: str
+    title: str
+    kernel: Kernel
+    source: str
+    range: str
+    bearings: TakenBearings
+    rank: int
+    beside: str | None = None
+    trust: str = N_("{method}; bearing {bearing} by all: {range}")
+
+    def loads(self, shaft: Crankshaft, loads: ShaftLoads) -> BearingLoads:
+        """Bearing loads of any designs, each to the last bit what it gives alone."""
+        return self.of(shaft.supports, spanned_loads(alike_shafts(shaft, loads.places), loads))
+
+    def of(self, supports: Supports, loads: SpannedLoads) -> BearingLoads:
+        """The same of loads whose spans are known, in bearings that may give otherwise than the shaft's.
+
+        NaN where the shaft floats on a single bearing, or has no stiffness where the method asks for it.
+        """
+        n_designs, n_angles = loads.loads.turned.shape
+        shape = (n_designs, loads.n_bearings, 2, n_angles)
+        if loads.n_bearings < 2:
+            nothing = np.full(shape, np.nan)
+            return BearingLoads(nothing, nothing, nothing)
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            by_group = [self.kernel(of_designs(supports, group.of.designs), group) for group in loads.groups]
+        if len(by_group) == 1:
+            return by_group[0]
+        joined = [np.empty(shape) for _part in BearingLoads._fields]
+        for group, values in zip(loads.groups, by_group, strict=True):
+            for whole, part in zip(joined, values, strict=True):
+                whole[group.of.designs] = part
+        return BearingLoads(*joined)

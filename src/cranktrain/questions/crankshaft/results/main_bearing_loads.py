@@ -1,0 +1,111 @@
+"""What the main bearings carry over the cycle, by every method that the file has numbers for."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import Check, StageResult
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.numerics import Peak
+from cranktrain.numerics.ties import first_largest
+from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads, residuals
+from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
+from cranktrain.questions.crankshaft.bending.shaft_loads import on_axis
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts, LoadsOverCycle
+from cranktrain.questions.crankshaft.methods import methods_for, title_of
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
+from cranktrain.questions.crankshaft.results.bearings_between_events import BearingsBetweenEvents
+from cranktrain.questions.crankshaft.results.shaft_peaks import ShaftPeaks
+from cranktrain.questions.forces.peaks import one_sided
+from cranktrain.questions.wear.cycle_points import CyclePoints
+from cranktrain.record import record
+from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
+from cranktrain.wording import Names, number
+
+_CURVE, _FACT = ("bearing_method", "bearing", "crank_angle"), ("bearing_method", "bearing")
+_LIMIT = 1e-11
+"""Of the largest load: what bearings and loads may leave over by rounding."""
+
+
+@record
+class MainBearingLoads(StageResult):
+    """Load of the journals on the main bearings, by each method."""
+
+    main_bearing_load_x: Array = quantity(
+        "Q_X", "N", _CURVE, N_("Load of the journal on the main bearing, to the right"), _THEORY
+    )
+    main_bearing_load_y: Array = quantity(
+        "Q_Y", "N", _CURVE, N_("Load of the journal on the main bearing, upward"), _THEORY
+    )
+    largest_bearing_load: Peak = extreme(
+        "Q_max",
+        "N",
+        _FACT,
+        N_("Largest load of the main bearing"),
+        N_("Crank angle of that load"),
+        _THEORY,
+        worst="largest",
+    )
+    mean_bearing_load: Array = quantity("Q_m", "N", _FACT, N_("Mean size of the main bearing's load"), _THEORY)
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say which bearing carries most, by every method."""
+        most = self.largest_bearing_load.value[design]
+        if not np.all(np.isfinite(most)):
+            return None
+        found = (
+            _("{method} {load} in bearing {bearing}").format(
+                method=title_of(method),
+                load=number(float(np.max(own)), "kN"),
+                bearing=names["bearing"][first_largest(own)],
+            )
+            for method, own in zip(names["bearing_method"], most, strict=True)
+        )
+        return _("Largest load of a main bearing: {found}.").format(found=", ".join(found))
+
+
+def main_bearing_loads(
+    loaded: LoadedShafts,
+    declared: DeclaredCrankshafts,
+    over_cycle: LoadsOverCycle,
+    between: BearingsBetweenEvents,
+    points: CyclePoints,
+    peaks: ShaftPeaks,
+) -> MainBearingLoads:
+    """Bearing loads over the cycle, largest ones refined on the machine itself, means by quadrature between events.
+
+    Notes
+    -----
+    docs/theory/crankshaft, eqs. (24.6) and (24.10).
+    """
+    methods = methods_for(declared)
+    acting = over_cycle.each
+    by_method = [
+        [method.of(supports, loads) for supports, loads in zip(loaded.supports, acting, strict=True)]
+        for method in methods
+    ]
+    curves = np.stack([np.concatenate([borne.load for borne in shafts], axis=1) for shafts in by_method], axis=1)
+    named = [f"{method.name} {bearing}" for method in methods for bearing in declared.bearings]
+    return MainBearingLoads(
+        main_bearing_load_x=curves[:, :, :, 0],
+        main_bearing_load_y=curves[:, :, :, 1],
+        largest_bearing_load=peaks.load,
+        mean_bearing_load=points.mean(np.hypot(between.load[:, :, :, 0], between.load[:, :, :, 1])),
+        labels={"bearing_method": tuple(method.name for method in methods), "bearing": declared.bearings},
+        checks=(_check(loaded, acting, by_method),),
+        flags=tuple(one_sided([(_("largest load of a main bearing"), peaks.load)], named)),
+    )
+
+
+def _check(loaded: LoadedShafts, acting: Sequence[SpannedLoads], by_method: Sequence[Sequence[BearingLoads]]) -> Check:
+    """Whether the bearings balance all that acts, in force and in moment, by every method."""
+    worst = np.zeros(len(acting[0].loads.z))
+    for shafts in by_method:
+        for supports, spanned, borne in zip(loaded.supports, acting, shafts, strict=True):
+            left = residuals(supports, on_axis(spanned.loads), borne)
+            for part, scale in ((left.force, left.largest_force), (left.moment, left.largest_moment)):
+                worst = np.maximum(worst, np.max(part / np.where(scale > 0, scale, 1.0), axis=-1))
+    sentence = _("Sum of all bearing loads and their moments against all that acts on the shaft, by every method")
+    return Check("bearing_loads", sentence, worst, _LIMIT)

@@ -1,1 +1,0 @@
-"""Which motor is enough: torque over time, duty, starts, and flywheels that help."""

@@ -1,0 +1,22 @@
+"""Press: single strokes by clutch and brake, and how many a minute there can be."""
+
+from cranktrain.language import N_
+from cranktrain.layout.drive.grips import DeclaredStroke
+from cranktrain.layout.question import Question, Stage, Use
+from cranktrain.layout.uses import inner_table
+from cranktrain.questions.press import rows
+from cranktrain.questions.press.strokes import PressStrokes, press_strokes
+
+
+def are_strokes_wanted(stroke: DeclaredStroke | None) -> bool:
+    """Whether single strokes are asked for."""
+    return stroke is not None
+
+
+QUESTION = Question(
+    "press",
+    stages=(Stage(press_strokes, applies=are_strokes_wanted),),
+    title=N_("Drive"),
+    rows=(rows.stroke_rows,),
+    uses=(Use(inner_table("drive", "stroke"), (PressStrokes,)),),
+)

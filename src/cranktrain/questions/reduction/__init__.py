@@ -1,0 +1,52 @@
+"""Reduction: any machine as one inertia and one torque at its crank, and what they are at every shaft of its drive."""
+
+from collections.abc import Iterator
+
+from cranktrain.language import N_
+from cranktrain.layout.design import Designs
+from cranktrain.layout.drive.declared import DeclaredDrive, declared_drive
+from cranktrain.layout.drive.grips import declared_grips
+from cranktrain.layout.drive.table import DriveSpec
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.uses import table
+from cranktrain.motors import motor_of
+from cranktrain.questions.reduction import rows
+from cranktrain.questions.reduction.half_periods import half_periods
+from cranktrain.questions.reduction.machines import reduced_machines
+from cranktrain.questions.reduction.static_torques import StaticTorques, static_torques
+
+
+def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
+    spec = designs.together.table(DriveSpec)
+    if spec is None:
+        return
+    motor = None if spec.motor is None else motor_of(spec.motor, designs.n_designs)
+    yield declared_drive(spec, motor, designs)
+    yield from declared_grips(spec.clutch, spec.brake, spec.stroke, lambda *numbers: designs.by_design(list(numbers)))
+    if motor is not None:
+        yield motor
+
+
+def is_driven(drive: DeclaredDrive | None) -> bool:
+    """Whether a drive is declared: only then anybody asks for the reduced machine."""
+    return drive is not None
+
+
+QUESTION = Question(
+    "reduction",
+    tables={"drive": DriveSpec},
+    parts=_parts,
+    stages=(
+        Stage(reduced_machines, applies=is_driven),
+        Stage(static_torques),
+        Stage(half_periods),
+    ),
+    dimensions=(
+        ResultDimension("drive_shaft", N_("shaft of the drive")),
+        ResultDimension("loss_rule", N_("losses"), own=0),
+        ResultDimension("half_period", N_("half-period"), is_number=True),
+    ),
+    title=N_("Drive"),
+    rows=(rows.static_rows,),
+    uses=(Use(table("drive"), (StaticTorques,)),),
+)

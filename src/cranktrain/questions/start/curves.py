@@ -1,0 +1,88 @@
+"""Curves of a start: when they are looked at closely, and speeds, torques, powers and energies at these times."""
+
+from dataclasses import fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.motion import Array
+from cranktrain.quantities import Given
+from cranktrain.questions.start.case import StartCase
+from cranktrain.questions.start.record import StartCurves
+from cranktrain.questions.start.switching import Switching, start_kernels
+from cranktrain.transient.equation import ANGLE, HEAT, LOAD_WORK, LOST_WORK, MOTOR_WORK, SPEED
+from cranktrain.transient.floats import in_floats
+from cranktrain.transient.gearing import overall_ratio, turning_inertia
+from cranktrain.transient.reduced import ReducedMachine, filled_at, in_one_row, settle
+
+_QUICKLY = 0.01
+"""Of its largest torque, by which a motor's changes in a step that is looked into closely."""
+_N_CLOSE = 9
+
+
+def curves_of(case: StartCase, time: Array, state: Array) -> StartCurves:
+    """Speeds, torques, powers and energies at the samples."""
+    angle, speed = state[:, ANGLE], state[:, SPEED]
+    ratio = overall_ratio(case.gearing)
+    kernels = start_kernels(case.motor)
+    torque = motor_torque(case, time, speed)
+    load, inertia = np.empty(time.shape), np.empty(time.shape)
+    machine = in_list(case.machine, float(angle[0]))
+    for at, (phi, omega) in enumerate(zip(angle.tolist(), speed.tolist(), strict=True)):
+        inertia[at], _, load[at], _ = kernels.machine(phi, omega, np.sign(omega), machine)
+        in_floats(settle)(phi, machine)
+    return StartCurves(
+        crank_angle_turned=angle - case.zero,
+        crank_speed=speed,
+        motor_speed=speed * ratio,
+        motor_torque=torque,
+        load_torque=load,
+        motor_power=torque * speed * ratio,
+        motor_work=state[:, MOTOR_WORK],
+        load_work=state[:, LOAD_WORK],
+        lost_work=state[:, LOST_WORK],
+        kinetic_energy=0.5 * (inertia + turning_inertia(case.gearing)) * speed**2,
+        motor_heat=state[:, HEAT],
+    )
+
+
+def motor_torque(case: StartCase, time: Array, speed: Array) -> Array:
+    """Of the motor at times and speeds of the crank, as it is switched. [N·m]"""
+    spec, motor, ratio = case.spec, start_kernels(case.motor).motor, overall_ratio(case.gearing)
+    numbers = Switching(
+        () if case.motor is None else case.motor.row(case.design),
+        at_or_never(spec.motor_off),
+        at_or_never(spec.motor_reversed),
+        0.0,
+    )
+    return np.array([motor(w * ratio, t, numbers) for w, t in zip(speed.tolist(), time.tolist(), strict=True)])
+
+
+def close_times(case: StartCase, steps: list[tuple[float, float]]) -> Array:
+    """Times at which steps end, and closer ones where the motor's torque changes quickly. [s]"""
+    time, speed = np.array(steps).T
+    torque = motor_torque(case, time, speed)
+    changes = np.abs(np.diff(torque)) > _QUICKLY * np.max(np.abs(torque))
+    # A step over the top of the curve may end as high as it began: those beside a quick change are looked into, too.
+    closely = changes.copy()
+    closely[1:] |= changes[:-1]
+    closely[:-1] |= changes[1:]
+    width = np.where(closely, np.diff(time), 0.0)[:, np.newaxis]
+    return np.unique(np.append(time[:-1, np.newaxis] + width * np.linspace(0, 1, _N_CLOSE)[:-1], time[-1]))
+
+
+def at_times(curves: StartCurves, chosen: NDArray[np.intp]) -> StartCurves:
+    """Curves at some of their times."""
+    return StartCurves(**{one.name: getattr(curves, one.name)[chosen] for one in fields(curves)})
+
+
+def in_list(machine: ReducedMachine, angle: float) -> list[float]:
+    """Numbers for a run that is not compiled, from an angle where all chambers hold gas at suction pressure."""
+    numbers = in_one_row(machine).tolist()
+    filled_at(angle, numbers)
+    return numbers
+
+
+def at_or_never(time: Given | None) -> float:
+    """A time, or never. [s]"""
+    return np.inf if time is None else time.si

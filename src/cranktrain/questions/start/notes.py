@@ -1,0 +1,75 @@
+"""What a start leaves out of a machine file, or does not come to."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from cranktrain.language import N_, _
+from cranktrain.layout.drive.grips import DeclaredBrake, DeclaredClutch, DeclaredStroke
+from cranktrain.layout.drive.table import StartSpec
+from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
+from cranktrain.motors import DeclaredMotor
+from cranktrain.motors.declared import LONG_SINCE
+from cranktrain.motors.limits import beyond_measured
+from cranktrain.questions.start.parts import DeclaredStart
+from cranktrain.questions.start.record import StartRun
+
+_TIMES = ("motor_off", "motor_reversed", "brake_on", "unloaded_until")
+"""Keys of [drive.start] that are commands at a time."""
+_AS_LATER = 1e-9
+"""By how much a motor may differ from itself long since, in parts, whose starter is through."""
+
+NO_MOTOR = N_("[drive.motor] is missing: what acts is loads and weights alone.")
+WISH_LEFT = N_("[shaft.main.motion] is not followed: the motor and the loads alone move the crank here.")
+CLUTCH_LOCKED = N_("[drive.clutch] stays locked: only [drive.stroke] lets it slip.")
+BRAKE_OFF = N_("[drive.brake] stays off: brake_on in [drive.start] says when it comes.")
+NOT_REACHED = N_("{key} = {given} is not reached.")
+BEHIND_STARTER = N_("Its starter is left out: in strokes the motor is on the line.")
+IN_STARTER = N_("Its starter is not through yet; steady running is that of the motor behind it: see duration.")
+
+
+def start_notes(parts: Mapping[type, Any], run: StartRun) -> Iterator[str]:
+    """Sentences on what a start does not use, and on commands that come after its end.
+
+    Parameters
+    ----------
+    parts : mapping of type to part
+        What the machine declares.
+    run : StartRun
+    """
+    motor: DeclaredMotor | None = parts.get(DeclaredMotor)
+    spec: StartSpec = parts[DeclaredStart].spec
+    if motor is None:
+        yield _(NO_MOTOR)
+    if WantedMotions in parts or RockingMotions in parts:
+        yield _(WISH_LEFT)
+    if motor is not None:
+        yield from beyond_measured(motor, 0, run.whole.motor_speed)
+    if DeclaredStroke in parts:
+        if motor is not None and motor.law.is_timed:
+            yield _(BEHIND_STARTER)
+        return
+    if DeclaredClutch in parts:
+        yield _(CLUTCH_LOCKED)
+    if DeclaredBrake in parts and spec.brake_on is None:
+        yield _(BRAKE_OFF)
+    yield from _not_reached(spec, run)
+    if motor is not None and spec.motor_off is None and spec.motor_reversed is None and _is_starting(motor, run):
+        yield _(IN_STARTER)
+
+
+def _not_reached(spec: StartSpec, run: StartRun) -> Iterator[str]:
+    """Commands and a speed that the run does not come to."""
+    end = float(run.whole_time[-1])
+    late = [(key, given) for key in _TIMES if (given := getattr(spec, key)) is not None and given.si >= end]
+    if spec.until_speed is not None and float(np.max(np.abs(run.whole.crank_speed))) < spec.until_speed.si:
+        late.append(("until_speed", spec.until_speed))
+    yield from (_(NOT_REACHED).format(key=key, given=given.text) for key, given in late)
+
+
+def _is_starting(motor: DeclaredMotor, run: StartRun) -> bool:
+    """Whether the motor gives at the end another torque than it will long since."""
+    speed = run.whole.motor_speed[-1:]
+    now, later = (motor.torque(speed, time)[0, 0] for time in (run.whole_time[-1], LONG_SINCE))
+    return bool(abs(now - later) > _AS_LATER * max(abs(now), abs(later)))

@@ -1,0 +1,11 @@
+"""How a run begins and ends, as machines declare it."""
+
+from cranktrain.layout.drive.table import StartSpec
+from cranktrain.record import record
+
+
+@record
+class DeclaredStart:
+    """How a run begins and ends, as the table of the first design says."""
+
+    spec: StartSpec

@@ -1,0 +1,88 @@
+"""What became of a start: its curves over time, its events, why it ended."""
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_
+from cranktrain.motion import Array
+from cranktrain.record import record
+from cranktrain.transient.clutched.settled import SettledStroke
+from cranktrain.transient.clutched.stopping import WorstStop
+
+_THEORY = "docs/theory/transient"
+_TIME = ("time",)
+
+
+@record
+class StartCurves:
+    """A run over time; all arrays of shape (time,)."""
+
+    crank_angle_turned: Array = quantity(
+        "φ", "rad", _TIME, N_("Crank angle as shown, counted on through all turns"), _THEORY
+    )
+    crank_speed: Array = quantity("ω", "rad/s", _TIME, N_("Speed of the crank"), _THEORY, shown="rpm")
+    motor_speed: Array = quantity("ω_m", "rad/s", _TIME, N_("Speed of the motor"), _THEORY, shown="rpm")
+    motor_torque: Array = quantity("M_m", "N*m", _TIME, N_("Torque of the motor at its own shaft"), _THEORY)
+    load_torque: Array = quantity("M_Q", "N*m", _TIME, N_("Torque that the loads take at the crank"), _THEORY)
+    motor_power: Array = quantity("P_m", "W", _TIME, N_("Power of the motor at its shaft"), _THEORY)
+    motor_work: Array = quantity("W_m", "J", _TIME, N_("Work of the motor since the beginning"), _THEORY)
+    load_work: Array = quantity("W_Q", "J", _TIME, N_("Work that the loads have taken"), _THEORY)
+    lost_work: Array = quantity("W_v", "J", _TIME, N_("Work that gearing, clutch and brake have lost"), _THEORY)
+    kinetic_energy: Array = quantity("T", "J", _TIME, N_("Kinetic energy of machine and drive"), _THEORY)
+    motor_heat: Array = quantity("Q_m", "J", _TIME, N_("Heat in the motor's rotor"), _THEORY)
+
+
+@record
+class StartEvent:
+    """Something on the way: its name; time, crank angle as shown, counted on, speed of the crank. [s, rad, rad/s]"""
+
+    name: str
+    time: float
+    angle: float
+    speed: float
+
+
+@record
+class StrokeRun:
+    """What a stroke tells besides its curves: the stroke, and the longest stop, None where there is none."""
+
+    settled: SettledStroke
+    longest_stop: WorstStop | None
+
+
+@record
+class StartRun:
+    """What became of a start.
+
+    Attributes
+    ----------
+    reason : str
+        Why it ended, a sentence.
+    time : Array, shape (time,)
+        [s]
+    curves : StartCurves
+    whole_time, whole : Array, StartCurves
+        The same from beginning to end, whatever times were asked for. [s]
+    events : tuple of StartEvent
+    residual, supplied : float
+        Kinetic energy at the end less what was given and taken, and the work by which to judge it. [J]
+    tolerance : float
+    n_steps : int
+    method : str
+    stroke : StrokeRun or None
+        Of a start that is a single stroke.
+    notes : tuple of str
+        What of the machine file it does not use, or does not come to: sentences.
+    """
+
+    reason: str
+    time: Array
+    curves: StartCurves
+    whole_time: Array
+    whole: StartCurves
+    events: tuple[StartEvent, ...]
+    residual: float
+    supplied: float
+    tolerance: float
+    n_steps: int
+    method: str
+    stroke: StrokeRun | None = None
+    notes: tuple[str, ...] = ()

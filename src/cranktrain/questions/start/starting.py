@@ -1,0 +1,296 @@
+"""A start: the run of one machine with its motor over time, from rest to whatever ends it."""
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.quantities import Given
+from cranktrain.questions.reduction.unloaded import with_open_valves
+from cranktrain.questions.start.case import StartCase
+from cranktrain.questions.start.curves import at_or_never, at_times, close_times, curves_of, in_list
+from cranktrain.questions.start.method import Runs, method_of
+from cranktrain.questions.start.record import StartEvent, StartRun
+from cranktrain.questions.start.switching import Switching, start_kernels
+from cranktrain.transient import endings
+from cranktrain.transient.equation import MOTOR_WORK, SPEED, DriveTrain
+from cranktrain.transient.reduced import ReducedMachine
+from cranktrain.transient.runs import REASONS, Progress, Run, Wanted, wanted
+from cranktrain.transient.step import N_STATE
+from cranktrain.wording import number
+
+_NEARLY = 0.98
+"""Of the mean speed of steady running: from there on a start is over but for two cycles more."""
+_MORE_CYCLES = 2.0
+_N_SAMPLES = 1001
+_LONGEST = 60.0
+"""Unless the file says how long. [s]"""
+MOST_SAMPLES = 1_000_000
+_MOST_STEPS = 60_000
+"""Some ten seconds of computing; a minute of a compressor at 1500 rpm takes 55 000."""
+_MOST_REVERSALS = 100
+"""After which a crank that swings is taken not to get over."""
+
+EVENTS = {
+    endings.REVERSAL: N_("turns round"),
+    endings.DEAD_POSITION: N_("dead position"),
+    endings.SPEED_PASSED: N_("speed reached"),
+    endings.HELD: N_("is held"),
+    endings.SET_OFF: N_("sets off"),
+}
+NEARLY_STEADY = N_("98 % of its steady speed")
+SETTLED = N_("it has run up: two cycles more at its steady speed")
+SETTLED_BACKWARD = N_("it has run up the other way: two cycles more at its steady speed")
+STEPS_OVER = N_("60000 steps are over, the most of a start")
+LONGEST_OVER = N_("60 s are over, the most without a duration")
+OVERSPEED = N_("it turns faster than overspeed allows")
+
+
+class _Span(NamedTuple):
+    """Part of a run: when it begins and ends at most, the speed that ends it, and the machine in it.
+
+    `to_rest`: it ends where the crank comes to rest, to turn the other way.
+    """
+
+    start: float
+    end: float
+    target: float
+    machine: ReducedMachine
+    to_rest: bool = False
+
+
+def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
+    """Run a start to its end.
+
+    Parameters
+    ----------
+    case : StartCase
+    progress : callable, optional
+        Told the time, the crank angle and the speed that it has come to; with it a user may stop a run, and what was
+        computed so far is kept. [s, rad, rad/s]
+
+    Notes
+    -----
+    docs/theory/transient, eqs. (26.7) to (26.13). Once to find its end, and once more for the states on the way.
+    """
+    steps, run_by = list[tuple[float, float]](), method_of(case)
+    first = list(_runs(case, run_by, _NO_TIMES, np.inf, progress, steps))
+    last = first[-1][1]
+    end = first[-1][0].start + last.end_time
+    asked = asked_times(case.spec.interval, end)
+    samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close_times(case, steps)]))
+    again = list(_runs(case, run_by, samples, end if last.reason == endings.STOPPED else np.inf, None))
+    return _together(case, again, last.reason, asked)
+
+
+_NO_TIMES = np.empty(0)
+
+
+def asked_times(interval: Given | None, end: float) -> Array:
+    """Times at which curves are asked for. [s]"""
+    if interval is None:
+        return np.linspace(0.0, end, _N_SAMPLES)
+    n = end / interval.si + 1
+    if n > MOST_SAMPLES:
+        allowed = _("must be at least {least}: more than {n} times are too many").format(
+            least=number(end / MOST_SAMPLES, "s"), n=MOST_SAMPLES
+        )
+        raise InputError([Problem("drive.start.interval", interval.text, allowed)])
+    return np.arange(math.floor(n), dtype=np.float64) * interval.si
+
+
+def _runs(
+    case: StartCase,
+    run_by: Runs,
+    samples: Array,
+    end: float,
+    progress: Progress | None,
+    steps: list[tuple[float, float]] | None = None,
+) -> Iterator[tuple[_Span, Run]]:
+    """Run span by span, each from where the last one ended, until one ends for a reason of its own.
+
+    `steps` is given times and speeds at which steps end.
+    """
+    angle, speed, now = case.spec.angle.si + case.zero, case.spec.speed.si, 0.0
+    spans, kernels = list(_spans(case)), start_kernels(case.motor)
+    numbers, machine = list[float](), None
+    while spans:
+        span = spans.pop(0)
+        if span.to_rest and speed <= 0:
+            continue
+        span = _from_speed(case, span._replace(start=now, end=min(span.end, end)), speed)
+        numbers = numbers if span.machine is machine else in_list(span.machine, angle)
+        asked = _wanted(case, span, angle, speed, samples)
+        own = None if steps is None else list[tuple[float, float]]()
+        telling = _from(span.start, progress)
+        found = run_by(kernels, _train(case, span, numbers), asked, is_compiled=False, progress=telling, ends=own)
+        if steps is not None and own is not None:
+            steps += [(span.start + time, reached) for time, reached in own]
+        yield span, found
+        is_over = found.reason == endings.TIME_OUT
+        now = span.end if is_over else span.start + found.end_time
+        until = now if spans else _followed(case, span, found, speed)
+        angle, speed = float(found.end[0]), float(found.end[1])
+        numbers, machine = found.machine, span.machine
+        if now < until and now < end:
+            spans = [_Span(now, until, np.inf, span.machine)]
+        elif now >= end or not (is_over or (span.to_rest and found.reason == endings.SWINGS)):
+            return
+
+
+def _from_speed(case: StartCase, span: _Span, speed: float) -> _Span:
+    """Some cycles in place of a speed to reach, where a span that is to settle begins at that speed or faster."""
+    if case.is_to_settle and np.isfinite(span.target) and speed >= span.target:
+        return span._replace(target=np.inf, end=min(span.end, span.start + _MORE_CYCLES * case.cycle_time))
+    return span
+
+
+def _from(start: float, progress: Progress | None) -> Progress | None:
+    """Tell progress with times counted on."""
+    return None if progress is None else lambda time, angle, speed: progress(start + time, angle, speed)
+
+
+def _switches(case: StartCase) -> tuple[float, float, float]:
+    """When the motor is switched off, when it is reversed, and when the brake's torque comes. [s]"""
+    spec = case.spec
+    off, back, brake_on = (at_or_never(time) for time in (spec.motor_off, spec.motor_reversed, spec.brake_on))
+    return off, back, brake_on + case.brake.begins
+
+
+def _breaks(case: StartCase) -> Iterator[float]:
+    """When motor or brake jump, or have a corner: where they are switched, and the motor's own starter. [s]"""
+    off, back, braked = _switches(case)
+    yield from (off, back, braked, braked + case.brake.rise_time)
+    if case.motor is None:
+        return
+    times = [float(np.ravel(at[..., case.design])[0]) for at in case.motor.law.breaks(case.motor.numbers).times]
+    yield from (at for at in times if at < min(off, back))
+    yield from (back + at for at in times if back + at < off)
+
+
+def _train(case: StartCase, span: _Span, machine: list[float]) -> DriveTrain:
+    """Numbers of a span's kernels."""
+    off, back, braked = _switches(case)
+    numbers = () if case.motor is None else case.motor.row(case.design)
+    return DriveTrain(
+        machine,
+        Switching(numbers, off, back, span.start),
+        case.brake._replace(begins=braked - span.start),
+        case.gearing,
+        case.place,
+    )
+
+
+def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: Array) -> Wanted:
+    """What is wanted of a span."""
+    own = samples[(samples >= span.start) & (samples <= span.end)] - span.start
+    return wanted(
+        span.end - span.start,
+        angle=angle,
+        speed=speed,
+        samples=own,
+        breaks=tuple(at - span.start for at in _breaks(case) if span.start < at < span.end),
+        corners=case.corners,
+        rows=case.rows,
+        period=case.cycle,
+        target_speed=span.target,
+        overspeed=at_or_never(case.spec.overspeed),
+        stops_at_target=bool(np.isfinite(span.target)),
+        most_steps=_MOST_STEPS,
+        most_reversals=1 if span.to_rest else _MOST_REVERSALS,
+        tolerance=case.spec.tolerance.si,
+        is_timed=True,
+    )
+
+
+def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int, asked: Array) -> StartRun:
+    """One run of all its spans, times counted on, works added up; in whole, and at the times that were asked for."""
+    times, states = list[Array](), list[Array]()
+    before = np.zeros(N_STATE)
+    for at, (span, found) in enumerate(runs):
+        is_last = at == len(runs) - 1
+        kept = slice(None) if is_last else found.time < found.end_time
+        times.append(found.time[kept] + span.start)
+        states.append(found.states[kept] + before)
+        before[MOTOR_WORK:] += found.end[MOTOR_WORK:]
+    span, last = runs[-1]
+    time, state = np.concatenate(times), np.concatenate(states)
+    wanted_too = np.flatnonzero(np.isin(time, asked))
+    whole = curves_of(case, time, state)
+    return StartRun(
+        reason=_(_reason(case, runs, reason)),
+        time=time[wanted_too],
+        curves=at_times(whole, wanted_too),
+        whole_time=time,
+        whole=whole,
+        events=tuple(_events(case, runs)),
+        residual=sum(found.residual for _, found in runs),
+        supplied=max(sum(found.supplied for _, found in runs), float(np.max(whole.kinetic_energy))),
+        tolerance=case.spec.tolerance.si,
+        n_steps=sum(found.n_steps for _, found in runs),
+        method=last.method,
+    )
+
+
+def _reason(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> str:
+    """Why it ended, by what was asked for."""
+    span, last = runs[-1]
+    if reason == endings.OVERSPEED:
+        return OVERSPEED
+    if reason == endings.TOO_MANY_STEPS and last.n_steps >= _MOST_STEPS:
+        return STEPS_OVER
+    if reason != endings.TIME_OUT or case.spec.duration is not None:
+        return REASONS[reason]
+    if span.start + last.end_time >= _LONGEST:
+        return LONGEST_OVER
+    return SETTLED if last.end[SPEED] >= 0 else SETTLED_BACKWARD
+
+
+def _events(case: StartCase, runs: list[tuple[_Span, Run]]) -> Iterator[StartEvent]:
+    """What happened on the way, by time; a crank that stops and is held does not turn round."""
+    held = {span.start + event.time for span, found in runs for event in found.of_kind(endings.HELD)}
+    for span, found in runs:
+        for event in found.events:
+            if event.kind == endings.REVERSAL and span.start + event.time in held:
+                continue
+            yield StartEvent(
+                _(NEARLY_STEADY if event.kind == endings.SPEED_PASSED and case.is_to_settle else EVENTS[event.kind]),
+                float(span.start + event.time),
+                float(event.angle - case.zero),
+                float(event.speed),
+            )
+
+
+def _spans(case: StartCase) -> Iterator[_Span]:
+    """Parts of a run: until a compressor is loaded; until it nearly runs as it will, and a little more; or as asked.
+
+    A motor that is reversed stops the crank first, and then runs it up the other way.
+    """
+    spec = case.spec
+    end = _LONGEST if spec.duration is None else spec.duration.si
+    asked = np.inf if spec.until_speed is None else spec.until_speed.si
+    begins = 0.0 if spec.unloaded_until is None else min(spec.unloaded_until.si, end)
+    if begins > 0:
+        yield _Span(0.0, begins, asked, with_open_valves(case.machine))
+    back = at_or_never(spec.motor_reversed)
+    if case.is_to_settle and back < end:
+        if back > begins:
+            yield _Span(begins, back, np.inf, case.machine)
+        yield _Span(back, end, np.inf, case.machine, to_rest=True)
+    yield _Span(begins, end, _NEARLY * case.steady_speed if case.is_to_settle else asked, case.machine)
+
+
+def _followed(case: StartCase, span: _Span, found: Run, speed: float) -> float:
+    """When a span is over that follows on the last one, which began at a speed; its own end where none does. [s]"""
+    ended = span.start + found.end_time
+    if not case.is_to_settle:
+        return ended
+    began_fast = np.isinf(span.target) and speed > case.steady_speed / _NEARLY
+    slows_yet = began_fast and speed - found.end[1] > (1 - _NEARLY) * case.steady_speed
+    if found.reason == endings.SPEED_REACHED or (found.reason == endings.TIME_OUT and slows_yet):
+        return min(ended + _MORE_CYCLES * case.cycle_time, _LONGEST)
+    return ended
