@@ -67,7 +67,7 @@ def test_a_stage_names_its_equations():
     assert stage.sources == ("docs/theory/balance, eq. (16.15)",)
 
 
-@pytest.mark.parametrize("width", [60, 80])
+@pytest.mark.parametrize("width", [70, 80])
 def test_a_page_keeps_its_width(bearing_load, width):
     lines = list(bearing_load.lines(width))
     assert max(map(len, lines)) <= width
