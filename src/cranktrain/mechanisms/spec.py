@@ -39,6 +39,11 @@ class MechanismSpec(Spec, frozen=True):
         """Largest pressure angle that its rod is permitted; None where it has none, or no limit."""
         return None
 
+    @property
+    def load_arm(self) -> Array | None:
+        """Radius at which its rocker carries a load, negative against its angle; None without one. [m]"""
+        return None
+
 
 class Master(NamedTuple):
     """What a slave mechanism hangs on: the master's geometry, and the slave's axis ahead of the master's. [rad]"""

@@ -208,7 +208,7 @@ def construction(
         **vars(made),
         mechanism=place.name,
         method=method,
-        is_of_eccentric=place.kind.name == "eccentric",
+        is_of_eccentric=place.kind.has_own_pin,
         geometry=geometry,
         pole=-float(largest_difference(geometry.crank_radius, ratio)),
         limits=next((one for one in RANGES if one.method == _RANGES.get(method)), None),

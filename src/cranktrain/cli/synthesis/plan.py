@@ -37,5 +37,5 @@ def _drawn(machine: Machine) -> "Figure":
     from cranktrain.plans.positions import source_angles
     from cranktrain.viz.plans.positions import plan_positions
 
-    is_slider_crank = machine.places[0].kind.name == "slider_crank"
-    return plan_positions(machine, source_angles(machine) if is_slider_crank else _POSITIONS)
+    is_direct = machine.places[0].kind.is_direct
+    return plan_positions(machine, source_angles(machine) if is_direct else _POSITIONS)

@@ -7,7 +7,7 @@ from pydantic import Field
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
 from cranktrain.mechanisms.spec import Master, MechanismSpec
-from cranktrain.motion import single
+from cranktrain.motion import Array, single
 from cranktrain.quantities import PositiveLength
 from cranktrain.wording import precise
 
@@ -38,6 +38,13 @@ class CrankRockerSpec(MechanismSpec, frozen=True):
     load_direction: Literal["with", "against"] = Field(
         default="with", description=N_("Whether the load's travel counts with the rocker's angle or against it.")
     )
+
+    @property
+    def load_arm(self) -> Array | None:
+        """Radius about the pivot at which the load is carried, negative against the rocker's angle. [m]"""
+        if self.load_radius is None:
+            return None
+        return self.load_radius.array if self.load_direction == "with" else -self.load_radius.array
 
 
 def crank_rocker_geometry(spec: CrankRockerSpec, _master: Master | None = None) -> CrankRocker:

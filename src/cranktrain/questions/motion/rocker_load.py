@@ -8,7 +8,6 @@ from cranktrain.catalogue import coefficients, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
 from cranktrain.layout.mechanisms import Rockers
-from cranktrain.mechanisms.crank_rocker import CrankRockerSpec
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import extremes
 from cranktrain.questions.motion.rockers import DeadPositions, RockerMotion, RockerTurn, rocker_angle
@@ -17,9 +16,6 @@ from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
 from cranktrain.wording import Names, shared
 
 _ROCKER = ("rocker",)
-
-_DIRECTIONS = {"with": 1.0, "against": -1.0}
-
 
 @record
 class LoadRadius:
@@ -35,13 +31,9 @@ class LoadRadius:
 
 def load_radius_of(designs: Designs) -> LoadRadius | None:
     """Collect the load radius of every rocker, NaN for one that carries no load; None where there is none at all."""
-    radii = [
-        place.sense * place.spec.load_radius.array * _DIRECTIONS[place.spec.load_direction]
-        if isinstance(place.spec, CrankRockerSpec) and place.spec.load_radius is not None
-        else np.nan
-        for place in designs.together.driving("rocker")
-    ]
-    value = designs.by_design(radii)[..., np.newaxis]
+    rockers = designs.together.driving("rocker")
+    arms = [(place.sense, place.spec.load_arm) for place in rockers]
+    value = designs.by_design([np.nan if arm is None else sense * arm for sense, arm in arms])[..., np.newaxis]
     return None if np.all(np.isnan(value)) else LoadRadius(value)
 
 
