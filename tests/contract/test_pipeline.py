@@ -62,7 +62,7 @@ def test_numbers_move_parts():
     assert len(moved()) > 25
 
 
-@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.__name__)
+@pytest.mark.parametrize("part", sorted(PARTS, key=lambda part: part.__name__), ids=lambda part: part.__name__)
 def test_a_part_names_the_tables_that_it_reads(part):
     """Where this fails: name the table in the class's `needs`, or in its `reads`."""
     unsaid = {path for path in moved().get(part, ()) if not any(holds(table, path) for table in tables_of(part))}

@@ -153,8 +153,8 @@ def _stroke(machine: Machine, parts: Mapping[type, Any], found: Mapping[type, An
     if case is None or settled is None:
         raise InputError([Problem("drive.stroke", None, flag) for flag in strokes.flags])
     end = settled.stroke.run.end.time if settled.pace is None else settled.pace.waiting.end.time
-    interval = parts[DeclaredStart].spec.interval
-    run = run_stroke(case, settled, None if interval is None else asked_times(interval, end))
+    start: DeclaredStart = parts[DeclaredStart]
+    run = run_stroke(case, settled, None if np.isinf(start.interval) else asked_times(start, end))
     if not settled.is_found:
         run = replace(run, reason=strokes.flags[0])
     run = replace(run, notes=tuple(start_notes(parts, run)))
@@ -189,9 +189,8 @@ def start_case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCas
         raise InputError([Problem("drive", None, allowed)])
     _refuse_unknown_load(machines.each[0], grid)
     brake, place = _brake(parts.get(DeclaredBrake))
-    corners, rows = corners_and_rows(
-        machines.corners[0], machines.misses[0], machines.cycle, parts[DeclaredStart].spec.tolerance.si
-    )
+    start: DeclaredStart = parts[DeclaredStart]
+    corners, rows = corners_and_rows(machines.corners[0], machines.misses[0], machines.cycle, start.tolerance)
     cycle_time = np.nan if steady is None else float(steady.cycle_time[0])
     return StartCase(
         machine=machines.each[0],
@@ -201,7 +200,7 @@ def start_case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCas
         gearing=drive.gearings[0],
         motor=parts.get(DeclaredMotor),
         design=0,
-        spec=parts[DeclaredStart].spec,
+        start=start,
         brake=brake,
         place=place,
         zero=float(grid.zero[0, 0, 0]),

@@ -17,6 +17,7 @@ from cranktrain.wording import Names, shared
 
 _ROCKER = ("rocker",)
 
+
 @record
 class LoadRadius:
     """Radius about each rocker's pivot at which its load is carried, shape (design, rocker, 1). [m]

@@ -9,7 +9,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.layout.question import Parts, Question
-from cranktrain.questions.start.parts import DeclaredStart
+from cranktrain.questions.start.parts import declared_start
 
 
 def _problems(design: Design) -> Iterator[Problem]:
@@ -32,7 +32,7 @@ def _is_compressor(design: Design) -> bool:
 def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
     spec = designs.together.table(DriveSpec)
     if spec is not None:
-        yield DeclaredStart(spec.start)
+        yield declared_start(spec.start)
 
 
 QUESTION = Question("start", problems=_problems, parts=_parts, title=N_("Drive"))

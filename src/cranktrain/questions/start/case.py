@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from cranktrain.layout.drive.table import StartSpec
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
+from cranktrain.questions.start.parts import DeclaredStart
 from cranktrain.questions.start.switching import Braking
 from cranktrain.record import record
 from cranktrain.transient.equation import BrakePlace
@@ -28,7 +28,7 @@ class StartCase:
     gearing : Gearing
     motor : DeclaredMotor or None
     design : int
-    spec : StartSpec
+    start : DeclaredStart
     brake : Braking
         From its command on: `begins` is its delay.
     place : BrakePlace
@@ -45,7 +45,7 @@ class StartCase:
     gearing: Gearing
     motor: DeclaredMotor | None
     design: int
-    spec: StartSpec
+    start: DeclaredStart
     brake: Braking
     place: BrakePlace
     zero: float
@@ -55,6 +55,6 @@ class StartCase:
     @property
     def is_to_settle(self) -> bool:
         """Whether it ends where it runs as it will, as nothing else is asked for."""
-        spec = self.spec
-        others = (spec.duration, spec.until_speed, spec.motor_off, spec.brake_on)
-        return bool(np.isfinite(self.steady_speed)) and all(one is None for one in others)
+        start = self.start
+        others = (start.duration, start.until_speed, start.motor_off, start.brake_on)
+        return bool(np.isfinite(self.steady_speed)) and bool(np.all(np.isinf(others)))

@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.quantities import Given
 from cranktrain.questions.start.case import StartCase
 from cranktrain.questions.start.record import StartCurves
 from cranktrain.questions.start.switching import Switching, start_kernels
@@ -48,11 +47,11 @@ def curves_of(case: StartCase, time: Array, state: Array) -> StartCurves:
 
 def motor_torque(case: StartCase, time: Array, speed: Array) -> Array:
     """Of the motor at times and speeds of the crank, as it is switched. [N·m]"""
-    spec, motor, ratio = case.spec, start_kernels(case.motor).motor, overall_ratio(case.gearing)
+    motor, ratio = start_kernels(case.motor).motor, overall_ratio(case.gearing)
     numbers = Switching(
         () if case.motor is None else case.motor.row(case.design),
-        at_or_never(spec.motor_off),
-        at_or_never(spec.motor_reversed),
+        case.start.motor_off,
+        case.start.motor_reversed,
         0.0,
     )
     return np.array([motor(w * ratio, t, numbers) for w, t in zip(speed.tolist(), time.tolist(), strict=True)])
@@ -81,8 +80,3 @@ def in_list(machine: ReducedMachine, angle: float) -> list[float]:
     numbers = in_one_row(machine).tolist()
     filled_at(angle, numbers)
     return numbers
-
-
-def at_or_never(time: Given | None) -> float:
-    """A time, or never. [s]"""
-    return np.inf if time is None else time.si

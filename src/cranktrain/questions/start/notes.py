@@ -7,7 +7,6 @@ import numpy as np
 
 from cranktrain.language import N_, _
 from cranktrain.layout.drive.grips import DeclaredBrake, DeclaredClutch, DeclaredStroke
-from cranktrain.layout.drive.table import StartSpec
 from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
 from cranktrain.motors import DeclaredMotor
 from cranktrain.motors.declared import LONG_SINCE
@@ -39,7 +38,7 @@ def start_notes(parts: Mapping[type, Any], run: StartRun) -> Iterator[str]:
     run : StartRun
     """
     motor: DeclaredMotor | None = parts.get(DeclaredMotor)
-    spec: StartSpec = parts[DeclaredStart].spec
+    start: DeclaredStart = parts[DeclaredStart]
     if motor is None:
         yield _(NO_MOTOR)
     if WantedMotions in parts or RockingMotions in parts:
@@ -52,20 +51,20 @@ def start_notes(parts: Mapping[type, Any], run: StartRun) -> Iterator[str]:
         return
     if DeclaredClutch in parts:
         yield _(CLUTCH_LOCKED)
-    if DeclaredBrake in parts and spec.brake_on is None:
+    if DeclaredBrake in parts and np.isinf(start.brake_on):
         yield _(BRAKE_OFF)
-    yield from _not_reached(spec, run)
-    if motor is not None and spec.motor_off is None and spec.motor_reversed is None and _is_starting(motor, run):
+    yield from _not_reached(start, run)
+    if motor is not None and np.isinf(min(start.motor_off, start.motor_reversed)) and _is_starting(motor, run):
         yield _(IN_STARTER)
 
 
-def _not_reached(spec: StartSpec, run: StartRun) -> Iterator[str]:
+def _not_reached(start: DeclaredStart, run: StartRun) -> Iterator[str]:
     """Commands and a speed that the run does not come to."""
     end = float(run.whole_time[-1])
-    late = [(key, given) for key in _TIMES if (given := getattr(spec, key)) is not None and given.si >= end]
-    if spec.until_speed is not None and float(np.max(np.abs(run.whole.crank_speed))) < spec.until_speed.si:
-        late.append(("until_speed", spec.until_speed))
-    yield from (_(NOT_REACHED).format(key=key, given=given.text) for key, given in late)
+    late = [key for key in _TIMES if key in start.texts and getattr(start, key) >= end]
+    if "until_speed" in start.texts and float(np.max(np.abs(run.whole.crank_speed))) < start.until_speed:
+        late.append("until_speed")
+    yield from (_(NOT_REACHED).format(key=key, given=start.texts[key]) for key in late)
 
 
 def _is_starting(motor: DeclaredMotor, run: StartRun) -> bool:

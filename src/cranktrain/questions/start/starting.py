@@ -9,11 +9,11 @@ import numpy as np
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
-from cranktrain.quantities import Given
 from cranktrain.questions.reduction.unloaded import with_open_valves
 from cranktrain.questions.start.case import StartCase
-from cranktrain.questions.start.curves import at_or_never, at_times, close_times, curves_of, in_list
+from cranktrain.questions.start.curves import at_times, close_times, curves_of, in_list
 from cranktrain.questions.start.method import Runs, method_of
+from cranktrain.questions.start.parts import DeclaredStart
 from cranktrain.questions.start.record import StartEvent, StartRun
 from cranktrain.questions.start.switching import Switching, start_kernels
 from cranktrain.transient import endings
@@ -81,7 +81,7 @@ def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
     first = list(_runs(case, run_by, _NO_TIMES, np.inf, progress, steps))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
-    asked = asked_times(case.spec.interval, end)
+    asked = asked_times(case.start, end)
     samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close_times(case, steps)]))
     again = list(_runs(case, run_by, samples, end if last.reason == endings.STOPPED else np.inf, None))
     return _together(case, again, last.reason, asked)
@@ -90,17 +90,17 @@ def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
 _NO_TIMES = np.empty(0)
 
 
-def asked_times(interval: Given | None, end: float) -> Array:
+def asked_times(start: DeclaredStart, end: float) -> Array:
     """Times at which curves are asked for. [s]"""
-    if interval is None:
+    if np.isinf(start.interval):
         return np.linspace(0.0, end, _N_SAMPLES)
-    n = end / interval.si + 1
+    n = end / start.interval + 1
     if n > MOST_SAMPLES:
         allowed = _("must be at least {least}: more than {n} times are too many").format(
             least=number(end / MOST_SAMPLES, "s"), n=MOST_SAMPLES
         )
-        raise InputError([Problem("drive.start.interval", interval.text, allowed)])
-    return np.arange(math.floor(n), dtype=np.float64) * interval.si
+        raise InputError([Problem("drive.start.interval", start.texts["interval"], allowed)])
+    return np.arange(math.floor(n), dtype=np.float64) * start.interval
 
 
 def _runs(
@@ -115,7 +115,7 @@ def _runs(
 
     `steps` is given times and speeds at which steps end.
     """
-    angle, speed, now = case.spec.angle.si + case.zero, case.spec.speed.si, 0.0
+    angle, speed, now = case.start.angle + case.zero, case.start.speed, 0.0
     spans, kernels = list(_spans(case)), start_kernels(case.motor)
     numbers, machine = list[float](), None
     while spans:
@@ -156,9 +156,7 @@ def _from(start: float, progress: Progress | None) -> Progress | None:
 
 def _switches(case: StartCase) -> tuple[float, float, float]:
     """When the motor is switched off, when it is reversed, and when the brake's torque comes. [s]"""
-    spec = case.spec
-    off, back, brake_on = (at_or_never(time) for time in (spec.motor_off, spec.motor_reversed, spec.brake_on))
-    return off, back, brake_on + case.brake.begins
+    return case.start.motor_off, case.start.motor_reversed, case.start.brake_on + case.brake.begins
 
 
 def _breaks(case: StartCase) -> Iterator[float]:
@@ -198,11 +196,11 @@ def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: A
         rows=case.rows,
         period=case.cycle,
         target_speed=span.target,
-        overspeed=at_or_never(case.spec.overspeed),
+        overspeed=case.start.overspeed,
         stops_at_target=bool(np.isfinite(span.target)),
         most_steps=_MOST_STEPS,
         most_reversals=1 if span.to_rest else _MOST_REVERSALS,
-        tolerance=case.spec.tolerance.si,
+        tolerance=case.start.tolerance,
         is_timed=True,
     )
 
@@ -230,7 +228,7 @@ def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int, asked
         events=tuple(_events(case, runs)),
         residual=sum(found.residual for _, found in runs),
         supplied=max(sum(found.supplied for _, found in runs), float(np.max(whole.kinetic_energy))),
-        tolerance=case.spec.tolerance.si,
+        tolerance=case.start.tolerance,
         n_steps=sum(found.n_steps for _, found in runs),
         method=last.method,
     )
@@ -243,7 +241,7 @@ def _reason(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> str:
         return OVERSPEED
     if reason == endings.TOO_MANY_STEPS and last.n_steps >= _MOST_STEPS:
         return STEPS_OVER
-    if reason != endings.TIME_OUT or case.spec.duration is not None:
+    if reason != endings.TIME_OUT or np.isfinite(case.start.duration):
         return REASONS[reason]
     if span.start + last.end_time >= _LONGEST:
         return LONGEST_OVER
@@ -270,13 +268,11 @@ def _spans(case: StartCase) -> Iterator[_Span]:
 
     A motor that is reversed stops the crank first, and then runs it up the other way.
     """
-    spec = case.spec
-    end = _LONGEST if spec.duration is None else spec.duration.si
-    asked = np.inf if spec.until_speed is None else spec.until_speed.si
-    begins = 0.0 if spec.unloaded_until is None else min(spec.unloaded_until.si, end)
+    end = case.start.duration if np.isfinite(case.start.duration) else _LONGEST
+    asked, back = case.start.until_speed, case.start.motor_reversed
+    begins = min(case.start.unloaded_until, end)
     if begins > 0:
         yield _Span(0.0, begins, asked, with_open_valves(case.machine))
-    back = at_or_never(spec.motor_reversed)
     if case.is_to_settle and back < end:
         if back > begins:
             yield _Span(begins, back, np.inf, case.machine)
