@@ -21,7 +21,12 @@ _SHOWN = {"m": "mm", "m/rad": "mm/rad", "m/rad^2": "mm/rad^2", "N": "N"}
 
 
 def show_curves(
-    console: Console, heading: str, crank_angle: Array, curves: Iterable[tuple[str, StatementCurve]], exact: str
+    console: Console,
+    heading: str,
+    crank_angle: Array,
+    curves: Iterable[tuple[str, StatementCurve]],
+    exact: str,
+    step: float = _STEP,
 ) -> None:
     """Show curves at round angles of a turn or a cycle, whose end is its beginning.
 
@@ -35,9 +40,11 @@ def show_curves(
         Each with the head of its column.
     exact : str
         Head of what stands beside each.
+    step : float
+        Between the angles. [deg]
     """
     open_end = crank_angle[:-1] if crank_angle[-1] % _TURN == 0.0 else crank_angle
-    rows = np.flatnonzero(open_end % _STEP == 0.0)
+    rows = np.flatnonzero(open_end % step == 0.0)
     columns = [
         Column(name, _SHOWN[curve.unit], _written(values[rows], curve.unit))
         for head, curve in curves

@@ -36,6 +36,9 @@ from cranktrain.texts.throw_table import Throw, read_throw
 from cranktrain.wording import figure, number
 
 EXAMPLE = "example"
+_ONE_TURN = 360.0
+_ON_A_SCREEN, _WHOLE = 60.0, 30.0
+"""Between the rows of a cycle of two turns that fits a screen, and of all else. [deg]"""
 _SETTING = Position("--set")
 
 
@@ -213,7 +216,9 @@ def _show(console: Console, found: Statements, *, with_table: bool = False, whol
             section(console, _("Over the cycle, at whole degrees"), _cycle_lines(found, width))
     if with_table:
         curves = ((one.symbol, one) for one in found.curves)
-        show_curves(console, _("Over the cycle"), found.crank_angle, curves, _("split"))
+        is_on_a_screen = whole is not None and found.crank_angle[-1] > _ONE_TURN
+        step = _ON_A_SCREEN if is_on_a_screen else _WHOLE
+        show_curves(console, _("Over the cycle"), found.crank_angle, curves, _("split"), step)
     if whole is not None:
         said = _("`{command}`: all, with both balances of the rotating masses and what is to be minded")
         section(console, _("To go on"), [said.format(command=whole)])
