@@ -267,7 +267,9 @@ def test_reduction_case():
         masses=masses,
     )
     moment = 4 * (given["motor_rotor_inertia_kgm2"] + given["gear_inertia_on_motor_shaft_kgm2"])
-    drive = read_drive(drive_data(machine) | {"i": 20, "eta_p": 1.0, "Q": "0 N", "GD2_0": f"{moment!r} kg*m^2"})
+    drive = read_drive(
+        drive_data(machine) | {"i": 20, "eta_p": 1.0, "eta_sh": 1.0, "Q": "0 N", "GD2_0": f"{moment!r} kg*m^2"}
+    )
     angle = case.crank_angle
     curve = next(one for one in drive_curves(drive) if one.carrier == "inertia")
     assert values_at(drive, curve, angle) == pytest.approx(case.column("GD2_total_motor_kgm2"), rel=1e-11)

@@ -160,7 +160,7 @@ class DeclaredMotor:
         """First and last speed between which it was measured; None of a motor by a formula. [rad/s]"""
         if self.law.measured is None:
             return None
-        least, most = (np.broadcast_to(speed, self.n_designs) for speed in self.law.measured(self.numbers))
+        least, most = self.law.measured(self.numbers)
         return float(least[design]), float(most[design])
 
     def rated_slip(self, design: int) -> float:

@@ -44,7 +44,7 @@ def by_design(numbers: Sequence[Any], n_designs: int) -> Any:
         members = cast("Sequence[tuple[object, ...]]", numbers)
         columns = zip(*map(leaves, members), strict=True)
         return filled(members[0], (by_design(column, n_designs)[..., np.newaxis] for column in columns))
-    is_number = all(np.asarray(number).dtype != np.object_ for number in numbers)
+    is_number = all(np.asarray(number).dtype.kind in "biuf" for number in numbers)
     found = np.empty((n_designs, len(numbers)), dtype=np.float64 if is_number else np.object_)
     for member, number in enumerate(numbers):
         found[:, member] = number

@@ -154,7 +154,8 @@ def _stroke(machine: Machine, parts: Mapping[type, Any], found: Mapping[type, An
         raise InputError([Problem("drive.stroke", None, flag) for flag in strokes.flags])
     end = settled.stroke.run.end.time if settled.pace is None else settled.pace.waiting.end.time
     start: DeclaredStart = parts[DeclaredStart]
-    run = run_stroke(case, settled, None if np.isinf(start.interval) else asked_times(start, end))
+    interval = start.of(0).interval
+    run = run_stroke(case, settled, None if np.isinf(interval) else asked_times(interval, start.texts["interval"], end))
     if not settled.is_found:
         run = replace(run, reason=strokes.flags[0])
     run = replace(run, notes=tuple(start_notes(parts, run)))
@@ -190,7 +191,7 @@ def start_case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCas
     _refuse_unknown_load(machines.each[0], grid)
     brake, place = _brake(parts.get(DeclaredBrake))
     start: DeclaredStart = parts[DeclaredStart]
-    corners, rows = corners_and_rows(machines.corners[0], machines.misses[0], machines.cycle, start.tolerance)
+    corners, rows = corners_and_rows(machines.corners[0], machines.misses[0], machines.cycle, start.of(0).tolerance)
     cycle_time = np.nan if steady is None else float(steady.cycle_time[0])
     return StartCase(
         machine=machines.each[0],
@@ -200,7 +201,8 @@ def start_case(parts: Mapping[type, Any], found: Mapping[type, Any]) -> StartCas
         gearing=drive.gearings[0],
         motor=parts.get(DeclaredMotor),
         design=0,
-        start=start,
+        start=start.of(0),
+        interval_text=start.texts.get("interval", ""),
         brake=brake,
         place=place,
         zero=float(grid.zero[0, 0, 0]),

@@ -117,7 +117,7 @@ def test_units_do_not_matter():
     inches = {f"crankshaft.{name}": f"{float(table[name]['value'].split()[0]) / 25.4!r} in" for name in names}
     other = counterweights(machine.with_(inches), "3", radius=0.045, largest_mass=0.6)
     for number in plain.numbers:
-        assert other.value(number.name) == pytest.approx(number.value, rel=1e-5, abs=1e-6), number.name
+        assert other.value(number.key) == pytest.approx(number.value, rel=1e-5, abs=1e-6), number.key
 
 
 def test_running_astern_mirrors_nothing_of_the_sizes():

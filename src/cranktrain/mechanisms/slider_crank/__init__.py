@@ -13,12 +13,12 @@ from cranktrain.mechanisms.slider_crank.kinematics import (
     slider_crank,
     slider_crank_gap,
     slider_crank_least_gap,
-    slider_crank_ratio,
 )
 from cranktrain.mechanisms.slider_crank.spec import (
     SliderCrankSpec,
     slider_crank_advice,
     slider_crank_geometry,
+    slider_crank_ratio,
     slider_crank_rod_field,
 )
 

@@ -59,8 +59,3 @@ def slider_crank_least_gap(geometry: SliderCrank) -> Extreme:
     R, l, e = geometry  # noqa: N806 - the letters of the equation
     # 270° for e > 0; without an offset 90° and 270° are alike.
     return Extreme(np.pi - np.copysign(np.pi / 2, 0.0 - e), l - R - np.abs(e))
-
-
-def slider_crank_ratio(geometry: SliderCrank) -> Array:
-    """λ, crank radius over rod length; NaN where the line of stroke is offset. [1]"""
-    return np.where(geometry.offset == 0.0, geometry.crank_radius / geometry.rod_length, np.nan)

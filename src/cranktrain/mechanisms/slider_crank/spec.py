@@ -127,3 +127,8 @@ def slider_crank_advice(geometry: SliderCrank) -> str:
     """Say how long the rod must be for the crank to turn."""
     least = geometry.crank_radius + abs(geometry.offset)
     return _("rod_length must be more than crank_radius + |offset| = {least}").format(least=precise(float(least)))
+
+
+def slider_crank_ratio(geometry: SliderCrank) -> Array:
+    """λ, crank radius over rod length; NaN where the line of stroke is offset. [1]"""
+    return np.where(geometry.offset == 0.0, geometry.crank_radius / geometry.rod_length, np.nan)

@@ -112,7 +112,7 @@ def press_strokes(
     docs/theory/clutched-drive, eqs. (30.10) to (30.15).
     """
     zero = np.ravel(crank_angle.zero[:, 0, 0])
-    parts = PressParts(drive.gearings, motor, machines, clutch, brake, stroke, zero, start.tolerance)
+    parts = PressParts(drive.gearings, motor, machines, clutch, brake, stroke, zero, start.of(0).tolerance)
     found = [_of_design(parts, design) for design in range(len(drive.gearings))]
     facts = np.stack([_facts(one, parts, design) for design, one in enumerate(found)], axis=1)
     return PressStrokes(

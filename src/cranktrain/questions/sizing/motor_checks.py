@@ -1,5 +1,6 @@
 """Every check of one motor for one machine: what is asked of it over what it can do, from its own steady cycle."""
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -179,7 +180,15 @@ def checked_motor(
         ratio / _largest_ratio(at, float(duty.inertia_ratio[own])),
         of_speed,
     )
-    return CheckedMotor(np.array(shares), rms, peak, time, heat, ratio, found, limits.unknown)
+    return CheckedMotor(np.array(shares), rms, peak, time, heat, ratio, found, "; ".join(_unknown(limits, duty)))
+
+
+def _unknown(limits: MotorLimits, duty: DeclaredDuty) -> Iterator[str]:
+    """What cannot be checked, as the motor does not say it; of a rated torque where a duty asks for it."""
+    if duty.is_asked and np.isnan(limits.rated):
+        yield _("effective torque: its table says no rated one")
+    if limits.unknown:
+        yield limits.unknown
 
 
 def _cycle_shares(

@@ -28,7 +28,7 @@ class MotorLimits(NamedTuple):
     reserve : float
         What is left of these two at the lowest voltage.
     unknown : str
-        What of them is not known, and why: sentences without their ends; nothing where all are known.
+        What of peak and start is not known, and why: a sentence without its end; nothing where both are.
     """
 
     rated: float
@@ -56,9 +56,7 @@ def motor_limits(motor: DeclaredMotor, design: int, reserve: float) -> MotorLimi
     brief = motor.law.limits(motor, design)
     left = reserve if motor.law.is_on_line else 1.0
     rated = float(motor.rating.torque[design])
-    unknown = [_("effective torque: its table says no rated one")] if np.isnan(rated) else []
-    unknown += [_(brief.unknown)] if brief.unknown else []
-    return MotorLimits(rated, brief.peak, brief.start, left, "; ".join(unknown))
+    return MotorLimits(rated, brief.peak, brief.start, left, _(brief.unknown) if brief.unknown else "")
 
 
 def peak_share(motor: DeclaredMotor, design: int, limits: MotorLimits, torque: Array, speed: Array) -> Array:

@@ -32,7 +32,7 @@ def _is_compressor(design: Design) -> bool:
 def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
     spec = designs.together.table(DriveSpec)
     if spec is not None:
-        yield declared_start(spec.start)
+        yield declared_start(spec.start, designs)
 
 
 QUESTION = Question("start", problems=_problems, parts=_parts, title=N_("Drive"))

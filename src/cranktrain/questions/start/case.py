@@ -4,7 +4,7 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
-from cranktrain.questions.start.parts import DeclaredStart
+from cranktrain.questions.start.parts import StartOrders
 from cranktrain.questions.start.switching import Braking
 from cranktrain.record import record
 from cranktrain.transient.equation import BrakePlace
@@ -28,7 +28,9 @@ class StartCase:
     gearing : Gearing
     motor : DeclaredMotor or None
     design : int
-    start : DeclaredStart
+    start : StartOrders
+    interval_text : str
+        As the file has it, nothing without one.
     brake : Braking
         From its command on: `begins` is its delay.
     place : BrakePlace
@@ -45,7 +47,8 @@ class StartCase:
     gearing: Gearing
     motor: DeclaredMotor | None
     design: int
-    start: DeclaredStart
+    start: StartOrders
+    interval_text: str
     brake: Braking
     place: BrakePlace
     zero: float

@@ -38,7 +38,8 @@ def start_notes(parts: Mapping[type, Any], run: StartRun) -> Iterator[str]:
     run : StartRun
     """
     motor: DeclaredMotor | None = parts.get(DeclaredMotor)
-    start: DeclaredStart = parts[DeclaredStart]
+    declared: DeclaredStart = parts[DeclaredStart]
+    start = declared.of(0)
     if motor is None:
         yield _(NO_MOTOR)
     if WantedMotions in parts or RockingMotions in parts:
@@ -53,18 +54,19 @@ def start_notes(parts: Mapping[type, Any], run: StartRun) -> Iterator[str]:
         yield _(CLUTCH_LOCKED)
     if DeclaredBrake in parts and np.isinf(start.brake_on):
         yield _(BRAKE_OFF)
-    yield from _not_reached(start, run)
+    yield from _not_reached(declared, run)
     if motor is not None and np.isinf(min(start.motor_off, start.motor_reversed)) and _is_starting(motor, run):
         yield _(IN_STARTER)
 
 
-def _not_reached(start: DeclaredStart, run: StartRun) -> Iterator[str]:
+def _not_reached(declared: DeclaredStart, run: StartRun) -> Iterator[str]:
     """Commands and a speed that the run does not come to."""
     end = float(run.whole_time[-1])
-    late = [key for key in _TIMES if key in start.texts and getattr(start, key) >= end]
-    if "until_speed" in start.texts and float(np.max(np.abs(run.whole.crank_speed))) < start.until_speed:
+    start, texts = declared.of(0), declared.texts
+    late = [key for key in _TIMES if key in texts and getattr(start, key) >= end]
+    if "until_speed" in texts and float(np.max(np.abs(run.whole.crank_speed))) < start.until_speed:
         late.append("until_speed")
-    yield from (_(NOT_REACHED).format(key=key, given=start.texts[key]) for key in late)
+    yield from (_(NOT_REACHED).format(key=key, given=texts[key]) for key in late)
 
 
 def _is_starting(motor: DeclaredMotor, run: StartRun) -> bool:

@@ -1,18 +1,19 @@
 """How a run begins and ends, as machines declare it."""
 
 from collections.abc import Mapping
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
+from cranktrain.layout.design import Designs
 from cranktrain.layout.drive.table import StartSpec
+from cranktrain.motion import Array
 from cranktrain.quantities import Given
 from cranktrain.record import record
 
 
-@record
-class DeclaredStart:
-    """How a run begins and ends, as the table of the first design says.
+class StartOrders(NamedTuple):
+    """How a run begins and ends, of one design; or arrays of shape (design,).
 
     Attributes
     ----------
@@ -30,11 +31,7 @@ class DeclaredStart:
         Between times that are shown; infinite where the table does not say it. [s]
     tolerance : float
         Of one step. [1]
-    texts : mapping of str to str
-        What the table says, by key, as it is written.
     """
-
-    reads: ClassVar[tuple[str, ...]] = ("[drive.start]",)
 
     angle: float
     speed: float
@@ -47,13 +44,33 @@ class DeclaredStart:
     unloaded_until: float
     interval: float
     tolerance: float
+
+
+@record
+class DeclaredStart:
+    """How runs begin and end.
+
+    Attributes
+    ----------
+    orders : Array, shape (design, order)
+        Those of `StartOrders`.
+    texts : mapping of str to str
+        What the table of the first design says, by key, as it is written.
+    """
+
+    reads: ClassVar[tuple[str, ...]] = ("[drive.start]",)
+
+    orders: Array
     texts: Mapping[str, str]
 
+    def of(self, design: int) -> StartOrders:
+        """Of one design."""
+        return StartOrders(*self.orders[design].tolist())
 
-def declared_start(spec: StartSpec) -> DeclaredStart:
+
+def declared_start(spec: StartSpec, designs: Designs) -> DeclaredStart:
     """Take what the table says."""
-    given: dict[str, Given | None] = {name: getattr(spec, name) for name in StartSpec.model_fields}
-    sizes = {name: np.inf if one is None else one.si for name, one in given.items()}
-    if spec.unloaded_until is None:
-        sizes["unloaded_until"] = 0.0
-    return DeclaredStart(**sizes, texts={name: one.text for name, one in given.items() if one is not None})
+    given: dict[str, Given | None] = {name: getattr(spec, name) for name in StartOrders._fields}
+    unsaid = dict.fromkeys(given, np.inf) | {"unloaded_until": 0.0}
+    orders = [unsaid[name] if one is None else one.array for name, one in given.items()]
+    return DeclaredStart(designs.by_design(orders), {name: one.text for name, one in given.items() if one is not None})

@@ -13,7 +13,6 @@ from cranktrain.questions.reduction.unloaded import with_open_valves
 from cranktrain.questions.start.case import StartCase
 from cranktrain.questions.start.curves import at_times, close_times, curves_of, in_list
 from cranktrain.questions.start.method import Runs, method_of
-from cranktrain.questions.start.parts import DeclaredStart
 from cranktrain.questions.start.record import StartEvent, StartRun
 from cranktrain.questions.start.switching import Switching, start_kernels
 from cranktrain.transient import endings
@@ -81,7 +80,7 @@ def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
     first = list(_runs(case, run_by, _NO_TIMES, np.inf, progress, steps))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
-    asked = asked_times(case.start, end)
+    asked = asked_times(case.start.interval, case.interval_text, end)
     samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close_times(case, steps)]))
     again = list(_runs(case, run_by, samples, end if last.reason == endings.STOPPED else np.inf, None))
     return _together(case, again, last.reason, asked)
@@ -90,17 +89,17 @@ def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
 _NO_TIMES = np.empty(0)
 
 
-def asked_times(start: DeclaredStart, end: float) -> Array:
-    """Times at which curves are asked for. [s]"""
-    if np.isinf(start.interval):
+def asked_times(interval: float, text: str, end: float) -> Array:
+    """Times at which curves are asked for, by the interval and as the file has it. [s]"""
+    if np.isinf(interval):
         return np.linspace(0.0, end, _N_SAMPLES)
-    n = end / start.interval + 1
+    n = end / interval + 1
     if n > MOST_SAMPLES:
         allowed = _("must be at least {least}: more than {n} times are too many").format(
             least=number(end / MOST_SAMPLES, "s"), n=MOST_SAMPLES
         )
-        raise InputError([Problem("drive.start.interval", start.texts["interval"], allowed)])
-    return np.arange(math.floor(n), dtype=np.float64) * start.interval
+        raise InputError([Problem("drive.start.interval", text, allowed)])
+    return np.arange(math.floor(n), dtype=np.float64) * interval
 
 
 def _runs(
