@@ -140,9 +140,10 @@ def test_throw_of_a_machine(typed):
         "Over the cycle, at whole degrees",
     ):
         assert words in said
-    with_table = typed("textbook", "--throw", "kamaz_740", "--throw-number", "3", "--at", "420", "--table").output
-    assert "  690°  " in with_table
-    assert "  690°  " not in answer.output
+    asked = ("textbook", "--throw", "kamaz_740", "--throw-number", "3", "--at", "420", "--table")
+    on_a_screen, whole = typed(*asked).output, typed(*asked, "--full").output
+    assert ("  660°  " in on_a_screen, "  690°  " in on_a_screen, "  690°  " in whole) == (True, False, True)
+    assert "  660°  " not in answer.output
 
 
 def test_loads_over_the_cycle_are_written(typed, tmp_path, monkeypatch):
