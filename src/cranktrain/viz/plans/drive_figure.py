@@ -218,7 +218,7 @@ def _draw_curves(page: Page, drive: CrankRockerDrive, box: Box) -> None:
             (
                 _Kind("(20)", "GD²", "right", "active", _("without the rod")),
                 *([_Kind("(20)", "GD² of all", "right", "whole", _("rod and crank, too"))] if drive.has_masses else []),
-                _Kind("(20)", "GD²", "source", "source", _("as printed (right-hand axis)"), is_apart=True),
+                _Kind("(20)", "GD²", "source", "source", _("as printed"), is_apart=True),
                 _Kind("(20)", "GD²", "refuted", "refuted", _("refuted")),
             ),
         ),
