@@ -13,8 +13,7 @@ def is_machine(source: str) -> bool:
     """Whether a name is that of a machine: an example, or a file with a key that machines alone have."""
     if not os.path.isfile(source):  # noqa: PTH113 - takes a NUL byte
         return source.casefold().replace("-", "_") in example_names()
-    document = Document.read(source)
-    return not Machine.model_fields.keys().isdisjoint(parsed(document.text, document.name))
+    return _is_of_machine(Document.read(source))
 
 
 def own_table(source: object) -> Document | None:
@@ -22,6 +21,12 @@ def own_table(source: object) -> Document | None:
     if not isinstance(source, str | PurePath):
         return None
     name = os.fspath(source)
-    if not os.path.isfile(name) or is_machine(name):  # noqa: PTH113 - takes a NUL byte
+    if not os.path.isfile(name):  # noqa: PTH113 - takes a NUL byte
         return None
-    return Document.read(name)
+    document = Document.read(name)
+    return None if _is_of_machine(document) else document
+
+
+def _is_of_machine(document: Document) -> bool:
+    """Whether a file has a key that machines alone have."""
+    return not Machine.model_fields.keys().isdisjoint(parsed(document.text, document.name))
