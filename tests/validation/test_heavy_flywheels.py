@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 from tests.validation.test_motor_corners import CRANK, MOTORS, PISTON, RATIO, ROTOR, piston_rate
 
 import cranktrain as ct
-from cranktrain.motors.of_designs import motor_of
+from cranktrain.motors import motor_of
 
 FORCE, LOAD = 2500.0, 60.0
 DRIVING = [name for name in MOTORS if name != "servo"]

@@ -15,8 +15,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import cranktrain as ct
+from cranktrain.motors import motor_of
 from cranktrain.motors.declared import DeclaredMotor
-from cranktrain.motors.of_designs import motor_of
 
 RADIUS, ROD, PISTON, CRANK, RATIO, ROTOR = 0.06, 0.24, 12.0, 0.15, 6.0, 0.004
 PLATE = {"power": "5 kW", "speed": "1440 rpm", "synchronous_speed": "1500 rpm"}

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
-from cranktrain.motors.of_designs import motor_of
+from cranktrain.motors import motor_of
 from cranktrain.questions.sizing.motor_checks import START
 
 WITH_LOAD = "A start with its load at the worst angle asks"

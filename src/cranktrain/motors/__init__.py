@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING
 from cranktrain.motors import cage, circuit, prime_mover, series, servo, shunt, table, wound_rotor
 from cranktrain.motors.declared import DeclaredMotor, Rating
 from cranktrain.motors.kind import MotorKind
-from cranktrain.motors.of_designs import motor_of
-from cranktrain.motors.spec import DrivingMotorSpec
+from cranktrain.motors.spec import DrivingMotorSpec, motor_of
 from cranktrain.spec_class import by_kind
 
 __all__ = ["KINDS", "AnyMotor", "DeclaredMotor", "DrivingMotorSpec", "MotorKind", "Rating", "motor_of"]

@@ -120,6 +120,23 @@ class RatedSpec(DrivingMotorSpec, frozen=True):
         return Rating() if self.power is None else Rating(self.power.array / self.speed.array, self.speed.array)
 
 
+def motor_of(spec: DrivingMotorSpec, n_designs: int = 1) -> DeclaredMotor:
+    """Motor that a table declares.
+
+    Parameters
+    ----------
+    spec : DrivingMotorSpec
+        Of one design, or of several in columns.
+    n_designs : int
+
+    Returns
+    -------
+    DeclaredMotor
+        Its numbers of as many designs.
+    """
+    return spec.declared().over_designs(n_designs)
+
+
 def missing_keys(spec: Spec, names: Iterable[str]) -> Iterator[Problem]:
     """Find keys that are needed, and are not there."""
     for name in names:
