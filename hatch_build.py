@@ -1,4 +1,8 @@
-"""What is made when the package is built: the names that shells complete, and translators' template of all messages."""
+"""What is made when the package is built: lists that the program would else import all of itself for, and a template.
+
+The lists are of the names that shells complete, and of the questions that most machine files do not ask; the template is
+of all messages, for translators.
+"""
 
 import sys
 from pathlib import Path
@@ -11,10 +15,12 @@ class MadeWhenBuilt(BuildHookInterface):
     """Makes them in the tree, from which the archive of the sources and the package take them."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Make the names always; the template only for the archive, as the program does not read it."""
+        """Make the lists always; the template only for the archive, as the program does not read it."""
         sys.path.insert(0, str(Path(self.root, "src")))
+        from cranktrain.analysis.unasked import write_list
         from cranktrain.cli.completing.making import write_names
 
+        write_list(Path(self.root, "src/cranktrain/analysis/unasked.json"))
         write_names(Path(self.root, "src/cranktrain/cli/completing/names.json"))
         if self.target_name == "sdist":
             self._write_template()

@@ -18,7 +18,7 @@ from start_up import times_of
 from steps import ready_stages
 
 import cranktrain as ct
-from cranktrain.analysis import STAGES
+from cranktrain.analysis import every_stage
 from cranktrain.catalogue import entries
 
 LIMITS = {
@@ -127,7 +127,11 @@ def mechanics(machine):
 def of_crankshaft(example, n_pairs):
     """Times of all that is found of the crankshaft, and of its methods at the grid's crank angles alone. [s]"""
     ready = ready_stages(example)
-    own = [ready[one.function.__name__] for one in STAGES if is_of_crankshaft(one) and one.function.__name__ in ready]
+    own = [
+        ready[one.function.__name__]
+        for one in every_stage()
+        if is_of_crankshaft(one) and one.function.__name__ in ready
+    ]
     alone = [ready[name] for name in METHODS_ALONE]
     with np.errstate(all="ignore"):
         yield from beside(lambda: [stage() for stage in own], lambda: [stage() for stage in alone], n_pairs)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cranktrain.analysis import STAGES
+from cranktrain.analysis import every_stage
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import lacking, run_stages
 from cranktrain.io.any_machine import load
@@ -12,11 +12,11 @@ def ready_stages(example):
     """Stages of an example by name, without arguments: what they need is there."""
     machine = load(example)
     parts = parts_of((machine,), step=np.radians(1.0))
-    outcomes = run_stages(STAGES, parts, lacking(STAGES, parts))
+    outcomes = run_stages(every_stage(), parts, lacking(every_stage(), parts))
     known = {**parts, **outcomes}
 
     def ready(one):
         given = {name: known.get(need) for name, need in one.needs.items()}
         return lambda: one.function(**given)
 
-    return {one.function.__name__: ready(one) for one in STAGES if one.gives in outcomes}
+    return {one.function.__name__: ready(one) for one in every_stage() if one.gives in outcomes}

@@ -6,7 +6,7 @@ import numpy as np
 from tests.mechanism_in_time import Mechanism, OutputLoad, machine_of
 
 from cranktrain.linkage.forces import Body, Gravity
-from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
 from cranktrain.transient.equation import DriveTrain, Kernels, no_brake, untimed
 from cranktrain.transient.gearing import stages
@@ -25,7 +25,7 @@ def rotor_heat(speed, _time, motor):
 
 
 def kernels(is_compiled=True):
-    return Kernels(machine_of(kind_named("crank_rocker"), is_compiled), untimed(kloss), rotor_heat, no_brake)
+    return Kernels(machine_of(KINDS.named("crank_rocker"), is_compiled), untimed(kloss), rotor_heat, no_brake)
 
 
 def reference_drive(machine):

@@ -7,7 +7,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.analysis import STAGES
+from cranktrain.analysis import every_stage
 from cranktrain.catalogue import Entry, entries
 from cranktrain.layout.question import Stage
 
@@ -37,7 +37,7 @@ def _groups() -> Iterator[tuple[str, list[Stage]]]:
     of_questions = {question.name: list(question.stages) for question in QUESTIONS}
     yield from of_questions.items()
     asked = [stage.gives for stages in of_questions.values() for stage in stages]
-    yield _WITHOUT_QUESTION, [stage for stage in STAGES if stage.gives not in asked]
+    yield _WITHOUT_QUESTION, [stage for stage in every_stage() if stage.gives not in asked]
 
 
 def _cells(entry: Entry) -> tuple[str, ...]:

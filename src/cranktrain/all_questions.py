@@ -1,44 +1,48 @@
 """Every question that can be asked of a machine, in the order in which people ask them."""
 
-from cranktrain.layout.question import Question
-from cranktrain.questions import (
-    balance,
-    crankshaft,
-    cylinders,
-    drive,
-    evenness,
-    forces,
-    gas,
-    loads,
-    motion,
-    press,
-    pumping,
-    reduction,
-    servo,
-    sizing,
-    start,
-    torque,
-    torsion,
-    wear,
-)
+from collections.abc import Container, Mapping
 
-QUESTIONS: tuple[Question, ...] = (
-    motion.QUESTION,
-    cylinders.QUESTION,
-    gas.QUESTION,
-    forces.QUESTION,
-    loads.QUESTION,
-    torque.QUESTION,
-    pumping.QUESTION,
-    balance.QUESTION,
-    evenness.QUESTION,
-    wear.QUESTION,
-    crankshaft.QUESTION,
-    torsion.QUESTION,
-    reduction.QUESTION,
-    drive.QUESTION,
-    servo.QUESTION,
-    sizing.QUESTION,
-    start.QUESTION,
-    press.QUESTION,
+from cranktrain.folders import Folders
+from cranktrain.layout.question import Question
+
+
+class Questions(Folders[Question]):
+    """Questions by the names of their folders, each with the tables of the machine file that ask it.
+
+    Parameters
+    ----------
+    asked_by : mapping of str to tuple of str
+        Any of these tables asks the question; one without any is asked of every machine.
+    """
+
+    def __init__(self, asked_by: Mapping[str, tuple[str, ...]]) -> None:
+        super().__init__("cranktrain.questions", "QUESTION", tuple(asked_by))
+        self.asked_by = asked_by
+
+    def by(self, tables: Container[str]) -> tuple[str, ...]:
+        """Name those that a file with some tables asks."""
+        return tuple(name for name, keys in self.asked_by.items() if not keys or any(key in tables for key in keys))
+
+
+QUESTIONS = Questions(
+    {
+        "motion": (),
+        "cylinders": (),
+        "gas": (),
+        "forces": (),
+        "loads": (),
+        "torque": (),
+        "pumping": ("pumping",),
+        "balance": (),
+        "evenness": (),
+        "wear": (),
+        "crankshaft": ("crankshaft", "gear"),
+        "torsion": ("torsion",),
+        "reduction": ("drive",),
+        "drive": ("drive",),
+        "servo": ("drive",),
+        "sizing": ("drive",),
+        "start": ("drive",),
+        "press": ("drive",),
+    }
 )

@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, Literal, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, Self, TypeAlias
 
 import numpy as np
 from pydantic import Field, ValidationError
@@ -18,31 +18,40 @@ from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.closing import closing_problems
 from cranktrain.layout.crank_bodies import pin_problems
 from cranktrain.layout.design import Design
-from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
 from cranktrain.layout.load_tables import LoadSpec, LoadTables, in_place_of_lists
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
+from cranktrain.layout.question import Question
 from cranktrain.layout.shaft_problems import shaft_problems
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
 from cranktrain.layout.unit_tables import unit_problems
-from cranktrain.layout.wish.declared import wish_problems
-from cranktrain.mechanisms import AnyMechanism
+from cranktrain.mechanisms import KINDS, AnyMechanism
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import path_text, value_at, with_values
 from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
-from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.gas.spec import GasTables
-from cranktrain.questions.pumping.spec import PumpingSpec
-from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.spec import Spec, problems, with_tuples
+from cranktrain.when_given import when_given
+
+if TYPE_CHECKING:
+    from cranktrain.layout.drive.table import DriveSpec
+    from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
+    from cranktrain.questions.pumping.spec import PumpingSpec
+    from cranktrain.questions.torsion.spec import TorsionSpec
+else:
+    CrankshaftSpec = when_given("cranktrain.questions.crankshaft.spec", "CrankshaftSpec")
+    DriveSpec = when_given("cranktrain.layout.drive.table", "DriveSpec")
+    GearSpec = when_given("cranktrain.questions.crankshaft.spec", "GearSpec")
+    PumpingSpec = when_given("cranktrain.questions.pumping.spec", "PumpingSpec")
+    TorsionSpec = when_given("cranktrain.questions.torsion.spec", "TorsionSpec")
 
 FileReader: TypeAlias = Callable[[Mapping[str, object]], tuple[dict[str, Any], tuple[Problem, ...]]]
 """Gives tables with what the files hold that they name, and what is wrong with these."""
@@ -318,6 +327,22 @@ class Machine(Spec, frozen=True):
         tables = {key: table for key in type(self).model_fields if (table := getattr(self, key)) is not None}
         return Design(self.places, self.shafts, self.orientation, self.zero, self.weighed, self.loads, tables)
 
+    @cached_property
+    def asks(self) -> tuple[str, ...]:
+        """Names of the questions that its tables ask."""
+        return QUESTIONS.by({key for key in type(self).model_fields if getattr(self, key)})
+
+    @property
+    def questions(self) -> tuple[Question, ...]:
+        """What its tables ask."""
+        return tuple(map(QUESTIONS.named, self.asks))
+
+    @cached_property
+    def kinds(self) -> tuple[str, ...]:
+        """Names of the kinds of its mechanisms."""
+        there = {place.spec.kind for place in self.places}
+        return tuple(filter(there.__contains__, KINDS.names))
+
     @property
     def cycle(self) -> float:
         """Crank angle after which all repeats: a turn, or two. [rad]"""
@@ -333,8 +358,8 @@ class Machine(Spec, frozen=True):
             return (
                 *pin_problems(places),
                 *standing_problems(self.shafts, places, self.orientation),
-                *wish_problems(self.design),
-                *(problem for question in QUESTIONS for problem in question.problems(self.design)),
+                *_motion_problems(self.design),
+                *(problem for question in self.questions for problem in question.problems(self.design)),
             )
 
     @cached_property
@@ -357,9 +382,17 @@ class Machine(Spec, frozen=True):
     def __copy__(self) -> Self:
         """Copy what was declared alone: what was found may not hold of the copy, which may be given other fields."""
         copied = super().__copy__()
-        for found in ("arranged", "design", "table_problems", "closing_problems"):
+        for found in ("arranged", "design", "asks", "kinds", "table_problems", "closing_problems"):
             vars(copied).pop(found, None)
         return copied
+
+
+def _motion_problems(design: Design) -> Iterator[Problem]:
+    """Find what is wrong with a motion that is wanted."""
+    if design.shafts[MAIN].motion is not None:
+        from cranktrain.layout.wish.declared import wish_problems
+
+        yield from wish_problems(design)
 
 
 def _as_in_file(problem: Problem, data: Mapping[str, Any]) -> Problem:

@@ -29,6 +29,7 @@ from cranktrain.language import _
 from cranktrain.paths import path_text, value_at
 from cranktrain.quantities import Given, Quantity, nearest, one_of, unknown_key, unlisted, written
 from cranktrain.spec_class import SpecClass
+from cranktrain.when_given import meant
 
 
 class Spec(BaseModel, frozen=True, metaclass=SpecClass):
@@ -208,7 +209,7 @@ def bare(annotation: object, marks: tuple[object, ...] = ()) -> Bare:
     if get_origin(annotation) is Annotated:
         inner, *own = get_args(annotation)
         within = [part for mark in own for part in (mark, *(mark.metadata if isinstance(mark, FieldInfo) else ()))]
-        return bare(inner, (*marks, *within))
+        return bare(meant(inner, within), (*marks, *within))
     if get_origin(annotation) in (Union, types.UnionType):
         alternatives = [part for part in get_args(annotation) if part is not types.NoneType]
         return Bare(annotation, marks, tuple(alternatives)) if len(alternatives) > 1 else bare(alternatives[0], marks)
@@ -269,9 +270,9 @@ def parts_of(annotation: object) -> Iterator[object]:
     """Simple types of a declared one, and what marks them."""
     if get_origin(annotation) is Annotated:
         inner, *marks = get_args(annotation)
-        for mark in marks:
-            yield from mark.metadata if isinstance(mark, FieldInfo) else (mark,)
-        yield from parts_of(inner)
+        own = [part for mark in marks for part in (mark.metadata if isinstance(mark, FieldInfo) else (mark,))]
+        yield from own
+        yield from parts_of(meant(inner, own))
     elif get_origin(annotation) in (Union, types.UnionType):
         for part in get_args(annotation):
             yield from parts_of(part)

@@ -1,10 +1,9 @@
 """The class that specs have: what completion and `help` list of a spec is its own."""
 
-from collections.abc import Iterable
 from functools import cached_property
-from typing import TYPE_CHECKING, Annotated, Any, Union
+from typing import TYPE_CHECKING
 
-from pydantic import BaseModel, Field
+from pydantic import BaseModel
 
 if TYPE_CHECKING:
     # A checker sees the class that models have anyway, by which it knows their fields.
@@ -22,9 +21,4 @@ else:
             return sorted(name for name in own.keys() - kept - cls.unlisted if not name.startswith(("_", "model_")))
 
 
-__all__ = ["SpecClass", "by_kind"]
-
-
-def by_kind(tables: Iterable[type[BaseModel]]) -> Any:
-    """Type of a table that is one of several, as its key `kind` says."""
-    return Annotated[Union[tuple(tables)], Field(discriminator="kind")]  # noqa: UP007 - types that are known when it runs
+__all__ = ["SpecClass"]

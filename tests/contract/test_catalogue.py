@@ -15,7 +15,7 @@ from tests.machines import ROCKER, V12, slave, slider, throws
 import cranktrain as ct
 from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.analysis import STAGES, ordered
+from cranktrain.analysis import every_stage, ordered
 from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.analysis.stages import lacking, run_stages
 from cranktrain.catalogue import entries
@@ -23,8 +23,8 @@ from cranktrain.io.examples import example_names
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "src/cranktrain"
-ENTRIES = [entry for stage in STAGES for entry in entries(stage.gives)]
-_TAKE_WHAT_THERE_IS = {stage.gives for stage in STAGES if stage.gives.__name__.startswith("Unlikely")}
+ENTRIES = [entry for stage in every_stage() for entry in entries(stage.gives)]
+_TAKE_WHAT_THERE_IS = {stage.gives for stage in every_stage() if stage.gives.__name__.startswith("Unlikely")}
 UNITS = {"m", "rad", "deg", "s", "kg", "N", "Pa", "J", "W", "K"}
 POINTS = {"p": {"link": "rod", "along": "10 mm", "across": "5 mm"}}
 
@@ -132,14 +132,14 @@ def examples():
 
 
 GROUPS = {question.name: question.stages for question in QUESTIONS} | {
-    "kinds": [stage for stage in STAGES if stage.gives.__module__.startswith("cranktrain.mechanisms.")],
+    "kinds": [stage for stage in every_stage() if stage.gives.__module__.startswith("cranktrain.mechanisms.")],
     "textbook": texts.STAGES,
 }
 """Stages by what they answer."""
 
 
 def test_every_stage_is_of_a_question_a_kind_or_the_textbook():
-    assert {stage.gives for group in GROUPS.values() for stage in group} == {stage.gives for stage in STAGES}
+    assert {stage.gives for group in GROUPS.values() for stage in group} == {stage.gives for stage in every_stage()}
 
 
 @pytest.mark.parametrize("group", GROUPS)
@@ -195,9 +195,9 @@ def test_checks_have_names_of_their_own(everything):
 
 @pytest.mark.parametrize("seed", range(20))
 def test_stages_can_be_declared_in_any_order(seed):
-    shuffled = random.Random(seed).sample(STAGES, len(STAGES))
+    shuffled = random.Random(seed).sample(every_stage(), len(every_stage()))
     known: set[type] = set()
-    outcomes = {stage.gives for stage in STAGES}
+    outcomes = {stage.gives for stage in every_stage()}
     for stage in ordered(tuple(shuffled)):
         assert {need for need in stage.needs.values() if need in outcomes} <= known, (
             "stages need each other in a circle"
@@ -210,9 +210,9 @@ def test_results_come_in_the_order_of_the_declaration():
     from cranktrain.analysis.parts import parts_of
 
     parts = parts_of([ct.Machine(**V12)], step=np.radians(10))
-    absent = lacking(STAGES, parts)
-    forward = run_stages(STAGES, parts, absent)
-    backward = run_stages(STAGES[::-1], parts, absent)
+    absent = lacking(every_stage(), parts)
+    forward = run_stages(every_stage(), parts, absent)
+    backward = run_stages(every_stage()[::-1], parts, absent)
     assert list(backward) == list(forward)[::-1]
 
 
@@ -220,8 +220,8 @@ def test_results_come_in_the_order_of_the_declaration():
 def test_needed_stages_are_those_that_are_run(n_designs):
     """Every quantity, asked for alone, comes with nothing that it does not need; doubts take what there is."""
     machines = [ct.Machine(**V12)] * n_designs
-    by_outcome = {stage.gives: stage for stage in STAGES}
-    for stage in STAGES:
+    by_outcome = {stage.gives: stage for stage in every_stage()}
+    for stage in every_stage():
         for entry in entries(stage.gives)[:1]:
             needed, left = set(), [stage.gives]
             while left:
@@ -338,7 +338,7 @@ def test_sentences_of_the_catalogue_have_no_placeholders():
 
 def test_flywheels_are_told_by_their_inertia_and_flywheel_moments_as_such():
     """Both are in kg·m²: a GD² without its name is taken for an inertia, four times too large."""
-    every = [entry for stage in STAGES for entry in entries(stage.gives)]
+    every = [entry for stage in every_stage() for entry in entries(stage.gives)]
     moments = {entry.name: entry for entry in every if "flywheel_moment" in entry.name}
     assert moments
     assert not moments.keys() & {name for question in QUESTIONS for name in question.headline}

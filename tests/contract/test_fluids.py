@@ -35,7 +35,7 @@ def test_kinds_are_the_folders():
         "a folder of fluids/ is a line in KINDS of its __init__.py, and its kind has the folder's name"
     )
     assert len(gas.KINDS) == len(folders), "a kind stands in KINDS once"
-    assert all(gas.fluid_named(kind.name) is kind for kind in gas.KINDS)
+    assert all(gas.KINDS.named(kind.name) is kind for kind in gas.KINDS)
 
 
 @every_kind

@@ -15,7 +15,7 @@ import cranktrain as ct
 from cranktrain.cli.new import starting_file
 from cranktrain.io.description import counted_parts
 from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity
-from cranktrain.mechanisms import KINDS, kind_named
+from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.mechanisms.dynamics import FRAME
 from cranktrain.mechanisms.geometry import named_part
@@ -57,7 +57,7 @@ def test_kinds_are_the_folders():
         "a folder of mechanisms/ is a line in KINDS of its __init__.py, and its KIND has the folder's name"
     )
     assert len(KINDS) == len(folders), "a kind stands in KINDS once"
-    assert all(kind_named(kind.name) is kind for kind in KINDS)
+    assert all(KINDS.named(kind.name) is kind for kind in KINDS)
 
 
 @every_kind
@@ -396,7 +396,7 @@ def test_load_works_along_the_output(kind):
 
 def test_a_kind_made_elsewhere_is_what_it_says():
     """A press's ram is no valve, and a new file of it has its speed; nobody has to know its name."""
-    press = replace(kind_named("slider_crank"), name="press", output=RAM, speed="60 rpm", tables=None)
+    press = replace(KINDS.named("slider_crank"), name="press", output=RAM, speed="60 rpm", tables=None)
     machine = SimpleNamespace(places=[SimpleNamespace(kind=press)], main_shaft=SimpleNamespace(throws=("0 deg",)))
     assert counted_parts(machine) == ["1 ram", "1 throw"]
     text = starting_file(press, full=True)

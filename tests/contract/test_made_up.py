@@ -195,22 +195,19 @@ def package(tmp_path_factory):
     kinds = package / "mechanisms"
     words = {"slider_crank": "swash_pump", "SliderCrank": "SwashPump", "offset": "skew", "PISTON": "RAM"}
     copied(kinds, "swash_pump", words)
-    added(kinds / "__init__.py", "    crank_rocker,", "    swash_pump,")
-    added(kinds / "__init__.py", "    crank_rocker.KIND,", "    swash_pump.KIND,")
+    added(kinds / "__init__.py", '        "crank_rocker",', '        "swash_pump",')
     copied(package / "fluids", "lenoir", {"otto": "lenoir", "Otto": "Lenoir"})
     fluids = package / "fluids/__init__.py"
     text = fluids.read_text(encoding="utf-8")
-    fluids.write_text(text.replace("(indicator.KIND,", "(lenoir.KIND, indicator.KIND,"), encoding="utf-8")
-    added(fluids, "from cranktrain.fluids.fluid import", "from cranktrain.fluids import lenoir")
+    fluids.write_text(text.replace('("indicator",', '("lenoir", "indicator",'), encoding="utf-8")
     written(package / "motors/spring", MOTOR)
-    added(package / "motors/__init__.py", "    circuit.KIND,", "    spring.KIND,")
-    added(package / "motors/__init__.py", "from cranktrain.motors.declared", "from cranktrain.motors import spring")
+    motors = package / "motors/__init__.py"
+    motors.write_text(motors.read_text(encoding="utf-8").replace('("cage",', '("spring", "cage",'), encoding="utf-8")
     written(package / "questions/noise", QUESTION)
-    added(package / "all_questions.py", "    press,", "    noise,")
-    added(package / "all_questions.py", "    press.QUESTION,", "    noise.QUESTION,")
+    added(package / "all_questions.py", '        "press":', '        "noise": ("noise",),')
     machine = package / "machine.py"
     added(machine, "    drive: DriveSpec", '    noise: NoiseSpec | None = Field(default=None, description="Noise.")')
-    added(machine, "from cranktrain.questions.torsion", "from cranktrain.questions.noise.spec import NoiseSpec")
+    added(machine, "    TorsionSpec = ", '    NoiseSpec = when_given("cranktrain.questions.noise.spec", "NoiseSpec")')
     return root
 
 

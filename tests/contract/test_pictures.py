@@ -16,7 +16,7 @@ from tests.loaded_machines import LOADED
 import cranktrain as ct
 from cranktrain import viz
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.analysis import STAGES
+from cranktrain.analysis import every_stage
 from cranktrain.catalogue import entries
 from cranktrain.io.examples import example_names
 from cranktrain.viz import sheets
@@ -73,7 +73,7 @@ def test_a_result_names_its_sheets():
 
 
 def test_what_is_needed_and_what_suffices_are_results():
-    known = {entry.name for stage in STAGES for entry in entries(stage.gives)}
+    known = {entry.name for stage in every_stage() for entry in entries(stage.gives)}
     for picture in viz.PICTURES:
         assert set(picture.needs) <= known, f"{picture.name}: it needs quantities of the catalogue, which these are not"
         assert set(picture.quantities or ()) <= known, (

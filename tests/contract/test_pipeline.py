@@ -9,7 +9,7 @@ import pytest
 from tests.contract.test_columns import MACHINES, STEP, is_same, numbers_of, with_number
 
 import cranktrain as ct
-from cranktrain.analysis import STAGES
+from cranktrain.analysis import every_stage
 from cranktrain.analysis.behind import behind
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import lacking, run_stages
@@ -18,10 +18,10 @@ from cranktrain.checks import StageResult
 from cranktrain.layout.question import CALCULATOR, HAND_OVER, RESULT, tables_of
 from cranktrain.layout.speed import SteadySpeed
 
-ASKED = {need for stage in STAGES for need in stage.needs.values()} | {SteadySpeed}
+ASKED = {need for stage in every_stage() for need in stage.needs.values()} | {SteadySpeed}
 """What goes on to another stage, or to a second run."""
 
-PARTS = {need for stage in STAGES for need in stage.needs.values()} - {stage.gives for stage in STAGES}
+PARTS = {need for stage in every_stage() for need in stage.needs.values()} - {stage.gives for stage in every_stage()}
 """What stages ask of the machine file."""
 
 HARMLESS = 1e-5
@@ -89,7 +89,7 @@ def test_a_part_reads_the_tables_that_it_names():
     assert idle == FOR_WORDS
 
 
-@pytest.mark.parametrize("stage", STAGES, ids=lambda stage: stage.gives.__name__)
+@pytest.mark.parametrize("stage", every_stage(), ids=lambda stage: stage.gives.__name__)
 def test_what_a_stage_gives_is_for_people_or_for_stages(stage):
     """A result without quantities is read, and asked by no stage; what people do not read some stage asks for."""
     if stage.word == RESULT:
@@ -100,7 +100,7 @@ def test_what_a_stage_gives_is_for_people_or_for_stages(stage):
 
 
 def test_stages_that_give_no_quantity_are_of_all_three_words():
-    words = {stage.gives.__name__: stage.word for stage in STAGES if not entries(stage.gives)}
+    words = {stage.gives.__name__: stage.word for stage in every_stage() if not entries(stage.gives)}
     # The gas is asked for pressures at any crank angle, forces on the grid are arrays, and people are warned.
     known = {"GasInChambers": CALCULATOR, "SolvedCycle": HAND_OVER, "UnlikelyGas": RESULT}
     assert {name: words[name] for name in known} == known
@@ -109,8 +109,8 @@ def test_stages_that_give_no_quantity_are_of_all_three_words():
 @pytest.mark.parametrize("name", ["3d12", "tilting_table", "gas_compressor", "pumping_unit_c57"])
 def test_calculators_are_called_and_hand_overs_are_arrays(name):
     parts = parts_of([ct.load(name)], step=np.pi / 180)
-    outcomes = run_stages(STAGES, parts, lacking(STAGES, parts))
-    for stage in STAGES:
+    outcomes = run_stages(every_stage(), parts, lacking(every_stage(), parts))
+    for stage in every_stage():
         if stage.gives in outcomes and stage.word != RESULT:
             assert takes_something(outcomes[stage.gives]) == (stage.word == CALCULATOR), stage.gives
 
@@ -124,7 +124,7 @@ def takes_something(outcome: object) -> bool:
 
 def test_citations_are_read_as_they_are_written():
     """Every stage whose docstring cites a page says so, with as many equations as stand there."""
-    for stage in STAGES:
+    for stage in every_stage():
         docstring = " ".join((inspect.getdoc(stage.function) or "").split())
         if "docs/theory/" in docstring and entries(stage.gives):
             (found,) = (one for one in behind(entries(stage.gives)[0].name).stages if one.gives == stage.gives.__name__)

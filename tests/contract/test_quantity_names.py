@@ -12,7 +12,7 @@ from rich.console import Console
 
 import cranktrain as ct
 from cranktrain import catalogue
-from cranktrain.analysis import STAGES
+from cranktrain.analysis import every_stage
 from cranktrain.analysis.comparison import compared
 from cranktrain.analysis.designs_summary import summary_of_designs
 from cranktrain.analysis.representations import result_html
@@ -25,7 +25,7 @@ from cranktrain.numerics import Extreme
 from cranktrain.record import record
 
 PACKAGE = Path(ct.__file__).parent
-EVERY = [entry for stage in STAGES for entry in entries(stage.gives)]
+EVERY = [entry for stage in every_stage() for entry in entries(stage.gives)]
 WORDS = {word for entry in EVERY for word in entry.name.split("_")}
 READING = {"startswith", "endswith", "removeprefix", "removesuffix", "split", "partition", "rpartition", "find"}
 ASKS_IF_PRIVATE = re.compile(r"\.startswith\(\(?'_'").search
@@ -33,7 +33,7 @@ PATTERNS = {"compile", "search", "match", "fullmatch", "split", "sub", "subn", "
 
 OTHERS = {
     "synthesis/radial.py": "strategies of a search",
-    "fluids/indicator/heads.py": "heads of columns in a file of measured pressures",
+    "quantities/heads.py": "heads of columns in a file of measured pressures",
     "cli/synthesis/requirements.py": "options of the terminal",
     "texts/throw_table.py": "columns of a table that a text has",
     "viz/paper/page.py": "symbols, which have indices",

@@ -12,19 +12,26 @@ import pytest
 
 from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.analysis import STAGES
-from cranktrain.analysis.dimensions import DIMENSIONS
+from cranktrain.analysis import every_stage
 from cranktrain.catalogue import entries
 from cranktrain.layout import parts as layout
 from cranktrain.layout.question import needs_of
 from cranktrain.machine import Machine
 from cranktrain.spec import Spec
 from cranktrain.viz import PICTURES
+from cranktrain.when_given import meant
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "src/cranktrain/questions"
 OF_LAYOUT = {"units", "name", "rotation", "running", "crank_zero", "angle", "shaft", "mechanism", "bank"}
 HEADS = ["Tables", "Parts", "Results", "Rests on", "Theory", "What it does not do"]
+
+DIMENSIONS = [
+    *layout.DIMENSIONS,
+    *(one for question in QUESTIONS for one in question.dimensions),
+    *texts.DIMENSIONS,
+]
+NAMES = {dimension.name for dimension in DIMENSIONS}
 
 every_question = pytest.mark.parametrize("question", QUESTIONS, ids=lambda question: question.name)
 
@@ -44,7 +51,7 @@ def levels() -> dict[str, int]:
 def classes_in(annotation: Any) -> Iterator[type]:
     """Classes that values of a field are of: of a union all, of a mapping what stands in it by name."""
     if get_origin(annotation) is Annotated:
-        annotation = get_args(annotation)[0]
+        annotation = meant(get_args(annotation)[0], get_args(annotation)[1:])
     inner = get_args(annotation)
     if isinstance(annotation, type) and not isinstance(annotation, types.GenericAlias):
         yield annotation
@@ -95,7 +102,7 @@ def test_readme_names_results_that_there_are_in_their_order(question):
         names = [
             entry.name for stage in question.stages if stage.gives.__name__ in own for entry in entries(stage.gives)
         ]
-        told = [name for name in re.findall(r"`([a-z_]+)`", row[-1]) if name not in DIMENSIONS]
+        told = [name for name in re.findall(r"`([a-z_]+)`", row[-1]) if name not in NAMES]
         assert told == [name for name in names if name in told], (
             f"{own}: name quantities that it has, in the order of its fields"
         )
@@ -138,22 +145,15 @@ def test_sources_are_pages_of_the_theory(question):
 def test_dimensions_are_declared(question):
     for stage in question.stages:
         for entry in entries(stage.gives):
-            assert set(entry.dimensions) <= set(DIMENSIONS), (
-                f"{entry.name}: declare these as dimensions of the Question"
-            )
-    used = {name for stage in STAGES for entry in entries(stage.gives) for name in entry.dimensions}
+            assert set(entry.dimensions) <= NAMES, f"{entry.name}: declare these as dimensions of the Question"
+    used = {name for stage in every_stage() for entry in entries(stage.gives) for name in entry.dimensions}
     assert {dimension.name for dimension in question.dimensions} <= used, (
         "no quantity has this dimension: take it out of the Question"
     )
 
 
 def test_dimensions_are_declared_once():
-    declared = (
-        *layout.DIMENSIONS,
-        *(one for question in QUESTIONS for one in question.dimensions),
-        *texts.DIMENSIONS,
-    )
-    assert [name for name, n in Counter(dimension.name for dimension in declared).items() if n > 1] == [], (
+    assert [name for name, n in Counter(dimension.name for dimension in DIMENSIONS).items() if n > 1] == [], (
         "a dimension that several have is declared once, in layout/parts.py"
     )
 
@@ -198,6 +198,14 @@ def test_tables_are_fields_of_the_machine(question):
         found = [one for one in classes_in(hints[key]) if issubclass(one, table)]
         assert found, key
         assert [one for one in classes_in(hints[key]) if issubclass(one, Spec) and one not in found] == [], key
+
+
+@every_question
+def test_a_question_is_asked_by_its_tables(question):
+    asked_by = QUESTIONS.asked_by[question.name]
+    assert not asked_by or set(question.tables) <= set(asked_by), (
+        "name the question's tables in QUESTIONS of all_questions.py, or none where every machine is asked"
+    )
 
 
 def test_every_table_of_the_machine_is_of_one_question_or_the_layout():

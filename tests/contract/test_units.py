@@ -4,7 +4,7 @@ import numpy as np
 import pint
 import pytest
 
-from cranktrain.analysis.result import STAGES
+from cranktrain.analysis import every_stage
 from cranktrain.catalogue import entries
 from cranktrain.cli.screen.figures import figures
 from cranktrain.quantities import SHOWN, counted_from, shown_by, unit_names, units_by_dimension
@@ -95,7 +95,7 @@ MEASURES = {
 OF_NONE = {"deg", "position", "1", "number", "m^3/s", "kg*m", "N*m^2", "rad/rad", "rad/rad^2"}
 """Crank angles, numbers, and what no machine file has: in no unit but their own."""
 
-EVERY = {one.name: one for kind in (*(stage.gives for stage in STAGES), StartCurves) for one in entries(kind)}
+EVERY = {one.name: one for kind in (*(stage.gives for stage in every_stage()), StartCurves) for one in entries(kind)}
 
 NAMES = {one.shown for one in EVERY.values()} | set(SCALES)
 """By which a unit is found for people."""

@@ -11,7 +11,8 @@ import pytest
 from babel.messages.extract import extract_from_dir
 from babel.messages.pofile import read_po
 
-from cranktrain.cli.completing.making import made
+from cranktrain.analysis import unasked
+from cranktrain.cli.completing import making
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "src/cranktrain"
@@ -29,7 +30,13 @@ def built(tmp_path_factory):
 
 def test_names_to_complete_are_those_of_the_program(built):
     with zipfile.ZipFile(built[1]) as package:
-        assert json.loads(package.read("cranktrain/cli/completing/names.json")) == made()
+        assert json.loads(package.read("cranktrain/cli/completing/names.json")) == making.made()
+
+
+def test_questions_that_a_file_does_not_ask_are_those_of_the_program(built):
+    with zipfile.ZipFile(built[1]) as package:
+        listed = json.loads(package.read("cranktrain/analysis/unasked.json"))
+    assert listed == json.loads(json.dumps(unasked.made()))
 
 
 def test_translators_find_every_message_in_the_sources_and_users_none(built):

@@ -26,7 +26,7 @@ from cranktrain.linkage.forces import (
     swivel_slider_link,
     turned_wrench,
 )
-from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.articulated_rod.forces import on_master_rod
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
 from cranktrain.mechanisms.slider_crank.forces import slider_crank_forces
@@ -187,7 +187,7 @@ def circumstances(random, dynamics, senses, coefficient):
 def any_machines(name, coefficient):
     """Kind, geometry, motion, bodies, loads, conditions of N machines at any angle each."""
     random = np.random.default_rng(5)
-    kind, geometry = kind_named(name), GEOMETRIES[name]()
+    kind, geometry = KINDS.named(name), GEOMETRIES[name]()
     motion = kind.motion(random.uniform(0, 2 * np.pi, (N, 1)), geometry)
     senses = [np.sign(kind.named(motion, slider).first) for slider in kind.dynamics.sliding]
     bodies, loads, conditions = circumstances(random, kind.dynamics, senses, coefficient)
@@ -237,7 +237,7 @@ def articulated_pair(system, motions, geometry, carried, joints, masters):
 def test_master_and_slave(coefficient):
     """The master, loaded by its slave; and without friction, the slave's shares added to what the master has alone."""
     random = np.random.default_rng(5)
-    kind, master_kind = kind_named("articulated_rod"), kind_named("slider_crank")
+    kind, master_kind = KINDS.named("articulated_rod"), KINDS.named("slider_crank")
     geometry = GEOMETRIES["articulated_rod"]()
     angle = random.uniform(0, 2 * np.pi, (N, 1))
     own, motion = slider_crank_motion(angle, geometry.master), kind.motion(angle, geometry)
@@ -283,7 +283,7 @@ def test_both_torques_agree():
     phi = np.linspace(0, 2 * np.pi, 24, endpoint=False)
     for name in GEOMETRIES:
         random = np.random.default_rng(8)
-        kind, geometry = kind_named(name), GEOMETRIES[name]()
+        kind, geometry = KINDS.named(name), GEOMETRIES[name]()
         motion = kind.motion(phi, geometry)
         senses = [np.sign(kind.named(motion, slider).first) for slider in kind.dynamics.sliding]
         for coefficient in (0.0, 0.1):

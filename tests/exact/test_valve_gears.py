@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
-from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms import KINDS
 
 ANGLES = (0.0, 0.7, 2.1, 3.9, 5.6)
 STEP = mp.mpf("1e-8")
@@ -69,7 +69,7 @@ def assert_exact(place, solved, size):
         assert abs(motion.second[i] - second) <= 1e-12 * np.max(np.abs(turn.second))
 
 
-STEPHENSON = tomllib.loads(kind_named("stephenson").example)["mechanism"] | {
+STEPHENSON = tomllib.loads(KINDS.named("stephenson").example)["mechanism"] | {
     "pin_setback": "75 mm",
     "saddle_setback": "20 mm",
     "offset": "15 mm",
@@ -188,7 +188,7 @@ def walschaerts(data, bank_angle, angle, near):
     ],
 )
 def test_walschaerts(notch, admission, bank, offset):
-    data = tomllib.loads(kind_named("walschaerts").example)
+    data = tomllib.loads(KINDS.named("walschaerts").example)
     data["bank"]["valve"]["angle"] = f"{90 + bank} deg"
     data["bank"]["cylinder"]["mechanism"]["offset"] = f"{offset} mm"
     data["bank"]["valve"]["mechanism"] |= {"notch": notch, "admission": admission, "drop_x": "12 mm"}

@@ -10,7 +10,7 @@ from tests.virtual_work import torque_of_work
 
 from cranktrain.linkage import LinkPoint, Pin, point
 from cranktrain.linkage.forces import Drive, Gravity, Wrench, momentum
-from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.chain.forces import chain_dynamics, chain_links
 from cranktrain.mechanisms.chain.gaps import chain_gap
 from cranktrain.mechanisms.chain.kinematics import chain_motion
@@ -69,7 +69,7 @@ def assert_borne(total, change):
 
 @pytest.mark.parametrize("name", GEOMETRIES)
 def test_kinds(name):
-    kind, geometry = kind_named(name), GEOMETRIES[name]()
+    kind, geometry = KINDS.named(name), GEOMETRIES[name]()
     motion = kind.motion(PHI, geometry)
     bodies, loads, conditions = steady(np.random.default_rng(2), kind.dynamics, [1.0] * len(kind.dynamics.sliding))
     joints = kind.dynamics.forces(motion, geometry, bodies, loads, conditions).joints
@@ -79,7 +79,7 @@ def test_kinds(name):
 
 @pytest.mark.parametrize("name", GEOMETRIES)
 def test_links_and_their_momentum(name):
-    kind, geometry = kind_named(name), GEOMETRIES[name]()
+    kind, geometry = KINDS.named(name), GEOMETRIES[name]()
     motion = kind.motion(PHI, geometry)
     bodies, _loads, conditions = steady(np.random.default_rng(2), kind.dynamics, [1.0] * len(kind.dynamics.sliding))
     links = kind.dynamics.links(motion, geometry)
@@ -101,7 +101,7 @@ def test_links_and_their_momentum(name):
 
 def test_a_rod_hardly_longer_than_the_crank():
     """λ = 0.93: the rod's angle swings by 137°."""
-    kind, geometry = kind_named("slider_crank"), SliderCrank(*(np.full((N, 1), x) for x in (0.093, 0.1, 0.0)))
+    kind, geometry = KINDS.named("slider_crank"), SliderCrank(*(np.full((N, 1), x) for x in (0.093, 0.1, 0.0)))
     motion = kind.motion(PHI, geometry)
     bodies, loads, conditions = steady(np.random.default_rng(2), kind.dynamics, [1.0])
     forces = kind.dynamics.forces(motion, geometry, bodies, loads, conditions)

@@ -13,7 +13,7 @@ import pytest
 import cranktrain as ct
 from cranktrain.analysis import Stage
 from cranktrain.analysis.run import run
-from cranktrain.analysis.stages import STAGES
+from cranktrain.analysis.stages import every_stage
 from cranktrain.catalogue import entries, quantity
 from cranktrain.checks import StageResult
 from cranktrain.io.examples import example_names
@@ -208,7 +208,7 @@ def test_facts_are_of_one_grid(step):
         np.testing.assert_array_equal(result.n_of_curve, round(360 * turns * every / step))
 
 
-@pytest.mark.parametrize("stage", STAGES, ids=lambda stage: stage.gives.__name__)
+@pytest.mark.parametrize("stage", every_stage(), ids=lambda stage: stage.gives.__name__)
 def test_no_field_holds_facts_and_curves(stage):
     """A field of curves is taken whole from the curves' grid."""
     facts, curves = (

@@ -5,7 +5,7 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import STAGES, lacking, run_stages
+from cranktrain.analysis.stages import every_stage, lacking, run_stages
 from cranktrain.questions.crankshaft.bending.torque_along import torque_along
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
@@ -57,7 +57,7 @@ def on_pins(result, turned=1.0):
 def loaded_shafts(declared):
     """Its crankshafts, with what acts on them."""
     parts = parts_of([declared], step=np.radians(1.0))
-    return run_stages(STAGES, parts, lacking(STAGES, parts))[LoadedShafts]
+    return run_stages(every_stage(), parts, lacking(every_stage(), parts))[LoadedShafts]
 
 
 WITHOUT_CRANKS = {

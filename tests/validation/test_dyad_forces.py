@@ -26,7 +26,7 @@ from cranktrain.linkage.forces import (
     handed_back,
     pin_reactions,
 )
-from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.on_crank import force_on_slider
 from cranktrain.mechanisms.slider_crank.forces import (
     DYNAMICS,
@@ -67,7 +67,7 @@ def test_slider_crank(row):
     ]
     expected = [*row["FA"], *row["FB"], *row["FO"], row["N"], row["f"]]
     np.testing.assert_allclose(got, expected, rtol=0, atol=CLOSE * np.max(np.abs(expected)))
-    by_work = torque_of_work(kind_named("slider_crank").dynamics, motion, geometry, bodies, load, conditions, forces)
+    by_work = torque_of_work(KINDS.named("slider_crank").dynamics, motion, geometry, bodies, load, conditions, forces)
     torques = [forces.driving_torque, by_work]
     np.testing.assert_allclose(torques, row["M"], rtol=CLOSE)
 

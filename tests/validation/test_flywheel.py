@@ -14,7 +14,7 @@ from tests.excess import excess_work
 
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import STAGES, lacking, run_stages
+from cranktrain.analysis.stages import every_stage, lacking, run_stages
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.speed import Speed
@@ -129,7 +129,7 @@ def whole_machine(torque, speed, load: dict[str, Any] | None = None, **evenness:
         load={} if load is None else {"on_shaft": load},
     )
     parts = parts_of([machine], step=np.radians(0.5))
-    known: dict[type, Any] = {**parts, **run_stages(STAGES, parts, lacking(STAGES, parts))}
+    known: dict[type, Any] = {**parts, **run_stages(every_stage(), parts, lacking(every_stage(), parts))}
     torques = known[MechanismTorques]
     square = known[Speed].value[0] ** 2
     torques = replace(torques, from_mechanisms=torques.reduced_inertia_slope * square / 2 - torque)

@@ -56,7 +56,7 @@ def limits(ratio):
 
 def model_of(name):
     ratio = IDEAL["cycles"][name]["input"][0]
-    kind, rows = Engine(R, L, D, ratio).filled(validated(gas.fluid_named(name).spec, table(name)))
+    kind, rows = Engine(R, L, D, ratio).filled(validated(gas.KINDS.named(name).spec, table(name)))
     return kind, IdealCycle(*(part[0, 0] for part in rows)), ratio
 
 

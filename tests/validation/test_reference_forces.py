@@ -12,7 +12,7 @@ from tests.reference_case import GOLDEN, ReferenceCase
 from tests.virtual_work import torque_of_work
 
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, Wrench, added, turned_wrench
-from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.articulated_rod.forces import DYNAMICS as ARTICULATED_ROD
 from cranktrain.mechanisms.articulated_rod.forces import articulated_rod_forces, articulated_rod_load, on_master_rod
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
@@ -63,7 +63,7 @@ def test_slider_crank(name):
     forces = slider_crank_forces(motion, geometry, bodies, load, steady(machine))
     joints = SLIDER_CRANK.by_joint(forces.joints)
     by_work = torque_of_work(
-        kind_named("slider_crank").dynamics, motion, geometry, bodies, load, steady(machine), forces
+        KINDS.named("slider_crank").dynamics, motion, geometry, bodies, load, steady(machine), forces
     )
     for torque in (forces.driving_torque, by_work):
         case.compare(
@@ -100,7 +100,7 @@ def test_crank_rocker(name):
     forces = crank_rocker_forces(motion, geometry, bodies, load, conditions)
     joints = CRANK_ROCKER.by_joint(forces.joints)
     inertia = CRANK_ROCKER.reduced(motion, geometry, bodies, load, conditions.gravity).inertia
-    by_work = torque_of_work(kind_named("crank_rocker").dynamics, motion, geometry, bodies, load, conditions, forces)
+    by_work = torque_of_work(KINDS.named("crank_rocker").dynamics, motion, geometry, bodies, load, conditions, forces)
     for torque in (forces.driving_torque, by_work):
         case.compare(
             {
@@ -173,7 +173,7 @@ def test_articulated_pair():
             },
             rel_to_peak=CLOSE,
         )
-    of_slave, of_master = (kind_named(name).dynamics for name in ("articulated_rod", "slider_crank"))
+    of_slave, of_master = (KINDS.named(name).dynamics for name in ("articulated_rod", "slider_crank"))
     slave_by_work = torque_of_work(of_slave, motion, geometry, slave_bodies, slave_load, conditions, slave)
     for torque in (
         whole.driving_torque,

@@ -3,19 +3,20 @@
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.run import run, speed_over_cycle
 from cranktrain.analysis.second_run import SpeedWanted
-from cranktrain.analysis.stages import STAGES, Missing, ordered
+from cranktrain.analysis.stages import Missing, every_stage, ordered, stages_for
 from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.layout.question import Stage
 
 __all__ = [
-    "STAGES",
     "Missing",
     "Result",
     "SpeedWanted",
     "Stage",
     "Unused",
+    "every_stage",
     "ordered",
     "run",
     "sentences",
     "speed_over_cycle",
+    "stages_for",
 ]

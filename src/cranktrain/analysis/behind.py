@@ -9,7 +9,7 @@ from typing import Any, cast
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.pipeline import PartBehind, Pipeline, Place, StageBehind
-from cranktrain.analysis.stages import STAGES, lacking, leading_to, ordered, stages_giving
+from cranktrain.analysis.stages import every_stage, lacking, leading_to, ordered, stages_giving
 from cranktrain.catalogue import entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.grouping import grouped
@@ -50,15 +50,16 @@ def behind(quantity: str, machine: Machine | None = None) -> Pipeline:
     >>> found.stages[-1].place.file
     'questions/motion/dead_centres.py'
     """
-    (giving,) = stages_giving(STAGES, [quantity], "behind")
+    stages = every_stage()
+    (giving,) = stages_giving(stages, [quantity], "behind")
     entry = next(entry for entry in entries(giving.gives) if entry.name == quantity)
     parts = None if machine is None else parts_of((machine,), step=FACTS_STEP)
-    absent = {} if parts is None else lacking(STAGES, parts)
-    if giving.gives in absent:
-        raise InputError([Problem("behind", quantity, _lacks(absent[giving.gives]))])
-    way = ordered(leading_to([one for one in STAGES if one.gives not in absent], [giving.gives]))
-    given = {one.gives for one in way}
-    is_known = {one: one in given or (one not in _GIVEN and (parts is None or one in parts)) for one in _needs(way)}
+    absent = {} if parts is None else lacking(stages, parts)
+    if giving.outcome in absent:
+        raise InputError([Problem("behind", quantity, _lacks(absent[giving.outcome]))])
+    way = ordered(leading_to([one for one in stages if one.outcome not in absent], [giving.gives]))
+    given, by_any = {one.gives for one in way}, {one.gives for one in stages}
+    is_known = {one: one in given or (one not in by_any and (parts is None or one in parts)) for one in _needs(way)}
     declared = {
         part: _tables(tables_of(part), None if machine is None else machine.declared)
         for part, known in is_known.items()
@@ -69,9 +70,6 @@ def behind(quantity: str, machine: Machine | None = None) -> Pipeline:
         tuple(PartBehind(part.__name__, _sentence(part), _place(part), names) for part, names in declared.items()),
         tuple(_behind(one, [need for need in one.needs.values() if is_known[need]], declared) for one in way),
     )
-
-
-_GIVEN = {one.gives for one in STAGES}
 
 
 def _needs(way: Sequence[Stage]) -> Iterator[type]:

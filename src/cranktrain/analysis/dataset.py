@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from cranktrain.analysis.dimensions import DIMENSIONS
+from cranktrain.analysis.dimensions import dimension_named
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.unused import sentences
 from cranktrain.catalogue import Entry
@@ -69,7 +69,7 @@ def with_attributes(entry: Entry, values: Array) -> tuple[Array, dict[str, str]]
 
 def _coordinate(dimension: str, labels: Sequence[str]) -> list[str] | list[int] | list[float]:
     """Give labels as numbers where they are numbers that count; a machine's mechanisms, often `1`, have names."""
-    about = DIMENSIONS[dimension]
+    about = dimension_named(dimension)
     counts = about.title and not about.family and all(label.isdecimal() for label in labels)
     if not (about.is_number or counts):
         return list(labels)

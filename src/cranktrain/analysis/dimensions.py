@@ -1,6 +1,7 @@
 """Dimensions of all results: those that questions share, and those that each brings."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 from itertools import product
 
 from cranktrain import texts
@@ -11,11 +12,16 @@ from cranktrain.layout.question import ResultDimension
 Place = tuple[int | slice, ...]
 """Which members along each of some dimensions: one, or all."""
 
-DIMENSIONS: Mapping[str, ResultDimension] = {
-    dimension.name: dimension
-    for dimensions in (parts.DIMENSIONS, *(question.dimensions for question in QUESTIONS), texts.DIMENSIONS)
-    for dimension in dimensions
-}
+_SHARED = {dimension.name: dimension for dimension in (*parts.DIMENSIONS, *texts.DIMENSIONS)}
+
+
+@cache
+def dimension_named(name: str) -> ResultDimension:
+    """Give a dimension: one that questions share, or that one of them brings, which has been asked where it is met."""
+    if name in _SHARED:
+        return _SHARED[name]
+    brought = (one for question in (*QUESTIONS.loaded, *QUESTIONS) for one in question.dimensions)
+    return next(one for one in brought if one.name == name)
 
 
 def rivals(labels: Mapping[str, Sequence[str]]) -> Iterator[tuple[Place, str]]:
@@ -33,7 +39,7 @@ def rivals(labels: Mapping[str, Sequence[str]]) -> Iterator[tuple[Place, str]]:
     words : str
         Its name; empty where there are none beside it.
     """
-    each = [_places(DIMENSIONS[dimension].own, len(names)) for dimension, names in labels.items()]
+    each = [_places(dimension_named(dimension).own, len(names)) for dimension, names in labels.items()]
     for place in product(*each):
         chosen = zip(place, labels.values(), strict=True)
         yield place, ", ".join(names[at] for at, names in chosen if not isinstance(at, slice) and len(names) > 1)

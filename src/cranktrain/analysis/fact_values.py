@@ -9,8 +9,9 @@ from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis.figures import shown_in, text_in
 from cranktrain.analysis.members import Labelled, rows_of
 from cranktrain.analysis.result import Result
-from cranktrain.catalogue import Entry, entries
+from cranktrain.catalogue import Entry
 from cranktrain.grouping import grouped
+from cranktrain.layout.question import Question
 from cranktrain.record import record
 
 
@@ -63,16 +64,19 @@ class OneMachine(NamedTuple):
 
 def headline_names(results: Sequence[Result]) -> tuple[str, ...]:
     """Name the facts that say most, question by question, which at least one of some results has."""
-    named = (name for question in QUESTIONS for name in question.headline)
+    named = (name for question in _asked(results) for name in question.headline)
     return tuple(name for name in named if any(name in result.catalogue for result in results))
 
 
-def question_of(name: str) -> str:
+def _asked(results: Sequence[Result]) -> list[Question]:
+    """Questions that at least one of some machines is asked, in their order."""
+    names = {name for result in results for name in result.machines[0].asks}
+    return [QUESTIONS.named(name) for name in QUESTIONS.names if name in names]
+
+
+def _question_of(name: str, questions: Sequence[Question]) -> str:
     """Question whose stage gives a quantity; empty for what a kind of mechanism or a textbook gives."""
-    return next(
-        (one.name for one in QUESTIONS if any(name in _given_by(stage.gives) for stage in one.stages)),
-        "",
-    )
+    return next((one.name for one in questions if any(name in stage.results for stage in one.stages)), "")
 
 
 def fact_values(machines: Sequence[OneMachine], names: Sequence[str]) -> Iterator[FactValues]:
@@ -90,8 +94,9 @@ def fact_values(machines: Sequence[OneMachine], names: Sequence[str]) -> Iterato
         In the order of the questions. Where machines have the same members, those that are equal in all of them share a
         row; where they have others, or many that differ, the smallest and the largest stand beside each other.
     """
-    place = {question.name: i for i, question in enumerate(QUESTIONS)}
-    by_question = grouped((question_of(name), name) for name in names)
+    questions = _asked([one.result for one in machines])
+    place = {question.name: i for i, question in enumerate(questions)}
+    by_question = grouped((_question_of(name, questions), name) for name in names)
     for question in sorted(by_question, key=lambda one: place.get(one, len(place))):
         for name in by_question[question]:
             found = [one.fact(name) for one in machines]
@@ -99,7 +104,3 @@ def fact_values(machines: Sequence[OneMachine], names: Sequence[str]) -> Iterato
             if entry is not None:
                 rows = (FactValues(question, entry, of, values) for of, values in rows_of(entry, found))
                 yield from (row for row in rows if np.any(np.isfinite(row.values)))
-
-
-def _given_by(outcome: type) -> set[str]:
-    return {entry.name for entry in entries(outcome)}

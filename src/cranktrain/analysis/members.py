@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cranktrain.analysis.dimensions import DIMENSIONS, rivals
+from cranktrain.analysis.dimensions import dimension_named, rivals
 from cranktrain.analysis.figures import ABSENT, shown_in, text_in
 from cranktrain.catalogue import Entry, Worst
 from cranktrain.grouping import grouped
@@ -125,13 +125,13 @@ def _same_members(
     """Rows of members that all machines have: of numbers the first few, of others those together that are equal."""
     there = [one for one in found if one is not None]
     dimension = entry.dimensions[-1]
-    if DIMENSIONS[dimension].is_number and entry.worst is None:
+    if dimension_named(dimension).is_number and entry.worst is None:
         for member in _counted(there):
-            title = _(DIMENSIONS[dimension].title)
+            title = _(dimension_named(dimension).title)
             yield f"{title} {member}", tuple(_of_member(one, member) for one in found)
         return
     is_alike = all(one == members[0] for one in members) and all(one.values.ndim == 1 for one in there)
-    if not is_alike or DIMENSIONS[dimension].is_number:
+    if not is_alike or dimension_named(dimension).is_number:
         return
     texts = zip(*(_texts(entry, one.values) for one in there), strict=True)
     groups = grouped((text, place) for place, text in enumerate(texts))

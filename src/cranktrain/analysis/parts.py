@@ -4,7 +4,6 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import cast
 
-from cranktrain.all_questions import QUESTIONS
 from cranktrain.columns import in_columns
 from cranktrain.errors import Problem, refuse
 from cranktrain.language import _
@@ -33,7 +32,7 @@ def parts_of(machines: Sequence[Machine], *, step: float) -> Parts:
     together = machines[0] if len(machines) == 1 else in_columns(machines)
     laid = laid_out([one.design for one in machines], together.design, cycle=together.cycle, step=step)
     parts: Parts = {type(part): part for part in layout_parts(laid) if part is not None}
-    for question in QUESTIONS:
+    for question in machines[0].questions:
         parts |= {type(part): part for part in question.parts(laid, parts) if part is not None}
     return parts
 

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
-from cranktrain.all_questions import QUESTIONS
-from cranktrain.analysis.stages import STAGES, Missing
+from cranktrain.analysis.stages import Missing, every_stage
 from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.brief import brief
 from cranktrain.catalogue import Entry, entries, values
@@ -136,8 +135,8 @@ class Result:
     @property
     def worth_asking(self) -> tuple[Missing, ...]:
         """Of what is missing, that which makes sense for this machine: a press is not asked when it fires."""
-        design = self.machines[0].design
-        return tuple(one for one in self.missing if all(question.is_for(one.needs, design) for question in QUESTIONS))
+        design, questions = self.machines[0].design, self.machines[0].questions
+        return tuple(one for one in self.missing if all(question.is_for(one.needs, design) for question in questions))
 
     def needs_of(self, *quantities: str) -> tuple[str, ...]:
         """What the machine file would have to say for quantities that are missing; nothing of others."""
@@ -155,7 +154,7 @@ class Result:
 
         if needs := self.needs_of(wanted):
             return self._absence(wanted, needs, ())
-        if any(wanted == entry.name for stage in STAGES for entry in entries(stage.gives)):
+        if any(wanted in stage.results for stage in every_stage()):
             return f"this result has no {wanted}, which other machines have, or other `quantities` would give"
         others = (name for name in object.__dir__(self) if not name.startswith("_"))
         meant = nearest(wanted, (*self._homes, *others))
@@ -173,8 +172,9 @@ class Result:
     @property
     def headline(self) -> dict[str, Fact]:
         """Those facts that say most, question by question."""
+        named = (name for question in self.machines[0].questions for name in question.headline)
         facts = self.facts
-        return {name: facts[name] for question in QUESTIONS for name in question.headline if name in facts}
+        return {name: facts[name] for name in named if name in facts}
 
     @property
     def checks(self) -> tuple[Check, ...]:
@@ -197,9 +197,10 @@ class Result:
 
         Questions with one title stand together; what kinds of mechanisms have of their own, with the first question.
         """
-        own = tuple(rows for kind in KINDS for rows in kind.rows)
-        for title, alike in groupby(QUESTIONS, lambda question: question.title):
-            each = [(*question.rows, *(own if question is QUESTIONS[0] else ())) for question in alike]
+        machine = self.machines[0]
+        own = tuple(rows for kind in machine.kinds for rows in KINDS.named(kind).rows)
+        for title, alike in groupby(machine.questions, lambda question: question.title):
+            each = [(*question.rows, *(own if question is machine.questions[0] else ())) for question in alike]
             rows = [
                 row for functions in each for rows_of in functions for row in self._rows(rows_of, design) if row.says
             ]

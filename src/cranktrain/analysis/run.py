@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial as with_arguments
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,7 +13,19 @@ from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
 from cranktrain.analysis.shapes import refuse_misshapen
-from cranktrain.analysis.stages import STAGES, lacking, leading_to, missing_results, run_stages, stages_giving
+from cranktrain.analysis.stages import (
+    Step,
+    every_stage,
+    homes,
+    lacking,
+    leading_to,
+    missing_results,
+    run_stages,
+    stages_for,
+    stages_giving,
+    steps_of,
+)
+from cranktrain.analysis.unasked import UnaskedStage
 from cranktrain.analysis.unused import unused
 from cranktrain.errors import InputError, Problem
 from cranktrain.how_far import within
@@ -37,7 +49,7 @@ def run(
     step_degrees: float = 1.0,
     partial: bool = False,
     quantities: str | Iterable[str] | None = None,
-    stages: Sequence[Stage] = STAGES,
+    stages: Sequence[Stage] | None = None,
 ) -> Result:
     """Compute all that a machine file allows.
 
@@ -56,7 +68,7 @@ def run(
     quantities : str or iterable of str, optional
         Names from the catalogue; only the stages that these need are run. All unless given.
     stages : sequence of Stage
-        `STAGES` unless given.
+        Those of what the machine's file asks unless given.
 
     Returns
     -------
@@ -80,9 +92,9 @@ def run(
     refuse_wrong(machines, partial=partial)
     asked = (quantities,) if isinstance(quantities, str) else quantities
     names = None if asked is None else tuple(asked)
-    chosen = stages if names is None else _needed(stages, names)
+    steps = _steps(machines[0], stages, names)
     if len(machines) <= MOST_AT_ONCE or isinstance(speed, SpeedCurve):
-        return _run(machines, speed, step, stages, chosen, has_designs=not isinstance(machine, Machine))
+        return _run(machines, speed, step, steps, has_designs=not isinstance(machine, Machine))
     sizes = block_sizes(len(machines))
     ends = np.cumsum(sizes).tolist()
     own = np.asarray(speed)
@@ -90,7 +102,7 @@ def run(
     for start, end in zip([0, *ends], ends, strict=False):
         of_block = own[start:end] if own.ndim == _BY_DESIGN else speed
         with within(with_arguments(_designs, start + 1, end, len(machines))):
-            block = _run(machines[start:end], of_block, step, stages, chosen, has_designs=True)
+            block = _run(machines[start:end], of_block, step, steps, has_designs=True)
         kept = tuple(outcome for outcome in block.outcomes if is_kept(outcome, names))
         each.append(replace(block, outcomes=kept))
     first = each[0]
@@ -103,6 +115,28 @@ def run(
     )
 
 
+class _Steps(NamedTuple):
+    """Stages of a run: all that there may be, those that are run, and those of which it is told what they lack."""
+
+    every: Sequence[Stage]
+    chosen: Sequence[Stage]
+    told: Sequence[Step]
+
+
+def _steps(machine: Machine, stages: Sequence[Stage] | None, names: Sequence[str] | None) -> _Steps:
+    """Choose the stages that lead to some quantities, or to all that a machine is asked."""
+    if stages is None and names is None:
+        asked = stages_for(machine)
+        return _Steps(asked, asked, steps_of(machine.asks, machine.kinds))
+    every = stages_for(machine) if stages is None else stages
+    if names is None:
+        return _Steps(every, every, every)
+    if stages is None and not homes(tuple(every)).keys() >= set(names):
+        every = every_stage()
+    chosen = _needed(every, names)
+    return _Steps(every, chosen, chosen)
+
+
 def _designs(first: int, last: int, n_designs: int) -> str:
     """Which of many designs are worked on."""
     return _("designs {first} to {last} of {n}").format(first=first, last=last, n=n_designs)
@@ -112,20 +146,19 @@ def _run(
     machines: tuple[Machine, ...],
     speed: SpeedWanted,
     step: float,
-    stages: Sequence[Stage],
-    chosen: Sequence[Stage],
+    steps: _Steps,
     *,
     has_designs: bool,
 ) -> Result:
     """Compute all designs at once."""
-    parts = with_speed(parts_of(machines, step=FACTS_STEP), speed, stages, step)
-    absent = lacking(stages, parts)
-    outcomes = _outcomes(chosen, parts, absent, machines)
+    parts = with_speed(parts_of(machines, step=FACTS_STEP), speed, steps.every, step)
+    absent = lacking((*steps.every, *(one for one in steps.told if isinstance(one, UnaskedStage))), parts)
+    outcomes = _outcomes(steps.chosen, parts, absent, machines)
     # Curves want points as close as facts, or closer: of these a coarser step takes some.
     n_between = int(np.ceil(step / FACTS_STEP - _ONE_STEP))
     curves = outcomes
     if abs(step / n_between - FACTS_STEP) > _ONE_STEP:
-        drawn = leading_to(chosen, [one.gives for one in chosen if has_curves(one.gives)])
+        drawn = leading_to(steps.chosen, [one.gives for one in steps.chosen if has_curves(one.gives)])
         curves = _outcomes(drawn, on_grid(parts, step / n_between), absent, machines)
     parts = on_grid(parts, step)
     grid: Any = parts[CrankAngle]
@@ -137,13 +170,13 @@ def _run(
         coarse=coarse_curves(outcomes, shown, grid.shown),
         labels=_labels(parts, machines, shown),
         outcomes=(*(parts[part] for part in (SpeedCurve,) if part in parts), *shown.values()),
-        missing=missing_results(chosen, absent),
+        missing=missing_results(steps.told, absent),
         unused=unused(machines[0], absent),
     )
 
 
 def _outcomes(
-    stages: Sequence[Stage], parts: Parts, absent: Collection[type], machines: Sequence[Machine]
+    stages: Sequence[Stage], parts: Parts, absent: Collection[str], machines: Sequence[Machine]
 ) -> dict[type, object]:
     """Run stages, and refuse what has another shape than it declares."""
     outcomes = run_stages(stages, parts, absent)
@@ -177,7 +210,7 @@ def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:
         return None
     refuse_wrong((machine,))
     declared = parts_of((machine,), step=FACTS_STEP)
-    parts: dict[type, Any] = with_speed(declared, speed, STAGES, FACTS_STEP)
+    parts: dict[type, Any] = with_speed(declared, speed, stages_for(machine), FACTS_STEP)
     return parts[SpeedCurve]
 
 

@@ -5,24 +5,22 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, is_dataclass
 from functools import cache, partial
 from graphlib import TopologicalSorter
-from typing import cast
+from typing import TypeAlias, cast
 
 import numpy as np
 
 from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
+from cranktrain.analysis.unasked import UnaskedStage, unasked
 from cranktrain.brief import brief_fields
-from cranktrain.catalogue import entries
 from cranktrain.errors import Problem, refuse
 from cranktrain.grouping import grouped
 from cranktrain.how_far import say_how_far
 from cranktrain.language import _
-from cranktrain.layout.question import Stage
+from cranktrain.layout.question import NOT_FOR_IT, Stage
+from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
 from cranktrain.motion import Array
-
-_NOT_FOR_IT = ""
-"""Among what is missing: nothing that a file could say would help."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +59,7 @@ def leading_to(stages: Sequence[Stage], outcomes: Iterable[type]) -> tuple[Stage
 @cache
 def homes(stages: tuple[Stage, ...]) -> dict[str, Stage]:
     """Which stage gives each quantity."""
-    return {entry.name: stage for stage in stages for entry in entries(stage.gives)}
+    return {name: stage for stage in stages for name in stage.results}
 
 
 def stages_giving(stages: Sequence[Stage], names: Iterable[str], path: str) -> list[Stage]:
@@ -80,51 +78,78 @@ def _unknown(name: str, known: Iterable[str], path: str) -> Problem:
     return Problem(path, name, allowed, _("did you mean {name}?").format(name=close) if close else None)
 
 
-STAGES: tuple[Stage, ...] = (
-    *(stage for question in QUESTIONS for stage in question.stages),
-    *(Stage(function) for kind in KINDS for function in kind.stages),
-    *texts.STAGES,
-)
-"""All stages, in the order in which people read their results."""
+@cache
+def stages_of(questions: tuple[str, ...], kinds: tuple[str, ...]) -> tuple[Stage, ...]:
+    """Give the stages of questions and kinds of mechanisms by their names, in the order of their results for people."""
+    return (
+        *(stage for name in questions for stage in QUESTIONS.named(name).stages),
+        *(Stage(function) for name in kinds for function in KINDS.named(name).stages),
+        *texts.STAGES,
+    )
 
 
-def lacking(stages: Sequence[Stage], parts: Mapping[type, object]) -> dict[type, tuple[str, ...]]:
+def stages_for(machine: Machine) -> tuple[Stage, ...]:
+    """Give the stages of what a machine's file asks."""
+    return stages_of(machine.asks, machine.kinds)
+
+
+def every_stage() -> tuple[Stage, ...]:
+    """Give all stages that there are."""
+    return stages_of(QUESTIONS.names, KINDS.names)
+
+
+Step: TypeAlias = Stage | UnaskedStage
+"""A stage, or what is known of one that nobody asks."""
+
+
+@cache
+def steps_of(questions: tuple[str, ...], kinds: tuple[str, ...]) -> tuple[Step, ...]:
+    """Give the stages of questions and kinds, and in their place what is known of those of all other questions."""
+    each = ((QUESTIONS.named(name) if name in questions else unasked(name)).stages for name in QUESTIONS.names)
+    return (*(step for steps in each for step in steps), *stages_of((), kinds))
+
+
+def lacking(steps: Sequence[Step], parts: Mapping[type, object]) -> dict[str, tuple[str, ...]]:
     """Which outcomes cannot be made of some parts, and what is missing for them.
 
     Parameters
     ----------
-    stages : sequence of Stage
+    steps : sequence of Stage or UnaskedStage
         In any order.
     parts : mapping of type to object
         What the machine declares.
 
     Returns
     -------
-    dict of type to tuple of str
-        In words, for what a machine file could say; none of an outcome that is not for this machine.
+    dict of str to tuple of str
+        By the names of outcomes, in words for what a machine file could say; none of an outcome that is not for this
+        machine.
     """
-    known = set(parts)
-    roots: dict[type, frozenset[str]] = {}
-    for one in ordered(tuple(stages)):
-        needed, applies = one.required - known, one.applies_to(parts)
+    known = {part.__name__ for part in parts}
+    roots: dict[str, frozenset[str]] = {}
+    for one in _by_needs(tuple(steps)):
+        needed, applies = one.lacks.keys() - known, one.applies_to(parts)
         if needed or applies is not True:
-            asked = applies if isinstance(applies, tuple) else (applies or _NOT_FOR_IT,)
+            asked = applies if isinstance(applies, tuple) else (applies or NOT_FOR_IT,)
             said = frozenset[str]() if applies is True else frozenset(cast(tuple[str, ...], asked))
-            roots[one.gives] = said.union(*(roots[need] if need in roots else _asked(need) for need in needed))
+            roots[one.outcome] = said.union(*(roots.get(need, frozenset([one.lacks[need]])) for need in needed))
         else:
-            known.add(one.gives)
+            known.add(one.outcome)
     told = {
-        words: () if _NOT_FOR_IT in words else tuple(sorted(_(word) for word in words)) for words in set(roots.values())
+        words: () if NOT_FOR_IT in words else tuple(sorted(_(word) for word in words)) for words in set(roots.values())
     }
     return {outcome: told[words] for outcome, words in roots.items()}
 
 
-def _asked(part: type) -> frozenset[str]:
-    """What a file would have to say for a part."""
-    return frozenset([getattr(part, "needs", _NOT_FOR_IT)])
+@cache
+def _by_needs(steps: tuple[Step, ...]) -> tuple[Step, ...]:
+    """Put steps in an order in which what each cannot do without comes before it."""
+    by_outcome = {one.outcome: one for one in steps}
+    graph = {one.outcome: [need for need in one.lacks if need in by_outcome] for one in steps}
+    return tuple(by_outcome[outcome] for outcome in TopologicalSorter(graph).static_order())
 
 
-def run_stages(stages: Sequence[Stage], parts: Mapping[type, object], absent: Collection[type]) -> dict[type, object]:
+def run_stages(stages: Sequence[Stage], parts: Mapping[type, object], absent: Collection[str]) -> dict[type, object]:
     """Run every stage whose needs are met.
 
     Parameters
@@ -133,8 +158,8 @@ def run_stages(stages: Sequence[Stage], parts: Mapping[type, object], absent: Co
         In any order; results come in this one.
     parts : mapping of type to object
         What the machine declares.
-    absent : collection of type
-        What cannot be had of these, as `lacking` finds it.
+    absent : collection of str
+        Names of outcomes that cannot be had of these, as `lacking` finds it.
 
     Returns
     -------
@@ -144,7 +169,7 @@ def run_stages(stages: Sequence[Stage], parts: Mapping[type, object], absent: Co
     seen: set[int] = set()
     for part in parts.values():
         _freeze(part, seen)
-    in_order = [one for one in ordered(tuple(stages)) if one.gives not in absent]
+    in_order = [one for one in ordered(tuple(stages)) if one.outcome not in absent]
     for place, one in enumerate(in_order, start=1):
         say_how_far(partial(_how_far, place, len(in_order), one.gives))
         # NaN stands for links that cannot close, and is no news.
@@ -165,16 +190,16 @@ def _how_far(place: int, n_stages: int, outcome: type) -> str:
     return _("{place} of {n}, {name}").format(place=place, n=n_stages, name=spoken(outcome))
 
 
-def missing_results(stages: Sequence[Stage], absent: Mapping[type, tuple[str, ...]]) -> tuple[Missing, ...]:
+def missing_results(steps: Sequence[Step], absent: Mapping[str, tuple[str, ...]]) -> tuple[Missing, ...]:
     """Results that stages do not give, in their order, those that lack the same together.
 
     Parameters
     ----------
-    stages : sequence of Stage
-    absent : mapping of type to tuple of str
+    steps : sequence of Stage or UnaskedStage
+    absent : mapping of str to tuple of str
         As `lacking` gives it; a stage for another kind of machine lacks nothing, and is not spoken of.
     """
-    needs = ((absent.get(one.gives), entry.name) for one in stages for entry in entries(one.gives))
+    needs = ((absent.get(one.outcome), name) for one in steps for name in one.results)
     return tuple(Missing(tuple(results), lacks) for lacks, results in grouped(needs).items() if lacks)
 
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from cranktrain.all_questions import QUESTIONS
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.machine import Machine
@@ -49,14 +48,14 @@ def _listed(names: Sequence[str]) -> str:
     return _("{first} and {last}").format(first=", ".join(first), last=last) if first else last
 
 
-def unused(machine: Machine, lacking: Mapping[type, tuple[str, ...]]) -> tuple[Unused, ...]:
+def unused(machine: Machine, lacking: Mapping[str, tuple[str, ...]]) -> tuple[Unused, ...]:
     """Find the tables that are written and that no result could rest on.
 
     Parameters
     ----------
     machine : Machine
-    lacking : mapping of type to tuple of str
-        Results that cannot be had, and what is missing for them.
+    lacking : mapping of str to tuple of str
+        Names of results that cannot be had, and what is missing for them.
 
     Returns
     -------
@@ -75,12 +74,12 @@ def unused(machine: Machine, lacking: Mapping[type, tuple[str, ...]]) -> tuple[U
     return tuple(found)
 
 
-def _found(machine: Machine, lacking: Mapping[type, tuple[str, ...]]) -> Iterator[Unused]:
+def _found(machine: Machine, lacking: Mapping[str, tuple[str, ...]]) -> Iterator[Unused]:
     """Go through all that may stand in a file, what nothing is missing for too."""
-    for use in (use for question in QUESTIONS for use in question.uses):
-        needs = dict.fromkeys(need for result in use.results for need in lacking.get(result, ()))
+    for use in (use for question in machine.questions for use in question.uses):
+        needs = dict.fromkeys(need for result in use.results for need in lacking.get(result.__name__, ()))
         for table in use.tables(machine.design):
             # What a table holds is there, though nothing could be made of it.
             others = tuple(need for need in needs if need != table)
-            has_consequence = use.instead is not None and use.instead not in lacking
+            has_consequence = use.instead is not None and use.instead.__name__ not in lacking
             yield Unused(table, others, _(use.consequence) if has_consequence else "")

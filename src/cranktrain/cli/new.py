@@ -74,7 +74,6 @@ def starting_file(kind: AnyKind, *, full: bool = False) -> str:
 def _kind_called(name: str) -> AnyKind:
     """Find the kind of that name; capitals do not matter, nor `-` for `_`."""
     plain = name.casefold().replace("-", "_")
-    found = next((kind for kind in KINDS if kind.name == plain), None)
-    if found is None:
-        raise InputError([unlisted("KIND", name, [kind.name for kind in KINDS])])
-    return found
+    if plain not in KINDS.names:
+        raise InputError([unlisted("KIND", name, list(KINDS.names))])
+    return KINDS.named(plain)

@@ -10,10 +10,10 @@ it knows nothing else:
 
 from typing import TYPE_CHECKING
 
-from cranktrain.fluids import compressor, diesel, dual, indicator, otto, wiebe
 from cranktrain.fluids.fluid import AnyFluid, Fluid, FluidSpec, Kink, Rooms, table_path
 from cranktrain.fluids.state import ChamberState, VolumeLimits, chamber_state
-from cranktrain.spec_class import by_kind
+from cranktrain.folders import Folders
+from cranktrain.when_given import by_kind
 
 __all__ = [
     "KINDS",
@@ -26,24 +26,20 @@ __all__ = [
     "Rooms",
     "VolumeLimits",
     "chamber_state",
-    "fluid_named",
     "fluid_of",
     "table_path",
 ]
 
-KINDS: tuple[AnyFluid, ...] = (indicator.KIND, otto.KIND, diesel.KIND, dual.KIND, wiebe.KIND, compressor.KIND)
+KINDS: Folders[AnyFluid] = Folders(
+    "cranktrain.fluids", "KIND", ("indicator", "otto", "diesel", "dual", "wiebe", "compressor")
+)
 
 if TYPE_CHECKING:
     AnyGas = FluidSpec
 else:
-    AnyGas = by_kind(kind.spec for kind in KINDS)
-
-
-def fluid_named(name: str) -> AnyFluid:
-    """Give the fluid of that name."""
-    return next(kind for kind in KINDS if kind.name == name)
+    AnyGas = by_kind(KINDS)
 
 
 def fluid_of(spec: FluidSpec) -> AnyFluid:
     """Give the fluid that a table declares."""
-    return fluid_named(spec.kind)
+    return KINDS.named(spec.kind)

@@ -21,9 +21,6 @@ LARGEST_FILE = 16 * 2**20
 _WIDE = {codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16"}
 
 
-CURVE_FILES = (*(file for question in QUESTIONS for file in question.files), *FILES)
-
-
 def curve_text(path: Path, name: str, noun: str) -> str:
     """Read the file of a curve.
 
@@ -90,7 +87,8 @@ def with_curves(data: Mapping[str, object], folder: Path) -> tuple[dict[str, obj
     """
     found: list[Problem] = []
     filled = dict(data)
-    for curve in CURVE_FILES:
+    asked = map(QUESTIONS.named, QUESTIONS.by(data))
+    for curve in (*(file for question in asked for file in question.files), *FILES):
         for path in _paths(data, curve):
             try:
                 filled = _filled(filled, path, curve, folder)

@@ -7,7 +7,7 @@ from typing import Any, cast
 from cranktrain.language import N_, _
 from cranktrain.layout.unit_tables import units_of_table
 from cranktrain.machine import Machine
-from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms import KINDS
 from cranktrain.quantities import FileUnits, Given, own_units
 from cranktrain.spec import Spec
 
@@ -22,7 +22,7 @@ def layout_words(machine: Machine) -> str:
 
 def kind_words(machine: Machine) -> str:
     """Say what the one mechanism of a machine is; nothing of one that has banks."""
-    return "" if machine.mechanism is None else _(kind_named(machine.mechanism.kind).title)
+    return "" if machine.mechanism is None else _(KINDS.named(machine.mechanism.kind).title)
 
 
 def counted_parts(machine: Machine) -> list[str]:

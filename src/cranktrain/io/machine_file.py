@@ -172,7 +172,7 @@ def document_of(source: "str | os.PathLike[str]") -> Document:
     except InputError as error:
         kind = name.casefold().replace("-", "_")
         close = example_near(name)
-        if kind in (one.name for one in KINDS):
+        if kind in KINDS.names:
             repair = _("a file of that kind is written by: {command}").format(
                 command=f"cranktrain new {kind} -o mine.toml"
             )

@@ -8,14 +8,14 @@ import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import InputError, Position, Problem, first_of, refuse
-from cranktrain.fluids.indicator.heads import is_time, time_advice, unit_in
-from cranktrain.fluids.indicator.table import NumberTable, held_text, read_table
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.number_table import NumberTable, held_text, read_table
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.polyline import Polyline
 from cranktrain.one_line import short
 from cranktrain.quantities import Dimension, is_unit, one_of, read, unit_names
+from cranktrain.quantities.heads import is_time, time_advice, unit_in
 from cranktrain.spec import Spec
 
 _SAME = 1e-6

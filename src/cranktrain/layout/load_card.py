@@ -6,12 +6,12 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from cranktrain.errors import Position
-from cranktrain.fluids.indicator.table import NumberTable, held_text, read_table
 from cranktrain.language import N_
 from cranktrain.layout.cycle_table import CycleFileSpec, Words, given_curve
 from cranktrain.layout.load_heads import SORTS, LoadHeads, Over, Sort, load_heads
 from cranktrain.layout.load_ways import round_trip, side_by_side
 from cranktrain.motion import Array
+from cranktrain.number_table import NumberTable, held_text, read_table
 from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.quantities import Dimension, Given, read
 

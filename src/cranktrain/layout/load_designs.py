@@ -4,11 +4,11 @@ from collections.abc import Iterator, Sequence
 
 from cranktrain.columns import in_columns
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.fluids.indicator.table import held_text
 from cranktrain.language import _
 from cranktrain.layout.design import Designs
 from cranktrain.layout.load_laws import is_over_two_turns
 from cranktrain.layout.load_tables import OF_LISTS, LoadSpec, LoadTables, with_lists
+from cranktrain.number_table import held_text
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import Given
 

@@ -5,11 +5,11 @@ from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple, TypeAlias
 
 from cranktrain.errors import InputError, Position, Problem, refuse
-from cranktrain.fluids.indicator.heads import axis_of, is_time, time_advice, unit_in
-from cranktrain.fluids.indicator.table import NumberTable
 from cranktrain.language import _
+from cranktrain.number_table import NumberTable
 from cranktrain.one_line import short
 from cranktrain.quantities import Dimension
+from cranktrain.quantities.heads import axis_of, is_time, time_advice, unit_in
 
 Over: TypeAlias = Literal["crank_angles", "travel", "swing"]
 Sort: TypeAlias = Literal["force", "torque"]

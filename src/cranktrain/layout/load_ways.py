@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import Problem, first_of, refuse
-from cranktrain.fluids.indicator.table import NumberTable
 from cranktrain.language import _
 from cranktrain.layout.load_heads import LoadHeads
 from cranktrain.motion import Array
+from cranktrain.number_table import NumberTable
 
 
 class BothWays(NamedTuple):

@@ -17,7 +17,6 @@ from cranktrain.layout.speed import Speed
 from cranktrain.layout.speed_curve import speed_at_moment
 from cranktrain.layout.speed_table import tabled_speed
 from cranktrain.layout.throws import shaft_centres_of, throws_of
-from cranktrain.layout.wish.declared import WantedMotions, wanted_speed, wish_parts
 from cranktrain.mechanisms import KINDS
 from cranktrain.numerics.designs import by_design
 
@@ -28,7 +27,7 @@ DIMENSIONS = (
     ResultDimension("crank_angle", N_("crank angle"), is_number=True),
     *(
         ResultDimension(name, "", family=_OF_MECHANISMS)
-        for name in (_OF_MECHANISMS, Pistons.dimension, Rockers.dimension, *(kind.name for kind in KINDS))
+        for name in (_OF_MECHANISMS, Pistons.dimension, Rockers.dimension, *KINDS.names)
     ),
     ResultDimension("throw", N_("throw")),
     ResultDimension("shaft", ""),
@@ -87,10 +86,13 @@ def _speed_parts(designs: Designs) -> Iterator[object | None]:
         tables = (design.shafts[MAIN].speed_curve for design in designs.each)
         curves = [table for table in tables if table is not None]
         curve = tabled_speed(curves, grid.shown.size, grid.cycle, zero=grid.zero)
-    wanted = wish_parts(designs)
-    if isinstance(wanted, WantedMotions):
-        curve = wanted_speed(wanted, grid.shown.size, grid.cycle, zero=grid.zero)
-    yield wanted
+    if main.motion is not None:
+        from cranktrain.layout.wish.declared import WantedMotions, wanted_speed, wish_parts  # for whom it is given
+
+        wanted = wish_parts(designs)
+        if isinstance(wanted, WantedMotions):
+            curve = wanted_speed(wanted, grid.shown.size, grid.cycle, zero=grid.zero)
+        yield wanted
     if speed is not None:
         yield Speed(speed[..., np.newaxis], curve)
     elif curve is not None:

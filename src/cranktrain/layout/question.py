@@ -68,6 +68,9 @@ def tables_of(part: type) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*re.findall(r"\[[^]]+\]", getattr(part, "needs", "")), *getattr(part, "reads", ()))))
 
 
+NOT_FOR_IT = ""
+"""Among what a file would have to say: nothing that it could say would help."""
+
 Applies: TypeAlias = bool | str | tuple[str, ...]
 """Whether a step is for a machine, or what the file would have to say."""
 
@@ -114,6 +117,25 @@ class Stage:
     def optional(self) -> frozenset[str]:
         """Parameters that may be None: never reported as missing."""
         return needs_of(self.function).optional
+
+    @cached_property
+    def outcome(self) -> str:
+        """Name of the class of what it gives."""
+        return self.gives.__name__
+
+    @cached_property
+    def results(self) -> tuple[str, ...]:
+        """Names of the quantities that it gives."""
+        return tuple(entry.name for entry in entries(self.gives))
+
+    @cached_property
+    def lacks(self) -> Mapping[str, str]:
+        """What it cannot do without, by the names of classes: what the file would have to say, where that gives it."""
+        return {
+            need.__name__: getattr(need, "needs", NOT_FOR_IT)
+            for name, need in self.needs.items()
+            if name not in self.optional
+        }
 
     @cached_property
     def wanted(self) -> frozenset[type]:

@@ -1,7 +1,7 @@
 """Shaft, banks and cylinders: their tables of the machine file."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 from pydantic import Field, model_validator
 
@@ -12,8 +12,6 @@ from cranktrain.layout.bodies import BodySpec, GuideSpec
 from cranktrain.layout.ends import ENDS
 from cranktrain.layout.listed import OneOrMany
 from cranktrain.layout.load_tables import LoadSpec
-from cranktrain.layout.speed_table import SpeedCurveSpec
-from cranktrain.layout.wish.tables import WantedMotionSpec
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.quantities import (
@@ -25,6 +23,14 @@ from cranktrain.quantities import (
     PositiveSpeed,
 )
 from cranktrain.spec import Refused, Spec
+from cranktrain.when_given import when_given
+
+if TYPE_CHECKING:
+    from cranktrain.layout.speed_table import SpeedCurveSpec
+    from cranktrain.layout.wish.tables import WantedMotionSpec
+else:
+    SpeedCurveSpec = when_given("cranktrain.layout.speed_table", "SpeedCurveSpec")
+    WantedMotionSpec = when_given("cranktrain.layout.wish.tables", "WantedMotionSpec")
 
 MOST_MECHANISMS = 1000
 """Throws of a shaft, and mechanisms of a machine: more than anybody has built, and as many as memory holds."""

@@ -8,26 +8,21 @@ A table gives its motor in SI, of all designs at a time:
 
 from typing import TYPE_CHECKING
 
-from cranktrain.motors import cage, circuit, prime_mover, series, servo, shunt, table, wound_rotor
+from cranktrain.folders import Folders
 from cranktrain.motors.declared import DeclaredMotor, Rating
 from cranktrain.motors.kind import MotorKind
 from cranktrain.motors.spec import DrivingMotorSpec, motor_of
-from cranktrain.spec_class import by_kind
+from cranktrain.when_given import by_kind
 
 __all__ = ["KINDS", "AnyMotor", "DeclaredMotor", "DrivingMotorSpec", "MotorKind", "Rating", "motor_of"]
 
-KINDS: tuple[MotorKind, ...] = (
-    cage.KIND,
-    circuit.KIND,
-    wound_rotor.KIND,
-    shunt.KIND,
-    series.KIND,
-    servo.KIND,
-    prime_mover.KIND,
-    table.KIND,
+KINDS: Folders[MotorKind] = Folders(
+    "cranktrain.motors",
+    "KIND",
+    ("cage", "circuit", "wound_rotor", "shunt", "series", "servo", "prime_mover", "table"),
 )
 
 if TYPE_CHECKING:
     AnyMotor = DrivingMotorSpec
 else:
-    AnyMotor = by_kind(kind.spec for kind in KINDS)
+    AnyMotor = by_kind(KINDS)

@@ -10,7 +10,7 @@ import numpy as np
 from cranktrain.analysis.dataset import imported_xarray, with_attributes
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.parts import parts_of, refuse_wrong
-from cranktrain.analysis.stages import STAGES, lacking, leading_to, run_stages
+from cranktrain.analysis.stages import lacking, leading_to, run_stages, stages_for
 from cranktrain.catalogue import Entry, entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
@@ -138,12 +138,13 @@ def parts_and_stages(machine: Machine) -> tuple[Mapping[type, Any], Mapping[type
     parts = parts_of((machine,), step=FACTS_STEP)
     if DeclaredDrive not in parts:
         raise InputError([Problem("drive", None, _("is missing; a start needs what drives the crank"))])
-    absent = lacking(STAGES, parts)
-    if ReducedMachines in absent:
-        lacks = ", ".join(dict.fromkeys(absent[ReducedMachines]))
+    stages = stages_for(machine)
+    absent = lacking(stages, parts)
+    if ReducedMachines.__name__ in absent:
+        lacks = ", ".join(dict.fromkeys(absent[ReducedMachines.__name__]))
         raise InputError([Problem("drive", None, _("needs what the machine moves: {lacks}").format(lacks=lacks))])
-    wanted = [kind for kind in (ReducedMachines, SteadyDrive, PressStrokes) if kind not in absent]
-    return parts, run_stages(leading_to(STAGES, wanted), parts, absent)
+    wanted = [kind for kind in (ReducedMachines, SteadyDrive, PressStrokes) if kind.__name__ not in absent]
+    return parts, run_stages(leading_to(stages, wanted), parts, absent)
 
 
 def _stroke(machine: Machine, parts: Mapping[type, Any], found: Mapping[type, Any]) -> Start:

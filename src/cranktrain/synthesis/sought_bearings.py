@@ -5,7 +5,7 @@ from typing import Annotated, Any, NamedTuple
 
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import STAGES, lacking, leading_to, run_stages
+from cranktrain.analysis.stages import every_stage, lacking, leading_to, run_stages
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 from cranktrain.layout.shafts import Shafts
@@ -32,11 +32,11 @@ class SoughtBearings(NamedTuple):
 def sought_bearings(machine: Machine, bearing: str, method: str | None) -> SoughtBearings:
     """Find shaft, bearings and method, or say what the file lacks for them."""
     parts = parts_of((machine,), step=FACTS_STEP)
-    absent = lacking(STAGES, parts)
-    if LoadedShafts in absent:
-        needs = _(" and ").join(absent[LoadedShafts]) or _("[crankshaft]")
+    absent = lacking(every_stage(), parts)
+    if LoadedShafts.__name__ in absent:
+        needs = _(" and ").join(absent[LoadedShafts.__name__]) or _("[crankshaft]")
         raise InputError([Problem("", None, _("loads of main bearings need {needs} in the file").format(needs=needs))])
-    found: dict[type, Any] = run_stages(leading_to(STAGES, [LoadedShafts]), parts, absent)
+    found: dict[type, Any] = run_stages(leading_to(every_stage(), [LoadedShafts]), parts, absent)
     loaded: LoadedShafts = found[LoadedShafts]
     shafts: Any = parts[Shafts]
     which = next((i for i, one in enumerate(loaded.each) if one.layout.declared.shaft == shafts.main), None)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import STAGES, lacking, leading_to, run_stages
+from cranktrain.analysis.stages import lacking, leading_to, run_stages, stages_for
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -103,7 +103,8 @@ def weighted_shaft(
 ) -> WeightedShaft:
     """Lay the shaft of some designs out, which differ in weights alone; all is as in `WeightedShaft`."""
     parts = parts_of(designs, step=FACTS_STEP)
-    wanted = leading_to(STAGES, [LoadedShafts, ForceEvents])
-    found: dict[type, Any] = run_stages(wanted, parts, lacking(STAGES, parts))
+    stages = stages_for(designs[0])
+    wanted = leading_to(stages, [LoadedShafts, ForceEvents])
+    found: dict[type, Any] = run_stages(wanted, parts, lacking(stages, parts))
     grid: Any = parts[CrankAngle]
     return WeightedShaft(found[LoadedShafts], which, at, more, method, bearings, found[ForceEvents], grid)

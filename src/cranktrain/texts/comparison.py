@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import product
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,9 +12,6 @@ from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch, Pistons
-from cranktrain.mechanisms.articulated_rod import ArticulatedRod
-from cranktrain.mechanisms.eccentric import Eccentric
-from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, Extremes, largest, turn_grid
 from cranktrain.questions.cylinders.opposed import VolumetricDeadCentres
@@ -22,19 +19,17 @@ from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.motion.dead_centres import PistonTurn
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
-from cranktrain.texts.articulated_rod import (
-    SlaveHarmonics,
-    derived,
-    own_top_distance,
-    reconstructed,
-    slave_displacement,
-)
 from cranktrain.texts.leads import lead_flags
 from cranktrain.texts.percents import percent
 from cranktrain.texts.plain_cranks import PLAIN, own_angle, plain_crank
 from cranktrain.texts.ranges import RANGES, Range
 from cranktrain.texts.steam_engine import brix, infinite_rod, two_harmonics
 from cranktrain.wording import ABSENT, Names, ranged
+
+if TYPE_CHECKING:
+    from cranktrain.mechanisms.articulated_rod import ArticulatedRod
+    from cranktrain.mechanisms.eccentric import Eccentric
+    from cranktrain.mechanisms.slider_crank import SliderCrank
 
 _FACT = ("motion_method", "piston")
 _THEORY = "docs/theory/textbook-forms"
@@ -47,7 +42,7 @@ Form = Callable[[Any], Curve]
 def _by_ratio(form: Callable[[Array, Array, Array], Coefficient]) -> Mapping[str, Form]:
     """Take λ = R/L from the geometry, of an eccentric e/l; the sources' forms know no offset."""
 
-    def of(geometry: SliderCrank | Eccentric) -> Curve:
+    def of(geometry: "SliderCrank | Eccentric") -> Curve:
         radius, rod, _offset = plain_crank(geometry)
         return lambda angle: form(own_angle(angle, geometry), radius, radius / rod)
 
@@ -59,13 +54,15 @@ def _infinite(angle: Array, crank_radius: Array, _ratio: Array) -> Coefficient:
     return infinite_rod(angle, crank_radius)
 
 
-def _slave(constants: Callable[[ArticulatedRod], SlaveHarmonics]) -> Form:
-    """Displacement by (I.13) from the curve's own top."""
+def _slave(constants: str) -> Form:
+    """Displacement by (I.13) from the curve's own top, with constants by one of the ways of its text."""
 
-    def of(geometry: ArticulatedRod) -> Curve:
-        harmonics = constants(geometry)
-        top = own_top_distance(geometry, harmonics)
-        return lambda angle: slave_displacement(angle, geometry, harmonics, top)
+    def of(geometry: "ArticulatedRod") -> Curve:
+        from cranktrain.texts import articulated_rod as text  # for engines that have slaves
+
+        harmonics = {"derived": text.derived, "reconstructed": text.reconstructed}[constants](geometry)
+        top = text.own_top_distance(geometry, harmonics)
+        return lambda angle: text.slave_displacement(angle, geometry, harmonics, top)
 
     return of
 
@@ -74,8 +71,8 @@ FORMS: Mapping[str, Mapping[str, Form]] = {
     "infinite_rod": _by_ratio(_infinite),
     "two_harmonics": _by_ratio(two_harmonics),
     "brix": _by_ratio(brix),
-    "derived": {"articulated_rod": _slave(derived)},
-    "reconstructed": {"articulated_rod": _slave(reconstructed)},
+    "derived": {"articulated_rod": _slave("derived")},
+    "reconstructed": {"articulated_rod": _slave("reconstructed")},
 }
 """The sources' forms by method, and for each the kinds of mechanism that it speaks of."""
 

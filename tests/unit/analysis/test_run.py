@@ -8,7 +8,7 @@ from tests.machines import RADIUS, ROCKER, V12, banks, curve, of, slider, throws
 from tests.sentences import STEP_FROM_TO
 
 import cranktrain as ct
-from cranktrain.analysis import STAGES, ordered
+from cranktrain.analysis import every_stage, ordered
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.cylinders.volumes import SweptVolumes
 from cranktrain.questions.motion.dead_centres import DeadCentres, PistonTurn
@@ -118,8 +118,8 @@ def test_extremes_do_not_depend_on_the_grid():
 
 
 def test_every_quantity_comes_from_an_ordered_stage():
-    gives = [stage.gives for stage in ordered(STAGES)]
-    assert len(set(gives)) == len(STAGES)
+    gives = [stage.gives for stage in ordered(every_stage())]
+    assert len(set(gives)) == len(every_stage())
 
 
 class TestPartial:

@@ -6,7 +6,7 @@ from tests.gas_engines import Engine
 from tests.sentences import NOT_A_KEY, NOT_POSITIVE
 
 from cranktrain.errors import InputError
-from cranktrain.fluids import ChamberState, fluid_named
+from cranktrain.fluids import KINDS, ChamberState
 from cranktrain.fluids.dual import ideal_mean_pressures, ideal_pressure
 from cranktrain.spec import validated
 
@@ -22,7 +22,7 @@ ENGINE = Engine(0.045, 0.15, 0.08, 16.0)
 
 
 def model_of(**more):
-    spec = validated(fluid_named("dual").spec, DUAL | more)
+    spec = validated(KINDS.named("dual").spec, DUAL | more)
     fluid, cycle = ENGINE.filled(spec)
     return cycle, fluid.flags(spec)
 

@@ -13,9 +13,9 @@ from cranktrain.errors import InputError
 from cranktrain.fluids.indicator import IndicatorSpec, card_of, diagram_work, indicator_diagram, pressure_at
 from cranktrain.fluids.indicator.curve import crest
 from cranktrain.fluids.indicator.gaps import bridging_errors
-from cranktrain.fluids.indicator.heads import is_time
 from cranktrain.fluids.indicator.noise import noise_of
 from cranktrain.fluids.indicator.pegging import offset_scatter
+from cranktrain.quantities.heads import is_time
 from cranktrain.spec import validated
 
 FILES = Path(__file__).parents[2] / "golden" / "raw_traces"

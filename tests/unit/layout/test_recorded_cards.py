@@ -11,8 +11,8 @@ from tests.sentences import LOOKED_FOR, NO_FILE
 
 import cranktrain as ct
 from cranktrain.cli import main
-from cranktrain.fluids.indicator.heads import unit_in
 from cranktrain.quantities import Dimension
+from cranktrain.quantities.heads import unit_in
 
 FILES = Path(__file__).parents[2] / "golden" / "load_cards"
 INCH, POUND_FORCE = 0.0254, 4.4482216152605

@@ -9,9 +9,9 @@ from tests.machines import ROCKER
 
 import cranktrain as ct
 from cranktrain.errors import InputError
-from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms import KINDS
 
-EXAMPLE = tomllib.loads(kind_named("chain").example)["mechanism"]
+EXAMPLE = tomllib.loads(KINDS.named("chain").example)["mechanism"]
 
 
 def chain(**changes):

@@ -6,7 +6,7 @@ from scipy.integrate import solve_ivp
 from tests.contract.force_kernels import KINDS as EXAMPLES
 
 from cranktrain.linkage.forces import Body, Gravity
-from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.equation import compiled_equation, equation_of_motion
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 
@@ -19,7 +19,7 @@ def flat(equation):
 
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_compiled_for_numbers(name):
-    kind = kind_named(name)
+    kind = KINDS.named(name)
     _, geometry, bodies, _ = EXAMPLES[name](0.0, float, 1.0)
     gravity = Gravity(0.5, -9.0)
     expected = flat(equation_of_motion(kind)(ANGLES, geometry, bodies, 5.0, gravity))
@@ -31,7 +31,7 @@ def test_compiled_for_numbers(name):
 
 def test_energy_of_a_crank_left_alone():
     """Swinging under its weight: the kinetic energy ½Jω² is what the weights have given."""
-    kind = kind_named("slider_crank")
+    kind = KINDS.named("slider_crank")
     at = equation_of_motion(kind)
     geometry = SliderCrank(0.1, 0.3, 0.02)
     bodies = (Body(3.0, 0.05, 0.01, 0.02), Body(2.0, 0.1, 0.02, 0.03), Body(4.0, 0.0, 0.0, 0.0))

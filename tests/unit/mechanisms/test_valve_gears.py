@@ -8,13 +8,13 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.errors import InputError
-from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms import KINDS
 
 QUANTITIES = ["stroke", "piston_displacement", "top_position"]
 
 
 def example(kind):
-    return tomllib.loads(kind_named(kind).example)
+    return tomllib.loads(KINDS.named(kind).example)
 
 
 def gear_of(data):

@@ -12,7 +12,7 @@ from tests.gas_engines import DUAL_CYCLE
 from tests.similar_machines import similar
 
 import cranktrain as ct
-from cranktrain.analysis import STAGES, run
+from cranktrain.analysis import every_stage, run
 from cranktrain.analysis.stages import leading_to
 from cranktrain.cli.check import show_check
 from cranktrain.io.examples import example_names
@@ -341,8 +341,8 @@ def module_of(stage):
     return inspect.getmodule(stage.function)
 
 
-ASKING = [stage.gives for stage in STAGES if SETS in inspect.getsource(module_of(stage))]
-NEEDED = leading_to(STAGES, ASKING)
+ASKING = [stage.gives for stage in every_stage() if SETS in inspect.getsource(module_of(stage))]
+NEEDED = leading_to(every_stage(), ASKING)
 """What a machine is asked about comes of these: none of the others can add to it."""
 
 
@@ -352,7 +352,7 @@ def asked(machine):
 
 def test_no_other_stage_asks():
     """Nor what stages call: what may ask stands in the module of a stage."""
-    modules = {Path(module_of(stage).__file__) for stage in STAGES}
+    modules = {Path(module_of(stage).__file__) for stage in every_stage()}
     source = Path(ct.__file__).parent
     asking = {path for path in source.rglob("*.py") if SETS in path.read_text(encoding="utf-8")}
     assert len(asking) > 10

@@ -7,7 +7,7 @@ import pytest
 from tests.reference_case import GOLDEN
 from tests.starts import heavy_drive, kernels
 
-from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.equation import equation_of_motion
 from cranktrain.transient.gearing import (
     NONE,
@@ -66,7 +66,7 @@ def test_mean_motor_torque_at_constant_speed(case):
     drive = heavy_drive(95.0, load=-case["load"])
     mechanism = drive.machine
     phi = np.linspace(0.0, 2 * np.pi, 7200, endpoint=False)
-    reduced = equation_of_motion(kind_named("crank_rocker"))(
+    reduced = equation_of_motion(KINDS.named("crank_rocker"))(
         phi, mechanism.geometry, mechanism.bodies, mechanism.load.along, mechanism.gravity
     )
     level = 0.5 * reduced.inertia.first * case["crank_speed"] ** 2 - reduced.load

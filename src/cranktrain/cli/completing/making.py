@@ -3,11 +3,10 @@
 import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any, get_args, get_origin
+from typing import Annotated, Any, get_args, get_origin
 
 from cranktrain import fluids, mechanisms
-from cranktrain.analysis import STAGES
-from cranktrain.catalogue import entries
+from cranktrain.analysis import every_stage
 from cranktrain.machine import Machine
 from cranktrain.quantities import SHOWN, unit_names
 from cranktrain.spec import Spec, bare
@@ -24,8 +23,8 @@ def made() -> dict[str, Any]:
             keys |= dict(_tables(fluid.spec, (*home, f":{fluid.name}")))
     keys["shaft", "main"] = [key for key in keys["shaft", "*"] if key not in ("ratio", "phase", "place")]
     return {
-        "results": list(dict.fromkeys(entry.name for stage in STAGES for entry in entries(stage.gives))),
-        "kinds": [kind.name for kind in mechanisms.KINDS],
+        "results": list(dict.fromkeys(name for stage in every_stage() for name in stage.results)),
+        "kinds": list(mechanisms.KINDS.names),
         "units": list(dict.fromkeys(unit for dimension in SHOWN for unit in unit_names(dimension))),
         "keys": {".".join(pattern): names for pattern, names in keys.items() if names},
     }
@@ -35,7 +34,7 @@ def _tables(spec: type[Spec], above: tuple[str, ...]) -> Iterator[tuple[tuple[st
     """Give the keys of a table that have values, and those of the tables in it."""
     values: list[str] = []
     for name, field in spec.model_fields.items():
-        annotation = bare(field.annotation)
+        annotation = bare(Annotated[field.annotation, field])
         kinds = annotation.alternatives or (annotation.annotation,)
         tables = [kind for each in kinds if isinstance(kind := bare(each).annotation, type) and issubclass(kind, Spec)]
         named = _named(annotation.annotation)

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
-from cranktrain.analysis import STAGES, Result
+from cranktrain.analysis import Result, stages_for
 from cranktrain.cli.screen.foot import foot_lines
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.minded import minded_lines
@@ -49,7 +49,7 @@ def answer_lines(file: MachineFile, result: Result, name: str, width: int) -> It
 
 def _conditions(result: Result, width: int) -> Iterator[str]:
     """Say at which speed all this is, where that is not the file's own: what no stage gave."""
-    stages = {stage.gives for stage in STAGES}
+    stages = {stage.gives for stage in stages_for(result.machines[0])}
     for outcome in result.outcomes:
         if type(outcome) not in stages and (answer := getattr(outcome, "answer", None)) is not None:
             yield from folded(typeset(answer(result.labels, 0)), width)

@@ -10,7 +10,7 @@ import numpy as np
 from rich.text import Text
 
 from cranktrain.analysis import Result
-from cranktrain.analysis.dimensions import DIMENSIONS
+from cranktrain.analysis.dimensions import dimension_named
 from cranktrain.catalogue import Entry
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.figures import Figures, figures
@@ -115,7 +115,7 @@ def _families(rows: Sequence[FactRow]) -> list[_Family]:
     families: list[_Family] = []
     for row in rows:
         members = tuple(row.texts)
-        own = DIMENSIONS[row.entry.dimensions[0]] if len(members) > 1 else _OF_MACHINE
+        own = dimension_named(row.entry.dimensions[0]) if len(members) > 1 else _OF_MACHINE
         dimension, title = (own.family, "") if own.family else (own.name, own.title)
         for i, family in enumerate(families):
             is_part = set(family.members) <= set(members) or set(members) <= set(family.members)
@@ -192,7 +192,7 @@ def _deep(result: Result, entries: Sequence[Entry], width: int) -> Iterator[str 
 
 def _of_members(values: Array, entry: Entry) -> Figures:
     """Write values with several dimensions; what is rounding beside the largest of its own mode is nothing."""
-    axes = tuple(i for i, name in enumerate(entry.dimensions) if not DIMENSIONS[name].is_apart)
+    axes = tuple(i for i, name in enumerate(entry.dimensions) if not dimension_named(name).is_apart)
     beside = np.fmax.reduce(np.abs(values), axis=axes, keepdims=True, initial=0.0)
     return figures(values.ravel(), entry.shown, np.broadcast_to(beside, values.shape).ravel())
 

@@ -1,19 +1,21 @@
 """Below the answer: how far it can be trusted, and what to ask next."""
 
 import shlex
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from rich.cells import cell_len
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import Missing, Result
+from cranktrain.analysis.unasked import unasked
 from cranktrain.cli.screen.amounts import filled
 from cranktrain.cli.screen.text import folded
 from cranktrain.cli.screen.typesetting import KEPT
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import MachineFile, inputs_of
 from cranktrain.language import N_, _
+from cranktrain.machine import Machine
 from cranktrain.rows import Amount
 from cranktrain.texts.comparison import TextbookMotion
 
@@ -112,10 +114,10 @@ def _offers(file: MachineFile, missing: Sequence[Missing]) -> Iterator[str]:
     """
     ranked = sorted(
         (len(one.needs), rank, -place if rank else place, one.needs, words)
-        for place, question in enumerate(QUESTIONS)
-        for rank, (name, words) in enumerate(question.offers.items())
+        for place, name in enumerate(QUESTIONS.names)
+        for rank, (quantity, words) in enumerate(_offered(file.machine, name).items())
         for one in missing
-        if name in one.results and len(one.needs) <= _MOST_NEEDS
+        if quantity in one.results and len(one.needs) <= _MOST_NEEDS
     )
     first: dict[tuple[str, ...], str] = {}
     for n_needs, _rank, _place, needs, words in ranked:
@@ -124,6 +126,11 @@ def _offers(file: MachineFile, missing: Sequence[Missing]) -> Iterator[str]:
             first.setdefault(needs, words)
     for needs, words in list(first.items())[:_MOST_OFFERS]:
         yield f"{_(' and ').join(map(_shortly, needs))} {_(words)}".replace(" ", KEPT)
+
+
+def _offered(machine: Machine, question: str) -> Mapping[str, str]:
+    """What a question gives to those who ask next, whether this machine's file asks it or not."""
+    return (QUESTIONS.named(question) if question in machine.asks else unasked(question)).offers
 
 
 def _has_table(file: MachineFile, need: str) -> bool:

@@ -7,12 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.fluids.indicator.heads import AXES, Axis, axis_of, is_gauge, is_pressure, is_time, time_advice, unit_in
-from cranktrain.fluids.indicator.table import NumberTable, read_table
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.number_table import NumberTable, read_table
 from cranktrain.one_line import short
 from cranktrain.quantities import Dimension, read, shown, unit_names
+from cranktrain.quantities.heads import AXES, Axis, axis_of, is_gauge, is_pressure, is_time, time_advice, unit_in
 from cranktrain.record import record
 
 STANDARD_ATMOSPHERE = 101325.0

@@ -136,9 +136,9 @@ class GasInChambers(StageResult):
         filling = next(one for one in self.fillings if place in one.places)
         return filling.fluid.pressure(state, filling.of_chamber(design, place))
 
-    def filled_with(self, ready: type) -> list[Filling]:
-        """Fillings whose fluid makes numbers of that type ready for its pressure."""
-        return [one for one in self.fillings if isinstance(one.ready, ready)]
+    def filled_with(self, kind: str) -> list[Filling]:
+        """Fillings with the fluid of that name."""
+        return [one for one in self.fillings if one.fluid.name == kind]
 
     def by_chamber(self, found: Iterable[tuple[Filling, Array]]) -> Array:
         """What some fillings have, of shape (design, own chamber), for every chamber: NaN of the others."""

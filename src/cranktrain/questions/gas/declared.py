@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.errors import Problem
 from cranktrain.fluids import KINDS, AnyFluid, FluidSpec, fluid_of, table_path
+from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.numerics.designs import by_design
@@ -111,6 +112,6 @@ def gas_problems(design: Design) -> Iterator[Problem]:
     if without and len(without) < len(used):
         allowed = _("has no table for {chambers}, while others have one").format(chambers=", ".join(without))
         yield Problem(_GAS, None, allowed)
-    for fluid in KINDS:
-        own = {path: spec for path, spec in tables.items() if fluid_of(spec) is fluid}
-        yield from fluid.problems(own)
+    by_kind = grouped((spec.kind, (path, spec)) for path, spec in tables.items())
+    for name in filter(by_kind.__contains__, KINDS.names):
+        yield from KINDS.named(name).problems(dict(by_kind[name]))

@@ -1,14 +1,13 @@
 """What compressors take in and deliver: between which pressures, how much of the swept volume, how much in a second."""
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
 from cranktrain.fluids import VolumeLimits
-from cranktrain.fluids.compressor import Compressor, capacity, suction_heating
-from cranktrain.fluids.compressor.chamber import steady_exponents
 from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
@@ -18,6 +17,9 @@ from cranktrain.questions.gas.declared import DeclaredGas
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.wording import Names, ranged, shared_known
+
+if TYPE_CHECKING:
+    from cranktrain.fluids.compressor import Compressor
 
 _CHAMBER = ("chamber",)
 
@@ -57,9 +59,11 @@ def has_compressors(gas: DeclaredGas) -> bool:
 
 def compressor_capacity(gas: GasInChambers) -> CompressorCapacity:
     """Capacity by the exponent of re-expansion; docs/theory/gas, eqs. (14.18) and (14.20)."""
-    compressors = gas.filled_with(Compressor)
+    from cranktrain.fluids.compressor import capacity, suction_heating  # for machines that have one
 
-    def by_chamber(value: Callable[[Compressor, VolumeLimits], Array]) -> Array:
+    compressors = gas.filled_with("compressor")
+
+    def by_chamber(value: "Callable[[Compressor, VolumeLimits], Array]") -> Array:
         return gas.by_chamber((one, value(one.ready, one.rooms.limits)[..., 0]) for one in compressors)
 
     part = by_chamber(capacity)
@@ -76,6 +80,8 @@ def compressor_capacity(gas: GasInChambers) -> CompressorCapacity:
 
 def _flags(gas: GasInChambers, one: Filling, part: Array) -> list[str]:
     """Flag chambers that deliver nothing, and exponents with which no cycle is steady."""
+    from cranktrain.fluids.compressor.chamber import steady_exponents
+
     idle = one.places[np.any(part == 0.0, axis=0)].tolist()
     unsteady = one.places[np.any(~steady_exponents(one.ready, one.rooms.limits)[..., 0], axis=0)].tolist()
     said = {
@@ -107,4 +113,4 @@ def compressor_flow(gas: GasInChambers, capacities: CompressorCapacity, speed: S
         taken = capacities.volumetric_efficiency[:, one.places, np.newaxis] * one.rooms.swept_volume * thinner
         return (taken * speed.mean / TURN)[..., 0]
 
-    return CompressorFlow(gas.by_chamber((one, of_stage(one)) for one in gas.filled_with(Compressor)))
+    return CompressorFlow(gas.by_chamber((one, of_stage(one)) for one in gas.filled_with("compressor")))

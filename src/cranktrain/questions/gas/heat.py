@@ -1,7 +1,6 @@
 """What becomes of the heat that comes in by Wiebe's law."""
 
 from cranktrain.catalogue import quantity
-from cranktrain.fluids.wiebe.chamber import BurningChambers
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.questions.gas.chambers import GasInChambers
@@ -41,7 +40,7 @@ def has_heat(gas: DeclaredGas) -> bool:
 
 def heat_balance(gas: GasInChambers) -> HeatBalance:
     """Heat, loss and work of the working turn; docs/theory/gas, eq. (14.22)."""
-    burning = gas.filled_with(BurningChambers)
+    burning = gas.filled_with("wiebe")
     heat = gas.by_chamber((one, one.ready.heat) for one in burning)
     loss, work = (gas.by_chamber((one, getattr(one.ready.curve, name)) for one in burning) for name in ("loss", "work"))
     return HeatBalance(released_heat=heat, wall_loss=loss, working_turn_efficiency=work / heat)

@@ -1,6 +1,7 @@
 """`[gas]`: one fluid for all chambers, or tables by the names of banks, cylinders and chambers."""
 
 from collections.abc import Iterator, Mapping
+from functools import cache
 from typing import Annotated, Any, TypeAlias, cast
 
 from pydantic import BeforeValidator, Discriminator, Tag
@@ -11,8 +12,11 @@ from cranktrain.fluids import KINDS, AnyGas
 from cranktrain.language import _
 from cranktrain.quantities import one_of
 
-_OWN = frozenset(name for fluid in KINDS for name in fluid.spec.model_fields)
-"""Keys of fluids, which are no names of chambers."""
+
+@cache
+def _own_keys() -> frozenset[str]:
+    """Keys of fluids, which are no names of chambers."""
+    return frozenset(name for fluid in KINDS for name in fluid.spec.model_fields)
 
 
 def _form(data: object) -> str:
@@ -33,9 +37,9 @@ def _wrong(table: Mapping[str, Any]) -> Iterator[Problem]:
         allowed = _("must not stand beside kind; give each named table a kind of its own, and [gas] none")
         yield from (Problem(name, None, allowed) for name, value in table.items() if _is_fluid(value))
         return
-    own = [name for name, value in table.items() if name in _OWN or not isinstance(value, Mapping)]
+    own = [name for name, value in table.items() if not isinstance(value, Mapping) or name in _own_keys()]
     if own or not table:
-        kinds = one_of([fluid.name for fluid in KINDS])
+        kinds = one_of(KINDS.names)
         allowed = _("is missing; {kinds}; or give every chamber a table by its name, its cylinder's or its bank's")
         yield Problem("kind", None, allowed.format(kinds=kinds), _("write [gas.NAME] with a kind of its own"))
 

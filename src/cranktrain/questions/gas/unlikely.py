@@ -5,8 +5,6 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.checks import Limit, StageResult, flagged
-from cranktrain.fluids.compressor.pressure import Compressor
-from cranktrain.fluids.wiebe.chamber import BurningChambers, walls
 from cranktrain.language import N_
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.heat import HeatBalance
@@ -104,7 +102,9 @@ def _ratios_of_cranks(gas: GasInChambers) -> Iterator[str]:
 
 def _burning(gas: GasInChambers) -> Iterator[str]:
     """Flag heat that is nothing beside what the charge could burn, and walls that are too cold."""
-    for filling in gas.filled_with(BurningChambers):
+    for filling in gas.filled_with("wiebe"):
+        from cranktrain.fluids.wiebe.chamber import walls  # for machines that burn so
+
         law, gas_mass = filling.ready.curve.law, filling.ready.curve.mass
         # Without heat to the walls nothing is said of temperatures.
         is_known = law.transfer != 0
@@ -121,7 +121,7 @@ def _burning(gas: GasInChambers) -> Iterator[str]:
 
 def _compressing(gas: GasInChambers) -> Iterator[str]:
     """Flag exponents of compressors."""
-    for filling in gas.filled_with(Compressor):
+    for filling in gas.filled_with("compressor"):
         ready = filling.ready
         each = np.broadcast_arrays(ready.compression_exponent, ready.expansion_exponent)
         yield from flagged(_LEAST_EXPONENT, np.concatenate(each))

@@ -97,7 +97,7 @@ def reduced_machines(
     over its cycle. Friction in guides goes between that at rest and that at the declared speed with ω², eq. (31.11).
     """
     ways = _ways(() if loaded.loads is None else loaded.loads.each)
-    remembering = [] if loaded.gas is None else loaded.gas.filled_with(Compressor)
+    remembering = [] if loaded.gas is None else loaded.gas.filled_with("compressor")
     pieces = smooth_pieces(_coefficients(loaded, ways, remembering))
     if flywheel is not None:
         pieces[:, :, 0, 0] += flywheel.inertia[:, np.newaxis]

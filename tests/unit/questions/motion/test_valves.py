@@ -7,7 +7,7 @@ import pytest
 import cranktrain as ct
 from cranktrain.io.description import layout_words
 from cranktrain.io.machine_file import read_machine
-from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms import KINDS
 
 
 def test_valves_are_counted_apart():
@@ -38,7 +38,7 @@ def test_answers_part_valves_from_pistons():
 
 @pytest.mark.parametrize("kind", ["eccentric", "stephenson"])
 def test_of_a_valve_alone_no_piston_is_spoken_of(kind):
-    machine = ct.Machine(**tomllib.loads(kind_named(kind).example), shaft={"main": {"speed": "100 rpm"}})
+    machine = ct.Machine(**tomllib.loads(KINDS.named(kind).example), shaft={"main": {"speed": "100 rpm"}})
     said = ct.run(machine).summary()
     assert "Valve travel: " in said and "Mean valve speed " in said
     assert "iston" not in said and "dead centre" not in said and "Stroke" not in said

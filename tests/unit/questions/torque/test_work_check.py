@@ -9,7 +9,7 @@ from tests.machines import V12, slave, slider, throws
 
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import STAGES, lacking, run_stages
+from cranktrain.analysis.stages import every_stage, lacking, run_stages
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.torque.work_check import WorkBalance, work_balance
 
@@ -137,9 +137,9 @@ def test_it_can_fail():
     parts, others = (
         parts_of([machine(gas)], step=np.radians(10)) for gas in (DUAL, DUAL | {"start_pressure": "121.2 kPa"})
     )
-    known, other = (some | run_stages(STAGES, some, lacking(STAGES, some)) for some in (parts, others))
+    known, other = (some | run_stages(every_stage(), some, lacking(every_stage(), some)) for some in (parts, others))
     assert other[WorkBalance].checks[0].passed
-    needs = next(stage for stage in STAGES if stage.gives is WorkBalance).needs
+    needs = next(stage for stage in every_stage() if stage.gives is WorkBalance).needs
     given = {name: known[need] for name, need in needs.items()}
     (check,) = work_balance(**(given | {"pressures": other[GasPressures]})).checks
     assert not check.passed

@@ -188,7 +188,7 @@ class TestVectorSums:
     @pytest.mark.parametrize("name", ["kamaz_740", "3d12", "vaz_21213", "r_1340"])
     def test_on_a_rigid_shaft_they_are_the_phase_stars(self, name):
         """As the stage gives them for a mode in which all discs turn as one."""
-        from cranktrain.analysis import STAGES
+        from cranktrain.analysis import every_stage
         from cranktrain.analysis.parts import parts_of
         from cranktrain.analysis.stages import lacking, run_stages
 
@@ -199,10 +199,10 @@ class TestVectorSums:
             table["stiffness"] = "1 MN·m/rad"
         machine = machine.with_({"torsion": table})
         parts = parts_of([machine], step=np.radians(90))
-        known = parts | run_stages(STAGES, parts, lacking(STAGES, parts))
+        known = parts | run_stages(every_stage(), parts, lacking(every_stage(), parts))
         modes = known[TorsionalModes]
         rigid = dataclasses.replace(modes, mode_shape=np.ones_like(modes.mode_shape[:, :1]))
-        (stage,) = (one for one in STAGES if one.function is mode_vector_sums)
+        (stage,) = (one for one in every_stage() if one.function is mode_vector_sums)
         needs = {need: known[kind] for need, kind in stage.needs.items()} | {"modes": rigid}
         stars = run(machine).phase_star_sum
         np.testing.assert_array_equal(mode_vector_sums(**needs).mode_vector_sum[0, 0], stars)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Literal, TypeAlias
 
 from cranktrain.language import _
-from cranktrain.quantities import Dimension, is_unit
+from cranktrain.quantities.dimensions import Dimension, is_unit
 
 Axis: TypeAlias = Literal["angle", "displacement", "volume"]
 
