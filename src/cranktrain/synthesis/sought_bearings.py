@@ -4,8 +4,9 @@ from collections.abc import Sequence
 from typing import Annotated, Any, NamedTuple
 
 from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import every_stage, lacking, leading_to, run_stages
+from cranktrain.analysis.stages import every_stage, lacking, leading_to
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 from cranktrain.layout.shafts import Shafts

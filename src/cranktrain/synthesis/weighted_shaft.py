@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import lacking, leading_to, run_stages, stages_for
+from cranktrain.analysis.stages import lacking, leading_to, stages_for
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
-from cranktrain.analysis import Result, stages_for
+from cranktrain.analysis import Result
 from cranktrain.cli.screen.foot import foot_lines
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.minded import minded_lines
@@ -12,6 +12,7 @@ from cranktrain.cli.screen.text import folded
 from cranktrain.cli.screen.title import title_lines
 from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.io.machine_file import MachineFile
+from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.one_line import visible
 
 
@@ -48,8 +49,7 @@ def answer_lines(file: MachineFile, result: Result, name: str, width: int) -> It
 
 
 def _conditions(result: Result, width: int) -> Iterator[str]:
-    """Say at which speed all this is, where that is not the file's own: what no stage gave."""
-    stages = {stage.gives for stage in stages_for(result.machines[0])}
-    for outcome in result.outcomes:
-        if type(outcome) not in stages and (answer := getattr(outcome, "answer", None)) is not None:
-            yield from folded(typeset(answer(result.labels, 0)), width)
+    """Say at which speed all this is, where it varies."""
+    curve = result.get(SpeedCurve)
+    if curve is not None:
+        yield from folded(typeset(curve.answer(result.labels, 0)), width)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cranktrain.checks import StageResult
+from cranktrain.checks import Checked
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.masses import Masses
@@ -32,7 +32,7 @@ from cranktrain.record import record
 
 
 @record
-class RunningFrame(StageResult):
+class RunningFrame(Checked):
     """As `FrameForces`, in newtons and over the whole cycle.
 
     Attributes

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Checked, Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Applies
@@ -31,7 +31,7 @@ _UNLIKELY = 0.5
 
 
 @record
-class RunningSpeed(StageResult):
+class RunningSpeed(Checked, Flagged):
     """Speed of the shaft over the cycle, with the flywheel that there is; load says against what, as answers begin."""
 
     load: str

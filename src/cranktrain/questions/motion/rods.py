@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import coefficients, extreme, quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -22,7 +22,7 @@ _GROUPS = "docs/theory/groups"
 
 
 @record
-class RodMotion(StageResult):
+class RodMotion(Flagged):
     """Motion of every piston's rod by the crank angle alone; NaN for a piston that hangs on none."""
 
     rod_angle: Coefficient = coefficients(
