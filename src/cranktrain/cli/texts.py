@@ -242,7 +242,7 @@ def add_textbook(app: typer.Typer) -> None:
             asked = OfMachine(throw_number, at, crank_masses, table)
             show_throw(throw, values, output, asked=asked, full=full, force=force, others=alone)
             return
-        from cranktrain.cli.textbook.throw_output import refuse_without_throw
+        from cranktrain.cli.textbook.output import refuse_without_throw
 
         refuse_without_throw(output, at=at, force=force, of_throw=of_throw)
         if harmonics or crank_to_rod_ratio is not None:

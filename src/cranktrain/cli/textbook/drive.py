@@ -14,8 +14,7 @@ from rich.text import Text
 
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.text import INDENT, page, section, table
-from cranktrain.cli.textbook.drive_output import write_drive
-from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
+from cranktrain.cli.textbook.output import CURVES, TABLE, output_problems, write_drive
 from cranktrain.cli.textbook.speaking import with_speaking
 from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse

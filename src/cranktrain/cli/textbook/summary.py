@@ -9,8 +9,8 @@ from rich.text import Text as Line
 from cranktrain.analysis import Result
 from cranktrain.cli.screen.text import INDENT, section, table
 from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
-from cranktrain.cli.textbook.curve_tables import ROUND_ANGLES, show_curves
 from cranktrain.cli.textbook.forms import show_form
+from cranktrain.cli.textbook.tables import ROUND_ANGLES, show_curves
 from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import InputError
 from cranktrain.grouping import grouped, places_of_equal

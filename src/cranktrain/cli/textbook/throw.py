@@ -12,10 +12,9 @@ from rich.text import Text
 
 from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
-from cranktrain.cli.textbook.curve_tables import show_curves
-from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
+from cranktrain.cli.textbook.output import CURVES, TABLE, output_problems, write_machine_throw, write_throw
 from cranktrain.cli.textbook.speaking import with_speaking
-from cranktrain.cli.textbook.throw_output import write_machine_throw, write_throw
+from cranktrain.cli.textbook.tables import show_curves
 from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.grouping import grouped

@@ -1,18 +1,49 @@
-"""What `textbook --throw` writes: the throw's table, or its scheme."""
+"""What `textbook -o` writes, by how the name ends: a drive's or a throw's table, its curves, or its figures."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import PurePath
 
 from cranktrain.cli.quiet_pictures import save_quietly
-from cranktrain.cli.textbook.output_names import CURVES, TABLE
-from cranktrain.errors import Problem, refuse
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.output import write_machine_file, write_whole
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.plans.machine_throw import ThrownMachine
 from cranktrain.plans.throw_loads import CrankMasses
+from cranktrain.textbook.drive_statements import drive_statements
 from cranktrain.textbook.statements import Statements
+from cranktrain.texts.drive_table import CrankRockerDrive
 from cranktrain.texts.throw_table import Throw
+from cranktrain.viz.output import FORMATS
+
+TABLE, CURVES = ".toml", ".csv"
+
+
+def output_problems(output: str | None, *kinds: str, force: bool) -> Iterator[Problem]:
+    """Refuse a name that says nothing of what is to be written: one of `kinds`, or a picture; `--force` without one."""
+    if output is None and force:
+        yield Problem("--force", None, _("is for a file that is written: ask for -o FILE, too"))
+    known = (*kinds, *FORMATS)
+    if output is not None and PurePath(output).suffix.lower() not in known:
+        yield Problem("-o", output, _("must end in one of: {suffixes}").format(suffixes=", ".join(known)))
+
+
+def write_drive(
+    drive: CrankRockerDrive, text: str | None, name: str, output: str, *, angle: float, force: bool
+) -> None:
+    """Write the table or the curves, or draw both figures; say what was written."""
+    suffix = PurePath(output).suffix.lower()
+    if suffix == TABLE:
+        if text is None:
+            raise InputError([Problem("-o", output, _("is for a drive's table: a machine has a file of its own"))])
+        write_machine_file(output, text, force=force)
+    elif suffix == CURVES:
+        write_whole(output, drive_statements(drive).csv(), force=force)
+    else:
+        from cranktrain.viz.plans.drive_figure import drive_figure
+
+        save_quietly(lambda: drive_figure(drive, name, angle), output, force=force)
+    print(_("written: {name}").format(name=one_line(output)))
 
 
 def refuse_without_throw(
