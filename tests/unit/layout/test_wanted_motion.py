@@ -13,7 +13,7 @@ from tests.sentences import NOT_POSITIVE
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
 from cranktrain.layout.mechanisms import Mechanisms, mechanisms_of
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
 from cranktrain.layout.wish.fitting import WishWay, fitted
 from cranktrain.layout.wish.following import crank_at, crank_by_angle

@@ -14,8 +14,8 @@ from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
+from cranktrain.layout.shafts import Throws
 from cranktrain.layout.speed import Speed
-from cranktrain.layout.throws import Throws
 from cranktrain.linkage.forces import WEIGHTLESS, Momentum, Wrench, momentum
 from cranktrain.mechanisms.dynamics import FRAME
 from cranktrain.mechanisms.kind import AnyMotion

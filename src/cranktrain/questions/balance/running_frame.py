@@ -7,9 +7,8 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
-from cranktrain.layout.speed import Speed
-from cranktrain.layout.speed_curve import SpeedCurve
-from cranktrain.layout.throws import Throws
+from cranktrain.layout.shafts import Throws
+from cranktrain.layout.speed import Speed, SpeedCurve
 from cranktrain.linkage.forces import Drive
 from cranktrain.motion import Array
 from cranktrain.numerics import has_ended, spectral_derivative, turn_grid

@@ -5,11 +5,10 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
-from cranktrain.layout.axial import AxialPlaces
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
+from cranktrain.layout.shafts import AxialPlaces, ShaftCentres
 from cranktrain.layout.speed import Speed
-from cranktrain.layout.throws import ShaftCentres
 from cranktrain.linkage.forces import Drive, weight
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray, curve, from_vectors

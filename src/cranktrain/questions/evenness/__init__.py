@@ -5,9 +5,8 @@ from collections.abc import Iterator, Sequence
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import bodies_given
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, inner_table, keys, table
 from cranktrain.layout.shaft_loads import on_shafts
-from cranktrain.layout.uses import inner_table, keys, table
 from cranktrain.questions.evenness import (
     applied_torque,
     flywheel,

@@ -6,7 +6,7 @@ from textwrap import wrap
 from cranktrain.analysis import Result, sentences
 from cranktrain.io.description import layout_words
 from cranktrain.language import _
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.one_line import short
 from cranktrain.viz.paper.page import MARGIN, Box, Page, paper

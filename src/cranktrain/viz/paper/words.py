@@ -2,7 +2,7 @@
 
 from cranktrain.io.description import counted_by_status, given_numbers
 from cranktrain.language import _
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.quantities import shown
 from cranktrain.wording import as_given

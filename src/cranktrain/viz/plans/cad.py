@@ -12,7 +12,7 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import visible

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.lettering import pin_letters

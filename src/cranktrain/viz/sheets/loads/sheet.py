@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.layout.part_tables import part_name
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.numerics.ties import first_largest
 from cranktrain.one_line import short
 from cranktrain.plans.drawn_throws import drawn_throws
