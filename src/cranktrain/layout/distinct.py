@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.layout.mechanisms import Batch, Mechanisms
-from cranktrain.mechanisms.geometry import rows
+from cranktrain.mechanisms.kind import rows
 from cranktrain.motion import Array
 from cranktrain.numerics.nested import leaves
 from cranktrain.record import record

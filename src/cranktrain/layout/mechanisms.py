@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage import in_blocks
-from cranktrain.mechanisms.geometry import rows
-from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, AnyMotion, Members
+from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, AnyMotion, Members, rows
 from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array
 from cranktrain.numerics.designs import by_design

@@ -15,8 +15,8 @@ from cranktrain.layout.mechanisms import Batch, Mechanisms
 from cranktrain.layout.speed import Speed
 from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added
 from cranktrain.linkage.forces.load import LoadWay
+from cranktrain.mechanisms.dynamics import Forces
 from cranktrain.mechanisms.kind import AnyMotion
-from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Coefficient, Link
 from cranktrain.numerics import extremes, in_windows
 from cranktrain.numerics.nested import put
