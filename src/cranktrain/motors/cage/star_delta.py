@@ -5,9 +5,9 @@ from typing import NamedTuple
 from cranktrain.language import N_
 from cranktrain.motion import Array, chosen, single
 from cranktrain.motors.cage.law import CageCurrent, CageMotor, cage_breaks, cage_current, cage_torque
+from cranktrain.motors.declared import star_limits
 from cranktrain.motors.induction.current import rotor_heat
 from cranktrain.motors.law import MotorBreaks, MotorLaw
-from cranktrain.motors.limits import star_limits
 
 STAR = single(1 / 3)
 """Torque and line current in star, in parts of those in delta."""
