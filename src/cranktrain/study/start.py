@@ -15,8 +15,7 @@ from cranktrain.catalogue import Entry, entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.drive.declared import DeclaredDrive
-from cranktrain.layout.drive.grips import DeclaredBrake, DeclaredStroke
+from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredDrive, DeclaredStroke
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor

@@ -23,9 +23,7 @@ from cranktrain.synthesis.counterweight_numbers import (
     relief_numbers,
     relief_remarks,
 )
-from cranktrain.synthesis.positive import not_positive
-from cranktrain.synthesis.proposal import Alternative, Proposal, quantity_text
-from cranktrain.synthesis.quantities import Length, Mass, Ratio
+from cranktrain.synthesis.proposal import Alternative, Length, Mass, Proposal, Ratio, not_positive, quantity_text
 from cranktrain.synthesis.relief import Progress, least_largest_load, least_mean_load, without_idle
 from cranktrain.synthesis.sought_bearings import Method, SoughtBearings, sought_bearings
 from cranktrain.synthesis.weight_places import (

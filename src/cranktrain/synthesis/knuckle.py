@@ -14,17 +14,22 @@ from cranktrain.synthesis.knuckle_equations import Free, stroke_product, unshift
 from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
 from cranktrain.synthesis.knuckle_requirements import KnuckleRequirements
 from cranktrain.synthesis.knuckle_search import Search, is_usable, searched
-from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import (
     Alternative,
+    Angle,
+    Bore,
+    Length,
     Proposal,
     ProposedTable,
+    Ratio,
+    Speed,
     found,
+    not_positive,
+    plain,
     quantity_text,
     shaft_table,
     wanted,
 )
-from cranktrain.synthesis.quantities import Angle, Bore, Length, Ratio, Speed
 from cranktrain.wording import number, precise
 
 _FREE: tuple[Free, ...] = ("articulation_angle", "knuckle_radius", "rod_length")

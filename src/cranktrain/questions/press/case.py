@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from cranktrain.language import _
-from cranktrain.layout.drive.grips import DeclaredBrake, DeclaredClutch, DeclaredStroke, before_clutch
+from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredClutch, DeclaredStroke, before_clutch
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
 from cranktrain.numerics.harmonics import TURN

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from cranktrain.language import N_, _
-from cranktrain.layout.drive.grips import DeclaredBrake, DeclaredClutch, DeclaredStroke
+from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredClutch, DeclaredStroke
 from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
 from cranktrain.motors import DeclaredMotor
 from cranktrain.motors.declared import LONG_SINCE, beyond_measured
