@@ -24,8 +24,8 @@ from cranktrain.plans.together import places_called
 from cranktrain.plans.vectors import pair
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import plain
+from cranktrain.viz.paper.head import speed_words
 from cranktrain.viz.paper.sketch import LAYERS, Circle, Line, Sketch, bounds_of
-from cranktrain.viz.paper.words import speed_words
 from cranktrain.viz.plans.drive_beside import crank_pin
 from cranktrain.viz.plans.drive_chain import bounds_of_chain, chain_drawing
 from cranktrain.viz.plans.drive_symbols import crank_mark

@@ -12,9 +12,8 @@ from cranktrain.plans.positions import fitting, rounded_scale
 from cranktrain.plans.vectors import pair
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import with_unit
-from cranktrain.viz.paper.labels import labelled_bounds
 from cranktrain.viz.paper.page import Box, Page, mathematics
-from cranktrain.viz.paper.sketch import Sketch
+from cranktrain.viz.paper.sketch import Sketch, labelled_bounds
 from cranktrain.viz.plans.force_rows import group_words, packed
 from cranktrain.viz.plans.force_sketches import force_polygon_sketch
 

@@ -10,8 +10,7 @@ from cranktrain.numerics.ties import first_largest
 from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import PolygonForce
 from cranktrain.plans.vectors import angle_of
-from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.sketch import Circle, Habit, Sketch
+from cranktrain.viz.paper.sketch import Circle, Habit, Sketch, Wish, placed_labels
 from cranktrain.viz.plans.sketches import arrow
 
 _SYMBOL, _SEEN = 4.0, 0.6

@@ -10,7 +10,6 @@ from cranktrain.motion import Array
 from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.plans.shown_loads import ShownLoads
 from cranktrain.plans.vectors import angle_of
-from cranktrain.viz.paper.labels import Wish
 from cranktrain.viz.paper.load_arrows import (
     ArrowSizes,
     LoadMark,
@@ -23,7 +22,7 @@ from cranktrain.viz.paper.load_arrows import (
     load_wishes,
     pulled_side,
 )
-from cranktrain.viz.paper.sketch import Line
+from cranktrain.viz.paper.sketch import Line, Wish
 from cranktrain.viz.plans.lanes import Lanes, is_still
 
 _LONGEST, _HEAD, _RADIUS = 13.0, 2.6, 5.5

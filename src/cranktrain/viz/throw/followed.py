@@ -6,8 +6,7 @@ import numpy as np
 
 from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.labels import Wish, label_outline, placed_labels
-from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch, Wish, label_outline, placed_labels
 from cranktrain.viz.throw.scene import DrawnMechanism, Scene
 
 _MARKS = np.arange(0.0, 360.0, 30.0)

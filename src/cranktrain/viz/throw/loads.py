@@ -7,9 +7,8 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.labels import label_outline, placed_labels
 from cranktrain.viz.paper.load_arrows import ArrowSizes, LoadMark, load_marks, load_wishes
-from cranktrain.viz.paper.sketch import Label, Line, Sketch
+from cranktrain.viz.paper.sketch import Label, Line, Sketch, label_outline, placed_labels
 from cranktrain.viz.throw.scene import BIG_EYE, Scene
 
 _LONGEST, _HEAD, _RADIUS = 0.16, 0.028, 0.05

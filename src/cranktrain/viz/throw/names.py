@@ -7,8 +7,7 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.labels import Wish, label_outline, placed_labels
-from cranktrain.viz.paper.sketch import Label, Line, Sketch
+from cranktrain.viz.paper.sketch import Label, Line, Sketch, Wish, label_outline, placed_labels
 from cranktrain.viz.throw.cylinders import wall_end
 from cranktrain.viz.throw.scene import DrawnMechanism, Scene
 

@@ -14,9 +14,9 @@ from cranktrain.scales import Scale, scale_for
 from cranktrain.texts.flywheel_diagrams import Tangent
 from cranktrain.viz.panel import Curve, OneDesign, Panel, as_shown
 from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import Axes, Box, Figure, Page, drawing_settings, formula, set_words
 from cranktrain.viz.paper.panels import axes_in, draw_curves, line_of
+from cranktrain.viz.paper.sketch import Wish, placed_labels, together
 from cranktrain.viz.paper.style import COLOURS, INK, SYMBOL
 from cranktrain.viz.sheets.evenness.numbers import LOWER, TABLE, UPPER, write_numbers
 from cranktrain.viz.sheets.evenness.panels import mertsalov_panels, wittenbauer_panel

@@ -16,9 +16,9 @@ from cranktrain.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.labels import labelled_bounds
 from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.panels import FORCES, axes_in, draw_curves, draw_panels
+from cranktrain.viz.paper.sketch import labelled_bounds
 from cranktrain.viz.paper.tables import write_table
 from cranktrain.viz.sheets.loads.panels import CurvesOfLoads, load_curves, load_panels, travel_panels
 from cranktrain.viz.throw.beside import fitted

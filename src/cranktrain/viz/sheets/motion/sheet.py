@@ -14,13 +14,11 @@ from cranktrain.plans.drawn_throws import drawn_throws
 from cranktrain.plans.positions import chosen_scale
 from cranktrain.plans.vectors import pair
 from cranktrain.record import record
-from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.labels import labelled_bounds
+from cranktrain.viz.paper.head import first_that_holds, result_page
 from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.panels import MOTION, draw_panels
-from cranktrain.viz.paper.sketch import Sketch
+from cranktrain.viz.paper.sketch import Sketch, labelled_bounds
 from cranktrain.viz.paper.style import MUTED
-from cranktrain.viz.paper.words import first_that_holds
 from cranktrain.viz.sheets.motion.dead_centres import Mark, ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.sheets.motion.ruler import draw_ruler
