@@ -225,7 +225,7 @@ def constant_miss(made: Following) -> ConstantMiss:
     phases: Array = np.arange(_N_PHASES, dtype=np.float64) * step
     best = float(phases[first_smallest(largest(phases))])
     low, high = best - step, best + step
-    for _zoom in range(_N_STEPS):
+    for _step in range(_N_STEPS):
         inner = np.array([high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)])
         values = largest(inner)
         low, high = (low, float(inner[1])) if values[0] < values[1] else (float(inner[0]), high)
