@@ -15,9 +15,16 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero, extremes
-from cranktrain.textbook.alike_places import unspoken
-from cranktrain.textbook.error_statements import MotionForm, error_statements, with_degrees
-from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
+from cranktrain.textbook.alike import unspoken
+from cranktrain.textbook.statements import (
+    MotionForm,
+    Statement,
+    StatementCurve,
+    Statements,
+    Verdict,
+    error_statements,
+    with_degrees,
+)
 from cranktrain.texts.largest_errors import LargestErrors
 from cranktrain.texts.leads import SOURCE, is_unsuited, reasons, verdict
 from cranktrain.texts.opposed import (

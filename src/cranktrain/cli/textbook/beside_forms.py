@@ -20,10 +20,9 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.plans.constructions import construction
+from cranktrain.textbook.alike import AlikePistons
 from cranktrain.textbook.constants_statements import EQUATION, SOURCE, alike_slaves, constants_statements
 from cranktrain.textbook.construction_statements import arc_statement, backward_statements
-from cranktrain.textbook.distinct_pistons import AlikePistons
-from cranktrain.textbook.error_statements import LARGEST
 from cranktrain.textbook.motion_statements import form_heading, root_notes
 from cranktrain.textbook.opposed_statements import (
     INNER,
@@ -32,7 +31,7 @@ from cranktrain.textbook.opposed_statements import (
     opposed_statements,
     subjects,
 )
-from cranktrain.textbook.statements import Statement, Statements
+from cranktrain.textbook.statements import LARGEST, Statement, Statements
 from cranktrain.textbook.steam_engine_statements import (
     crank_side_curves,
     crank_side_statements,

@@ -32,7 +32,7 @@ from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest
 from cranktrain.references import REFERENCES
-from cranktrain.textbook.distinct_pistons import alike
+from cranktrain.textbook.alike import alike
 from cranktrain.textbook.motion_statements import NEEDED as MOTION_NEEDED
 from cranktrain.textbook.opposed_statements import NEEDED as OPPOSED_NEEDED
 from cranktrain.textbook.opposed_statements import opposed_cylinders

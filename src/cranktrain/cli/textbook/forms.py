@@ -11,7 +11,7 @@ from cranktrain.cli.textbook.tables import ROUND_ANGLES, show_curves, stated_err
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.machine import Machine
-from cranktrain.textbook.distinct_pistons import alike
+from cranktrain.textbook.alike import alike
 from cranktrain.textbook.motion_statements import (
     form_curves,
     form_heading,

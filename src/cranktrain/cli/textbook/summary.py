@@ -18,10 +18,10 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.plans.machine_drive import machine_drive, missing_values
-from cranktrain.textbook.distinct_pistons import AlikePistons, alike
-from cranktrain.textbook.error_statements import ERRORS, LARGEST
+from cranktrain.textbook.alike import AlikePistons, alike
 from cranktrain.textbook.motion_statements import form_curves, form_statements
 from cranktrain.textbook.opposed_statements import OpposedCylinders, opposed_cylinders, opposed_statements
+from cranktrain.textbook.statements import ERRORS, LARGEST
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text
 from cranktrain.texts.percents import percent

@@ -9,8 +9,7 @@ from rich.text import Text
 from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
 from cranktrain.grouping import grouped
 from cranktrain.motion import Array
-from cranktrain.textbook.error_statements import ERRORS
-from cranktrain.textbook.statements import Statement, StatementCurve
+from cranktrain.textbook.statements import ERRORS, Statement, StatementCurve
 from cranktrain.texts.percents import percent
 from cranktrain.wording import around_turn, figure
 

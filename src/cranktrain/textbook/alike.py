@@ -1,19 +1,46 @@
-"""Pistons and valves of which a text speaks, those that move alike together, and the exact motion of each."""
+"""Mechanisms of which a text speaks, those that move alike under one name, and the exact motion of each."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Hashable, Iterator, Sequence
 from typing import NamedTuple
 
+from cranktrain.errors import InputError, Problem
+from cranktrain.grouping import places_of_equal
+from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.eccentric import Eccentric
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import extremes
-from cranktrain.textbook.alike_places import alike_places
 from cranktrain.textbook.statements import Verdict
+from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.largest_errors import from_top
 from cranktrain.texts.plain_cranks import PLAIN, plain_crank
 from cranktrain.texts.ranges import Range
+from cranktrain.wording import ranged
+
+_SPOKEN_OF = {"crank_rocker"}.union(*FORMS.values())
+"""Kinds of mechanisms on whose motion a text has something."""
+
+
+def alike_places(places: Sequence[PlacedMechanism], keys: Sequence[Hashable]) -> Iterator[tuple[str, PlacedMechanism]]:
+    """Give the names of those with one key, as a range, and the first of them."""
+    names = [place.name for place in places]
+    for members in places_of_equal(keys).values():
+        yield ranged(names, members), places[members[0]]
+
+
+def unspoken(places: Sequence[PlacedMechanism], allowed: str) -> InputError:
+    """What is wrong with a machine of which a text does not speak, and which function has what the texts do say."""
+    kinds = dict.fromkeys(place.kind.name for place in places)
+    return InputError([Problem("machine", ", ".join(kinds), allowed, instead(places))])
+
+
+def instead(places: Sequence[PlacedMechanism]) -> str:
+    """Say which function has what the texts say of the motion of some mechanisms, or that no text speaks of it."""
+    if any(place.kind.name in _SPOKEN_OF for place in places):
+        return _("`cranktrain.textbook.motion` has what the texts say of it")
+    return _("none of the texts speaks of its motion")
 
 
 class AlikePistons(NamedTuple):
