@@ -11,9 +11,8 @@ from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
 from cranktrain.paths import quoted
 from cranktrain.synthesis.knuckle_equations import Free, stroke_product, unshifted_angle
-from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
-from cranktrain.synthesis.knuckle_requirements import KnuckleRequirements
 from cranktrain.synthesis.knuckle_search import Search, is_usable, searched
+from cranktrain.synthesis.knuckle_slave import KnuckleRequirements, cylinder_table, slave_numbers
 from cranktrain.synthesis.proposal import (
     Alternative,
     Angle,

@@ -12,9 +12,8 @@ from cranktrain.motion import single
 from cranktrain.paths import quoted
 from cranktrain.quantities import unlisted
 from cranktrain.synthesis.knuckle_equations import Free
-from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
-from cranktrain.synthesis.knuckle_requirements import KnuckleRequirements
 from cranktrain.synthesis.knuckle_search import Search, searched
+from cranktrain.synthesis.knuckle_slave import KnuckleRequirements, cylinder_table, slave_numbers
 from cranktrain.synthesis.proposal import (
     Alternative,
     Bore,

@@ -10,8 +10,8 @@ from cranktrain.errors import problems_as
 from cranktrain.grouping import grouped
 from cranktrain.io.any_machine import source_of
 from cranktrain.language import _
-from cranktrain.layout.ends import ENDS
 from cranktrain.layout.places import PlacedMechanism
+from cranktrain.layout.specs import ENDS
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero, extremes

@@ -7,10 +7,9 @@ import numpy as np
 from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
-from cranktrain.layout.guide_tables import bearing_moments
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
-from cranktrain.layout.part_tables import part_name
+from cranktrain.layout.part_tables import bearing_moments, part_name
 from cranktrain.linkage.forces import EdgeForces
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
