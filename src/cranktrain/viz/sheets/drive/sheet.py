@@ -15,9 +15,16 @@ from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings
 from cranktrain.viz.paper.panels import FORCES, draw_panels
 from cranktrain.viz.paper.tables import write_table
-from cranktrain.viz.sheets.drive.demands import demand_facts, demand_of, demand_panels, way_of
 from cranktrain.viz.sheets.drive.half_periods import draw_half_periods
-from cranktrain.viz.sheets.drive.panels import drive_panels, runs, steady_panels
+from cranktrain.viz.sheets.drive.panels import (
+    demand_facts,
+    demand_of,
+    demand_panels,
+    drive_panels,
+    runs,
+    steady_panels,
+    way_of,
+)
 from cranktrain.viz.sheets.drive.torque_speed import draw_torque_speed
 
 _LEFT = 0.55
