@@ -12,8 +12,8 @@ from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.roots import bracketed_roots
 from cranktrain.questions.reduction.at_angles import has_inertia
 from cranktrain.questions.reduction.machines import ReducedMachines
+from cranktrain.questions.start.case import Switching, start_kernels
 from cranktrain.questions.start.curves import in_list
-from cranktrain.questions.start.switching import Switching, start_kernels
 from cranktrain.record import record
 from cranktrain.transient.clutched.equation import Press, firm_acceleration, press_of
 from cranktrain.transient.clutched.runs import PressPlan
