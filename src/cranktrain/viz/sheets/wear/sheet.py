@@ -15,8 +15,8 @@ from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import LINE, Box, Figure, Page, drawing_settings, rounded_down
 from cranktrain.viz.paper.style import FILLS, INK, MUTED
-from cranktrain.viz.sheets.crankshaft.panels import WearDiagram, journal_wear, pin_wear, turned_by
 from cranktrain.viz.sheets.crankshaft.polar import cells
+from cranktrain.viz.sheets.wear.panels import WearDiagram, journal_wear, pin_wear, turned_by
 
 _DEEPEST = 0.62
 """How far into a circle the largest load of the sheet reaches, in parts of its radius."""
