@@ -120,9 +120,7 @@ def start_picture(start: Start, *, size: str = "A4") -> Figure:
     top = title_block(page, start.machine, _("Start: {reason}").format(reason=start.run.reason)) - 4.0
     box = Box(MARGIN, MARGIN, page.width - 2 * MARGIN, top - MARGIN)
     sorts = _event_sorts(start.events)
-    left = Box(box.left + 14.0, box.bottom, _LEFT * box.width - 20.0, box.height)
-    begin = box.left + _LEFT * box.width + 8.0
-    right = Box(begin, box.bottom, box.left + box.width - begin, box.height)
+    left, right = box.columns(_LEFT, 14.0)
     below = right.bottom + right.height
     time = start.run.whole_time
     if time[-1] <= time[0]:

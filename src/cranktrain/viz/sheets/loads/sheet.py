@@ -68,10 +68,8 @@ def sheet_loads(result: Result, *, size: str = "A4", piston: str | None = None, 
     shown = OneDesign(result, design)
     curves = load_curves(shown)
     page, box = result_page(result, design, size, _("Loads"))
-    left = box._replace(left=box.left + 12.0, width=_LEFT * box.width - 18.0)
+    left, right = box.columns(_LEFT, 12.0)
     draw_panels(page, list(load_panels(shown, curves)), left, FORCES)
-    start = box.left + _LEFT * box.width + 8.0
-    right = Box(start, box.bottom, box.left + box.width - start, box.height)
     below = _write_loads(page, shown, curves, right)
     page.notes(right.left, below - 2.0, _notes(curves))
     below = _draw_cards(page, curves, right, below - _NOTES)
