@@ -4,7 +4,7 @@ import csv
 import io
 import itertools
 import json
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 import numpy as np
 
@@ -40,11 +40,15 @@ def csv_text(
         Lines: `#` lines with the conventions, a head `name(index) [unit]`, then the numbers; NaN is written `nan`.
     """
     del machine
+    yield from csv_lines(about(result, names).items(), curve_columns(result, names), comma=comma)
+
+
+def csv_lines(said: Iterable[tuple[str, str]], columns: Mapping[str, Array], *, comma: bool) -> Iterator[str]:
+    """Write `#` lines with what is said, the heads of columns, and their numbers; `comma` as of `csv_text`."""
     if comma:
         yield "\ufeff"
-    for word, sentence in about(result, names).items():
+    for word, sentence in said:
         yield f"# {word}: {' '.join(sentence.split())}\n"
-    columns = curve_columns(result, names)
     row = io.StringIO()
     writer = csv.writer(row, delimiter=";" if comma else ",", lineterminator="\n")
     writer.writerow(columns)
