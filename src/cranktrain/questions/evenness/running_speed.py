@@ -14,8 +14,7 @@ from cranktrain.layout.speed import DrivenSpeed, Speed, SteadySpeed
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, spectral_derivative
 from cranktrain.numerics.periodic import PeriodicCurve, fourier_integral, plus
-from cranktrain.questions.evenness.applied_torque import AppliedTorque, of_steady_running
-from cranktrain.questions.evenness.load_torque import LoadTorque
+from cranktrain.questions.evenness.shaft_torque import AppliedTorque, LoadTorque, of_steady_running
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.questions.evenness.spec import Balancing, DrivenByMotor, GivenFlywheel
 from cranktrain.questions.evenness.speed_over_cycle import Mean

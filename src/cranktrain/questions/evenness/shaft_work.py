@@ -14,9 +14,8 @@ from cranktrain.numerics import spectral_derivative
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import PeriodicCurve, fourier_curve, piecewise_curve, quintic_curve
 from cranktrain.numerics.piecewise import PiecePlaces, pieces_from, quintics
-from cranktrain.questions.evenness.applied_torque import AppliedTorque
 from cranktrain.questions.evenness.excess_work import ExcessWork, excess_against, excess_of
-from cranktrain.questions.evenness.load_torque import LoadTorque
+from cranktrain.questions.evenness.shaft_torque import AppliedTorque, LoadTorque
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.torque.sources import TorqueSources
