@@ -3,8 +3,9 @@
 import numpy as np
 
 from cranktrain.analysis import every_stage
+from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import lacking, run_stages
+from cranktrain.analysis.stages import lacking
 from cranktrain.io.any_machine import load
 
 

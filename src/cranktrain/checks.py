@@ -61,19 +61,41 @@ class Check:
 class StageResult:
     """What the result of any stage may have beside its quantities.
 
+    One that is neither `Checked` nor `Flagged` checks nothing and warns of nothing: nobody need compute it for that.
+
     Attributes
     ----------
     labels : mapping of str to tuple of str
         Names along the dimensions that it brings.
+    """
+
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]], kw_only=True)
+
+
+@record
+class Checked(StageResult):
+    """A result that checks identities.
+
+    Attributes
+    ----------
     checks : tuple of Check
+    """
+
+    checks: tuple[Check, ...] = field(default=(), kw_only=True)
+
+
+@record
+class Flagged(StageResult):
+    """A result that may warn.
+
+    Attributes
+    ----------
     flags : tuple of str
         Sentences that warn of its numbers.
     unlikely : tuple of str
         Flags that ask whether a number of the file is right; `check` tells them, too.
     """
 
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]], kw_only=True)
-    checks: tuple[Check, ...] = field(default=(), kw_only=True)
     flags: tuple[str, ...] = field(default=(), kw_only=True)
     unlikely: tuple[str, ...] = field(default=(), kw_only=True)
 

@@ -11,8 +11,9 @@ from cranktrain import fluids, mechanisms, motors
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import every_stage, run
 from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import lacking, missing_results, run_stages
+from cranktrain.analysis.stages import lacking, missing_results
 from cranktrain.catalogue import entries
 from cranktrain.io.examples import example_names
 from cranktrain.layout.parts import laid_out

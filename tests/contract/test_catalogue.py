@@ -17,7 +17,8 @@ from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import every_stage, ordered
 from cranktrain.analysis.dimensions import DIMENSIONS
-from cranktrain.analysis.stages import lacking, run_stages
+from cranktrain.analysis.outcomes import run_stages
+from cranktrain.analysis.stages import lacking
 from cranktrain.catalogue import entries
 from cranktrain.io.examples import example_names
 

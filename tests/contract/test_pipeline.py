@@ -11,8 +11,9 @@ from tests.contract.test_columns import MACHINES, STEP, is_same, numbers_of, wit
 import cranktrain as ct
 from cranktrain.analysis import every_stage
 from cranktrain.analysis.behind import behind
+from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import lacking, run_stages
+from cranktrain.analysis.stages import lacking
 from cranktrain.catalogue import entries
 from cranktrain.checks import StageResult
 from cranktrain.layout.question import CALCULATOR, HAND_OVER, RESULT, tables_of

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
+from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import every_stage, lacking, run_stages
+from cranktrain.analysis.stages import every_stage, lacking
 from cranktrain.questions.crankshaft.bending.torque_along import torque_along
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS

@@ -13,8 +13,9 @@ import pytest
 from tests.excess import excess_work
 
 import cranktrain as ct
+from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import every_stage, lacking, run_stages
+from cranktrain.analysis.stages import every_stage, lacking
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.speed import Speed

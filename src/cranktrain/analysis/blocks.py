@@ -27,9 +27,9 @@ def block_sizes(n_designs: int) -> list[int]:
     return sizes
 
 
-def is_kept(outcome: object, names: Collection[str] | None) -> bool:
+def is_kept(kind: type, names: Collection[str] | None) -> bool:
     """Whether a stage's result is kept of every block: with quantities, or with some of those that are asked for."""
-    held = {entry.name for entry in entries(type(outcome))}
+    held = {entry.name for entry in entries(kind)}
     return bool(held) if names is None else not held.isdisjoint(names)
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
@@ -13,6 +13,8 @@ from cranktrain.layout.question import Parts
 from cranktrain.motion import Array
 from cranktrain.numerics.nested import mapped
 from cranktrain.numerics.ties import largest_first
+
+Outcome = TypeVar("Outcome")
 
 FACTS_STEP = np.pi / 180
 """Of the grid from which facts are found. [rad]"""
@@ -36,23 +38,24 @@ def has_curves(outcome: type) -> bool:
     return any(not entry.is_fact for entry in entries(outcome))
 
 
-def with_curves(facts: Mapping[type, object], curves: Mapping[type, object], every: int) -> dict[type, object]:
-    """Results whose facts, checks and flags are those of one run, and whose curves are those of another, thinned out.
+def with_curves(facts: Outcome, curves: Outcome, every: int) -> Outcome:
+    """Give a result whose facts, checks and flags are those of one run, and whose curves are those of another.
 
     Parameters
     ----------
-    facts, curves : mapping of type to result object
+    facts, curves : result objects with curves
         Of both runs, which may be one.
     every : int
         Of so many points one is taken.
     """
-    merged: dict[type, Any] = dict(facts)
-    for kind, outcome in curves.items() if curves is not facts or every > 1 else ():
-        fields = {entry.path.partition(".")[0]: None for entry in entries(kind) if not entry.is_fact}
-        if fields and kind in merged:
-            held = mapped(lambda _name, curve: curve[..., ::every], tuple(getattr(outcome, name) for name in fields))
-            merged[kind] = replace(merged[kind], **dict(zip(fields, held, strict=True)))
-    return merged
+    fields = {entry.path.partition(".")[0]: None for entry in entries(type(curves)) if not entry.is_fact}
+    held = mapped(lambda _name, curve: curve[..., ::every], tuple(getattr(curves, name) for name in fields))
+    return cast("Outcome", replace(cast("Any", facts), **dict(zip(fields, held, strict=True))))
+
+
+def are_wide(shown: Array) -> bool:
+    """Whether the steps of a grid are wider than those from which facts are found."""
+    return float(shown[1] - shown[0]) > FACTS_STEP
 
 
 def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], shown: Array) -> tuple[str, ...]:
@@ -66,8 +69,6 @@ def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], s
         The curves' grid. [rad]
     """
     step = float(shown[1] - shown[0])
-    if step <= FACTS_STEP:
-        return ()
     # Designs of one machine differ in numbers alone: the first speaks for all.
     missed = {
         entry.name: _missed(values(outcome, entry)[:1], values(facts[kind], entry)[:1])

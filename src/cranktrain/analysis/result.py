@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
+from cranktrain.analysis.outcomes import Outcomes
 from cranktrain.analysis.stages import Missing, every_stage
 from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.brief import brief
 from cranktrain.catalogue import Entry, entries, values
-from cranktrain.checks import Check
+from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.faces import face
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
@@ -69,13 +70,9 @@ class Result:
     has_designs : bool
         Whether arrays have the leading dimension `design`.
     grid : CrankAngle
-    labels : mapping of dimension to names
-    outcomes : tuple of result objects
-        One from each stage, in SI and radians, always with the design axis; before them the speed where it varies over
-        the cycle.
+    computed : Outcomes
+        What each stage gives, found when it is first asked for.
     missing : tuple of Missing
-    coarse : tuple of str
-        What is to be said of curves for which the steps asked for are too wide.
     unused : tuple of Unused
         Tables that the file has and no result could rest on, with what is missing for them.
     asked : tuple of str, or None
@@ -85,22 +82,47 @@ class Result:
     machines: tuple[Machine, ...]
     has_designs: bool
     grid: CrankAngle
-    labels: Mapping[str, tuple[str, ...]]
-    outcomes: tuple[object, ...]
+    computed: Outcomes
     missing: tuple[Missing, ...]
-    coarse: tuple[str, ...] = ()
     unused: tuple[Unused, ...] = ()
     asked: tuple[str, ...] | None = None
 
+    @property
+    def outcomes(self) -> tuple[Any, ...]:
+        """What the stages give, in SI and radians, always with the design axis; before them a speed that varies."""
+        return self._outcomes_of(object)
+
+    def _outcomes_of(self, *kinds: type) -> tuple[Any, ...]:
+        """What those stages give whose results are of some kinds."""
+        wanted = [kind for kind in self.computed.kinds if issubclass(kind, kinds)]
+        self.computed.compute(wanted)
+        return tuple(self.computed[kind] for kind in wanted)
+
+    def compute(self) -> None:
+        """Find now what would be found when it is first asked for: everything."""
+        self.computed.compute(self.computed.kinds)
+
+    def compute_answer(self) -> None:
+        """Find now what the answer rests on: its rows, and whatever may check or warn."""
+        functions = (rows_of for _title, each in self._row_functions() for rows_of in each)
+        asked = {kind for function in functions for kind in needs_of(function).types.values()}
+        there = self.computed.kinds
+        self.computed.compute(kind for kind in there if kind in asked or issubclass(kind, Checked | Flagged))
+
+    @property
+    def labels(self) -> Mapping[str, tuple[str, ...]]:
+        """Names along the dimensions of its quantities."""
+        return self.computed.labels
+
     @cached_property
-    def _homes(self) -> dict[str, tuple[Entry, object]]:
-        """Entry and stage result of every quantity."""
-        return {entry.name: (entry, outcome) for outcome in self.outcomes for entry in entries(type(outcome))}
+    def _homes(self) -> dict[str, tuple[Entry, type]]:
+        """Entry of every quantity, and the stage's result that holds it."""
+        return {entry.name: (entry, kind) for kind in self.computed.kinds for entry in entries(kind)}
 
     @cached_property
     def catalogue(self) -> Mapping[str, Entry]:
         """What there is, by name."""
-        return {name: entry for name, (entry, _gift) in self._homes.items()}
+        return {name: entry for name, (entry, _home) in self._homes.items()}
 
     @cached_property
     def crank_angle(self) -> Array:
@@ -115,21 +137,22 @@ class Result:
             raise AttributeError(name)
         if name not in self._homes:
             raise AttributeError(self._unknown(name))
-        entry, outcome = self._homes[name]
-        inside: Array = values(outcome, entry)
+        entry, home = self._homes[name]
+        inside: Array = values(self.computed[home], entry)
         given = _read_only(shown(inside, "deg")) if entry.unit == "deg" else inside
         return given if self.has_designs else given[0]
 
     def get(self, kind: type[Outcome]) -> Outcome | None:
         """Give what a stage gave by its type, in SI and radians, with the design axis; None where there is none."""
-        return next((outcome for outcome in self.outcomes if isinstance(outcome, kind)), None)
+        own = next((one for one in self.computed.kinds if issubclass(one, kind)), None)
+        return None if own is None else self.computed[own]
 
     def __getitem__(self, kind: type[Outcome]) -> Outcome:
         """Give what a stage gave, as `get` does; a `KeyError` says why there is none."""
         found = self.get(kind)
         if found is None:
             needs = self.needs_of(*(entry.name for entry in entries(kind)))
-            raise KeyError(self._absence(kind.__name__, needs, (type(outcome).__name__ for outcome in self.outcomes)))
+            raise KeyError(self._absence(kind.__name__, needs, (one.__name__ for one in self.computed.kinds)))
         return found
 
     @property
@@ -179,33 +202,36 @@ class Result:
     @property
     def checks(self) -> tuple[Check, ...]:
         """Identities that can fail, with their residuals."""
-        return tuple(check for outcome in self.outcomes for check in getattr(outcome, "checks", ()))
+        return tuple(check for outcome in self._outcomes_of(Checked) for check in outcome.checks)
 
     @property
     def flags(self) -> tuple[str, ...]:
         """Warnings of the stages: a textbook form outside its source's range, and the like."""
-        found = ((*getattr(outcome, "flags", ()), *getattr(outcome, "unlikely", ())) for outcome in self.outcomes)
-        return (*self.coarse, *(in_print(flag) for flags in found for flag in flags))
+        found = ((*outcome.flags, *outcome.unlikely) for outcome in self._outcomes_of(Flagged))
+        return (*self.computed.coarse, *(in_print(flag) for flags in found for flag in flags))
 
     @property
     def unlikely(self) -> tuple[str, ...]:
         """Those of the flags that ask whether a number of the file is right."""
-        return tuple(in_print(flag) for outcome in self.outcomes for flag in getattr(outcome, "unlikely", ()))
+        return tuple(in_print(flag) for outcome in self._outcomes_of(Flagged) for flag in outcome.unlikely)
 
     def rows(self, design: int = 0) -> Iterator[tuple[str, list[AnswerLine]]]:
         """Give the lines of the answer for one design, question by question: titles and rows, if there are any.
 
         Questions with one title stand together; what kinds of mechanisms have of their own, with the first question.
         """
+        for title, functions in self._row_functions():
+            rows = [row for rows_of in functions for row in self._rows(rows_of, design) if row.says]
+            if rows:
+                yield _(title), rows
+
+    def _row_functions(self) -> Iterator[tuple[str, list[Callable[..., Iterable[AnswerLine]]]]]:
+        """Give what says the lines of the answer, by the titles under which it says them."""
         machine = self.machines[0]
         own = tuple(rows for kind in machine.kinds for rows in KINDS.named(kind).rows)
         for title, alike in groupby(machine.questions, lambda question: question.title):
             each = [(*question.rows, *(own if question is machine.questions[0] else ())) for question in alike]
-            rows = [
-                row for functions in each for rows_of in functions for row in self._rows(rows_of, design) if row.says
-            ]
-            if rows:
-                yield _(title), rows
+            yield title, [rows_of for functions in each for rows_of in functions]
 
     def _rows(self, function: Callable[..., Iterable[AnswerLine]], design: int) -> Iterable[AnswerLine]:
         """Rows of one function; none where a result that it asks for is not there."""
@@ -217,9 +243,8 @@ class Result:
 
     def answers(self, design: int = 0) -> Iterator[str]:
         """Give the stages' answer sentences for one design."""
-        for outcome in self.outcomes:
-            answer = getattr(outcome, "answer", None)
-            sentence = answer(self.labels, design) if answer is not None else None
+        for kind in self.computed.kinds:
+            sentence = self.computed[kind].answer(self.labels, design) if hasattr(kind, "answer") else None
             if sentence:
                 yield in_print(sentence)
 

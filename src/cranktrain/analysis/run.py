@@ -1,6 +1,6 @@
 """From a machine to its result: layout, then every stage that the machine allows."""
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import partial as with_arguments
 from typing import Any, NamedTuple
@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cranktrain.analysis.blocks import MOST_AT_ONCE, block_sizes, is_kept, joined
-from cranktrain.analysis.grids import FACTS_STEP, coarse_curves, has_curves, on_grid, with_curves
+from cranktrain.analysis.grids import FACTS_STEP, has_curves, on_grid
+from cranktrain.analysis.outcomes import Finding, Outcomes, StageRun
 from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
-from cranktrain.analysis.shapes import refuse_misshapen
 from cranktrain.analysis.stages import (
     Step,
     every_stage,
@@ -20,7 +20,6 @@ from cranktrain.analysis.stages import (
     lacking,
     leading_to,
     missing_results,
-    run_stages,
     stages_for,
     stages_giving,
     steps_of,
@@ -31,7 +30,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.how_far import within
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.question import Parts, Stage
+from cranktrain.layout.question import Stage
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 
@@ -98,21 +97,20 @@ def run(
     sizes = block_sizes(len(machines))
     ends = np.cumsum(sizes).tolist()
     own = np.asarray(speed)
-    each: list[Result] = []
+    blocks: list[Result] = []
+    found: list[list[object]] = []
+    coarse: list[str] = []
     for start, end in zip([0, *ends], ends, strict=False):
         of_block = own[start:end] if own.ndim == _BY_DESIGN else speed
         with within(with_arguments(_designs, start + 1, end, len(machines))):
             block = _run(machines[start:end], of_block, step, steps, has_designs=True)
-        kept = tuple(outcome for outcome in block.outcomes if is_kept(outcome, names))
-        each.append(replace(block, outcomes=kept))
-    first = each[0]
-    return replace(
-        first,
-        machines=machines,
-        labels={**first.labels, "design": _numbered(machines)},
-        outcomes=tuple(joined(parts, sizes) for parts in zip(*(block.outcomes for block in each), strict=True)),
-        coarse=tuple(dict.fromkeys(said for block in each for said in block.coarse)),
-    )
+            found.append([block.computed[kind] for kind in block.computed.kinds if is_kept(kind, names)])
+            coarse += block.computed.coarse
+            # Of all that a block has found, no more is kept.
+            blocks.append(replace(block, computed=Outcomes({}, dict(block.computed.labels.known))))
+    given: dict[type, object] = {type(parts[0]): joined(parts, sizes) for parts in zip(*found, strict=True)}
+    labels = {**blocks[0].labels, "design": _numbered(machines)}
+    return replace(blocks[0], machines=machines, computed=Outcomes(given, labels, coarse=tuple(dict.fromkeys(coarse))))
 
 
 class _Steps(NamedTuple):
@@ -153,36 +151,27 @@ def _run(
     """Compute all designs at once."""
     parts = with_speed(parts_of(machines, step=FACTS_STEP), speed, steps.every, step)
     absent = lacking((*steps.every, *(one for one in steps.told if isinstance(one, UnaskedStage))), parts)
-    outcomes = _outcomes(steps.chosen, parts, absent, machines)
+    chosen = [one for one in steps.chosen if one.outcome not in absent]
+    facts = curves = StageRun(chosen, parts)
     # Curves want points as close as facts, or closer: of these a coarser step takes some.
     n_between = int(np.ceil(step / FACTS_STEP - _ONE_STEP))
-    curves = outcomes
     if abs(step / n_between - FACTS_STEP) > _ONE_STEP:
-        drawn = leading_to(steps.chosen, [one.gives for one in steps.chosen if has_curves(one.gives)])
-        curves = _outcomes(drawn, on_grid(parts, step / n_between), absent, machines)
-    parts = on_grid(parts, step)
-    grid: Any = parts[CrankAngle]
-    shown = with_curves(outcomes, curves, n_between)
+        drawn = leading_to(chosen, [one.gives for one in chosen if has_curves(one.gives)])
+        curves = StageRun(drawn, on_grid(parts, step / n_between))
+    grid: Any = on_grid(parts, step)[CrankAngle]
+    outcomes = Outcomes(
+        {SpeedCurve: parts[SpeedCurve]} if SpeedCurve in parts else {},
+        {"design": _numbered(machines), **facts.labels},
+        Finding([one.gives for one in chosen], facts, curves, n_between, grid.shown),
+    )
     return Result(
         machines=machines,
         has_designs=has_designs,
         grid=grid,
-        coarse=coarse_curves(outcomes, shown, grid.shown),
-        labels=_labels(parts, machines, shown),
-        outcomes=(*(parts[part] for part in (SpeedCurve,) if part in parts), *shown.values()),
+        computed=outcomes,
         missing=missing_results(steps.told, absent),
         unused=unused(machines[0], absent),
     )
-
-
-def _outcomes(
-    stages: Sequence[Stage], parts: Parts, absent: Collection[str], machines: Sequence[Machine]
-) -> dict[type, object]:
-    """Run stages, and refuse what has another shape than it declares."""
-    outcomes = run_stages(stages, parts, absent)
-    grid: Any = parts[CrankAngle]
-    refuse_misshapen(outcomes.values(), _labels(parts, machines, outcomes), grid.shown.size)
-    return outcomes
 
 
 def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:
@@ -234,9 +223,3 @@ def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
 def _numbered(machines: Sequence[Machine]) -> tuple[str, ...]:
     """Names of designs."""
     return tuple(str(i + 1) for i in range(len(machines)))
-
-
-def _labels(parts: Parts, machines: Sequence[Machine], outcomes: Mapping[type, object]) -> dict[str, tuple[str, ...]]:
-    """Names along each dimension, as parts and results have them."""
-    held = (getattr(one, "labels", {}) for one in (*parts.values(), *outcomes.values()))
-    return {"design": _numbered(machines)} | {name: words for labels in held for name, words in labels.items()}

@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cranktrain.analysis.grids import on_grid
-from cranktrain.analysis.stages import lacking, leading_to, run_stages
+from cranktrain.analysis.outcomes import run_stages
+from cranktrain.analysis.stages import lacking, leading_to
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle

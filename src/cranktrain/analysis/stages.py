@@ -1,13 +1,11 @@
 """Stages in the order in which they can run: all that a machine allows, and in words what it lacks for the others."""
 
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, is_dataclass
-from functools import cache, partial
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
 from graphlib import TopologicalSorter
 from typing import TypeAlias, cast
-
-import numpy as np
 
 from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
@@ -15,12 +13,10 @@ from cranktrain.analysis.unasked import UnaskedStage, unasked
 from cranktrain.brief import brief_fields
 from cranktrain.errors import Problem, refuse
 from cranktrain.grouping import grouped
-from cranktrain.how_far import say_how_far
 from cranktrain.language import _
 from cranktrain.layout.question import NOT_FOR_IT, Stage
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
-from cranktrain.motion import Array
 
 
 @dataclass(frozen=True)
@@ -149,45 +145,9 @@ def _by_needs(steps: tuple[Step, ...]) -> tuple[Step, ...]:
     return tuple(by_outcome[outcome] for outcome in TopologicalSorter(graph).static_order())
 
 
-def run_stages(stages: Sequence[Stage], parts: Mapping[type, object], absent: Collection[str]) -> dict[type, object]:
-    """Run every stage whose needs are met.
-
-    Parameters
-    ----------
-    stages : sequence of Stage
-        In any order; results come in this one.
-    parts : mapping of type to object
-        What the machine declares.
-    absent : collection of str
-        Names of outcomes that cannot be had of these, as `lacking` finds it.
-
-    Returns
-    -------
-    mapping of type to object
-    """
-    known = dict(parts)
-    seen: set[int] = set()
-    for part in parts.values():
-        _freeze(part, seen)
-    in_order = [one for one in ordered(tuple(stages)) if one.outcome not in absent]
-    for place, one in enumerate(in_order, start=1):
-        say_how_far(partial(_how_far, place, len(in_order), one.gives))
-        # NaN stands for links that cannot close, and is no news.
-        with np.errstate(all="ignore"):
-            outcome = one.function(**{name: known.get(need) for name, need in one.needs.items()})
-        _freeze(outcome, seen)
-        known[one.gives] = outcome
-    return {one.gives: known[one.gives] for one in stages if one.gives in known}
-
-
 def spoken(outcome: type) -> str:
     """Name of a result in words: `DeadCentres` are dead centres."""
     return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", outcome.__name__).lower()
-
-
-def _how_far(place: int, n_stages: int, outcome: type) -> str:
-    """Which result is worked on."""
-    return _("{place} of {n}, {name}").format(place=place, n=n_stages, name=spoken(outcome))
 
 
 def missing_results(steps: Sequence[Step], absent: Mapping[str, tuple[str, ...]]) -> tuple[Missing, ...]:
@@ -201,24 +161,3 @@ def missing_results(steps: Sequence[Step], absent: Mapping[str, tuple[str, ...]]
     """
     needs = ((absent.get(one.outcome), name) for one in steps for name in one.results)
     return tuple(Missing(tuple(results), lacks) for lacks, results in grouped(needs).items() if lacks)
-
-
-def _freeze(outcome: object, seen: set[int]) -> None:
-    """Make all arrays of an outcome read-only: stages and users share them. `seen` holds what has been gone through."""
-    open_ends: list[object] = [outcome]
-    while open_ends:
-        value = open_ends.pop()
-        holds = _what_it_holds(type(value))
-        if holds is np.ndarray:
-            cast(Array, value).setflags(write=False)
-        elif holds is not None and id(value) not in seen:
-            seen.add(id(value))
-            open_ends += cast(tuple[object, ...], value) if holds is tuple else vars(value).values()
-
-
-@cache
-def _what_it_holds(kind: type) -> type | None:
-    """As what a value of some type may hold arrays: as an array, a tuple, an object with fields; None of any other."""
-    if issubclass(kind, np.ndarray | tuple):
-        return np.ndarray if issubclass(kind, np.ndarray) else tuple
-    return object if is_dataclass(cast(object, kind)) else None

@@ -1,6 +1,7 @@
 """What is asked of the commands that compute, as typed: which machine, at which speed, and where to write."""
 
 import json
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -51,10 +52,13 @@ class AskedAtSpeed(Asked):
         with problems_as(self._at_curve):
             return read_machine(self.file, settings, partial=self.is_partial)
 
-    def result(self, file: MachineFile, **options: Any) -> "Result":
-        """Compute; `options` as `run` of the analysis takes them."""
+    def result(self, file: MachineFile, compute: "Callable[[Result], None] | None" = None, **options: Any) -> "Result":
+        """Compute, at once what `compute` does; `options` as `run` of the analysis takes them."""
         with says_how_far():
-            return computed(file, speed=self.speed, partial=self.is_partial, **options)
+            result = computed(file, speed=self.speed, partial=self.is_partial, **options)
+            if compute is not None:
+                compute(result)
+        return result
 
     def _at_curve(self, problem: Problem) -> Problem:
         """Put what is wrong with the name of a speed curve to its option; what stands in a file stays there."""

@@ -23,7 +23,7 @@ def show_check(source: str) -> None:
     print(_("{file}: nothing wrong").format(file=one_line(file.document.name)))
     for sentence in (*sentences(result.unused), *result.unlikely):
         print(f"! {one_line(sentence)}")
-    groups = ", ".join(spoken(type(outcome)) for outcome in result.outcomes if entries(type(outcome)))
+    groups = ", ".join(spoken(kind) for kind in result.computed.kinds if entries(kind))
     print(_("can compute {n} results: {groups}").format(n=len(result.catalogue), groups=groups))
     for missing in result.worth_asking:
         print(

@@ -7,6 +7,7 @@ from math import inf
 from pathlib import PurePath
 from typing import Any, Literal, NamedTuple, TypeAlias
 
+from cranktrain.analysis import Result
 from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, AskedAtSpeed, at_running_speed, units_asked_for
 from cranktrain.cli.quiet_pictures import hush
 from cranktrain.errors import InputError, Position, Problem, problems_as
@@ -249,8 +250,7 @@ def _draw(file: MachineFile, choice: Choice, request: PlotRequest) -> None:
     """Draw once the file is known to be possible, and write it."""
     picture, name, force = choice.picture, request.output or "", request.force
     if picture.name == ".gif":
-        result = request.result(file, quantities=picture.quantities)
-        save_animation(result, name, force=force, piston=request.mechanism)
+        save_animation(_result(file, picture, request), name, force=force, piston=request.mechanism)
     elif picture.name == ".dxf":
         options = {"angles": _POSITIONS} | _of_machine(file, choice, request)
         picture.function(file.machine, path=name, **options, force=force)
@@ -261,9 +261,12 @@ def _draw(file: MachineFile, choice: Choice, request: PlotRequest) -> None:
         angle = {"at": choice.angles[0]} if isinstance(choice.angles, list) else {}
         whose = {"piston": request.mechanism} if request.mechanism is not None else {}
         options = angle | whose | {"size": choice.size} | _chosen(choice)
-        save(
-            lambda: picture.function(request.result(file, quantities=picture.quantities), **options), name, force=force
-        )
+        save(lambda: picture.function(_result(file, picture, request), **options), name, force=force)
+
+
+def _result(file: MachineFile, picture: Picture, request: PlotRequest) -> Result:
+    """Compute what a picture says that it draws; of one that draws what there is, that is found while it is drawn."""
+    return request.result(file, Result.compute if picture.quantities else None, quantities=picture.quantities)
 
 
 def _of_machine(file: MachineFile, choice: Choice, request: PlotRequest) -> dict[str, Any]:

@@ -61,7 +61,7 @@ def show_run(request: RunRequest, shown: Shown | None = None) -> None:
 def _show(file: MachineFile, request: RunRequest, shown: Shown | None, form: "Form | None") -> None:
     """Compute, write and show what was read."""
     if request.output is None or form is None:
-        result = _computed(file, request)
+        result = _computed(file, request, is_answer=not shown and request.quantities is None)
     else:
         result = _written(file, request, request.output, form)
     if shown:
@@ -137,10 +137,11 @@ def _form(request: RunRequest) -> "Form | None":
     return form
 
 
-def _computed(file: MachineFile, request: RunRequest) -> Result:
-    """Compute; refuse a quantity that was asked for and that this machine does not give."""
+def _computed(file: MachineFile, request: RunRequest, *, is_answer: bool = False) -> Result:
+    """Compute all, or what the answer takes; refuse a quantity that was asked for and that this machine has not."""
     with problems_as(at_running_speed):
-        result = request.result(file, step_degrees=request.step_degrees, quantities=request.quantities)
+        compute = Result.compute_answer if is_answer else Result.compute
+        result = request.result(file, compute, step_degrees=request.step_degrees, quantities=request.quantities)
     names = request.quantities or ()
     refuse(_absence(name, result, request.file) for name in names if name not in result.catalogue)
     return result

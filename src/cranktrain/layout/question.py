@@ -9,7 +9,7 @@ from types import NoneType
 from typing import Any, NamedTuple, TypeAlias, get_args, get_origin, get_type_hints
 
 from cranktrain.catalogue import entries
-from cranktrain.checks import StageResult
+from cranktrain.checks import Checked, Flagged
 from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
@@ -106,7 +106,8 @@ class Stage:
     @cached_property
     def word(self) -> str:
         """Whether it gives a result, with quantities or with checks and flags alone; a calculator; or a hand-over."""
-        own = {held.name for held in fields(self.gives)}.difference(held.name for held in fields(StageResult))
+        beside = (held.name for kind in (Checked, Flagged) for held in fields(kind))
+        own = {held.name for held in fields(self.gives)}.difference(beside)
         if entries(self.gives) or not own:
             return RESULT
         return CALCULATOR if _can_be_asked(self.gives) else HAND_OVER

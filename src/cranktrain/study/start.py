@@ -9,8 +9,9 @@ import numpy as np
 
 from cranktrain.analysis.dataset import imported_xarray, with_attributes
 from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of, refuse_wrong
-from cranktrain.analysis.stages import lacking, leading_to, run_stages, stages_for
+from cranktrain.analysis.stages import lacking, leading_to, stages_for
 from cranktrain.catalogue import Entry, entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _

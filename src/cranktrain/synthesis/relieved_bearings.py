@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import every_stage, lacking, leading_to, run_stages, stages_for
+from cranktrain.analysis.stages import every_stage, lacking, leading_to, stages_for
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cranktrain.catalogue import coefficients, extreme
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
@@ -78,7 +78,7 @@ FORMS: Mapping[str, Mapping[str, Form]] = {
 
 
 @record
-class TextbookMotion(StageResult):
+class TextbookMotion(Flagged):
     """Motion of every piston by each method, `exact` first; NaN where a source has no form for the mechanism."""
 
     displacement_by_method: Coefficient = coefficients(

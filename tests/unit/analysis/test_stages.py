@@ -6,7 +6,8 @@ from typing import ClassVar
 import pytest
 
 from cranktrain.analysis import Stage, ordered
-from cranktrain.analysis.stages import lacking, leading_to, missing_results, run_stages
+from cranktrain.analysis.outcomes import run_stages
+from cranktrain.analysis.stages import lacking, leading_to, missing_results
 from cranktrain.catalogue import quantity
 
 

@@ -19,7 +19,8 @@ from tests.sentences import (
 )
 
 import cranktrain as ct
-from cranktrain.checks import Check
+from cranktrain.analysis.outcomes import Outcomes
+from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.cli.screen.answer import answer_lines
 from cranktrain.cli.screen.report import show_full
 from cranktrain.cli.screen.text import page
@@ -154,17 +155,20 @@ def test_check_tells_what_can_be_computed(typed, written):
 
 
 def test_failed_check_is_shown(typed, capsys):
-    @dataclasses.dataclass(frozen=True)
-    class Doubtful:
-        checks: tuple[Check, ...] = (
+    class Doubtful(Checked, Flagged):
+        pass
+
+    doubtful = Doubtful(
+        checks=(
             Check("a", "something against something else", np.array([0.5]), 1e-9),
             Check("b", "something at every angle", np.array([np.nan]), 1e-9),
-        )
-        flags: tuple[str, ...] = ("outside its range",)
-
+        ),
+        flags=("outside its range",),
+    )
     file = read_machine("vaz-21213")
     result = ct.run(file.machine, step_degrees=10)
-    result = dataclasses.replace(result, outcomes=(*result.outcomes, Doubtful()))
+    found = {type(one): one for one in (*result.outcomes, doubtful)}
+    result = dataclasses.replace(result, computed=Outcomes(found, dict(result.labels)))
     with page("") as console:
         show_full(console, file, result, ["stroke"], is_all=False)
     output = " ".join(capsys.readouterr().out.split())

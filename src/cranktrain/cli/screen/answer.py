@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from rich.text import Text
 
-from cranktrain.analysis import Result, sentences, stages_for
+from cranktrain.analysis import Result, sentences
 from cranktrain.cli.screen.foot import foot_lines
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.text import folded
@@ -13,6 +13,7 @@ from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.grouping import grouped
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.one_line import visible
 from cranktrain.texts.comparison import TextbookMotion
 
@@ -54,11 +55,10 @@ def answer_lines(file: MachineFile, result: Result, name: str, width: int) -> It
 
 
 def _conditions(result: Result, width: int) -> Iterator[str]:
-    """Say at which speed all this is, where that is not the file's own: what no stage gave."""
-    stages = {stage.gives for stage in stages_for(result.machines[0])}
-    for outcome in result.outcomes:
-        if type(outcome) not in stages and (answer := getattr(outcome, "answer", None)) is not None:
-            yield from folded(typeset(answer(result.labels, 0)), width)
+    """Say at which speed all this is, where it varies."""
+    curve = result.get(SpeedCurve)
+    if curve is not None:
+        yield from folded(typeset(curve.answer(result.labels, 0)), width)
 
 
 def minded(result: Result) -> list[str]:

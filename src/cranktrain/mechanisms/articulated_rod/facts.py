@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.kind import Members
@@ -21,7 +21,7 @@ class ArticulatedRods(Members[ArticulatedRod]):
 
 
 @record
-class Articulation(StageResult):
+class Articulation(Checked):
     """Where the knuckle pin stands, and where it would have to stand for an unshifted dead centre."""
 
     offset_angle: Array = quantity("ψ", "rad", _ROD, N_("Articulation angle less bank angle, ζ − γ"), _THEORY)

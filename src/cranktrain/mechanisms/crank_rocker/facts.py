@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.kind import Members
@@ -36,7 +36,7 @@ class CrankRockers(Members[CrankRocker]):
 
 
 @record
-class Transmission(StageResult):
+class Transmission(Checked):
     """Class of the linkage and extremes of the angle between rod and rocker."""
 
     grashof_class: Array = quantity(

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle
 from cranktrain.layout.frames import Frames
@@ -36,7 +36,7 @@ _ENDED = 1e-13
 
 
 @record
-class FrameForces(StageResult):
+class FrameForces(Checked):
     """What the moving masses do to the frame, for each (rad/s)²; in the common axes of `Frames`, over one turn.
 
     Attributes
@@ -169,7 +169,7 @@ def _momentum_check(
 
 
 @record
-class RunningFrame(StageResult):
+class RunningFrame(Checked):
     """As `FrameForces`, in newtons and over the whole cycle.
 
     Attributes

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import _
 from cranktrain.layout.speed import Speed
 from cranktrain.questions.balance.shaking import ShakingForces
@@ -17,7 +17,7 @@ _MORE = 0.01
 
 
 @record
-class UnlikelyBalance(StageResult):
+class UnlikelyBalance(Flagged):
     """Balance weights that do the contrary of what they are for."""
 
 

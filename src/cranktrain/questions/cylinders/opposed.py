@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import coefficients, quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -123,7 +123,7 @@ def volumetric_dead_centres(
 
 
 @record
-class CombinedMotion(StageResult):
+class CombinedMotion(Checked):
     """How the pistons of a cylinder part, both together: as one piston would that sweeps the same volume."""
 
     combined_displacement: Coefficient = coefficients(

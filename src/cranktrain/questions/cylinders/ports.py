@@ -6,7 +6,7 @@ from typing import ClassVar
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -41,7 +41,7 @@ class Ports:
 
 
 @record
-class PortTiming(StageResult):
+class PortTiming(Flagged):
     """When ports open and close; NaN for a port that is never shut."""
 
     exhaust_opens: Array = quantity(

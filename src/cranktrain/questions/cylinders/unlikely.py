@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import _
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.mechanisms import Pistons
@@ -29,7 +29,7 @@ _DIGITS = 9
 
 
 @record
-class UnlikelyCylinders(StageResult):
+class UnlikelyCylinders(Flagged):
     """Compression ratios and firing that hardly any machine has."""
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Limit, StageResult, flagged
+from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.travel import CylinderTravel
@@ -167,7 +167,7 @@ def swept_volumes(chambers: Chambers, travel: CylinderTravel) -> SweptVolumes:
 
 
 @record
-class ChamberVolumes(StageResult):
+class ChamberVolumes(Flagged):
     """Volume of every chamber, and what is left of it at its smallest.
 
     Attributes

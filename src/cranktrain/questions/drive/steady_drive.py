@@ -6,7 +6,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredDrive
@@ -36,7 +36,7 @@ _N_CURVES, _N_FACTS = 5, 11
 
 
 @record
-class SteadyDrive(StageResult):
+class SteadyDrive(Checked, Flagged):
     """Steady running with the motor."""
 
     running: tuple[SpeedOverTurn | None, ...]

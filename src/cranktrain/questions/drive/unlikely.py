@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.checks import Limit, StageResult, flagged
+from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.motors import DeclaredMotor
@@ -25,7 +25,7 @@ _DRIVES = 1e-6
 
 
 @record
-class UnlikelyDrive(StageResult):
+class UnlikelyDrive(Flagged):
     """Drives that hardly any machine has."""
 
 

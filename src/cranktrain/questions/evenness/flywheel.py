@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
@@ -24,7 +24,7 @@ _METHOD = "flywheel_method"
 
 
 @record
-class FlywheelSize(StageResult):
+class FlywheelSize(Flagged):
     """Flywheels that give the coefficient of fluctuation wanted, against a load that does not depend on the speed.
 
     Attributes
@@ -115,7 +115,7 @@ def _size_flags(driven: DrivenByMotor | None, given: LoadTorque | None) -> Itera
 
 
 @record
-class RimSize(StageResult):
+class RimSize(Flagged):
     """Rim of the flywheel that is wanted, or where none is, of the one that there is."""
 
     rim_height: Array = quantity("h", "m", (), N_("Height of the rim's section"), _THEORY)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Applies
@@ -37,7 +37,7 @@ _ROUNDING = 1e-9
 
 
 @record
-class RunningSpeed(StageResult):
+class RunningSpeed(Checked, Flagged):
     """Speed of the shaft over the cycle, with the flywheel that there is; load says against what, as answers begin."""
 
     load: str

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle
@@ -73,7 +73,7 @@ def applied_torque(torques: MechanismTorques, loaded: LoadedMachine, crank_angle
 
 
 @record
-class LoadTorque(StageResult):
+class LoadTorque(Flagged):
     """Torque of the loads on the shaft, positive where it resists.
 
     Attributes

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import _
 from cranktrain.numerics.ties import largest_of
 from cranktrain.questions.evenness.shaft_balance import ShaftBalance
@@ -11,7 +11,7 @@ from cranktrain.wording import number
 
 
 @record
-class UnlikelyEvenness(StageResult):
+class UnlikelyEvenness(Flagged):
     """Loads on the shaft that hardly any machine has."""
 
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
@@ -23,7 +23,7 @@ _GUIDE = ("guide", "crank_angle")
 
 
 @record
-class GuideEdges(StageResult):
+class GuideEdges(Flagged):
     """Normal forces of both edges of each guide that has a length, to the left as its slider's position counts.
 
     They act on what the joint's reaction acts on: a slider in a fixed guide, or the guide that turns with its slider.

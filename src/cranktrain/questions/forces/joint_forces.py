@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.part_tables import part_name
 from cranktrain.mechanisms.dynamics import Reaction
@@ -26,7 +26,7 @@ _NO_ARM = 1e-9
 
 
 @record
-class JointForces(StageResult):
+class JointForces(Flagged):
     """Reaction in every joint, in the axes of its mechanism."""
 
     joint_force_x: Array = quantity("F_x", "N", _JOINT, N_("Force in the joint along its mechanism's x"), _THEORY)

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
@@ -32,7 +32,7 @@ _ALIKE = 1e-9
 
 
 @record
-class LargestForces(StageResult):
+class LargestForces(Flagged):
     """Largest forces of every piston with a rod, by the reactions; errors of the formula, in parts of exact peaks."""
 
     largest_piston_force: Extreme = extreme(

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shaft_loads import LoadsOnShafts
@@ -21,7 +21,7 @@ _TORQUES_LIMIT = 1e-12
 
 
 @record
-class MechanismTorques(StageResult):
+class MechanismTorques(Checked):
     """What every mechanism does to the shaft, and all together.
 
     from_mechanisms, shape (design, n), is what must be applied for the mechanisms alone, without loads on the shaft.

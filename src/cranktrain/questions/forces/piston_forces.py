@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch, Pistons
@@ -46,7 +46,7 @@ def direct_batches(loaded: LoadedMachine) -> Iterator[tuple[int, Batch]]:
 
 
 @record
-class PistonForceSet(StageResult):
+class PistonForceSet(Checked):
     """P, N, S, K and T of pistons with rods, by the reactions in the joints and by the textbook's formula.
 
     In both the rod's shares at its ends go with what is there, inertia and weight, one with the piston and one with the

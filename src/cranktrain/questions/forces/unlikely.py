@@ -6,7 +6,7 @@ from functools import reduce
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.checks import Limit, StageResult, flagged
+from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.part_tables import SLIDER
@@ -58,7 +58,7 @@ _FAR_LOAD = Limit(
 
 
 @record
-class UnlikelyLoads(StageResult):
+class UnlikelyLoads(Flagged):
     """Masses, their centres and coefficients of friction that hardly any machine has."""
 
 

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, TypeAlias, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.errors import InputError, Problem
 from cranktrain.fluids import AnyFluid, ChamberState, Rooms, VolumeLimits, chamber_state
 from cranktrain.language import _
@@ -52,7 +52,7 @@ class Filling(NamedTuple):
 
 
 @record
-class GasInChambers(StageResult):
+class GasInChambers(Flagged):
     """The gas in every chamber, to be asked at any crank angle.
 
     Attributes

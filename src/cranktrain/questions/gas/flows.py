@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.fluids import VolumeLimits
 from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
@@ -25,7 +25,7 @@ _CHAMBER = ("chamber",)
 
 
 @record
-class CompressorCapacity(StageResult):
+class CompressorCapacity(Flagged):
     """What each chamber of a compressor takes in; NaN of chambers with another gas."""
 
     suction_line_pressure: Array = quantity(

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Limit, StageResult, flagged
+from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
@@ -40,7 +40,7 @@ _PEAK_PRESSURE = Limit(
 
 
 @record
-class GasPressures(StageResult):
+class GasPressures(Flagged):
     """Pressure of the gas, and what it does."""
 
     gas_pressure: Array = quantity("p", "Pa", _CURVE, N_("Absolute pressure in the chamber"), _THEORY)

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.checks import Limit, StageResult, flagged
+from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.heat import HeatBalance
@@ -71,7 +71,7 @@ marine engines with strokes of 2.5 to 5 bores have rods of a stroke, λ 0.4 to 0
 
 
 @record
-class UnlikelyGas(StageResult):
+class UnlikelyGas(Flagged):
     """Gas, heat and friction that hardly any machine has."""
 
 

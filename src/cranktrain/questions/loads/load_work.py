@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByTravel
@@ -34,7 +34,7 @@ _ROUNDING = 1e-12
 
 
 @record
-class LoadWork(StageResult):
+class LoadWork(Flagged):
     """What the loads do: less than 0 where the machine works against them; n_on_links are first, then on_shafts.
 
     speed is the declared one, shape (design,). [rad/s]

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.load_laws import BySpeed, ByTravel
@@ -25,7 +25,7 @@ _FREE = 0.01
 
 
 @record
-class UnlikelyStrokes(StageResult):
+class UnlikelyStrokes(Flagged):
     """Loads on sliders where their machines hardly work."""
 
 

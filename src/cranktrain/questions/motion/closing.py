@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Limit, StageResult, flagged
+from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms, distinct
@@ -26,7 +26,7 @@ _CLOSENESS = Limit(
 
 
 @record
-class Closing(StageResult):
+class Closing(Flagged):
     """How far each mechanism is from locking.
 
     Attributes

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Limit, StageResult, flagged
+from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Distinct, Mechanisms, Pistons, distinct
@@ -121,7 +121,7 @@ _DISTANCE = Limit(
 
 
 @record
-class DeadCentres(StageResult):
+class DeadCentres(Flagged):
     """Where each piston truly turns back, and how far it travels; outputs: what each is."""
 
     outputs: tuple[OutputPart, ...]

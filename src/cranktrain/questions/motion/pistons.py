@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import coefficients, extreme, quantity
-from cranktrain.checks import Check, Limit, StageResult, flagged
+from cranktrain.checks import Check, Checked, Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -25,7 +25,7 @@ _ALIKE = 1e-9
 
 
 @record
-class PistonMotion(StageResult):
+class PistonMotion(Checked):
     """Motion of every piston by the crank angle alone; speed enters with `PistonSpeeds`."""
 
     piston_displacement: Coefficient = coefficients(
@@ -69,7 +69,7 @@ _SLIDER_SPEED = Limit(
 
 
 @record
-class PistonSpeeds(StageResult):
+class PistonSpeeds(Flagged):
     """Velocities and accelerations of pistons; outputs: as of `DeadCentres`."""
 
     outputs: tuple[OutputPart, ...]

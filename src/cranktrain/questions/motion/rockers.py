@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import coefficients, extreme, quantity
-from cranktrain.checks import Check, Limit, StageResult, flagged
+from cranktrain.checks import Check, Checked, Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Rockers
@@ -77,7 +77,7 @@ _SWING = Limit(
 
 
 @record
-class DeadPositions(StageResult):
+class DeadPositions(Flagged):
     """Between which positions each rocker swings; NaN for a rocker that turns with the crank."""
 
     swing: Array = quantity("ψ", "rad", _ROCKER, N_("Angle through which the rocker swings"), _THEORY)
@@ -140,7 +140,7 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
 
 
 @record
-class RockerMotion(StageResult):
+class RockerMotion(Checked):
     """Motion of every rocker by the crank angle alone."""
 
     rocker_angle: Coefficient = coefficients(

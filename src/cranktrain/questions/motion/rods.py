@@ -6,7 +6,7 @@ from typing import ClassVar
 import numpy as np
 
 from cranktrain.catalogue import coefficients, extreme, quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.design import Designs
@@ -62,7 +62,7 @@ def _exceeding(permissible: PermissibleAngles, largest: Extreme) -> Iterator[str
 
 
 @record
-class RodMotion(StageResult):
+class RodMotion(Flagged):
     """Motion of every piston's rod by the crank angle alone; NaN for a piston that hangs on none."""
 
     rod_angle: Coefficient = coefficients(

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import MINUTE, DeclaredBrake, DeclaredClutch, DeclaredDrive, DeclaredStroke
@@ -32,7 +32,7 @@ _N_FACTS = 18
 
 
 @record
-class PressStrokes(StageResult):
+class PressStrokes(Checked, Flagged):
     """A single stroke as it repeats at the required pace, or by itself; NaN where there is none."""
 
     cases: tuple[PressCase | None, ...]

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import Array
@@ -34,7 +34,7 @@ _APART = 0.01
 
 
 @record
-class GearboxTorque(StageResult):
+class GearboxTorque(Checked, Flagged):
     """Torque of the gearbox, quasi-static: of loads, without inertia and weight of masses."""
 
     rod_position: Array = quantity("PR", "1", _CURVE, N_("Position of the polished rod, 0 lowest, 1 highest"), _THEORY)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.layout.drive.declared import DeclaredDrive
@@ -38,7 +38,7 @@ _NOTHING = 1e-9
 
 
 @record
-class StaticTorques(StageResult):
+class StaticTorques(Flagged):
     """Static torque and inertia at every shaft of the drive."""
 
     static_torque: Array = quantity(

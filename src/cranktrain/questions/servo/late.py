@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.load_laws import BySpeed, LoadState
@@ -25,7 +25,7 @@ _CLOSE = 1e-3
 
 
 @record
-class UnlikelyMotion(StageResult):
+class UnlikelyMotion(Flagged):
     """Wanted motions that hardly any machine has."""
 
 

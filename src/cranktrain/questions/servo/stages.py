@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredDrive
@@ -34,7 +34,7 @@ _N_STEPS = 40
 
 
 @record
-class WantedCrank(StageResult):
+class WantedCrank(Checked):
     """How the crank moves so that its output moves as wanted."""
 
     wanted_time: Array = quantity("t", "s", _CURVE, N_("Time, from the beginning of the wanted motion"), THEORY)
@@ -118,7 +118,7 @@ def _shown(period: float, zero: float, turn: CrankMotion) -> Array:
 
 
 @record
-class ServoDrive(StageResult):
+class ServoDrive(Checked):
     """What the motor must do so that the crank follows; demands, of each design, over time."""
 
     demands: tuple[ServoDemand, ...]

@@ -7,7 +7,7 @@ from typing import NamedTuple, cast
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.motion import Array
@@ -39,7 +39,7 @@ _CLOSE = 1e-11
 
 
 @record
-class DriveFlywheel(StageResult):
+class DriveFlywheel(Flagged):
     """Flywheel for a wanted largest torque of the motor, or a wanted evenness; infinite where none is large enough."""
 
     needed_inertia: Array = quantity(

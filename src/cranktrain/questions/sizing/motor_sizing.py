@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.drive.declared import DeclaredClutch, DeclaredDrive, before_clutch
 from cranktrain.layout.speed import Speed
@@ -46,7 +46,7 @@ _PACE = 0.1
 
 
 @record
-class MotorSizing(StageResult):
+class MotorSizing(Flagged):
     """Checks of the declared motor, of the smallest typical four-pole motor that passes, and of the next smaller."""
 
     sizing_share: Array = quantity(

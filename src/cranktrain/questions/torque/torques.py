@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
@@ -32,7 +32,7 @@ _NOTHING = 1e-9
 
 
 @record
-class ShaftTorques(StageResult):
+class ShaftTorques(Flagged):
     """Torque of the machine on its shafts, by the reactions: positive in each shaft's own running sense.
 
     gross, shape (design,), is what all forces would do by their arms; in_journals, shape (design, journal), the largest

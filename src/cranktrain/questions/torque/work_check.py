@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
@@ -24,7 +24,7 @@ _SHARE = 0.1
 
 
 @record
-class WorkBalance(StageResult):
+class WorkBalance(Checked):
     """Work of the gas over a cycle, without any step of the grid, and whether the torque does it."""
 
     gas_work: Array = quantity(
@@ -33,7 +33,7 @@ class WorkBalance(StageResult):
 
 
 @record
-class LoadBalance(StageResult):
+class LoadBalance(Checked):
     """Whether the torque does the work of gas and loads."""
 
 

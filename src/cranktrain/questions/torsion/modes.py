@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked, Flagged, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.masses import Masses
@@ -122,7 +122,7 @@ def mean_inertias(mechanisms: Mechanisms, masses: Masses, crank_angle: CrankAngl
 
 
 @record
-class TorsionalModes(StageResult):
+class TorsionalModes(Checked, Flagged):
     """Free torsional vibration, and Holzer's table of every mode: for 1 rad where the amplitude is 1.
 
     unit: array of int, shape (design, mode), the disc where it is.

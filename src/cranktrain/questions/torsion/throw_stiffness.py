@@ -6,7 +6,7 @@ from dataclasses import field
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, first_smallest
@@ -26,7 +26,7 @@ _FAR = 2.0
 
 
 @record
-class ThrowStiffness(StageResult):
+class ThrowStiffness(Flagged):
     """Stiffness from throw to throw.
 
     chosen: int, the method with whose stiffness the shaft vibrates.

@@ -8,8 +8,9 @@ from tests.gas_engines import Engine, csv, wiebe_cycle
 from tests.machines import V12, slave, slider, throws
 
 import cranktrain as ct
+from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import every_stage, lacking, run_stages
+from cranktrain.analysis.stages import every_stage, lacking
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.torque.work_check import WorkBalance, work_balance
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
+from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
@@ -22,7 +22,7 @@ _TOO_MUCH = 1.5
 
 
 @record
-class CrankSizes(StageResult):
+class CrankSizes(Flagged):
     """Masses of pins and webs from the sizes of the crankshaft, in none of the forces: those are of [masses.crank]."""
 
     pin_mass: Array = quantity("m_p", "kg", _PIN, N_("Mass of the crank pin by its sizes"), _THEORY)

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
@@ -30,7 +30,7 @@ _LIMIT = 1e-11
 
 
 @record
-class MainBearingLoads(StageResult):
+class MainBearingLoads(Checked, Flagged):
     """Load of the journals on the main bearings, by each method."""
 
     main_bearing_load_x: Array = quantity(

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Check, StageResult
+from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
@@ -33,7 +33,7 @@ _LIMIT = 1e-11
 
 
 @record
-class SectionTorques(StageResult):
+class SectionTorques(Checked):
     """Torque that journals and crank pins hand on toward the flywheel; in journals it is the same by every method."""
 
     section_torque: Array = quantity(

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.checks import Limit, StageResult, flagged
+from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.shafts import AxialPlaces, Shafts
 from cranktrain.motion import Array
@@ -60,7 +60,7 @@ _ROUNDING = 1e-6
 
 
 @record
-class UnlikelyCrankshafts(StageResult):
+class UnlikelyCrankshafts(Flagged):
     """Crankshafts and bearings that hardly any machine has."""
 
 

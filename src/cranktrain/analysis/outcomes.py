@@ -1,0 +1,264 @@
+"""What stages give, each found when it is first asked for: once, of the parts that are kept, in whatever order."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import is_dataclass
+from functools import cache, partial
+from threading import RLock
+from typing import Any, NamedTuple, cast, final
+
+import numpy as np
+
+from cranktrain.analysis.grids import are_wide, coarse_curves, has_curves, with_curves
+from cranktrain.analysis.shapes import refuse_misshapen
+from cranktrain.analysis.stages import ordered, spoken
+from cranktrain.catalogue import entries
+from cranktrain.how_far import say_how_far
+from cranktrain.language import _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.question import Parts, Stage
+from cranktrain.motion import Array
+from cranktrain.quantities import shown_as_then, units_now
+
+Labels = Mapping[str, tuple[str, ...]]
+
+
+class StageRun:
+    """Stages of some parts, each run when what it gives is asked for; nobody asks for what others lack."""
+
+    def __init__(self, stages: Sequence[Stage], parts: Parts) -> None:
+        self._order = ordered(tuple(stages))
+        self._stages = {one.gives: one for one in self._order}
+        self._known: dict[type, Any] = dict(parts)
+        self._frozen: set[int] = set()
+        self.labels: dict[str, tuple[str, ...]] = {}
+        """Names along the dimensions of all that is known."""
+        for part in parts.values():
+            _freeze(part, self._frozen)
+            self.labels |= getattr(part, "labels", {})
+
+    @property
+    def n_angles(self) -> int:
+        """Crank angles of its grid."""
+        grid: CrankAngle = self._known[CrankAngle]
+        return grid.shown.size
+
+    def find(self, kinds: Iterable[type], accept: Callable[[Any, Labels], None] | None = None) -> None:
+        """Run the stages that lead to some outcomes and were not run yet.
+
+        Parameters
+        ----------
+        kinds : iterable of type
+        accept : callable, optional
+            Given what a stage gives, with names along its dimensions; raises where nobody is to have that.
+        """
+        way = self._way(kinds)
+        for place, one in enumerate(way, start=1):
+            say_how_far(partial(_how_far, place, len(way), one.gives))
+            outcome = self._given_by(one)
+            labels = self.labels | getattr(outcome, "labels", {})
+            if accept is not None:
+                accept(outcome, labels)
+            self._known[one.gives], self.labels = outcome, labels
+
+    def __getitem__(self, kind: type) -> Any:
+        """Give an outcome that was found."""
+        return self._known[kind]
+
+    def _way(self, kinds: Iterable[type]) -> list[Stage]:
+        """Stages that are still to be run, in the order in which they can be."""
+        wanted: set[type] = set()
+        open_ends = list(kinds)
+        while open_ends:
+            kind = open_ends.pop()
+            if kind in self._stages and kind not in self._known and kind not in wanted:
+                wanted.add(kind)
+                open_ends += self._stages[kind].needs.values()
+        return [one for one in self._order if one.gives in wanted]
+
+    def _given_by(self, stage: Stage) -> object:
+        """Run a stage."""
+        try:
+            # NaN stands for links that cannot close, and is no news.
+            with np.errstate(all="ignore"):
+                outcome = stage.function(**{name: self._known.get(need) for name, need in stage.needs.items()})
+        except AttributeError as error:  # which would say of a result that it has no such quantity
+            raise RuntimeError(f"{stage.outcome} could not be computed: {error}") from error
+        _freeze(outcome, self._frozen)
+        return outcome
+
+
+def run_stages(stages: Sequence[Stage], parts: Parts, absent: Iterable[str]) -> dict[type, object]:
+    """Run every stage whose needs are met.
+
+    Parameters
+    ----------
+    stages : sequence of Stage
+        In any order; results come in this one.
+    parts : mapping of type to object
+        What the machine declares.
+    absent : iterable of str
+        Names of outcomes that cannot be had of these, as `lacking` finds it.
+
+    Returns
+    -------
+    mapping of type to object
+    """
+    left_out = frozenset(absent)
+    there = [one for one in stages if one.outcome not in left_out]
+    run = StageRun(there, parts)
+    run.find(one.gives for one in there)
+    return {one.gives: run[one.gives] for one in there}
+
+
+class Finding(NamedTuple):
+    """How outcomes are found that nobody has asked for yet.
+
+    Attributes
+    ----------
+    kinds : sequence of type
+        Of the outcomes, in the order in which people read them.
+    facts, curves : StageRun
+        Which may be one.
+    every : int
+        Of so many points of curves one is taken.
+    shown : Array, shape (n,)
+        Crank angles at which curves are shown. [rad]
+    """
+
+    kinds: Sequence[type]
+    facts: StageRun
+    curves: StageRun
+    every: int
+    shown: Array
+
+
+@final
+class Outcomes:
+    """What the stages of a run give, by its type, in SI and radians, with the design axis.
+
+    Whatever is asked of it first, the same comes out; numbers in sentences have the units of the time of the run.
+    Threads may ask it together.
+
+    Parameters
+    ----------
+    given : mapping of type to object
+        Outcomes that are there.
+    labels : mapping of str to tuple of str
+        Names along the dimensions of these, and of all parts.
+    finding : Finding, optional
+        How others are found.
+    coarse : tuple of str
+        What is to be said of wide steps, where there are no others.
+    """
+
+    def __init__(
+        self,
+        given: Mapping[type, object],
+        labels: Labels,
+        finding: Finding | None = None,
+        coarse: tuple[str, ...] = (),
+    ) -> None:
+        self.kinds = (*given, *(finding.kinds if finding is not None else ()))
+        self.labels, self._designs = FoundLabels(self, labels), labels["design"]
+        self._shown: dict[type, Any] = dict(given)
+        self._finding, self._coarse = finding, coarse
+        self._units = units_now()
+        self._lock = RLock()
+
+    def __getitem__(self, kind: type) -> Any:
+        """Give an outcome, found now if nobody asked for it before."""
+        if kind not in self._shown:
+            self.compute((kind,))
+        return self._shown[kind]
+
+    def compute(self, kinds: Iterable[type]) -> None:
+        """Find outcomes, and all that they need."""
+        with self._lock, shown_as_then(self._units):
+            wanted = [kind for kind in kinds if kind not in self._shown]
+            if not wanted or self._finding is None:
+                return
+            _kinds, facts, curves, every, _shown = self._finding
+            self._find(facts, wanted)
+            drawn = [kind for kind in wanted if has_curves(kind)]
+            if curves is not facts:
+                self._find(curves, drawn)
+            for kind in wanted:
+                is_drawn = kind in drawn and (curves is not facts or every > 1)
+                self._shown[kind] = with_curves(facts[kind], curves[kind], every) if is_drawn else facts[kind]
+
+    def _find(self, run: StageRun, kinds: Sequence[type]) -> None:
+        """Find what a run gives, and hold its arrays against their dimensions."""
+        n_angles = run.n_angles
+
+        def accept(outcome: object, labels: Labels) -> None:
+            refuse_misshapen((outcome,), {"design": self._designs, **labels}, n_angles)
+
+        try:
+            run.find(kinds, accept)
+        finally:
+            self.labels.known.update(run.labels)
+
+    @property
+    def coarse(self) -> tuple[str, ...]:
+        """What is to be said of curves for which the steps asked for are too wide; all are found for that."""
+        if self._finding is None or not are_wide(self._finding.shown):
+            return self._coarse
+        self.compute(self.kinds)
+        facts = {kind: self._finding.facts[kind] for kind in self._finding.kinds}
+        return coarse_curves(facts, self._shown, self._finding.shown)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """All but the lock, which is for the threads of one process."""
+        return {name: held for name, held in vars(self).items() if name != "_lock"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take all, and a lock of one's own."""
+        vars(self).update(state, _lock=RLock())
+
+
+class FoundLabels(Mapping[str, tuple[str, ...]]):
+    """Names along dimensions; of what was not computed yet, they are found with it."""
+
+    def __init__(self, outcomes: Outcomes, known: Labels) -> None:
+        self._outcomes, self.known = outcomes, dict(known)
+
+    def __getitem__(self, dimension: str) -> tuple[str, ...]:
+        for kind in self._outcomes.kinds:
+            if dimension in self.known:
+                break
+            if any(dimension in entry.dimensions for entry in entries(kind)):
+                self._outcomes.compute((kind,))
+        return self.known[dimension]
+
+    def __iter__(self) -> Iterator[str]:
+        self._outcomes.compute(self._outcomes.kinds)
+        return iter(self.known)
+
+    def __len__(self) -> int:
+        return sum(1 for _dimension in self)
+
+
+def _how_far(place: int, n_stages: int, outcome: type) -> str:
+    """Which result is worked on."""
+    return _("{place} of {n}, {name}").format(place=place, n=n_stages, name=spoken(outcome))
+
+
+def _freeze(outcome: object, seen: set[int]) -> None:
+    """Make all arrays of an outcome read-only: stages and users share them. `seen` holds what has been gone through."""
+    open_ends: list[object] = [outcome]
+    while open_ends:
+        value = open_ends.pop()
+        holds = _what_it_holds(type(value))
+        if holds is np.ndarray:
+            cast(Array, value).setflags(write=False)
+        elif holds is not None and id(value) not in seen:
+            seen.add(id(value))
+            open_ends += cast(tuple[object, ...], value) if holds is tuple else vars(value).values()
+
+
+@cache
+def _what_it_holds(kind: type) -> type | None:
+    """As what a value of some type may hold arrays: as an array, a tuple, an object with fields; None of any other."""
+    if issubclass(kind, np.ndarray | tuple):
+        return np.ndarray if issubclass(kind, np.ndarray) else tuple
+    return object if is_dataclass(cast(object, kind)) else None
