@@ -1,7 +1,7 @@
-"""What is made when the package is built: lists that the program would else import all of itself for, and a template.
+"""What is made when the package is built: lists for which the program would else import all of itself, and a template.
 
-The lists are of the names that shells complete, and of the questions that most machine files do not ask; the template is
-of all messages, for translators.
+The lists are of the names that shells complete, and of the questions that most machine files do not ask; the template
+is of all messages, for translators.
 """
 
 import sys

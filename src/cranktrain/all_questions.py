@@ -1,9 +1,33 @@
-"""Every question that can be asked of a machine, in the order in which people ask them."""
+"""Every question that can be asked of a machine, in the order in which people ask them, and tables that few have."""
 
 from collections.abc import Container, Mapping
+from typing import TYPE_CHECKING
 
 from cranktrain.folders import Folders
 from cranktrain.layout.question import Question
+from cranktrain.when_given import when_given
+
+if TYPE_CHECKING:
+    from cranktrain.layout.drive.table import DriveSpec
+    from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
+    from cranktrain.questions.pumping.spec import PumpingSpec
+    from cranktrain.questions.torsion.spec import TorsionSpec
+else:
+    CrankshaftSpec = when_given("cranktrain.questions.crankshaft.spec", "CrankshaftSpec")
+    DriveSpec = when_given("cranktrain.layout.drive.table", "DriveSpec")
+    GearSpec = when_given("cranktrain.questions.crankshaft.spec", "GearSpec")
+    PumpingSpec = when_given("cranktrain.questions.pumping.spec", "PumpingSpec")
+    TorsionSpec = when_given("cranktrain.questions.torsion.spec", "TorsionSpec")
+
+__all__ = [
+    "QUESTIONS",
+    "CrankshaftSpec",
+    "DriveSpec",
+    "GearSpec",
+    "PumpingSpec",
+    "Questions",
+    "TorsionSpec",
+]
 
 
 class Questions(Folders[Question]):

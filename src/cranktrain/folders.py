@@ -3,9 +3,14 @@
 import sys
 from collections.abc import Sequence
 from importlib import import_module
-from typing import Generic, TypeVar, overload
+from typing import Any, Generic, TypeVar, overload
 
 Member = TypeVar("Member")
+
+
+def member_named(package: str, member: str, name: str) -> Any:
+    """Give what a folder of a package declares; what holds it is sent to another process with its name alone."""
+    return getattr(import_module(f"{package}.{name}"), member)
 
 
 class Folders(Sequence[Member], Generic[Member]):
@@ -33,7 +38,7 @@ class Folders(Sequence[Member], Generic[Member]):
 
     def named(self, name: str) -> Member:
         """Give what the folder of that name declares."""
-        found: Member = getattr(import_module(f"{self._package}.{name}"), self._member)
+        found: Member = member_named(self._package, self._member, name)
         return found
 
     @property

@@ -2,18 +2,18 @@
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, Self, TypeAlias
+from typing import Any, Literal, Self, TypeAlias
 
 import numpy as np
 from pydantic import Field, ValidationError
 
-from cranktrain.all_questions import QUESTIONS
+from cranktrain.all_questions import QUESTIONS, CrankshaftSpec, DriveSpec, GearSpec, PumpingSpec, TorsionSpec
 from cranktrain.allowed import Name
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.faces import face
 from cranktrain.language import N_, _
+from cranktrain.layout.as_in_file import as_in_file
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.closing import closing_problems
 from cranktrain.layout.crank_bodies import pin_problems
@@ -24,34 +24,23 @@ from cranktrain.layout.load_tables import LoadSpec, LoadTables, in_place_of_list
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
 from cranktrain.layout.question import Question
-from cranktrain.layout.shaft_problems import shaft_problems
+from cranktrain.layout.shaft_problems import motion_problems, shaft_problems
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
 from cranktrain.layout.unit_tables import unit_problems
 from cranktrain.mechanisms import KINDS, AnyMechanism
-from cranktrain.mechanisms.spec import LISTS
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.paths import path_text, value_at, with_values
+from cranktrain.paths import path_text, with_values
 from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.gas.spec import GasTables
 from cranktrain.spec import Spec, problems, with_tuples
-from cranktrain.when_given import when_given
 
-if TYPE_CHECKING:
-    from cranktrain.layout.drive.table import DriveSpec
-    from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
-    from cranktrain.questions.pumping.spec import PumpingSpec
-    from cranktrain.questions.torsion.spec import TorsionSpec
-else:
-    CrankshaftSpec = when_given("cranktrain.questions.crankshaft.spec", "CrankshaftSpec")
-    DriveSpec = when_given("cranktrain.layout.drive.table", "DriveSpec")
-    GearSpec = when_given("cranktrain.questions.crankshaft.spec", "GearSpec")
-    PumpingSpec = when_given("cranktrain.questions.pumping.spec", "PumpingSpec")
-    TorsionSpec = when_given("cranktrain.questions.torsion.spec", "TorsionSpec")
+_FOUND = ("arranged", "asks", "closing_problems", "design", "kinds", "table_problems")
+"""What is found once of what a machine declares."""
 
 FileReader: TypeAlias = Callable[[Mapping[str, object]], tuple[dict[str, Any], tuple[Problem, ...]]]
 """Gives tables with what the files hold that they name, and what is wrong with these."""
@@ -163,7 +152,7 @@ class Machine(Spec, frozen=True):
         try:
             super().__init__(**data)
         except ValidationError as error:
-            found = [_as_in_file(problem, data) for problem in problems(error, Machine)]
+            found = [as_in_file(problem, data) for problem in problems(error, Machine)]
             # A list is also called too short where one of its items is wrong.
             wrong = {problem.path.rpartition("[")[0] for problem in found if "[" in problem.path}
             raise InputError(problem for problem in found if problem.path not in wrong) from None
@@ -358,7 +347,7 @@ class Machine(Spec, frozen=True):
             return (
                 *pin_problems(places),
                 *standing_problems(self.shafts, places, self.orientation),
-                *_motion_problems(self.design),
+                *motion_problems(self.design),
                 *(problem for question in self.questions for problem in question.problems(self.design)),
             )
 
@@ -382,33 +371,15 @@ class Machine(Spec, frozen=True):
     def __copy__(self) -> Self:
         """Copy what was declared alone: what was found may not hold of the copy, which may be given other fields."""
         copied = super().__copy__()
-        for found in ("arranged", "design", "asks", "kinds", "table_problems", "closing_problems"):
+        for found in _FOUND:
             vars(copied).pop(found, None)
         return copied
 
-
-def _motion_problems(design: Design) -> Iterator[Problem]:
-    """Find what is wrong with a motion that is wanted."""
-    if design.shafts[MAIN].motion is not None:
-        from cranktrain.layout.wish.declared import wish_problems
-
-        yield from wish_problems(design)
-
-
-def _as_in_file(problem: Problem, data: Mapping[str, Any]) -> Problem:
-    """Give a problem the path that the file has: one value where a list was made of it, overrides as tables."""
-    path = re.sub(r'^(\w+)\."?NAME \([^)]*\)"?\.', r"\1.", problem.path)
-    found = re.fullmatch(r"(bank\.[^.]+\.mechanism)\[(\d+)\](?:\.([^.\[]+)(.*))?", path)
-    if found is not None:
-        table, index, field, rest = found.groups(default="")
-        value = value_at(data, f"{table}.{field}") if field else None
-        item = f"[{index}]" if isinstance(value, list | tuple) and field not in LISTS else ""
-        path = f"{table}.{field}{item}{rest}" if field else table
-    elif (single := re.fullmatch(r"(.*)\[0\](.*)", path)) is not None and not isinstance(
-        value_at(data, single[1]), list | tuple
-    ):
-        path = f"{single[1]}{single[2]}"
-    return replace(problem, path=path)
+    def __getstate__(self) -> dict[Any, Any]:
+        """Send what was declared alone, as what was found is soon found again."""
+        state = super().__getstate__()
+        declared = {name: held for name, held in state["__dict__"].items() if name not in _FOUND}
+        return {**state, "__dict__": declared}
 
 
 def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Problem, ...]:

@@ -10,13 +10,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.dimensions import DIMENSIONS
 from tests.machines import ROCKER, V12, slave, slider, throws
 
 import cranktrain as ct
 from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import every_stage, ordered
-from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.stages import lacking
 from cranktrain.catalogue import entries

@@ -204,10 +204,15 @@ def package(tmp_path_factory):
     motors = package / "motors/__init__.py"
     motors.write_text(motors.read_text(encoding="utf-8").replace('("cage",', '("spring", "cage",'), encoding="utf-8")
     written(package / "questions/noise", QUESTION)
-    added(package / "all_questions.py", '        "press":', '        "noise": ("noise",),')
+    questions = package / "all_questions.py"
+    added(questions, '        "press":', '        "noise": ("noise",),')
     machine = package / "machine.py"
     added(machine, "    drive: DriveSpec", '    noise: NoiseSpec | None = Field(default=None, description="Noise.")')
-    added(machine, "    TorsionSpec = ", '    NoiseSpec = when_given("cranktrain.questions.noise.spec", "NoiseSpec")')
+    text = machine.read_text(encoding="utf-8")
+    machine.write_text(
+        text.replace("PumpingSpec, TorsionSpec\n", "PumpingSpec, TorsionSpec, NoiseSpec\n"), encoding="utf-8"
+    )
+    added(questions, "    TorsionSpec = ", '    NoiseSpec = when_given("cranktrain.questions.noise.spec", "NoiseSpec")')
     return root
 
 

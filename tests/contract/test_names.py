@@ -10,6 +10,7 @@ from cranktrain.allowed import Name
 from cranktrain.errors import InputError
 from cranktrain.machine import Machine
 from cranktrain.spec import Spec
+from cranktrain.when_given import Deferred
 
 ELSEWHERE = {"units": "what is measured", "overrides": "banks and cylinders, which have names of letters and digits"}
 """Fields whose keys are no new names, and what they are."""
@@ -22,7 +23,7 @@ def tables_of(annotation):
     if (isinstance(annotation, type) and issubclass(annotation, Spec)) or get_origin(annotation) is Mapping:
         yield annotation
     for part in get_args(annotation):
-        yield from tables_of(part)
+        yield from tables_of(part.annotation if isinstance(part, Deferred) else part)
 
 
 def every_mapping():
@@ -34,7 +35,7 @@ def every_mapping():
             continue
         seen.add(spec)
         for name, field in spec.model_fields.items():
-            for one in tables_of(field.annotation):
+            for one in tables_of(Annotated[field.annotation, *field.metadata, None]):
                 if get_origin(one) is Mapping:
                     found[spec.__name__, name] = get_args(one)[0]
                 else:

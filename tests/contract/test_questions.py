@@ -9,12 +9,11 @@ from pathlib import Path
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 import pytest
+from tests.dimensions import DECLARED, DIMENSIONS
 
-from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import every_stage
 from cranktrain.catalogue import entries
-from cranktrain.layout import parts as layout
 from cranktrain.layout.question import needs_of
 from cranktrain.machine import Machine
 from cranktrain.spec import Spec
@@ -25,13 +24,6 @@ ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "src/cranktrain/questions"
 OF_LAYOUT = {"units", "name", "rotation", "running", "crank_zero", "angle", "shaft", "mechanism", "bank"}
 HEADS = ["Tables", "Parts", "Results", "Rests on", "Theory", "What it does not do"]
-
-DIMENSIONS = [
-    *layout.DIMENSIONS,
-    *(one for question in QUESTIONS for one in question.dimensions),
-    *texts.DIMENSIONS,
-]
-NAMES = {dimension.name for dimension in DIMENSIONS}
 
 every_question = pytest.mark.parametrize("question", QUESTIONS, ids=lambda question: question.name)
 
@@ -102,7 +94,7 @@ def test_readme_names_results_that_there_are_in_their_order(question):
         names = [
             entry.name for stage in question.stages if stage.gives.__name__ in own for entry in entries(stage.gives)
         ]
-        told = [name for name in re.findall(r"`([a-z_]+)`", row[-1]) if name not in NAMES]
+        told = [name for name in re.findall(r"`([a-z_]+)`", row[-1]) if name not in DIMENSIONS]
         assert told == [name for name in names if name in told], (
             f"{own}: name quantities that it has, in the order of its fields"
         )
@@ -145,7 +137,9 @@ def test_sources_are_pages_of_the_theory(question):
 def test_dimensions_are_declared(question):
     for stage in question.stages:
         for entry in entries(stage.gives):
-            assert set(entry.dimensions) <= NAMES, f"{entry.name}: declare these as dimensions of the Question"
+            assert set(entry.dimensions) <= DIMENSIONS.keys(), (
+                f"{entry.name}: declare these as dimensions of the Question"
+            )
     used = {name for stage in every_stage() for entry in entries(stage.gives) for name in entry.dimensions}
     assert {dimension.name for dimension in question.dimensions} <= used, (
         "no quantity has this dimension: take it out of the Question"
@@ -153,7 +147,7 @@ def test_dimensions_are_declared(question):
 
 
 def test_dimensions_are_declared_once():
-    assert [name for name, n in Counter(dimension.name for dimension in DIMENSIONS).items() if n > 1] == [], (
+    assert [name for name, n in Counter(dimension.name for dimension in DECLARED).items() if n > 1] == [], (
         "a dimension that several have is declared once, in layout/parts.py"
     )
 

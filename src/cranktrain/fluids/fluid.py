@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.errors import Problem
 from cranktrain.fluids.state import ChamberState, VolumeLimits
+from cranktrain.folders import member_named
 from cranktrain.motion import Array, Coefficient
 from cranktrain.paths import path_text
 from cranktrain.record import record
@@ -159,6 +160,10 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
     notes: Callable[[_Ready], tuple[str, ...]] = lambda prepared: ()
     kinks: Callable[[_Ready, VolumeLimits], tuple[Kink, ...]] = lambda prepared, limits: ()
     breaks: Callable[[_Ready], Array] | None = None
+
+    def __reduce__(self) -> tuple[Callable[..., Any], tuple[str, ...]]:
+        """Give what finds it again by its name."""
+        return member_named, ("cranktrain.fluids", "KIND", self.name)
 
 
 AnyFluid: TypeAlias = Fluid[Any, Any, Any]

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
+from cranktrain.layout.design import Design
 from cranktrain.layout.specs import MAIN, BankSpec, ShaftSpec
 from cranktrain.paths import path_text
 
@@ -22,3 +23,11 @@ def shaft_problems(shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec
         yield from (
             Problem(path_text(("shaft", name, key)), None, allowed) for key in foreign if key in shaft.model_fields_set
         )
+
+
+def motion_problems(design: Design) -> Iterator[Problem]:
+    """Find what is wrong with a motion that is wanted."""
+    if design.shafts[MAIN].motion is not None:
+        from cranktrain.layout.wish.declared import wish_problems  # for machines that have one
+
+        yield from wish_problems(design)

@@ -35,4 +35,6 @@ else:
 def kind_of(spec: MechanismSpec) -> AnyKind:
     """Give the kind of a mechanism; where the file composes it, a kind of its own."""
     kind = KINDS.named(spec.kind)
-    return kind if kind.composed is None else kind.composed(spec)
+    if kind.structure_of is None or kind.of_structure is None:
+        return kind
+    return kind.of_structure(kind.structure_of(spec))

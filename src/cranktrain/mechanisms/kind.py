@@ -8,6 +8,7 @@ from typing import Any, ClassVar, Generic, NamedTuple, TypeAlias, TypeVar, cast,
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.folders import member_named
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.mechanisms.dynamics import Dynamics
 from cranktrain.mechanisms.output import OutputPart
@@ -104,8 +105,12 @@ class Kind(Generic[Motion, Geometry]):
         Finds links, sliders and joints in the motion.
     length_paths : tuple of str
         Where `lengths` stand in the mechanism's table, where they are not the same.
-    composed : callable (spec) → Kind, optional
-        For a kind whose file says what the mechanism is made of: the kind of just this one.
+    structure_of : callable (spec) → structure, optional
+        For a kind whose file says what the mechanism is made of: that.
+    of_structure : callable (structure) → Kind, optional
+        The kind of just such mechanisms.
+    structure : object
+        Of which it is one; None of a kind that no file composes.
     closing_field : str, or callable (spec, geometry) → str
         Path in the mechanism's table of what to change where links cannot close; of the rod, unless there is none.
     least_gap : callable (geometry) → Extreme, optional
@@ -147,7 +152,9 @@ class Kind(Generic[Motion, Geometry]):
     joints: tuple[str, ...] = ()
     named: Callable[[Motion, str], Any] = getattr
     length_paths: tuple[str, ...] = ()
-    composed: "Callable[[Any], Kind[Any, Any]] | None" = None
+    structure_of: Callable[[Any], Any] | None = None
+    of_structure: "Callable[[Any], Kind[Any, Any]] | None" = None
+    structure: object = None
     closing_field: str | Callable[[Any, Geometry], str] = "rod_length"
     least_gap: Callable[[Geometry], Extreme] | None = None
     openings: Callable[[Geometry], Openings] | None = None
@@ -156,6 +163,10 @@ class Kind(Generic[Motion, Geometry]):
     is_outlined: bool = False
     has_own_pin: bool = False
     rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
+
+    def __reduce__(self) -> tuple[Callable[..., Any], tuple[object, ...]]:
+        """Give what finds it again by its name, and of what it is made."""
+        return _found_again, (self.name, self.structure)
 
     @property
     def is_direct(self) -> bool:
@@ -171,6 +182,12 @@ class Kind(Generic[Motion, Geometry]):
     def length_names(self) -> tuple[str, ...]:
         """What `lengths` are called."""
         return self.length_paths or self.lengths
+
+
+def _found_again(name: str, structure: object) -> "AnyKind":
+    """Find a kind by its name; one that a file composed by its structure."""
+    kind: Kind[Any, Any] = member_named("cranktrain.mechanisms", "KIND", name)
+    return kind if structure is None or kind.of_structure is None else kind.of_structure(structure)
 
 
 class ClosingPart(NamedTuple):

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.record import record
@@ -55,6 +56,16 @@ class OfRated(NamedTuple):
 Numbers = TypeVar("Numbers", bound=tuple[object, ...])
 
 
+def _no_breaks(_numbers: object) -> MotorBreaks:
+    """Of a motor whose torque is smooth."""
+    return MotorBreaks()
+
+
+def _is_not_free(_numbers: object) -> NDArray[np.bool_]:
+    """Of a motor that does not give what it is asked for."""
+    return np.asarray(False)
+
+
 @record
 class MotorLaw(Generic[Numbers]):
     """The law of a motor with what starts it, as data.
@@ -100,12 +111,12 @@ class MotorLaw(Generic[Numbers]):
     range: str
     limits: Callable[[Any, int], BriefLimits]
     is_timed: bool = False
-    breaks: Callable[[Numbers], MotorBreaks] = lambda _numbers: MotorBreaks()
+    breaks: Callable[[Numbers], MotorBreaks] = _no_breaks
     heat: ByTime | None = None
     current: ByTime | None = None
     is_on_line: bool = False
     ceiling: Callable[[Array, Numbers], Array] | None = None
-    is_free: Callable[[Numbers], Any] = lambda _numbers: np.asarray(False)
+    is_free: Callable[[Numbers], Any] = _is_not_free
     measured: Callable[[Numbers], tuple[Array, Array]] | None = None
 
     def torque(self, speed: Array, time: Array, numbers: Numbers) -> Array:

@@ -1,6 +1,7 @@
 """Periodic curves between the points of their grid, by series, spline or pieces, with slope and integral."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import zip_longest
 from typing import NamedTuple
 
@@ -241,6 +242,11 @@ def piecewise_curve(coefficients: Array, between: PiecePlaces, samples: Array, c
     -------
     PeriodicCurve
     """
+    return PeriodicCurve(cycle, samples, partial(_on_pieces, coefficients, between, cycle), coefficients, between)
+
+
+def _on_pieces(coefficients: Array, between: PiecePlaces, cycle: float, angle: Array) -> Coefficient:
+    """Value and derivatives of polynomials of pieces at any angle."""
     starts, width = between
     n_designs, n_pieces = starts.shape
     # One search for all designs: the period of each lies behind that of the one before.
@@ -248,20 +254,16 @@ def piecewise_curve(coefficients: Array, between: PiecePlaces, samples: Array, c
     line, start, wide = (np.ravel(part) for part in (starts + behind, starts, width))
     lead = coefficients.shape[1:-2]
     flat = coefficients.reshape(len(coefficients), -1, n_designs * n_pieces)
-
-    def motion(angle: Array) -> Coefficient:
-        own = np.mod(np.broadcast_to(angle, np.broadcast_shapes(angle.shape, (*lead, n_designs, 1))), cycle)
-        # Of an angle that is NaN any piece will do, as its share is NaN.
-        last: NDArray[np.intp] = n_pieces * np.arange(1, n_designs + 1, dtype=np.intp)[:, np.newaxis] - 1
-        found = np.asarray(np.searchsorted(line, own + behind, side="right"), dtype=np.intp) - 1
-        place: NDArray[np.intp] = np.clip(found, last - (n_pieces - 1), last)
-        share = (own - start[place]) / wide[place]
-        rows = place.reshape(flat.shape[1], -1)
-        powers = np.stack([np.take_along_axis(part, rows, axis=-1).reshape(place.shape) for part in flat])
-        value, first, second = polynomial(powers, share)
-        return Coefficient(value, first / wide[place], second / wide[place] ** 2)
-
-    return PeriodicCurve(cycle, samples, motion, coefficients, between)
+    own = np.mod(np.broadcast_to(angle, np.broadcast_shapes(angle.shape, (*lead, n_designs, 1))), cycle)
+    # Of an angle that is NaN any piece will do, as its share is NaN.
+    last: NDArray[np.intp] = n_pieces * np.arange(1, n_designs + 1, dtype=np.intp)[:, np.newaxis] - 1
+    found = np.asarray(np.searchsorted(line, own + behind, side="right"), dtype=np.intp) - 1
+    place: NDArray[np.intp] = np.clip(found, last - (n_pieces - 1), last)
+    share = (own - start[place]) / wide[place]
+    rows = place.reshape(flat.shape[1], -1)
+    powers = np.stack([np.take_along_axis(part, rows, axis=-1).reshape(place.shape) for part in flat])
+    value, first, second = polynomial(powers, share)
+    return Coefficient(value, first / wide[place], second / wide[place] ** 2)
 
 
 def _cubics(samples: Array) -> Array:

@@ -72,7 +72,7 @@ def _sort(machine: Machine, throw: Sequence[PlacedMechanism]) -> tuple[object, .
 
 def _of_place(place: PlacedMechanism) -> tuple[object, ...]:
     """What of a place tells it from others: of a chain, whose lengths are many, where it stands in the file."""
-    if KINDS.named(place.spec.kind).composed is not None:
+    if KINDS.named(place.spec.kind).structure_of is not None:
         return (place.kind.name, place.path)
     lengths = [round(float(number), _DIGITS) for number in leaves(place.geometry)]
     return (place.kind.name, place.is_far, round(float(place.axis), _DIGITS), *lengths)

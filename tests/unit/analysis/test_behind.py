@@ -29,7 +29,7 @@ def test_they_run_in_this_order(bearing_load):
     """As a run says how far it is: `3 of 40, dead centres`. Of another step of crank angles it runs some again."""
     said: list[str] = []
     with listened_to(lambda words: said.append(words[-1]().partition(", ")[2])):
-        ct.run("3d12", quantities="largest_bearing_load")
+        ct.run("3d12", quantities="largest_bearing_load").compute()
     names = [re.sub("(?<=[a-z])(?=[A-Z])", " ", stage.gives).lower() for stage in bearing_load.stages]
     assert [name for name in dict.fromkeys(said) if name in names] == names
 

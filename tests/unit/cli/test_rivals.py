@@ -4,9 +4,10 @@ import re
 
 import numpy as np
 import pytest
+from tests.dimensions import DIMENSIONS
 
 import cranktrain as ct
-from cranktrain.analysis.dimensions import DIMENSIONS, rivals
+from cranktrain.analysis.dimensions import rivals
 
 RIVALS = {
     **dict.fromkeys(("force_method", "rod_method", "flywheel_method", "motion_method", "bearing_method"), 0),

@@ -12,6 +12,7 @@ from cranktrain.machine import Machine
 from cranktrain.quantities import Quantity
 from cranktrain.quantities.examples import EXAMPLES
 from cranktrain.spec import Spec, quantity_of, validated
+from cranktrain.when_given import Deferred
 
 SLIDER = {"kind": "slider_crank", "crank_radius": "40 mm", "rod_length": "136 mm"}
 
@@ -19,7 +20,7 @@ SLIDER = {"kind": "slider_crank", "crank_radius": "40 mm", "rod_length": "136 mm
 def parts(annotation):
     yield annotation
     for part in get_args(annotation):
-        yield from parts(part)
+        yield from parts(part.annotation if isinstance(part, Deferred) else part)
 
 
 def quantities(spec=Machine, seen=None):

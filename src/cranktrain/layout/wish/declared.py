@@ -1,6 +1,7 @@
 """The wanted motions that machines declare: of all designs, and what is wrong with one."""
 
 from collections.abc import Iterator
+from functools import partial
 from typing import ClassVar
 
 import numpy as np
@@ -124,13 +125,15 @@ def wanted_speed(wanted: WantedMotions, n_points: int, cycle: float, *, zero: Ar
 
 def _square(made: Following, n_points: int, cycle: float, zero: float) -> PeriodicCurve:
     """ω² over the crank angle as it is shown, with its slope 2ε; found anew at every angle. [rad²/s²]"""
-
-    def motion(shown: Array) -> Coefficient:
-        flat = crank_by_angle(made, np.ravel(shown) + zero)
-        rows = (flat.speed**2, 2 * flat.acceleration, np.full_like(flat.speed, np.nan))
-        return Coefficient(*(row.reshape(np.shape(shown)) for row in rows))
-
+    motion = partial(_square_at, made, zero)
     return PeriodicCurve(cycle, motion(cycle_grid(n_points, cycle)).value, motion)
+
+
+def _square_at(made: Following, zero: float, shown: Array) -> Coefficient:
+    """ω² and its slope at crank angles as they are shown; zero is φ of their first. [rad²/s², rad²/s² per rad]"""
+    flat = crank_by_angle(made, np.ravel(shown) + zero)
+    rows = (flat.speed**2, 2 * flat.acceleration, np.full_like(flat.speed, np.nan))
+    return Coefficient(*(row.reshape(np.shape(shown)) for row in rows))
 
 
 def _unit_problems(spec: WantedMotionSpec, *, is_slider: bool) -> Iterator[Problem]:

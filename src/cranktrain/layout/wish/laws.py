@@ -1,6 +1,7 @@
 """Laws of motion from rest to rest or from turning to turning: share of the way over share of the time."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -68,13 +69,7 @@ def polynomial_law(series: Array) -> Law:
     """Law y = Σ cₖsᵏ with y(0) = 0 and y(1) = 1; eq. (29.2) has those that are known by their powers."""
     whole = Polynomial(series)
     parts = [series, *(np.asarray(whole.deriv(order).coef, dtype=np.float64) for order in (1, 2, 3))]
-
-    def shape(share: Array) -> Moved:
-        return Moved(*(by_powers(part, share) for part in parts))
-
-    def way(share: Array) -> Array:
-        return by_powers(series, share)
-
+    shape, way = partial(_by_derivatives, parts), partial(by_powers, series)
     mirrored: Polynomial = whole(Polynomial([1.0, -1.0]))
     end = np.zeros(len(series))
     end[1 : len(mirrored.coef)] = -mirrored.coef[1:]
@@ -82,13 +77,19 @@ def polynomial_law(series: Array) -> Law:
     return Law(shape, way, series, np.where(np.abs(end) < 1e-12 * np.max(np.abs(series)), 0.0, end))
 
 
+def _by_derivatives(parts: Sequence[Array], share: Array) -> Moved:
+    """Value and derivatives, each by its own powers."""
+    return Moved(*(by_powers(part, share) for part in parts))
+
+
 def _series_law(shape: Callable[[Array], Moved], series: Array) -> Law:
     """Law that comes to its end as it leaves its start."""
+    return Law(shape, partial(_value_of, shape), series, series)
 
-    def way(share: Array) -> Array:
-        return shape(share).value
 
-    return Law(shape, way, series, series)
+def _value_of(shape: Callable[[Array], Moved], share: Array) -> Array:
+    """Value alone."""
+    return shape(share).value
 
 
 def _harmonic(share: Array) -> Moved:

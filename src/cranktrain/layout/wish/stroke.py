@@ -1,6 +1,7 @@
 """An output that goes out and back once a turn: its two dead centres."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -46,24 +47,26 @@ class Output(NamedTuple):
 
 def output_of(mechanisms: Mechanisms, design: int, mechanism: int) -> Output | None:
     """Output of one mechanism of one design; None where it does not go out and back just once a turn."""
-
-    def raw(angle: Array) -> Coefficient:
-        motion = mechanisms.alone(design, mechanism, np.ravel(angle))
-        coordinate = motion.slider if hasattr(motion, "slider") else motion.rocker.angle
-        return Coefficient(*(np.broadcast_to(part, (1, angle.size)).reshape(angle.shape) for part in coordinate))
-
+    raw = partial(_coordinate, mechanisms, design, mechanism)
     first = mechanisms.alone(design, mechanism, np.zeros(1))
     if hasattr(first, "slider"):
         return output(raw)
     samples = np.unwrap(raw(turn_grid()).value)
     middle = 0.5 * (np.min(samples) + np.max(samples))
+    return output(partial(_counted, raw, middle))
 
-    def counted(angle: Array) -> Coefficient:
-        """Angles about their middle, without a jump of a turn."""
-        value, slope, bend = raw(angle)
-        return Coefficient(middle + np.mod(value - middle + np.pi, TURN) - np.pi, slope, bend)
 
-    return output(counted)
+def _coordinate(mechanisms: Mechanisms, design: int, mechanism: int, angle: Array) -> Coefficient:
+    """Coordinate of the output of one mechanism of one design."""
+    motion = mechanisms.alone(design, mechanism, np.ravel(angle))
+    coordinate = motion.slider if hasattr(motion, "slider") else motion.rocker.angle
+    return Coefficient(*(np.broadcast_to(part, (1, angle.size)).reshape(angle.shape) for part in coordinate))
+
+
+def _counted(raw: Callable[[Array], Coefficient], middle: float, angle: Array) -> Coefficient:
+    """Angles about their middle, without a jump of a turn."""
+    value, slope, bend = raw(angle)
+    return Coefficient(middle + np.mod(value - middle + np.pi, TURN) - np.pi, slope, bend)
 
 
 def output(motion: Callable[[Array], Coefficient]) -> Output | None:

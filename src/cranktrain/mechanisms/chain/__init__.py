@@ -16,7 +16,7 @@ __all__ = ["KIND", "ChainMotion", "ChainSize", "ChainSpec", "chain_drawing", "ch
 
 
 _SIMPLEST = Structure(("main",), (), (SlideStep("main.pin", "rod", "slider", "O"),), "slider")
-"""A slider-crank; in its place `composed` puts the chain that the file has."""
+"""A slider-crank; in its place stands the chain that the file has."""
 
 KIND = Kind(
     name="chain",
@@ -26,7 +26,8 @@ KIND = Kind(
     has_rod=False,
     members=Members,
     stages=(),
-    composed=lambda spec: kind_of_structure(KIND, fields_of, structure_of(spec)),
+    structure_of=structure_of,
+    of_structure=lambda structure: kind_of_structure(KIND, fields_of, structure),
     **fields_of(_SIMPLEST),
     speed="40 rpm",
     tables=Path(__file__).with_name("starting.toml"),

@@ -56,7 +56,7 @@ def kind_of_structure(
     base: Kind[ChainMotion, Geometry], fields: Callable[[Structure], dict[str, Any]], structure: Structure
 ) -> Kind[ChainMotion, Geometry]:
     """Give the kind of chains of one structure, alike but for their numbers: `fields` says what depends on it."""
-    return replace(base, composed=None, **fields(structure))
+    return replace(base, structure=structure, **fields(structure))
 
 
 def fields_of(structure: Structure) -> dict[str, Any]:

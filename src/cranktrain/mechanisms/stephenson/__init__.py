@@ -36,7 +36,7 @@ _LENGTHS = {
 
 def _fields(structure: Structure) -> dict[str, Any]:
     """What the kind says of gears with a curved slot, or with a straight one."""
-    lengths = _LENGTHS if structure is STRAIGHT else _LENGTHS | {"slot_arc": "link_radius"}
+    lengths = _LENGTHS if structure == STRAIGHT else _LENGTHS | {"slot_arc": "link_radius"}
     return {
         **as_chain(structure, partial(stephenson_size, structure), lengths, slider=VALVE),
         "drawing": partial(stephenson_drawing, structure),
@@ -53,7 +53,8 @@ KIND = Kind(
     closing_field="eccentric_rod_length",
     members=Members,
     stages=(),
-    composed=lambda spec: kind_of_structure(KIND, _fields, structure_of(spec)),
+    structure_of=structure_of,
+    of_structure=lambda structure: kind_of_structure(KIND, _fields, structure),
     **_fields(CURVED),
     speed="180 rpm",
     tables=Path(__file__).with_name("starting.toml"),

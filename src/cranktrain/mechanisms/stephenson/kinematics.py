@@ -99,7 +99,7 @@ def stephenson_size(structure: Structure, geometry: Stephenson) -> ChainSize:
         RodLegSize(_joint(none, toward_shaft * geometry.saddle_setback), geometry.lifting_link_length),
     )
     along = single(0.0)
-    if structure is STRAIGHT:
+    if structure == STRAIGHT:
         rest = (TrammelSize(none, along, geometry.offset, -geometry.side),)
     else:
         centre = LinkPoint(geometry.slot_arc, toward_shaft * (0.5 * np.pi))

@@ -1,6 +1,6 @@
 """Cage motor by its torque over slip: by values of a catalogue, or by Kloss's formula."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from cranktrain.motors.declared import peak_limits
 from cranktrain.motors.induction.breakdown_slip import slip_from_rated
 from cranktrain.motors.induction.current import line_current, rotor_heat
 from cranktrain.motors.induction.kloss import kloss_torque, slip_of
-from cranktrain.motors.law import MotorBreaks, MotorLaw
+from cranktrain.motors.law import BriefLimits, MotorBreaks, MotorLaw
 
 PULL_UP_SLIP = single(0.8)
 """Where the torque between standstill and breakdown is taken to be least, if nothing is known: typical."""
@@ -183,6 +183,11 @@ def cage_current(speed: Array, _time: Array, motor: CageCurrent) -> Array:
     return line_current(slip_of(speed, motor.synchronous_speed), motor.breakdown_slip, motor.starting_current)
 
 
+def _limits(motor: Any, design: int) -> BriefLimits:
+    """What it can do for a moment, of which it breaks down at most."""
+    return peak_limits(motor, design, float(motor.numbers.breakdown_torque[design]))
+
+
 CAGE = MotorLaw(
     "cage",
     N_("cage motor, direct on line"),
@@ -191,7 +196,7 @@ CAGE = MotorLaw(
     "docs/theory/drive, eqs. (25.1) to (25.8)",
     N_("steady torque at rated voltage and frequency; what turns against the field has the starting torque"),
     breaks=cage_breaks,
-    limits=lambda motor, design: peak_limits(motor, design, float(motor.numbers.breakdown_torque[design])),
+    limits=_limits,
     heat=cage_heat,
     current=cage_current,
     is_on_line=True,

@@ -58,6 +58,11 @@ def prime_mover_breaks(engine: PrimeMover) -> MotorBreaks:
     return MotorBreaks((*speeds, engine.no_load_speed, *(speeds[:-1] + np.diff(speeds, axis=0) * along), *level))
 
 
+def _limits(_motor: object, _design: int) -> BriefLimits:
+    """Nothing is known of what it can do for a moment."""
+    return BriefLimits(unknown=N_("largest torque and start: it gives no more than full load, and starts without load"))
+
+
 PRIME_MOVER = MotorLaw(
     "prime_mover",
     N_("engine with a governor"),
@@ -66,7 +71,5 @@ PRIME_MOVER = MotorLaw(
     "docs/theory/drive, eq. (25.22)",
     N_("mean torque over the engine's own cycle; the governor has no delay"),
     breaks=prime_mover_breaks,
-    limits=lambda _motor, _design: BriefLimits(
-        unknown=N_("largest torque and start: it gives no more than full load, and starts without load")
-    ),
+    limits=_limits,
 )

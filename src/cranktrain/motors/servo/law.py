@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.language import N_
 from cranktrain.motion import Array
@@ -76,6 +77,11 @@ def servo_limits(motor: DeclaredMotor, design: int) -> BriefLimits:
     return BriefLimits(peak, peak)
 
 
+def _is_free(servo: Servo) -> NDArray[np.bool_]:
+    """Whether it gives all that it can."""
+    return servo.command >= servo.peak_torque
+
+
 SERVO = MotorLaw(
     "servo",
     N_("servo motor"),
@@ -87,5 +93,5 @@ SERVO = MotorLaw(
     limits=servo_limits,
     current=servo_current,
     ceiling=servo_limit,
-    is_free=lambda servo: servo.command >= servo.peak_torque,
+    is_free=_is_free,
 )

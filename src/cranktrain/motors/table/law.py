@@ -43,6 +43,11 @@ def table_breaks(table: TableMotor) -> MotorBreaks:
     return MotorBreaks(tuple(table.speeds))
 
 
+def _measured(table: TableMotor) -> tuple[Array, Array]:
+    """First and last speed of the table."""
+    return table.speeds[0], table.speeds[-1]
+
+
 TABLE = MotorLaw(
     "table",
     N_("motor by a table"),
@@ -52,5 +57,5 @@ TABLE = MotorLaw(
     N_("between the speeds of the table"),
     breaks=table_breaks,
     limits=curve_limits,
-    measured=lambda table: (table.speeds[0], table.speeds[-1]),
+    measured=_measured,
 )

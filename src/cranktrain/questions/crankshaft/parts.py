@@ -121,6 +121,11 @@ class DeclaredCrankshafts:
         return tuple(name for one in self.each for name in one.bearing_names)
 
     @property
+    def labels(self) -> dict[str, tuple[str, ...]]:
+        """Names of what results have of each."""
+        return {"bearing": self.bearings}
+
+    @property
     def is_elastic(self) -> bool:
         """Whether the file says of any bearing how it gives."""
         return any(one.is_elastic for one in self.each)

@@ -1,6 +1,7 @@
 """Reactions in every joint, as results, with their largest values; what to mind about masses and friction."""
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -60,10 +61,15 @@ def joint_curves(loaded: LoadedMachine, solved: SolvedCycle) -> JointCurves:
     return JointCurves(
         mechanisms_of(joints),
         np.hypot(*reactions[:2]),
-        lambda found: np.hypot(*_reactions(joints, found)[:2]),
+        partial(_sizes, joints),
         names=tuple(joint.name for joint in joints),
         reactions=reactions,
     )
+
+
+def _sizes(joints: Sequence[Member], found: Sequence[SolvedBatch]) -> Array:
+    """Sizes of the forces in joints, of mechanisms that are solved at any angles."""
+    return np.hypot(*_reactions(joints, found)[:2])
 
 
 def joint_forces(loaded: LoadedMachine, solved: SolvedCycle, curves: JointCurves, peaks: ForcePeaks) -> JointForces:

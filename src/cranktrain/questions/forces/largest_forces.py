@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import field
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -125,13 +126,21 @@ def piston_curves(pistons: Pistons, loaded: LoadedMachine, rods: RodsOnGrid) -> 
         if not one.is_on_pin:
             samples[3][:, one.piston] = np.nan
     which, piston = _asked(samples)
-
-    def sizes(found: tuple[SolvedBatch, ...]) -> Array:
-        each = [(one, one.forces) for one in rods_in_pistons(loaded, found)]
-        return np.moveaxis(_sizes(shape, each)[which, :, piston], 0, 1)
-
+    sizes = partial(_sizes_asked, loaded, shape, which, piston)
     own = np.moveaxis(samples[which, :, piston], 0, 1)
     return PistonCurves(loaded.carriers.driven[piston], own, sizes, which=which, piston=piston, shape=shape)
+
+
+def _sizes_asked(
+    loaded: LoadedMachine,
+    shape: tuple[int, int, int],
+    which: NDArray[np.intp],
+    piston: NDArray[np.intp],
+    found: tuple[SolvedBatch, ...],
+) -> Array:
+    """Those sizes that are asked for, of mechanisms that are solved at any angles, shape (design, curve, n)."""
+    each = [(one, one.forces) for one in rods_in_pistons(loaded, found)]
+    return np.moveaxis(_sizes(shape, each)[which, :, piston], 0, 1)
 
 
 def _sizes(shape: tuple[int, int, int], rods: Sequence[tuple[RodsInPistons, ForcesOfRods]]) -> Array:

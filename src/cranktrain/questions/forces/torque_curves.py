@@ -1,6 +1,7 @@
 """Torque of all mechanisms together, and what journals pass on of it, as curves of which the largest are asked."""
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -21,15 +22,17 @@ class TorqueCurves(MachineCurves):
 
 def torque_curves(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts) -> TorqueCurves:
     """Torque of all mechanisms, that against it, and its size in the journals."""
-
-    def curves(found: Sequence[SolvedBatch]) -> Array:
-        driving = driving_torques(loaded, found)
-        whole = np.sum(driving, axis=1, keepdims=True)
-        return np.concatenate([-whole, whole, np.abs(passed_torques(driving, shafts))], axis=1)
-
+    curves = partial(_curves, loaded, shafts)
     samples = curves(solved.batches)
     of_all = np.array([-1] * samples.shape[1], dtype=np.intp)
     return TorqueCurves(of_all, samples, curves)
+
+
+def _curves(loaded: LoadedMachine, shafts: Shafts, found: Sequence[SolvedBatch]) -> Array:
+    """What `TorqueCurves` holds, of mechanisms that are solved at any angles."""
+    driving = driving_torques(loaded, found)
+    whole = np.sum(driving, axis=1, keepdims=True)
+    return np.concatenate([-whole, whole, np.abs(passed_torques(driving, shafts))], axis=1)
 
 
 def passed_torques(driving: Array, shafts: Shafts) -> Array:

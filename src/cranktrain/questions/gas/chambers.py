@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple, TypeAlias, cast
 
 import numpy as np
@@ -266,11 +266,6 @@ def _filled(gas: GasInChambers, declared: DeclaredGas, bottom: Array, speed: Arr
 def _rooms(gas: GasInChambers, table: GasTable, places: NDArray[np.intp], bottom: Array, speed: Array | None) -> Rooms:
     """The chambers of one table, as its fluid asks for them."""
     after = np.mod(bottom - gas.firing[..., 0], 2 * np.pi)
-
-    def volume_of(design: int, own: int, angle: Array) -> Coefficient:
-        place = int(places[own])
-        return gas.volume_of(design, place, angle + gas.firing[design, place])
-
     return Rooms(
         path=table.path,
         cycle=gas.cycle,
@@ -279,8 +274,16 @@ def _rooms(gas: GasInChambers, table: GasTable, places: NDArray[np.intp], bottom
         bottoms=np.stack([after - 2 * np.pi, after], axis=-1)[:, places],
         alike=np.searchsorted(places, gas.origin[:, places]),
         speed=speed,
-        volume_of=volume_of,
+        volume_of=partial(_volume_from_firing, gas, places),
     )
+
+
+def _volume_from_firing(
+    gas: GasInChambers, places: NDArray[np.intp], design: int, own: int, angle: Array
+) -> Coefficient:
+    """Volume of one of some chambers, of one design, at angles since its nominal firing [rad]; as `volume_of`."""
+    place = int(places[own])
+    return gas.volume_of(design, place, angle + gas.firing[design, place])
 
 
 def _origin(gas: GasInChambers, declared: DeclaredGas) -> NDArray[np.intp]:

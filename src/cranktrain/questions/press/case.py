@@ -1,6 +1,7 @@
 """A machine with a clutch and a brake, ready for single strokes: its numbers, and what is asked of a stroke."""
 
 import math
+from functools import cached_property
 
 import numpy as np
 
@@ -33,7 +34,7 @@ class PressCase:
 
     Attributes
     ----------
-    kernels : Kernels
+    motor : DeclaredMotor
     press : Press
     plan : PressPlan
         With the command angle, infinite where it is asked for.
@@ -47,13 +48,22 @@ class PressCase:
         NaN where no pace is asked for. [s]
     """
 
-    kernels: Kernels
+    motor: DeclaredMotor
     press: Press
     plan: PressPlan
     idle_speed: float
     start_angle: float
     zero: float
     period: float
+
+    @cached_property
+    def kernels(self) -> Kernels:
+        """Kernels of its strokes."""
+        return start_kernels(self.motor)
+
+    def __getstate__(self) -> dict[str, object]:
+        """Send its numbers; kernels are made again."""
+        return {name: held for name, held in vars(self).items() if name != "kernels"}
 
 
 @record
@@ -116,7 +126,7 @@ def press_case(parts: PressParts, design: int) -> PressCase | None:
     idle = _idle_speed(kernels, press, float(parts.motor.top_speed[design]))
     if math.isnan(idle):
         return None
-    return PressCase(kernels, press, plan, idle, start_angle, zero, float(own.period[design]))
+    return PressCase(parts.motor, press, plan, idle, start_angle, zero, float(own.period[design]))
 
 
 def _jumps(corners: Array) -> tuple[float, ...]:

@@ -11,7 +11,7 @@ from cranktrain.numerics import Subintervals, points_together, subintervals
 from cranktrain.numerics.sectors import Sectors, size_by_sector
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
-from cranktrain.questions.wear.rays import N_RAYS, oil_hole, wear_of
+from cranktrain.questions.wear.rays import N_RAYS, RAY_NAMES, oil_hole, wear_of
 from cranktrain.record import record
 
 _WIDEST = np.pi / 9
@@ -49,6 +49,11 @@ class CyclePoints:
     weight: Array
     cycle: float
     solved: Sequence[SolvedBatch]
+
+    @property
+    def labels(self) -> dict[str, tuple[str, ...]]:
+        """Names of the rays."""
+        return {"ray": RAY_NAMES}
 
     def mean(self, values: Array) -> Array:
         """Mean over the cycle of values at the points, shape (design, ..., point)."""

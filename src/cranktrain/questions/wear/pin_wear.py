@@ -12,7 +12,6 @@ from cranktrain.numerics.nested import put
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.pin_load import PinLoad, RodBearingLoad, pin_load, rod_bearing_load
 from cranktrain.questions.wear.cycle_points import CyclePoints
-from cranktrain.questions.wear.rays import RAY_NAMES
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 
@@ -73,5 +72,4 @@ def crank_pin_wear(loaded: LoadedMachine, points: CyclePoints) -> CrankPinWear:
         crankpin_wear=pin.rays,
         crankpin_oil_hole=pin.hole,
         rod_bearing_wear=shell.rays,
-        labels={"ray": RAY_NAMES},
     )

@@ -1,6 +1,6 @@
 """Loads of the main bearings by every method at few points between the events of the cycle, for means over it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -25,18 +25,22 @@ class BearingsBetweenEvents:
         On each shaft.
     load : Array, shape (design, method, bearing, 2, point)
         Of journals on all main bearings, toward X and Y. [N]
+    labels : mapping of str to tuple of str
+        Names of the methods.
     """
 
     acting: Sequence[SpannedLoads]
     load: Array
+    labels: Mapping[str, tuple[str, ...]]
 
 
 def bearings_between_events(
     loaded: LoadedShafts, declared: DeclaredCrankshafts, points: CyclePoints
 ) -> BearingsBetweenEvents:
     """Loads of all main bearings by all methods that the file has numbers for; docs/theory/crankshaft, eq. (24.10)."""
-    acting = loaded.loads(points.angle, points.solved)
-    return BearingsBetweenEvents(acting, bearing_loads_of(loaded.supports, methods_for(declared), acting))
+    acting, methods = loaded.loads(points.angle, points.solved), methods_for(declared)
+    names = {"bearing_method": tuple(method.name for method in methods)}
+    return BearingsBetweenEvents(acting, bearing_loads_of(loaded.supports, methods, acting), names)
 
 
 def bearing_loads_of(

@@ -93,7 +93,6 @@ def main_bearing_loads(
         main_bearing_load_y=curves[:, :, :, 1],
         largest_bearing_load=peaks.load,
         mean_bearing_load=points.mean(np.hypot(between.load[:, :, :, 0], between.load[:, :, :, 1])),
-        labels={"bearing_method": tuple(method.name for method in methods), "bearing": declared.bearings},
         checks=(_check(loaded, acting, by_method),),
         flags=tuple(one_sided([(_("largest load of a main bearing"), peaks.load)], named)),
     )

@@ -28,4 +28,4 @@ class ShaftPlaces(StageResult):
 def shaft_places(_layouts: ShaftLayouts, declared: DeclaredCrankshafts, axial: AxialPlaces) -> ShaftPlaces:
     """Say where rods and bearings stand."""
     bearings = [one.bearings for one in declared.each]
-    return ShaftPlaces(axial.value, np.concatenate(bearings, axis=1), labels={"bearing": declared.bearings})
+    return ShaftPlaces(axial.value, np.concatenate(bearings, axis=1))

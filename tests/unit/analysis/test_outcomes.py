@@ -1,0 +1,142 @@
+"""What is computed when it is read: the same whatever is read first, by whom, and wherever the result has been."""
+
+import copy
+import pickle
+import threading
+
+import numpy as np
+import pytest
+
+import cranktrain as ct
+from cranktrain.analysis import run, stages_for
+from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.outcomes import StageRun, run_stages
+from cranktrain.analysis.parts import parts_of
+from cranktrain.analysis.stages import lacking, leading_to
+from cranktrain.catalogue import entries, values
+from cranktrain.checks import Checked, Flagged
+from cranktrain.io.examples import example_names
+from cranktrain.layout.question import Stage
+from cranktrain.quantities import shown_by, units_by_dimension
+
+every_example = pytest.mark.parametrize("name", example_names())
+
+
+def ran(result):
+    """Outcomes that were computed."""
+    return set(result.computed._shown)
+
+
+def test_nothing_is_computed_before_it_is_read():
+    result = ct.run("3d12")
+    assert ran(result) == set()
+    assert "largest_bearing_load" in result.catalogue
+    assert result.missing
+    assert ran(result) == set()
+    assert result.stroke.shape == (12,)
+    assert {kind.__name__ for kind in ran(result)} == {"DeadCentres"}
+
+
+@pytest.mark.parametrize("name", ["3d12", "tilting_table", "textbook_78x78", "gas_compressor", "pumping_unit_c57"])
+def test_what_is_read_last_is_the_same_as_what_is_read_first(name):
+    one, other = ct.run(name), ct.run(name)
+    one.compute()
+    for kind in reversed(other.computed.kinds):
+        for entry in entries(kind):
+            first, last = values(one.computed[kind], entry), values(other.computed[kind], entry)
+            np.testing.assert_array_equal(first, last, err_msg=entry.name)
+    assert dict(one.labels) == dict(other.labels)
+    assert one.flags == other.flags
+
+
+@every_example
+def test_a_result_has_the_names_of_its_members_with_it(name):
+    """Whatever else was computed: of its own, of the parts, or of what it rests on."""
+    machine = ct.load(name)
+    stages = stages_for(machine)
+    parts = parts_of((machine,), step=FACTS_STEP)
+    found = run_stages(stages, parts, lacking(stages, parts))
+    of_parts = {dimension for part in parts.values() for dimension in getattr(part, "labels", {})}
+    for kind in found:
+        rests_on = [one.gives for one in leading_to(stages, [kind]) if one.gives in found]
+        named = {dimension for one in rests_on for dimension in getattr(found[one], "labels", {})}
+        for entry in entries(kind):
+            assert set(entry.dimensions) <= {*of_parts, *named, "crank_angle"}, (kind.__name__, entry.name)
+
+
+def test_the_answer_computes_what_it_says_and_all_that_checks_or_warns():
+    result = ct.run("3d12")
+    result.compute_answer()
+    answered = ran(result)
+    assert {one.__name__ for one in result.computed.kinds} - {one.__name__ for one in answered} >= {"JournalWear"}
+    assert {kind for kind in result.computed.kinds if issubclass(kind, Checked | Flagged)} <= answered
+    assert list(result.rows())
+    assert result.flags == ct.run("3d12").flags
+    assert ran(result) == answered, "rows and flags needed nothing more"
+
+
+def test_threads_read_one_result():
+    result, whole = ct.run("3d12"), ct.run("3d12")
+    found, names = {}, ["largest_bearing_load", "journal_wear", "largest_torque", "stroke", "flywheel_inertia"]
+
+    def read(name):
+        found[name] = getattr(result, name)
+
+    threads = [threading.Thread(target=read, args=(name,)) for name in names * 3]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for name in names:
+        np.testing.assert_array_equal(found[name], getattr(whole, name), err_msg=name)
+
+
+def test_an_error_in_a_stage_is_told_each_time_it_is_read():
+    (first, *_others) = stages_for(ct.load("textbook_78x78"))
+
+    def failing() -> first.gives:
+        raise AttributeError("no such thing")
+
+    result = run(ct.load("textbook_78x78"), stages=[Stage(failing)])
+    for _again in range(2):
+        with pytest.raises(RuntimeError, match=f"{first.outcome} could not be computed: no such thing"):
+            result.computed.compute([first.gives])
+
+
+def test_units_are_those_of_the_run():
+    """A sentence that holds a number is made when it is read, and says it as it would have been said at once."""
+    at_once = ct.run("3d12")
+    at_once.compute()
+    later = ct.run("3d12")
+    with shown_by(units_by_dimension(["lbf", "in", "psi"], "units")):
+        assert later.flags == at_once.flags
+
+
+@every_example
+def test_a_result_and_its_machine_can_be_sent_and_copied(name):
+    result = ct.run(name, step_degrees=10)
+    machine = pickle.loads(pickle.dumps(result.machines[0]))
+    assert machine == result.machines[0]
+    unread, copied = pickle.loads(pickle.dumps(result)), copy.deepcopy(result)
+    result.compute()
+    read = pickle.loads(pickle.dumps(result))
+    again = ct.run(machine, step_degrees=10)
+    for quantity in result.catalogue:
+        for one in (unread, copied, read, again):
+            np.testing.assert_array_equal(getattr(one, quantity), getattr(result, quantity), err_msg=quantity)
+    assert unread.flags == read.flags == result.flags
+    assert [check.verdict() for check in unread.checks] == [check.verdict() for check in result.checks]
+
+
+def test_a_result_outlives_its_machine():
+    machine = ct.load("textbook_78x78")
+    result = ct.run(machine)
+    del machine
+    assert result.stroke[0] == pytest.approx(0.078, rel=1e-12)
+
+
+def test_what_cannot_be_had_is_never_run():
+    run_of = StageRun([], {})
+    run_of.find([Stage])
+    with pytest.raises(KeyError):
+        _ = run_of[Stage]
