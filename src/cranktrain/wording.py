@@ -8,6 +8,7 @@ from string import digits
 import numpy as np
 
 from cranktrain.grouping import places_of_equal
+from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.quantities import Given, chosen_unit, of_result, shown
 
@@ -174,3 +175,9 @@ def ranged(names: Sequence[str], members: Sequence[int]) -> str:
         names[run[0]] if len(run) == 1 else f"{names[run[0]]}{'–' if len(run) > 2 else ', '}{names[run[-1]]}"
         for run in runs
     )
+
+
+def in_words(names: Sequence[str]) -> str:
+    """Give names as a list in words: `a, b and c`."""
+    *first, last = names
+    return _("{first} and {last}").format(first=", ".join(first), last=last) if first else last

@@ -6,7 +6,7 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.cli import main
-from cranktrain.cli.screen.figures import figures
+from cranktrain.cli.screen.amounts import figures
 from cranktrain.io.examples import example_names
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import aligned, column

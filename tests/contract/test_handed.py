@@ -15,7 +15,8 @@ import pytest
 import cranktrain as ct
 import cranktrain.linkage
 import cranktrain.mechanisms
-from cranktrain.mechanisms import KINDS, geometry
+from cranktrain.mechanisms import KINDS
+from cranktrain.mechanisms import kind as kind_module
 
 STEP = 5.0
 CURVES = ("piston_displacement", "slider_position", "point_x", "point_y")
@@ -181,7 +182,7 @@ def marks():
         for module in walk_packages(package.__path__, f"{package.__name__}."):
             for found in vars(import_module(module.name)).values():
                 if inspect.isclass(found) and found.__module__ == module.name and hasattr(found, "_fields"):
-                    yield from ((found, field) for field in sorted(geometry.handed_fields(found)))
+                    yield from ((found, field) for field in sorted(kind_module.handed_fields(found)))
 
 
 @pytest.mark.parametrize("name", FILES)
@@ -200,8 +201,8 @@ def test_without_a_mark_a_curve_differs(files, monkeypatch, kind, field):
     """And what is marked is geometry that a kind has: of no other class is there a file."""
     own = [name for name in FILES if kind in types_of(files[name, "ahead"])]
     assert own, "no mechanism's geometry has this class: take the mark away, or add a chain above"
-    marked = geometry.handed_fields
-    monkeypatch.setattr(geometry, "handed_fields", lambda of: marked(of) - ({field} if of is kind else set()))
+    marked = kind_module.handed_fields
+    monkeypatch.setattr(kind_module, "handed_fields", lambda of: marked(of) - ({field} if of is kind else set()))
     for name in own:
         ahead = curves(files[name, "ahead"])
         try:

@@ -18,7 +18,7 @@ from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity
 from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.mechanisms.dynamics import FRAME
-from cranktrain.mechanisms.geometry import named_part
+from cranktrain.mechanisms.kind import named_part
 from cranktrain.mechanisms.output import PISTON, RAM, VALVE
 from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.nested import leaves

@@ -78,7 +78,7 @@ QUESTION = {
 """How loud it is, made up."""
 
 from cranktrain.layout.question import Question, ResultDimension, Stage, Use
-from cranktrain.layout.uses import table
+from cranktrain.layout.question import table
 from cranktrain.questions.noise import rows
 from cranktrain.questions.noise.loudness import Loudness, loudness
 from cranktrain.questions.noise.spec import NoiseSpec, noise_parts

@@ -6,7 +6,7 @@ import pytest
 
 from cranktrain.analysis import every_stage
 from cranktrain.catalogue import entries
-from cranktrain.cli.screen.figures import figures
+from cranktrain.cli.screen.amounts import figures
 from cranktrain.quantities import SHOWN, counted_from, shown_by, unit_names, units_by_dimension
 from cranktrain.scales import SCALES, in_asked_unit, scale_for
 from cranktrain.study.start import StartCurves

@@ -13,9 +13,8 @@ from cranktrain.linkage.forces import added, block_link, crank_link, swivel_slid
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.forces import chain_dynamics, chain_forces, chain_load
 from cranktrain.mechanisms.chain.gaps import chain_gap, chain_gaps
-from cranktrain.mechanisms.chain.joints import chain_moving
+from cranktrain.mechanisms.chain.groups import chain_moving, pin_of
 from cranktrain.mechanisms.chain.kinematics import chain_made, chain_motion
-from cranktrain.mechanisms.chain.made import pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     Coordinates,

@@ -25,7 +25,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadSize,
     TriadStep,
 )
-from cranktrain.mechanisms.geometry import rows
+from cranktrain.mechanisms.kind import rows
 from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.nested import filled, leaves
 

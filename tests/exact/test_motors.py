@@ -13,10 +13,15 @@ from cranktrain.motors.circuit.law import circuit_torque
 from cranktrain.motors.induction.breakdown_slip import full_fit, slip_from_rated, slip_from_start
 from cranktrain.motors.induction.ramp import Ramp
 from cranktrain.motors.wound_rotor.rheostat import resistance_steps
-from cranktrain.questions.sizing.duty import intermittent_factor, no_load_factor, short_time_factor
+from cranktrain.questions.sizing.duty import (
+    intermittent_factor,
+    mean_torque,
+    no_load_factor,
+    rms_torque,
+    short_time_factor,
+)
 from cranktrain.questions.sizing.peaky_load import PeakyLoad, SlipLine, periodic_inertia, periodic_torques
 from cranktrain.questions.sizing.starting import loaded_start, unloaded_start
-from cranktrain.questions.sizing.torque_means import mean_torque, rms_torque
 
 DIGITS = 40
 CLOSE = 1e-12

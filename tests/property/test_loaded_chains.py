@@ -10,7 +10,7 @@ from tests.exact.test_chain_triad import STRUCTURE, TURN, drawn
 
 import cranktrain as ct
 from cranktrain.mechanisms.chain.gaps import chain_gap
-from cranktrain.mechanisms.geometry import rows
+from cranktrain.mechanisms.kind import rows
 from cranktrain.numerics.designs import by_design
 
 AT_ONCE = 8

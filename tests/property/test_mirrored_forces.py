@@ -8,7 +8,7 @@ import pytest
 import cranktrain as ct
 from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity, Wrench
 from cranktrain.mechanisms import KINDS
-from cranktrain.mechanisms.geometry import mirrored
+from cranktrain.mechanisms.kind import mirrored
 from cranktrain.numerics.nested import mapped
 
 PHI = np.linspace(0.1, 6.2, 40)

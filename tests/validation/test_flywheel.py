@@ -21,12 +21,11 @@ from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.speed import Speed
 from cranktrain.numerics.periodic import cycle_grid, fourier_curve, plus
 from cranktrain.questions.drive.cycle_equation import speed_over_turn
-from cranktrain.questions.evenness.applied_torque import applied_torque
 from cranktrain.questions.evenness.flywheel import FlywheelSize, flywheel_size
 from cranktrain.questions.evenness.flywheel_inertia import exact_flywheel, flywheels_by_method, textbook_inertia
-from cranktrain.questions.evenness.load_torque import load_torque
 from cranktrain.questions.evenness.running_speed import RunningSpeed, running_speed
 from cranktrain.questions.evenness.shaft_balance import shaft_balance
+from cranktrain.questions.evenness.shaft_torque import applied_torque, load_torque
 from cranktrain.questions.evenness.shaft_work import shaft_work
 from cranktrain.questions.evenness.spec import Balancing, GivenFlywheel, WantedCoefficient
 from cranktrain.questions.evenness.speed_law import Power, TorqueLaw, speed_under_law

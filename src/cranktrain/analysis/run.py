@@ -31,7 +31,7 @@ from cranktrain.how_far import within
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Stage
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 
 _FINEST, _COARSEST = 0.01, 90.0

@@ -13,8 +13,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts, Stage
-from cranktrain.layout.speed import Speed, SteadySpeed
-from cranktrain.layout.speed_curve import SpeedCurve, speed_curve
+from cranktrain.layout.speed import Speed, SpeedCurve, SteadySpeed, speed_curve
 from cranktrain.motion import Array
 from cranktrain.numerics.periodic import spline_curve
 

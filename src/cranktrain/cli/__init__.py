@@ -48,7 +48,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         _look_at_streams()
         if _COMPLETING in os.environ and arguments is None:
-            from cranktrain.cli.completing.asking import show_candidates
+            from cranktrain.cli.completing.candidates import show_candidates
 
             show_candidates(sys.argv[1:])
             return 0

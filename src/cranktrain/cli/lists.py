@@ -6,7 +6,7 @@ from typing import cast
 
 from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.language import _
-from cranktrain.layout.ends import ENDS
+from cranktrain.layout.specs import ENDS
 
 
 def show_list(what: str, behind: str | None = None, file: str | None = None) -> None:

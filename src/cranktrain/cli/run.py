@@ -103,7 +103,7 @@ def _show_numbers(result: Result, request: RunRequest) -> None:
 
 def _show_minded(result: Result) -> None:
     """Show what is to be minded."""
-    from cranktrain.cli.screen.minded import minded_lines
+    from cranktrain.cli.screen.answer import minded_lines
 
     with page() as console:
         show_lines(console, (Text(line) for line in minded_lines(result, console.width)))

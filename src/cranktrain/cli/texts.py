@@ -1,17 +1,32 @@
-"""What may be typed after `textbook`."""
+"""What may be typed after `textbook`, whose option `--source` may stand without a name."""
 
 from collections.abc import Callable
 from functools import wraps
-from typing import Annotated, ParamSpec
+from typing import Annotated, Any, ParamSpec
 
 import typer
+from typer.core import TyperCommand
 
-from cranktrain.cli.optional_source import OptionalSource
 from cranktrain.cli.options import Force, Settings, degrees
 from cranktrain.cli.task import put_off
 from cranktrain.language import _
 
+_OPTION = "--source"
+
 _Given = ParamSpec("_Given")
+
+
+class OptionalSource(TyperCommand):
+    """A command whose option `--source` without a name asks for a list; Typer would say that it is missing."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Read what was typed, an empty name where none follows."""
+        given = list(args)
+        for place, word in enumerate(given):
+            if word == _OPTION and (place + 1 == len(given) or given[place + 1].startswith("-")):
+                given.insert(place + 1, "")
+                break
+        return super().parse_args(ctx, given)
 
 
 def _in_print(command: Callable[_Given, None]) -> Callable[_Given, None]:
@@ -227,7 +242,7 @@ def add_textbook(app: typer.Typer) -> None:
             asked = OfMachine(throw_number, at, crank_masses, table)
             show_throw(throw, values, output, asked=asked, full=full, force=force, others=alone)
             return
-        from cranktrain.cli.textbook.throw_output import refuse_without_throw
+        from cranktrain.cli.textbook.output import refuse_without_throw
 
         refuse_without_throw(output, at=at, force=force, of_throw=of_throw)
         if harmonics or crank_to_rod_ratio is not None:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from cranktrain.analysis import Result, sentences
 from cranktrain.language import _
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 
 

@@ -1,12 +1,11 @@
 """A start as CSV over time, and as JSON with its events."""
 
-import csv
-import io
 import json
 from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from cranktrain.io.tables import csv_lines
 from cranktrain.motion import Array
 from cranktrain.scales import in_asked_unit
 from cranktrain.study.start import Start
@@ -29,20 +28,7 @@ def start_csv(start: Start, *, comma: bool = False) -> Iterator[str]:
     str
         Lines: `#` lines with the machine, why it ended and the events; a head `name [unit]`; then the numbers.
     """
-    if comma:
-        yield "\ufeff"
-    for word, sentence in _about(start):
-        yield f"# {word}: {' '.join(sentence.split())}\n"
-    columns = dict(_columns(start))
-    row = io.StringIO()
-    writer = csv.writer(row, delimiter=";" if comma else ",", lineterminator="\n")
-    writer.writerow(columns)
-    for numbers in zip(*(column.tolist() for column in columns.values()), strict=True):
-        digits = map(repr, numbers)
-        writer.writerow([number.replace(".", ",") for number in digits] if comma else digits)
-        yield row.getvalue()
-        row.seek(0)
-        row.truncate()
+    yield from csv_lines(_about(start), dict(_columns(start)), comma=comma)
 
 
 def start_json(start: Start, machine: Mapping[str, object]) -> Iterator[str]:

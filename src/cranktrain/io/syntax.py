@@ -7,11 +7,22 @@ from typing import cast
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.files import refusal
-from cranktrain.io.long_keys import long_key
 from cranktrain.io.text_spans import places
 from cranktrain.language import N_, _
 from cranktrain.one_line import short
 from cranktrain.paths import DEEPEST_NESTING, PathParts, path_text, too_many_parts
+
+_KEY_PART = re.compile(r"""[A-Za-z0-9_-]+|"(?:[^"\\\n]|\\.)*"?|'[^'\n]*'?""")
+_TEXTS_AND_KEYS = re.compile(
+    rf"""
+    "{{3}} (?: [^"\\] | \\[\s\S] | "(?!"") )* (?:"{{3}})?
+    | '{{3}} (?: [^'] | '(?!'') )* (?:'{{3}})?
+    | \#[^\n]*
+    | (?P<key> (?:{_KEY_PART.pattern}) (?: [ \t]* \. [ \t]* (?:{_KEY_PART.pattern}) )* )
+    """,
+    re.VERBOSE,
+)
+"""Texts of several lines, comments, keys with dots; a text of one line, or a number, looks like a key of few parts."""
 
 MOST_KEYS = 20_000
 """In all tables of a file together; a machine file has some tens."""
@@ -173,3 +184,22 @@ def _quoted_line(line: str) -> str | None:
     if re.fullmatch(r"[+-]?[0-9]+\.[0-9]+", value):
         return f"{key} = {value}"
     return f'{key} = "{value}"' if any(character.isalpha() or character in "°%" for character in value) else None
+
+
+def long_key(text: str) -> re.Match[str] | None:
+    """Find the first key of more parts than a machine file may have; one in a text or a comment is none.
+
+    Parameters
+    ----------
+    text : str
+
+    Returns
+    -------
+    re.Match or None
+        Its group `key` is the key as it is written.
+    """
+    for found in _TEXTS_AND_KEYS.finditer(text):
+        key = found["key"] or ""
+        if key.count(".") >= DEEPEST_NESTING and len(_KEY_PART.findall(key)) > DEEPEST_NESTING:
+            return found
+    return None

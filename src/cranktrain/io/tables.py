@@ -1,10 +1,10 @@
-"""A result as CSV and as JSON: every number with the shortest digits that read back to the same double."""
+"""A result as tables, CSV and JSON: every number with the shortest digits that read back to the same double."""
 
 import csv
 import io
 import itertools
 import json
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 import numpy as np
 
@@ -14,6 +14,8 @@ from cranktrain.io.conventions import conventions
 from cranktrain.motion import Array
 from cranktrain.scales import in_asked_unit
 from cranktrain.version import VERSION
+
+HEADS = ("quantity", "of", "value", "unit", "meaning")
 
 
 def csv_text(
@@ -38,11 +40,15 @@ def csv_text(
         Lines: `#` lines with the conventions, a head `name(index) [unit]`, then the numbers; NaN is written `nan`.
     """
     del machine
+    yield from csv_lines(about(result, names).items(), curve_columns(result, names), comma=comma)
+
+
+def csv_lines(said: Iterable[tuple[str, str]], columns: Mapping[str, Array], *, comma: bool) -> Iterator[str]:
+    """Write `#` lines with what is said, the heads of columns, and their numbers; `comma` as of `csv_text`."""
     if comma:
         yield "\ufeff"
-    for word, sentence in about(result, names).items():
+    for word, sentence in said:
         yield f"# {word}: {' '.join(sentence.split())}\n"
-    columns = curve_columns(result, names)
     row = io.StringIO()
     writer = csv.writer(row, delimiter=";" if comma else ",", lineterminator="\n")
     writer.writerow(columns)
@@ -152,3 +158,46 @@ def _nested(values: Array) -> object:
 
 def _json(data: object) -> str:
     return json.dumps(data, ensure_ascii=False, allow_nan=False)
+
+
+def fact_rows(result: Result, names: Collection[str]) -> Iterator[tuple[str, str, float, str, str]]:
+    """Give the facts one by one.
+
+    Parameters
+    ----------
+    result : Result
+        Of one machine.
+    names : collection of str
+        Quantities to give; curves are left out.
+
+    Yields
+    ------
+    tuple
+        In the order of `HEADS`: name, what of the machine it is of, the value, its unit, what it is.
+    """
+    for name, entry in result.catalogue.items():
+        if name in names and entry.is_fact:
+            unit, values = in_asked_unit(entry.unit, np.asarray(getattr(result, name)), entry.shown)
+            for place, of in _places(result, entry):
+                yield name, of, float(values[place]), unit, entry.sentence
+
+
+def _places(result: Result, entry: Entry) -> Iterator[tuple[tuple[int, ...], str]]:
+    """Give every place of a quantity's values with its labels."""
+    labels = result.labels_of(entry).values()
+    for place in itertools.product(*(range(len(names)) for names in labels)):
+        yield place, " ".join(names[i] for names, i in zip(labels, place, strict=True))
+
+
+def fact_csv(result: Result, names: Collection[str], *, comma: bool = False) -> Iterator[str]:
+    """Write facts as lines of a CSV; parameters as of `fact_rows`.
+
+    With `comma` as spreadsheets take it where a comma divides decimals: semicolons between, a byte-order mark before.
+    """
+    text = io.StringIO()
+    writer = csv.writer(text, delimiter=";" if comma else ",", lineterminator="\n")
+    writer.writerow(HEADS)
+    for name, of, value, unit, meaning in fact_rows(result, names):
+        number = repr(value).replace(".", ",") if comma else repr(value)
+        writer.writerow((name, of, number, unit, meaning))
+    yield "\ufeff" * comma + text.getvalue()

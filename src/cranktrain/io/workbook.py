@@ -8,8 +8,7 @@ from typing import Any
 
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.io.fact_table import HEADS, fact_rows
-from cranktrain.io.tables import about, curve_columns
+from cranktrain.io.tables import HEADS, about, curve_columns, fact_rows
 from cranktrain.language import _
 
 _LONGEST_CELL = 32_767

@@ -4,8 +4,7 @@ from collections.abc import Collection, Iterator, Mapping
 
 from cranktrain.analysis import Result
 from cranktrain.errors import Problem, refuse
-from cranktrain.io.fact_table import fact_csv
-from cranktrain.io.tables import csv_text, json_text
+from cranktrain.io.tables import csv_text, fact_csv, json_text
 from cranktrain.io.workbook import workbook_bytes
 from cranktrain.language import _
 from cranktrain.record import record

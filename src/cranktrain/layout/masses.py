@@ -10,8 +10,17 @@ from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.layout.crank_bodies import CRANK, crank_bodies, crank_problems
 from cranktrain.layout.frames import Orientation, frame_of
-from cranktrain.layout.guide_tables import Edges, bearing_moments, edges_of
-from cranktrain.layout.part_tables import PISTON, SLIDER, nearest_item, part_name, table_paths, unknown_parts
+from cranktrain.layout.part_tables import (
+    PISTON,
+    SLIDER,
+    Edges,
+    bearing_moments,
+    edges_of,
+    nearest_item,
+    part_name,
+    table_paths,
+    unknown_parts,
+)
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces import Body, Gravity
 from cranktrain.motion import ZERO, Array

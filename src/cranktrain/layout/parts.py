@@ -5,18 +5,15 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from cranktrain.language import N_
-from cranktrain.layout.axial import axial_places_of
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.frames import frames_of
 from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers, mechanisms_of
 from cranktrain.layout.question import ResultDimension, TableFile
-from cranktrain.layout.shafts import shafts_of
+from cranktrain.layout.shafts import axial_places_of, shaft_centres_of, shafts_of, throws_of
 from cranktrain.layout.specs import MAIN
-from cranktrain.layout.speed import Speed
-from cranktrain.layout.speed_curve import speed_at_moment
+from cranktrain.layout.speed import Speed, speed_at_moment
 from cranktrain.layout.speed_table import tabled_speed
-from cranktrain.layout.throws import shaft_centres_of, throws_of
 from cranktrain.mechanisms import KINDS
 from cranktrain.numerics.designs import by_design
 

@@ -7,12 +7,10 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
-from cranktrain.layout.gearing import first_axis, opposed_angle, shaft_phases
-from cranktrain.layout.leads import lead_problems
+from cranktrain.layout.gearing import first_axis, lead_problems, opposed_angle, shaft_phases
 from cranktrain.layout.specs import BankSpec, OpposedPistonSpec, ShaftSpec, throws_of
 from cranktrain.mechanisms import MechanismSpec, kind_of
-from cranktrain.mechanisms.geometry import mirrored
-from cranktrain.mechanisms.kind import AnyGeometry, AnyKind
+from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, mirrored
 from cranktrain.mechanisms.spec import Master
 from cranktrain.motion import Array, single
 from cranktrain.numerics.nested import mapped

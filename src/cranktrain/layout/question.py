@@ -1,4 +1,4 @@
-"""What a question is made of: the tables that it reads, what it makes of them, and how its results are told."""
+"""What a question is made of: tables that it reads and uses, what it makes of them, and how its results are told."""
 
 import inspect
 import re
@@ -18,6 +18,9 @@ from cranktrain.rows import AnswerLine
 
 Parts: TypeAlias = dict[type, object]
 """What machines declare, as SI arrays with a leading design axis: one object of each type."""
+
+Written = Callable[[Design], Sequence[str]]
+"""Which of some tables or keys the file of a design has, as they are written there."""
 
 
 def _nothing(_of: Any, _known: object = None) -> tuple[()]:
@@ -270,3 +273,30 @@ class Question:
     is_for: Callable[[Sequence[str], Design], bool] = _always
     uses: tuple[Use, ...] = ()
     files: tuple[TableFile, ...] = ()
+
+
+def table(name: str) -> Written:
+    """A table of the file that is one thing."""
+    return lambda design: [f"[{name}]"] if design.tables.get(name) else []
+
+
+def keys(path: str, *names: str) -> Written:
+    """Keys of a table, or of those of single members in it."""
+
+    def written(design: Design) -> Sequence[str]:
+        common: Any = design.tables.get(path)
+        below: Mapping[str, Any] = getattr(common, "overrides", {})
+        tables = {path: common} | {f"{path}.{name}": own for name, own in below.items()}
+        return [
+            f"[{where}] {name}"
+            for name in names
+            for where, own in tables.items()
+            if own is not None and name in own.model_fields_set
+        ]
+
+    return written
+
+
+def inner_table(path: str, name: str) -> Written:
+    """A table within another."""
+    return lambda design: [f"[{path}.{name}]" for _key in keys(path, name)(design)]

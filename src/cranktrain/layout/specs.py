@@ -9,7 +9,6 @@ from cranktrain.allowed import Name
 from cranktrain.errors import Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, GuideSpec
-from cranktrain.layout.ends import ENDS
 from cranktrain.layout.listed import OneOrMany
 from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
@@ -31,6 +30,9 @@ if TYPE_CHECKING:
 else:
     SpeedCurveSpec = when_given("cranktrain.layout.speed_table", "SpeedCurveSpec")
     WantedMotionSpec = when_given("cranktrain.layout.wish.tables", "WantedMotionSpec")
+
+ENDS = ("exhaust", "scavenge")
+"""The exhaust piston first: its crank is the one that leads."""
 
 MOST_MECHANISMS = 1000
 """Throws of a shaft, and mechanisms of a machine: more than anybody has built, and as many as memory holds."""

@@ -9,7 +9,7 @@ from pydantic import Field
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.cycle_table import CycleFileSpec, Words, given_curve
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.motion import Array
 from cranktrain.numerics.knotted import knotted_curve, spline_through
 from cranktrain.numerics.periodic import PeriodicCurve, curves_by_design

@@ -7,8 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.mechanisms.geometry import Geometry, named_part, rows
-from cranktrain.mechanisms.kind import Kind, Motion, Openings
+from cranktrain.mechanisms.kind import Geometry, Kind, Motion, Openings, named_part, rows
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, bracketed_roots, near_roots, smallest, turn_grid
 from cranktrain.numerics.nested import leaves, mapped

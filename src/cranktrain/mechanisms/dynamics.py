@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterable
 from typing import Any, Generic, Literal, NamedTuple, TypeAlias, TypeVar
 
 from cranktrain.linkage.forces import Body, Conditions, Gravity, Reduced, Wrench, reduced_of
-from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Link
 from cranktrain.record import record
 
@@ -19,6 +18,19 @@ The bearing of the crank; what has its bearing on the crank pin; a slave's rod o
 crosshead or slider; a slider in its guide; a block in a slot; a link's bearing in the frame; any other pin. A chain has
 neither crank pin nor piston pin: of its several each is as good.
 """
+
+
+class Forces(NamedTuple):
+    """Wrenches in the joints, the torque that must be applied to the crank, and that of friction on it. [N·m]
+
+    joints: in the order of the kind's `reactions`, which name them. driving_torque is what their reactions leave to the
+    shaft. friction_torque is what the forces of friction do along the crank angle: all of the reactions that the torque
+    by virtual work needs.
+    """
+
+    joints: tuple[Wrench, ...]
+    driving_torque: Array
+    friction_torque: Array
 
 
 class Reaction(NamedTuple):

@@ -6,8 +6,7 @@ from typing import Any, TypeAlias, cast
 
 from cranktrain.linkage import compiled
 from cranktrain.linkage.forces import Gravity, Reduced, reduced_of
-from cranktrain.mechanisms.geometry import Geometry
-from cranktrain.mechanisms.kind import Kind, Motion
+from cranktrain.mechanisms.kind import Geometry, Kind, Motion
 from cranktrain.motion import Array, Link
 
 Equation: TypeAlias = Callable[[Array, Geometry, Any, Array, Gravity], Reduced]

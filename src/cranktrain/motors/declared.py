@@ -1,21 +1,26 @@
-"""A motor as questions take it: its law with the numbers of all designs, and what its plate says."""
+"""A motor as questions take it: its law with the numbers of all designs, what its plate says, and its brief limits."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any, ClassVar, NamedTuple, cast
 
 import numpy as np
 
-from cranktrain.language import N_
+from cranktrain.language import N_, _
 from cranktrain.motion import ONE, Array, single
-from cranktrain.motors.law import ByTime, MotorLaw
+from cranktrain.motors.law import BriefLimits, ByTime, MotorLaw
 from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.ties import first_largest
 from cranktrain.record import record
+from cranktrain.wording import number
 
 UNKNOWN = single(float("nan"))
 UNLIMITED = single(float("inf"))
 LONG_SINCE = float("inf")
 """Time since it was switched on after which no starter matters any more: what steady running asks for. [s]"""
+
+_N_SPEEDS = 20_001
+_ROUNDING = 1e-9
 
 
 class Rating(NamedTuple):
@@ -187,3 +192,63 @@ def _over_speeds(numbers: tuple[Any, ...]) -> tuple[Any, ...]:
 
 def _plain(number: Any) -> Any:
     return float(number) if np.ndim(number) == 0 else np.ascontiguousarray(number)
+
+
+def curve_limits(motor: DeclaredMotor, design: int) -> BriefLimits:
+    """The largest torque of its curve, and the least before that."""
+    running = _running(motor, design)
+    return BriefLimits(float(np.max(running)), _least_before_largest(running))
+
+
+def peak_limits(motor: DeclaredMotor, design: int, peak: float, time: float = LONG_SINCE) -> BriefLimits:
+    """The same of a motor whose largest torque is one of its numbers; its start at a time since it was switched on."""
+    starting = curve(motor, design, _speeds_up(motor, design), time)
+    return BriefLimits(peak, _least_before_largest(starting))
+
+
+def star_limits(motor: DeclaredMotor, design: int) -> BriefLimits:
+    """Of a motor that starts otherwise than it runs: the start as it is switched on."""
+    return peak_limits(motor, design, float(np.max(_running(motor, design))), 0.0)
+
+
+def ramped_limits(motor: DeclaredMotor, design: int) -> BriefLimits:
+    """Of a motor that starts with its largest torque, as its field begins slowly."""
+    largest = float(np.max(_running(motor, design)))
+    return BriefLimits(largest, largest)
+
+
+def start_limits(motor: DeclaredMotor, design: int, unknown: str) -> BriefLimits:
+    """Of a motor whose start alone is known: why its largest torque is not."""
+    return BriefLimits(start=_least_before_largest(_running(motor, design)), unknown=unknown)
+
+
+def beyond_measured(motor: DeclaredMotor, design: int, speed: Array) -> Iterator[str]:
+    """Say that a motor by points runs at speeds beyond them; nothing of a motor by a formula. [rad/s]"""
+    measured = motor.measured_speeds(design)
+    if measured is None:
+        return
+    least, most = measured
+    if np.max(speed) > most * (1 + _ROUNDING) or np.min(speed) < least - _ROUNDING * most:
+        said = _("The motor runs beyond its table, {least} to {most}: there it has the torque of the last point.")
+        yield said.format(least=number(least, "rpm"), most=number(most, "rpm"))
+
+
+def curve(motor: DeclaredMotor, design: int, speeds: Array, time: float = LONG_SINCE) -> Array:
+    """Torque of one design at speeds, shape (n,). [N·m]"""
+    return motor.torque(np.broadcast_to(speeds, (motor.n_designs, speeds.size)), time)[design]
+
+
+def _running(motor: DeclaredMotor, design: int) -> Array:
+    return curve(motor, design, _speeds_up(motor, design))
+
+
+def _speeds_up(motor: DeclaredMotor, design: int) -> Array:
+    """Speeds from standstill up to the highest one that matters. [rad/s]"""
+    top, measured = float(motor.top_speed[design]), motor.measured_speeds(design)
+    if not np.isfinite(top):
+        top = float(motor.rating.speed[design]) if measured is None else measured[1]
+    return np.linspace(0.0, top, _N_SPEEDS)
+
+
+def _least_before_largest(torque: Array) -> float:
+    return float(np.min(torque[: first_largest(torque) + 1]))

@@ -1,7 +1,8 @@
-"""What the tables of all kinds of motors have in common: the rotor's inertia, and a rated point."""
+"""What the tables of all kinds of motors have in common: the rotor's inertia, a rated point, torques at speeds."""
 
 from abc import abstractmethod
 from collections.abc import Iterable, Iterator
+from itertools import pairwise
 from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
@@ -154,3 +155,23 @@ def out_of_place(spec: Spec, names: Iterable[str], allowed: str) -> Iterator[Pro
 def first(number: Array) -> float:
     """Number of the first design."""
     return float(np.ravel(number)[0])
+
+
+def points(listed: tuple[Given, ...]) -> Array:
+    """Numbers of a list, shape (point, design), of one design (point, 1)."""
+    return np.stack(np.broadcast_arrays(*(np.atleast_1d(one.array) for one in listed)))
+
+
+def curve_problems(speeds: tuple[Given, ...], torques: tuple[Given, ...], path: str = "") -> Iterator[Problem]:
+    """Find speeds that do not rise, torques that are not as many, and a motor that never drives."""
+    if len(torques) != len(speeds):
+        allowed = _("must be as many as speeds, {n}").format(n=len(speeds))
+        yield Problem(f"{path}torques", None, allowed)
+    if all(torque.si <= 0 for torque in torques):
+        yield Problem(f"{path}torques", None, _("must be more than 0 at one speed or more, or it never drives"))
+    for place, (one, other) in enumerate(pairwise(speeds), 1):
+        if other.si <= one.si:
+            allowed = _(
+                "must be more than the speed before it, {speed}: one torque for each speed, or it is no function"
+            )
+            yield Problem(f"{path}speeds[{place}]", other.text, allowed.format(speed=one.text))

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics.periodic import PeriodicCurve, cycle_grid
-from cranktrain.numerics.spline import periodic_slopes
+from cranktrain.numerics.spline import periodic_powers
 
 
 class Knotted(NamedTuple):
@@ -70,9 +70,4 @@ def spline_through(places: Array, values: Array, period: float) -> Knotted:
     >>> np.round(knotted_motion(spline, places + 4 * np.pi).value, 12).tolist()
     [1.0, 2.0, 4.0, 3.0]
     """
-    slopes = periodic_slopes(places, values, period)
-    steps = np.diff(places, append=places[0] + period)
-    rise, after = np.roll(values, -1) - values, np.roll(slopes, -1)
-    second = (3 * rise / steps - 2 * slopes - after) / steps
-    third = (slopes + after - 2 * rise / steps) / steps**2
-    return Knotted(places, np.stack([values, slopes, second, third]), period)
+    return Knotted(places, periodic_powers(places, values, period), period)

@@ -1,4 +1,4 @@
-"""Slopes of the periodic cubic spline: smooth through all points of a cycle, wherever they stand."""
+"""The periodic cubic spline: smooth through all points of a cycle, wherever they stand."""
 
 import numpy as np
 
@@ -41,6 +41,16 @@ def periodic_slopes(places: Array, values: Array, period: float) -> Array:
     plain, bent = _tridiagonal(after[:-1], middle, np.stack([right, ends], axis=-1)).T
     share = (plain[0] - corner / first * plain[-1]) / (1 + bent[0] - corner / first * bent[-1])
     return plain - share * bent
+
+
+def periodic_powers(places: Array, values: Array, period: float) -> Array:
+    """Coefficients of its pieces by what is gone from their points on, shape (4, n); parameters as of the slopes."""
+    slopes = periodic_slopes(places, values, period)
+    steps = np.diff(places, append=places[0] + period)
+    rise, after = np.roll(values, -1) - values, np.roll(slopes, -1)
+    second = (3 * rise / steps - 2 * slopes - after) / steps
+    third = (slopes + after - 2 * rise / steps) / steps**2
+    return np.stack([values, slopes, second, third])
 
 
 def _tridiagonal(beside: Array, middle: Array, right: Array) -> Array:

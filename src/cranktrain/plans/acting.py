@@ -16,8 +16,7 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces import WEIGHTLESS, Body, Wrench, applied, weight
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics
-from cranktrain.mechanisms.geometry import rows
-from cranktrain.mechanisms.kind import AnyGeometry
+from cranktrain.mechanisms.kind import AnyGeometry, rows
 from cranktrain.motion import Array, Link
 from cranktrain.numerics.nested import mapped
 from cranktrain.plans.acting_loads import ActingLoad, acting_loads, load_symbols

@@ -6,8 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.layout.speed import rates
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve, rates
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.extremes import largest

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from cranktrain.layout.speed import Speed
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import Speed, SpeedCurve
 from cranktrain.linkage.forces import Drive
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, single

@@ -1,6 +1,7 @@
 """A quantity as a field of a spec: what was given, in SI, with where it is from."""
 
 import operator
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, TypeAlias, cast, get_args
@@ -14,10 +15,9 @@ from cranktrain.language import _
 from cranktrain.motion import Array, single
 from cranktrain.one_line import short
 from cranktrain.quantities.conversion import shown
-from cranktrain.quantities.dimensions import Dimension, expected
+from cranktrain.quantities.dimensions import Dimension, expected, spellings
 from cranktrain.quantities.examples import EXAMPLES
-from cranktrain.quantities.number import measured
-from cranktrain.quantities.pattern import pattern
+from cranktrain.quantities.number import PATTERN, measured
 from cranktrain.quantities.reading import Reading, reading
 from cranktrain.quantities.refusal import QuantityError, unknown_key, unlisted, written
 
@@ -27,6 +27,8 @@ _LARGEST = 1e30
 """Of any quantity in SI: its powers stay within what a number can hold."""
 
 _KEYS = ("value", "status", "note", "source")
+
+_DIGITS = {"²": "2", "³": "3", "2": "²", "3": "³"}
 
 
 @dataclass(frozen=True)
@@ -214,3 +216,32 @@ def _in_file(given: Given) -> object:
     value = next((number for number in (int(given.si), given.si) if str(number) == given.text), given.text)
     about = {key: getattr(given, key) for key in _KEYS[1:] if getattr(given, key) is not None}
     return {"value": value, **about} if about else value
+
+
+def pattern(dimension: Dimension, *, is_signed: bool) -> str:
+    """Regular expression of a number and a unit of its dimension, in each of its spellings.
+
+    Parameters
+    ----------
+    dimension : Dimension
+    is_signed : bool
+        Whether a minus may stand before it.
+
+    Returns
+    -------
+    str
+    """
+    units = "|".join(dict.fromkeys(_unit_patterns(dimension)))
+    signed = PATTERN if is_signed else PATTERN.replace("^", r"^(?!\s*-)", 1)
+    optional = "" if dimension.needs_unit else "?"
+    return rf"{signed}\s*(?:{units}){optional}\s*$"
+
+
+def _unit_patterns(dimension: Dimension) -> Iterator[str]:
+    """Spell each unit in the ways in which it is read: m² also m^2, N·m also N*m."""
+    for key, (_unit, form) in spellings(dimension).items():
+        for text in (form, key):
+            pattern = re.sub(
+                r"[²³]|(?<=[a-zа-я])[23]", lambda found: rf"(?:\^|\*\*)?[{found[0]}{_DIGITS[found[0]]}]", text
+            )
+            yield pattern.replace("·", r"[\s.*·⋅∙×]*").replace("/", r"\s*/\s*")

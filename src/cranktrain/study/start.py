@@ -16,8 +16,7 @@ from cranktrain.catalogue import Entry, entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.drive.declared import DeclaredDrive
-from cranktrain.layout.drive.grips import DeclaredBrake, DeclaredStroke
+from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredDrive, DeclaredStroke
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
@@ -27,14 +26,13 @@ from cranktrain.questions.press.stroke_start import run_stroke
 from cranktrain.questions.press.strokes import PressStrokes
 from cranktrain.questions.reduction.at_angles import has_inertia, reduced_at
 from cranktrain.questions.reduction.machines import ReducedMachines
-from cranktrain.questions.start.case import StartCase
+from cranktrain.questions.start.case import Braking, StartCase
 from cranktrain.questions.start.gentle_rows import corners_and_rows
 from cranktrain.questions.start.notes import start_notes
 from cranktrain.questions.start.parts import DeclaredStart
 from cranktrain.questions.start.record import StartCurves, StartEvent, StartRun
 from cranktrain.questions.start.rows import start_rows
 from cranktrain.questions.start.starting import asked_times, run_start
-from cranktrain.questions.start.switching import Braking
 from cranktrain.record import record
 from cranktrain.rows import AnswerLine
 from cranktrain.transient.equation import AT_MOTOR, BrakePlace

@@ -23,11 +23,15 @@ from cranktrain.synthesis.counterweight_numbers import (
     relief_numbers,
     relief_remarks,
 )
-from cranktrain.synthesis.positive import not_positive
-from cranktrain.synthesis.proposal import Alternative, Proposal, quantity_text
-from cranktrain.synthesis.quantities import Length, Mass, Ratio
+from cranktrain.synthesis.proposal import Alternative, Length, Mass, Proposal, Ratio, not_positive, quantity_text
 from cranktrain.synthesis.relief import Progress, least_largest_load, least_mean_load, without_idle
-from cranktrain.synthesis.sought_bearings import Method, SoughtBearings, sought_bearings
+from cranktrain.synthesis.relieved_bearings import (
+    Method,
+    SoughtBearings,
+    WeightedShaft,
+    sought_bearings,
+    weighted_shaft,
+)
 from cranktrain.synthesis.weight_places import (
     Kept,
     WeightPlace,
@@ -37,7 +41,6 @@ from cranktrain.synthesis.weight_places import (
     throw_places,
     web_places,
 )
-from cranktrain.synthesis.weighted_shaft import WeightedShaft, weighted_shaft
 from cranktrain.wording import number
 
 Aim = Literal["largest", "mean"]

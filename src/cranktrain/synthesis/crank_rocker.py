@@ -22,9 +22,21 @@ from cranktrain.synthesis.four_bars import (
     time_ratio_of,
     with_equal_swings,
 )
-from cranktrain.synthesis.positive import not_positive, plain
-from cranktrain.synthesis.proposal import Alternative, Number, Proposal, ProposedTable, found, shaft_table, wanted
-from cranktrain.synthesis.quantities import Angle, Length, Speed, TimeRatio
+from cranktrain.synthesis.proposal import (
+    Alternative,
+    Angle,
+    Length,
+    Number,
+    Proposal,
+    ProposedTable,
+    Speed,
+    TimeRatio,
+    found,
+    not_positive,
+    plain,
+    shaft_table,
+    wanted,
+)
 from cranktrain.wording import number, precise
 
 Swing = Literal["forward", "backward"]

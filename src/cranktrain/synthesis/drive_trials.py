@@ -12,8 +12,7 @@ from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.run import run
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.layout.drive.declared import DeclaredDrive
-from cranktrain.layout.drive.grips import DeclaredClutch
+from cranktrain.layout.drive.declared import DeclaredClutch, DeclaredDrive
 from cranktrain.layout.drive.shafts import shaft_number
 from cranktrain.layout.drive.table import DriveSpec, PartSpec
 from cranktrain.machine import Machine

@@ -8,8 +8,7 @@ from math import atan, pi, tan
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
-from cranktrain.synthesis.positive import plain
-from cranktrain.synthesis.proposal import Number
+from cranktrain.synthesis.proposal import Number, plain
 from cranktrain.wording import number, precise
 
 _USUAL = 0.1

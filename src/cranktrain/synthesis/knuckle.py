@@ -11,20 +11,24 @@ from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
 from cranktrain.paths import quoted
 from cranktrain.synthesis.knuckle_equations import Free, stroke_product, unshifted_angle
-from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
-from cranktrain.synthesis.knuckle_requirements import KnuckleRequirements
 from cranktrain.synthesis.knuckle_search import Search, is_usable, searched
-from cranktrain.synthesis.positive import not_positive, plain
+from cranktrain.synthesis.knuckle_slave import KnuckleRequirements, cylinder_table, slave_numbers
 from cranktrain.synthesis.proposal import (
     Alternative,
+    Angle,
+    Bore,
+    Length,
     Proposal,
     ProposedTable,
+    Ratio,
+    Speed,
     found,
+    not_positive,
+    plain,
     quantity_text,
     shaft_table,
     wanted,
 )
-from cranktrain.synthesis.quantities import Angle, Bore, Length, Ratio, Speed
 from cranktrain.wording import number, precise
 
 _FREE: tuple[Free, ...] = ("articulation_angle", "knuckle_radius", "rod_length")

@@ -19,7 +19,7 @@ from cranktrain.synthesis.knuckle_equations import (
     slave_dead_centres,
     unshifted_angle,
 )
-from cranktrain.synthesis.knuckle_requirements import Goal, KnuckleRequirements, goals_of
+from cranktrain.synthesis.knuckle_slave import Goal, KnuckleRequirements, goals_of
 
 _SAMPLES = 480
 _WIDEST_OFFSET_ANGLE = 75 * np.pi / 180

@@ -1,17 +1,36 @@
-"""A proposal: dimensions found from requirements, what else was considered, and the machine file that runs them."""
+"""A synthesis: what it wants, in SI, and what it proposes: dimensions, what else was considered, the machine file."""
 
 import textwrap
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from typing import Annotated, NamedTuple, TypeAlias
 
 import numpy as np
 
 from cranktrain.brief import brief_fields
-from cranktrain.language import _
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
 from cranktrain.machine import Machine
 from cranktrain.paths import quoted
-from cranktrain.quantities import Dimension, Status, read, shown
+from cranktrain.quantities import Dimension, Quantity, Status, read, shown
 from cranktrain.record import record
+from cranktrain.wording import precise
+
+Length: TypeAlias = Annotated[float, Quantity(Dimension.LENGTH)]
+Angle: TypeAlias = Annotated[float, Quantity(Dimension.ANGLE)]
+Ratio: TypeAlias = Annotated[float, Quantity(Dimension.RATIO)]
+Velocity: TypeAlias = Annotated[float, Quantity(Dimension.VELOCITY)]
+Count: TypeAlias = Annotated[int, Quantity(Dimension.RATIO, example="9")]
+TimeRatio: TypeAlias = Annotated[
+    float,
+    Quantity(Dimension.RATIO, example="1.2"),
+    N_("Time of the slow stroke over that of the quick one."),
+]
+Bore: TypeAlias = Annotated[float, Quantity(Dimension.LENGTH, above=0.0), N_("For the machine file.")]
+Speed: TypeAlias = Annotated[float, Quantity(Dimension.SPEED, above=0.0), N_("Of the crank.")]
+Friction: TypeAlias = Annotated[
+    float, Quantity(Dimension.RATIO, above=0.0, at_most=2.0), N_("Coefficient of friction of the slider on its guide.")
+]
+Mass: TypeAlias = Annotated[float, Quantity(Dimension.MASS)]
 
 _DIMENSIONS = {
     "mm": Dimension.LENGTH,
@@ -28,6 +47,20 @@ _MOST_DIGITS = 17
 _ROUNDINGS = 2
 """By how many units in its last place a text may miss a value: 160 mm are not to read 160.00000000000003."""
 _LINE = 116
+
+
+def not_positive(requirements: Mapping[str, float | None], written: Callable[[float], str] = precise) -> list[Problem]:
+    """Problems of requirements that are not more than 0, each written as a length unless said; None is none."""
+    return [
+        Problem(name, written(value), _("must be more than 0"))
+        for name, value in requirements.items()
+        if value is not None and not value > 0
+    ]
+
+
+def plain(value: float) -> str:
+    """A number without its unit."""
+    return f"{value:g}"
 
 
 class Number(NamedTuple):

@@ -11,9 +11,20 @@ from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
 from cranktrain.synthesis.four_bars import excess_angle, time_ratio_of
-from cranktrain.synthesis.positive import not_positive, plain
-from cranktrain.synthesis.proposal import Alternative, Number, Proposal, ProposedTable, found, shaft_table, wanted
-from cranktrain.synthesis.quantities import Length, Speed, TimeRatio
+from cranktrain.synthesis.proposal import (
+    Alternative,
+    Length,
+    Number,
+    Proposal,
+    ProposedTable,
+    Speed,
+    TimeRatio,
+    found,
+    not_positive,
+    plain,
+    shaft_table,
+    wanted,
+)
 from cranktrain.synthesis.slider_crank import Stroke, slider_crank_numbers
 from cranktrain.synthesis.slider_crank_lengths import Lengths
 from cranktrain.wording import number, precise

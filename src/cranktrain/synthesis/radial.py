@@ -12,22 +12,26 @@ from cranktrain.motion import single
 from cranktrain.paths import quoted
 from cranktrain.quantities import unlisted
 from cranktrain.synthesis.knuckle_equations import Free
-from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
-from cranktrain.synthesis.knuckle_requirements import KnuckleRequirements
 from cranktrain.synthesis.knuckle_search import Search, searched
-from cranktrain.synthesis.positive import not_positive, plain
+from cranktrain.synthesis.knuckle_slave import KnuckleRequirements, cylinder_table, slave_numbers
 from cranktrain.synthesis.proposal import (
     Alternative,
+    Bore,
+    Count,
+    Length,
     Number,
     Proposal,
     ProposedTable,
+    Ratio,
+    Speed,
     found,
     listed_in_lines,
+    not_positive,
+    plain,
     quantity_text,
     shaft_table,
     wanted,
 )
-from cranktrain.synthesis.quantities import Bore, Count, Length, Ratio, Speed
 from cranktrain.wording import number, precise
 
 Strategy = Literal["plain", "unshifted", "equal_ratio", "equal_stroke", "unshifted_equal_ratio"]

@@ -10,7 +10,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.synthesis.least_loads import Least, least_largest, least_mean
 from cranktrain.synthesis.plane_loads import Rest, Vectors, mean_square
-from cranktrain.synthesis.weighted_shaft import ASIDE, WeightedShaft
+from cranktrain.synthesis.relieved_bearings import ASIDE, WeightedShaft
 
 Progress: TypeAlias = Callable[[float, float], None]
 """Is given, now and then, what has been reached, and what nothing goes below. [N]"""

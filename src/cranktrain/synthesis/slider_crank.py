@@ -8,17 +8,22 @@ from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.synthesis.four_bars import time_ratio_of
 from cranktrain.synthesis.guide_friction import friction_numbers, friction_remark, locking_problems
-from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import (
     Alternative,
+    Angle,
+    Friction,
+    Length,
     Number,
     Proposal,
     ProposedTable,
+    Speed,
+    Velocity,
     found,
+    not_positive,
+    plain,
     shaft_table,
     wanted,
 )
-from cranktrain.synthesis.quantities import Angle, Friction, Length, Speed, Velocity
 from cranktrain.synthesis.slider_crank_lengths import (
     Lengths,
     Limits,

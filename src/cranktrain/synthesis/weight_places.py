@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.analysis import run
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.layout.axial import throw_positions
+from cranktrain.layout.shafts import throw_positions
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest

@@ -11,7 +11,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod, articulated_rod
 from cranktrain.numerics import extremes
-from cranktrain.textbook.alike_places import alike_places, unspoken
+from cranktrain.textbook.alike import alike_places, unspoken
 from cranktrain.textbook.statements import Statement, Statements, Verdict
 from cranktrain.texts.articulated_rod import (
     SlaveHarmonics,

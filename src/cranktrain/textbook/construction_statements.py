@@ -8,7 +8,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.numerics.ties import first_largest
 from cranktrain.plans.constructions import construction
-from cranktrain.textbook.distinct_pistons import AlikePistons
+from cranktrain.textbook.alike import AlikePistons
 from cranktrain.textbook.statements import Statement
 from cranktrain.texts.ranges import RANGES
 

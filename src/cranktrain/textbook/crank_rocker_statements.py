@@ -10,7 +10,7 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
 from cranktrain.numerics import extremes, turn_grid
 from cranktrain.numerics.ties import first_largest
-from cranktrain.textbook.alike_places import alike_places
+from cranktrain.textbook.alike import alike_places
 from cranktrain.textbook.statements import Statement, StatementCurve
 from cranktrain.texts.crank_rocker import pin_velocity_ratio, product_of_sines
 

@@ -14,7 +14,7 @@ from cranktrain.io.syntax import parsed
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.plans.machine_drive import machine_drive
-from cranktrain.textbook.alike_places import instead
+from cranktrain.textbook.alike import instead
 from cranktrain.textbook.asked_angle import asked_angle
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
 from cranktrain.texts.crank_rocker_drive import (

@@ -13,12 +13,18 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
-from cranktrain.textbook.alike_places import unspoken
+from cranktrain.textbook.alike import AlikePistons, alike, unspoken
 from cranktrain.textbook.construction_statements import construction_statements
 from cranktrain.textbook.crank_rocker_statements import alike_rockers, crank_rocker_curves, crank_rocker_statements
-from cranktrain.textbook.distinct_pistons import AlikePistons, alike
-from cranktrain.textbook.error_statements import MotionForm, error_statements, with_degrees
-from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
+from cranktrain.textbook.statements import (
+    MotionForm,
+    Statement,
+    StatementCurve,
+    Statements,
+    Verdict,
+    error_statements,
+    with_degrees,
+)
 from cranktrain.textbook.steam_engine_statements import crank_side_curves, plain_crank_statements
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.largest_errors import largest_errors

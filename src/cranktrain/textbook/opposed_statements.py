@@ -10,14 +10,21 @@ from cranktrain.errors import problems_as
 from cranktrain.grouping import grouped
 from cranktrain.io.any_machine import source_of
 from cranktrain.language import _
-from cranktrain.layout.ends import ENDS
 from cranktrain.layout.places import PlacedMechanism
+from cranktrain.layout.specs import ENDS
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero, extremes
-from cranktrain.textbook.alike_places import unspoken
-from cranktrain.textbook.error_statements import MotionForm, error_statements, with_degrees
-from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
+from cranktrain.textbook.alike import unspoken
+from cranktrain.textbook.statements import (
+    MotionForm,
+    Statement,
+    StatementCurve,
+    Statements,
+    Verdict,
+    error_statements,
+    with_degrees,
+)
 from cranktrain.texts.largest_errors import LargestErrors
 from cranktrain.texts.leads import SOURCE, is_unsuited, reasons, verdict
 from cranktrain.texts.opposed import (

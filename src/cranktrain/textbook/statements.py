@@ -2,10 +2,10 @@
 
 import csv
 import io
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, fields
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.texts.contents import numbers_in, plain_number
+from cranktrain.texts.largest_errors import LargestErrors
 
 if TYPE_CHECKING:
     import pandas
@@ -23,6 +24,12 @@ __all__ = ["Statement", "StatementCurve", "Statements", "Verdict"]
 Verdict: TypeAlias = Literal["right", "approximate", "out of range", "printed", "refuted", "beyond"]
 """Right: exact; approximate, in the range that the text gives, or out of it; printed: wrong in print; refuted: by the
 text itself; beyond: what the text has no term for."""
+
+ERRORS = ("Δx", "Δv", "Δj")
+"""Of displacement in parts of the stroke, of velocity and acceleration in parts of the exact peaks."""
+_ROUNDING = 1e-12
+LARGEST = "largest"
+"""Where an error is given: where it is largest over the turn."""
 
 
 @record
@@ -211,3 +218,27 @@ def _pandas() -> Any:
     except ModuleNotFoundError:
         repair = _("pip install 'cranktrain[dataset]', or take the records themselves")
         raise InputError([Problem("frame", None, _("needs the package pandas"), repair)]) from None
+
+
+class MotionForm(NamedTuple):
+    """Whose form it is, the numbers of its three equations or of one for all, what it is in words, where it is off."""
+
+    source: str
+    equations: Sequence[str]
+    name: str
+    at: str = LARGEST
+
+
+def error_statements(
+    form: MotionForm, of: str, errors: Sequence[tuple[float, float]], verdict: Verdict
+) -> Iterator[Statement]:
+    """Give the three errors [1], each with its angle [deg]; what is but rounding is at none."""
+    for order, (symbol, (error, angle)) in enumerate(zip(ERRORS, errors, strict=True)):
+        equation = form.equations[min(order, len(form.equations) - 1)]
+        where = angle % 360.0 if abs(error) > _ROUNDING else np.nan
+        yield Statement(form.source, equation, symbol, form.name, of, form.at, error, "1", verdict, 0.0, where)
+
+
+def with_degrees(errors: LargestErrors) -> list[tuple[float, float]]:
+    """Give errors with their angles. [1, deg]"""
+    return [(float(error.value), float(np.rad2deg(error.angle))) for error in errors]

@@ -6,9 +6,16 @@ import numpy as np
 
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient
-from cranktrain.textbook.distinct_pistons import AlikePistons
-from cranktrain.textbook.error_statements import LARGEST, MotionForm, error_statements, with_degrees
-from cranktrain.textbook.statements import Statement, StatementCurve, Verdict
+from cranktrain.textbook.alike import AlikePistons
+from cranktrain.textbook.statements import (
+    LARGEST,
+    MotionForm,
+    Statement,
+    StatementCurve,
+    Verdict,
+    error_statements,
+    with_degrees,
+)
 from cranktrain.texts.largest_errors import from_bottom, from_top, largest_errors
 from cranktrain.texts.ranges import EXACT_ROOT, RANGES
 from cranktrain.texts.steam_engine import (

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.layout.ends import ENDS
+from cranktrain.layout.specs import ENDS
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
 from cranktrain.texts.largest_errors import LargestErrors, from_bottom, from_top, largest_errors

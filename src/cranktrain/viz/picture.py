@@ -39,6 +39,8 @@ class Picture:
         them, or from where the crank points along the cylinder.
     takes : tuple of "scale" and "letters"
         What else can be chosen for it.
+    follows : str
+        The picture of another question behind which it is named; if none, it stands with its own question.
     """
 
     kind: Literal["plan", "sheet", "file", "start"]
@@ -50,6 +52,7 @@ class Picture:
     refused: Mapping[str, str] = field(default_factory=dict[str, str])
     source_angles: Literal["shown", "cylinder"] | None = None
     takes: tuple[Literal["scale", "letters"], ...] = ()
+    follows: str = ""
 
     @property
     def function(self) -> Callable[..., Any]:

@@ -12,9 +12,8 @@ import cranktrain as ct
 from cranktrain import cli
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.cli.screen.amounts import filled, written
-from cranktrain.cli.screen.columns_of_members import member_columns, name_of
-from cranktrain.cli.screen.groups import RowGroup, group_lines
-from cranktrain.cli.screen.minded import joined
+from cranktrain.cli.screen.answer import joined
+from cranktrain.cli.screen.groups import RowGroup, group_lines, member_columns, name_of
 from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.io.examples import EXAMPLES_FOLDER
 from cranktrain.mechanisms import KINDS

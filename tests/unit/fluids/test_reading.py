@@ -5,7 +5,7 @@ import pytest
 from tests.sentences import BEYOND_ANY_SIZE, NO_NUMBERS, NO_UNIT, NOT_POSITIVE
 
 from cranktrain.errors import InputError
-from cranktrain.fluids.indicator.level import level_flags
+from cranktrain.fluids.indicator.flags import level_flags
 from cranktrain.fluids.indicator.reading import Columns, read_trace
 
 ANGLES = [0.0, 0.5, 1.0, 1.5]

@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
-from cranktrain.io.fact_table import HEADS, fact_csv
 from cranktrain.io.machine_file import read_machine
-from cranktrain.io.tables import csv_text, json_text
+from cranktrain.io.tables import HEADS, csv_text, fact_csv, json_text
 from cranktrain.io.workbook import workbook_bytes
 
 SHORT_ROD = {"kind": "slider_crank", "crank_radius": "40 mm", "rod_length": "30 mm"}

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from cranktrain.errors import InputError
+from cranktrain.layout.drive.declared import declared_grips
 from cranktrain.layout.drive.grip_tables import BrakeSpec, ClutchSpec, StrokeSpec, press_problems
-from cranktrain.layout.drive.grips import declared_grips
 from cranktrain.spec import validated
 from cranktrain.transient.clutched.courses import Grip
 

@@ -7,8 +7,7 @@ from tests.machines import ROCKER, V12, banks, slave, slider, throws
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.distinct import distinct
-from cranktrain.layout.mechanisms import Mechanisms
+from cranktrain.layout.mechanisms import Mechanisms, distinct
 
 
 def mechanisms(*machines):

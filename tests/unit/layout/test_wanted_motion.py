@@ -13,12 +13,11 @@ from tests.sentences import NOT_POSITIVE
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
 from cranktrain.layout.mechanisms import Mechanisms, mechanisms_of
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
 from cranktrain.layout.wish.fitting import WishWay, fitted
-from cranktrain.layout.wish.following import crank_at, crank_by_angle
+from cranktrain.layout.wish.following import crank_at, crank_by_angle, rocking_crank
 from cranktrain.layout.wish.laws import LAWS, Law, polynomial_law
-from cranktrain.layout.wish.rocking import rocking_crank
 from cranktrain.layout.wish.stroke import output_of
 from cranktrain.layout.wish.wanted import Piece, from_pieces, moved, position, through_positions
 

@@ -13,7 +13,7 @@ from cranktrain.mechanisms.chain.kinematics import chain_made, triad_branch
 from cranktrain.mechanisms.chain.triads import triad_at, triad_ends, triad_legs
 from cranktrain.mechanisms.chain.walks import start_at
 from cranktrain.mechanisms.closing import Way, changed, closing_margin
-from cranktrain.mechanisms.geometry import rows
+from cranktrain.mechanisms.kind import rows
 from cranktrain.numerics.designs import by_design
 
 N_DESIGNS = 6

@@ -6,7 +6,7 @@ from tests.machines import as_columns, scaled
 
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.crank_rocker import CrankRocker
-from cranktrain.mechanisms.geometry import mirrored, named_part, rows
+from cranktrain.mechanisms.kind import mirrored, named_part, rows
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.nested import leaves

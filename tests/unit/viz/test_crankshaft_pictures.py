@@ -7,16 +7,15 @@ import cranktrain as ct
 from cranktrain import viz
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.page import Box
+from cranktrain.viz.sheets import PICTURES
 from cranktrain.viz.sheets.crankshaft.panels import (
     alike_pins,
     bearing_diagrams,
     crank_pin_diagrams,
-    journal_wear,
-    pin_wear,
     torque_panels,
-    turned_by,
 )
 from cranktrain.viz.sheets.crankshaft.polar import cells, method_pen
+from cranktrain.viz.sheets.wear.panels import journal_wear, pin_wear, turned_by
 
 SHEETS = (viz.sheet_crankshaft, viz.sheet_crankpins, viz.sheet_wear, viz.sheet_shaft_torque)
 
@@ -28,6 +27,12 @@ def four():
 
 def words(figure):
     return [text.get_text() for axes in figure.axes for text in axes.texts]
+
+
+def test_the_sheet_of_wear_is_named_among_those_of_the_crankshaft():
+    named = [one.name for one in PICTURES]
+    first = named.index("crankshaft")
+    assert named[first : first + 4] == ["crankshaft", "crankpins", "wear", "shaft_torque"]
 
 
 def test_every_method_has_a_line_of_its_own():

@@ -186,7 +186,7 @@ def test_heat_that_nothing_is_known_of_is_not_0():
 
 
 def test_a_sheet_without_a_speed_begins_with_a_capital():
-    from cranktrain.viz.paper.words import running_words
+    from cranktrain.viz.paper.head import running_words
 
     assert running_words(ct.load("servo_press")) == "Clockwise"
     assert running_words(ct.load("shears")) == "n = 40 rpm, clockwise"

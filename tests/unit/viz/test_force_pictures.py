@@ -32,8 +32,8 @@ from cranktrain.viz import (
     sheet_forces,
 )
 from cranktrain.viz.panel import Curve, Panel, as_shown
-from cranktrain.viz.paper.labels import label_outline
-from cranktrain.viz.plans.force_sketches import force_polygon_sketch
+from cranktrain.viz.paper.sketch import label_outline
+from cranktrain.viz.plans.force_rooms import force_polygon_sketch
 from cranktrain.viz.plans.pin_polar import polar_sketch
 from cranktrain.viz.plans.zhukovsky import lever_sketch
 from cranktrain.viz.sheets.forces.panels import force_panels

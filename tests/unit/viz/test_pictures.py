@@ -44,8 +44,8 @@ from cranktrain.viz import (
     sheet,
 )
 from cranktrain.viz.panel import as_shown
+from cranktrain.viz.paper.head import provenance_words
 from cranktrain.viz.paper.page import fitting_scale, formula, mathematics, scale_words
-from cranktrain.viz.paper.words import provenance_words
 from cranktrain.viz.sheets.motion.dead_centres import ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.throw.mechanism import mechanism_sketch

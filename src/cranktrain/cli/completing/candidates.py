@@ -1,15 +1,21 @@
-"""What may stand at a place of the command line, as its beginning has it."""
+"""What may stand at a place of the command line, as its beginning has it; and how a shell asks for it."""
 
+import os
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from cranktrain.cli.app import commands
 from cranktrain.cli.completing.names import example_names, results, words
 from cranktrain.cli.completing.paths import setting_paths
 
 _PICTURES = (".png", ".svg", ".pdf")
 _ENDINGS = {"run": (".csv", ".json", ".xlsx"), "plot": (*_PICTURES, ".gif", ".dxf"), "compare": _PICTURES}
 """What the name of an output ends in, by command."""
+
+ASKED = "_CRANKTRAIN_COMPLETE"
+"""Variable with which a shell asks: the place of the word that is typed, counted from the program's name."""
 
 
 def candidates(typed: Sequence[str], commands: Any) -> list[str]:
@@ -110,3 +116,13 @@ def _of_words(metavar: str, begun: str) -> Iterator[str]:
         yield from words("kinds")
     elif "|" in metavar:
         yield from metavar.strip("[]").split("|")
+
+
+def show_candidates(arguments: Sequence[str]) -> None:
+    """Print what may stand where the shell says, one in a line; nothing where that is unknown or goes wrong."""
+    with suppress(ValueError):
+        place = int(os.environ[ASKED])
+        typed = [*arguments, ""][:place]
+        if place > 0 and len(typed) == place:
+            for word in candidates(typed, commands()):
+                print(word)

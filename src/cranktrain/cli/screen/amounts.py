@@ -1,4 +1,4 @@
-"""Values on the one screen: with how many digits each is written, in the unit that is chosen for it."""
+"""Values on the screen: with how many digits each is written, in its unit; of results in tables, four figures."""
 
 from collections.abc import Mapping, Sequence
 from math import floor, log10
@@ -122,3 +122,35 @@ def _text(value: float, decimals: int, sign: str) -> str:
     if not np.isfinite(value):
         return ABSENT
     return signless(f"{round(value, decimals):{sign}.{max(decimals, 0)}f}").replace("-", "−")
+
+
+class Figures(NamedTuple):
+    """Numbers of one quantity as text, one for each of its members, and their unit."""
+
+    texts: tuple[str, ...]
+    unit: str
+
+
+def figures(values: Array, unit: str, beside: Array | None = None) -> Figures:
+    """Write the values of one quantity.
+
+    Parameters
+    ----------
+    values : Array, shape (n,)
+        In the unit of its catalogue entry.
+    unit : str
+        That unit.
+    beside : Array, shape (n,), optional
+        Size beside which each is measured, if that is not the largest of all.
+
+    Returns
+    -------
+    Figures
+        A part of less than one is given in percent.
+    """
+    known = values[np.isfinite(values)]
+    if unit == "1" and np.all(known == np.rint(known)):
+        found = written(values, "number", measured=beside)
+    else:
+        found = written(values, "%" if unit == "1" and np.all(np.abs(known) < 1) else unit, measured=beside)
+    return Figures(found.texts, found.label)

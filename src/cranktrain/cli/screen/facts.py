@@ -12,8 +12,8 @@ from rich.text import Text
 from cranktrain.analysis import Result
 from cranktrain.analysis.dimensions import dimension_named
 from cranktrain.catalogue import Entry
+from cranktrain.cli.screen.amounts import Figures, figures
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
-from cranktrain.cli.screen.figures import Figures, figures
 from cranktrain.cli.screen.text import GAP, table
 from cranktrain.grouping import grouped
 from cranktrain.language import _

@@ -10,18 +10,21 @@ from rich.text import Text
 from cranktrain.analysis import Missing, Result, sentences
 from cranktrain.analysis.dimensions import Place, rivals
 from cranktrain.catalogue import Entry
+from cranktrain.cli.screen.amounts import figures
 from cranktrain.cli.screen.facts import fact_tables
-from cranktrain.cli.screen.figures import figures
-from cranktrain.cli.screen.inputs import input_table, provenance
 from cranktrain.cli.screen.text import INDENT, paragraph, section, table
-from cranktrain.io.machine_file import MachineFile, inputs_of
+from cranktrain.io.description import counted_by_status
+from cranktrain.io.machine_file import Input, MachineFile, inputs_of
 from cranktrain.language import _
 from cranktrain.numerics.ties import first_largest, largest_of
-from cranktrain.one_line import visible
+from cranktrain.one_line import one_line, visible
 from cranktrain.wording import ABSENT
 
 _NAMED = 4
 """How many of the results that something would give are named."""
+
+_LISTED = ("assumed", "fitted")
+"""Status of numbers that nobody measured: each of them is named."""
 
 
 def show_full(console: Console, file: MachineFile, result: Result, names: Sequence[str], *, is_all: bool) -> None:
@@ -47,7 +50,7 @@ def show_full(console: Console, file: MachineFile, result: Result, names: Sequen
     show_numbers(console, result, names, is_all=is_all)
     show_checks(console, result)
     section(console, _("Mind"), result.flags)
-    section(console, _("What this rests on"), provenance(file, console.width - INDENT))
+    section(console, _("What this rests on"), _provenance(file, console.width - INDENT))
     show_missing(console, result)
 
 
@@ -75,7 +78,7 @@ def show_checks(console: Console, result: Result) -> None:
 
 def show_inputs(console: Console, file: MachineFile) -> None:
     """Show every number of the file and where it is from."""
-    section(console, _("What this rests on"), input_table(inputs_of(file), console.width - INDENT))
+    section(console, _("What this rests on"), _input_table(inputs_of(file), console.width - INDENT))
 
 
 def show_missing(console: Console, result: Result) -> None:
@@ -146,3 +149,23 @@ def _missing(missing: Missing) -> str:
     if more > 0:
         results = _("{results} and {n} more").format(results=results, n=more)
     return _("{needs}: gives {results}").format(needs=_(" and ").join(missing.needs), results=results)
+
+
+def _provenance(file: MachineFile, width: int) -> Iterator[str | Text]:
+    """Count the numbers of a file by status, and name those that are assumed or fitted, in a width of columns."""
+    inputs = inputs_of(file)
+    counted = counted_by_status(one.given for one in inputs)
+    yield _("{n} numbers of the file: {counted}").format(n=len(inputs), counted=counted)
+    listed = [one for status in _LISTED for one in inputs if one.given.status == status]
+    if listed:
+        yield from _input_table(listed, width)
+
+
+def _input_table(inputs: Sequence[Input], width: int) -> list[Text]:
+    """Path, value, status and note of numbers of a file, in a width of columns."""
+    notes = ["; ".join(one_line(word) for word in (given.note, given.source) if word) for _path, given in inputs]
+    rows = [
+        (path, one_line(given.text), given.status or "", note)
+        for (path, given), note in zip(inputs, notes, strict=True)
+    ]
+    return table(("", "", "", ""), rows, fold=width)

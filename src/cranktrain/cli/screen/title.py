@@ -11,7 +11,7 @@ from cranktrain.layout.specs import ShaftSpec
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.questions.cylinders.firing import Firing
-from cranktrain.wording import as_given, ranged
+from cranktrain.wording import as_given, in_words, ranged
 
 _BETWEEN = " · "
 
@@ -56,16 +56,10 @@ def _made_of(machine: Machine) -> str:
         return words
     said = counted_parts(machine)
     if len(machine.bank) > 1:
-        said.append(_("banks {banks}").format(banks=_listed([*machine.bank])))
+        said.append(_("banks {banks}").format(banks=in_words([*machine.bank])))
     if len(machine.shafts) > 1:
-        said.append(_("shafts {shafts}").format(shafts=_listed([*dict.fromkeys(one.shaft for one in machine.places)])))
+        said.append(_("shafts {shafts}").format(shafts=in_words([*dict.fromkeys(one.shaft for one in machine.places)])))
     return ", ".join(said)
-
-
-def _listed(names: list[str]) -> str:
-    """Give names as a list in words: `a, b and c`."""
-    *first, last = names
-    return _("{first} and {last}").format(first=", ".join(first), last=last) if first else last
 
 
 def _cycle(result: Result) -> str:

@@ -1,19 +1,21 @@
 """A proposal on the screen: its numbers, what else was considered, remarks, and how to go on."""
 
 import shlex
+import tomllib
 from collections.abc import Iterator, Sequence
 from contextlib import nullcontext
 from functools import partial as with_arguments
 from pathlib import PurePath
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.text import Text
 
 from cranktrain.cli.how_far import says_how_far
+from cranktrain.cli.quiet_pictures import save_quietly
 from cranktrain.cli.screen.columns import Column, column_tables, worded_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.screen.typesetting import printed
-from cranktrain.cli.synthesis.plan import write_plan
 from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_first_errors
 from cranktrain.cli.textbook.synthesis import show_steps
@@ -24,6 +26,7 @@ from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import STANDARD_OUTPUT, write_machine_file
 from cranktrain.language import _
+from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.quantities import chosen_unit, shown_as_in
 from cranktrain.synthesis.counterweights import CounterweightProposal
@@ -32,8 +35,13 @@ from cranktrain.textbook.synthesis_statements import SOURCE as SYNTHESIS
 from cranktrain.viz.output import FORMATS
 from cranktrain.wording import figure, number
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 _ROUNDING = 1e-12
 """Of the largest number of a column: below it is nothing but rounding."""
+
+_POSITIONS = 12
 
 
 def give_proposal(
@@ -186,3 +194,32 @@ def _unit(one: Number) -> str:
 def _legend(numbers: Sequence[Number]) -> str:
     """Say what the symbols are."""
     return "; ".join(f"{one.symbol} {one.sentence[:1].lower()}{one.sentence[1:]}" for one in numbers)
+
+
+def write_plan(path: str, text: str, *, force: bool) -> None:
+    """Draw the mechanism of a machine file in twelve positions; a slider-crank in those of [slider-crank-synthesis].
+
+    Parameters
+    ----------
+    path : str
+        Ends in one of `cranktrain.viz.output.FORMATS`.
+    text : str
+        The machine file.
+    force : bool
+        Replace a file that is there.
+
+    Raises
+    ------
+    InputError
+        If the picture cannot be written.
+    """
+    machine = Machine(**tomllib.loads(text))
+    save_quietly(lambda: _drawn(machine), path, force=force)
+
+
+def _drawn(machine: Machine) -> "Figure":
+    from cranktrain.plans.positions import source_angles
+    from cranktrain.viz.plans.positions import plan_positions
+
+    is_direct = machine.places[0].kind.is_direct
+    return plan_positions(machine, source_angles(machine) if is_direct else _POSITIONS)

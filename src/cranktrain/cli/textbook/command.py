@@ -11,13 +11,16 @@ from cranktrain.analysis import Result, run
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.screen.title import title
-from cranktrain.cli.textbook.constructions import show_constructions
+from cranktrain.cli.textbook.beside_forms import (
+    show_constants,
+    show_constructions,
+    show_exact_root,
+    show_from_crank_side,
+    show_opposed,
+)
 from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
-from cranktrain.cli.textbook.crank_side import show_exact_root, show_from_crank_side
 from cranktrain.cli.textbook.errata import show_errata
 from cranktrain.cli.textbook.forms import explain_forms, show_forms, show_motion
-from cranktrain.cli.textbook.opposed import show_opposed
-from cranktrain.cli.textbook.slaves import show_constants
 from cranktrain.cli.textbook.source import machine_file
 from cranktrain.cli.textbook.speaking import speaking
 from cranktrain.cli.textbook.summary import go_on, show_summary
@@ -29,7 +32,7 @@ from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest
 from cranktrain.references import REFERENCES
-from cranktrain.textbook.distinct_pistons import alike
+from cranktrain.textbook.alike import alike
 from cranktrain.textbook.motion_statements import NEEDED as MOTION_NEEDED
 from cranktrain.textbook.opposed_statements import NEEDED as OPPOSED_NEEDED
 from cranktrain.textbook.opposed_statements import opposed_cylinders

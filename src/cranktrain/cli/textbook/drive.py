@@ -1,6 +1,5 @@
 """`textbook --drive`: (1) to (21) of a crank-rocker's drive, as printed, right and refuted, over a turn."""
 
-import os
 import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -14,15 +13,13 @@ from rich.text import Text
 
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.text import INDENT, page, section, table
-from cranktrain.cli.textbook.drive_output import write_drive
-from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
+from cranktrain.cli.textbook.output import CURVES, TABLE, output_problems, write_drive
+from cranktrain.cli.textbook.source import EXAMPLE, SETTING, read_own
 from cranktrain.cli.textbook.speaking import with_speaking
 from cranktrain.cli.to_type import textbook_command
-from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
-from cranktrain.io.document import Document
+from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.io.machine_file import read_machine
 from cranktrain.io.own_tables import is_machine
-from cranktrain.io.syntax import parsed
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.plans.machine_drive import machine_drive
@@ -31,11 +28,8 @@ from cranktrain.textbook.drive_statements import FACTS, PEAKS, SOURCE, USUAL_ANG
 from cranktrain.textbook.statements import Statement, Statements
 from cranktrain.texts.drive_curves import AT_MOTOR
 from cranktrain.texts.drive_table import DRIVE_KEYS, CrankRockerDrive, read_drive
-from cranktrain.texts.example_tables import example_table
 from cranktrain.wording import figure, number
 
-EXAMPLE = "example"
-_SETTING = Position("--set")
 _LEADING = ("(1)", "(2)", "(3) (4)", "(16) (17)")
 """What leads from the load to the motor's shaft, on the first screen."""
 _ROUNDING = 1e-12
@@ -108,16 +102,8 @@ def read_drive_file(source: str, settings: Sequence[str]) -> _DriveFile:
     others = [one for one in settings if one not in own]
     if is_machine(source):
         return _of_machine(source, own, others)
-    typed = document = _document(source)
-    for setting in settings:
-        key, equals, value = (part.strip() for part in setting.partition("="))
-        if not equals or not key.isidentifier():
-            raise InputError([Problem("", setting, _('must be SYMBOL=VALUE, such as "Q=4 kN"'), position=_SETTING)])
-        with problems_as(lambda problem: replace(problem, position=_SETTING)):
-            document = document.with_value(key, value)
-    keys = [one.partition("=")[0].strip() for one in settings]
-    with problems_as(lambda one: replace(one, position=_SETTING) if one.path in keys else typed.located(one)):
-        return _DriveFile(read_drive(parsed(document.text, document.name)), document.text)
+    form, nothing = _('must be SYMBOL=VALUE, such as "Q=4 kN"'), _("no drive in it")
+    return _DriveFile(*read_own("drive", source, settings, read_drive, form=form, nothing=nothing))
 
 
 def _of_machine(source: str, own: Sequence[str], settings: Sequence[str]) -> _DriveFile:
@@ -125,7 +111,7 @@ def _of_machine(source: str, own: Sequence[str], settings: Sequence[str]) -> _Dr
     file = read_machine(source, settings)
     typed = {key.strip(): value.strip() for key, _equals, value in (one.partition("=") for one in own)}
     with (
-        problems_as(lambda one: replace(one, position=_SETTING) if one.path in typed else file.document.located(one)),
+        problems_as(lambda one: replace(one, position=SETTING) if one.path in typed else file.document.located(one)),
         problems_as(with_speaking(file.machine, source, settings, ("mechanism",))),
     ):
         return _DriveFile(machine_drive(file.machine, typed, as_set=_as_set), None)
@@ -134,19 +120,6 @@ def _of_machine(source: str, own: Sequence[str], settings: Sequence[str]) -> _Dr
 def _as_set(symbol: str, value: str) -> str:
     """Write how a symbol is set in the terminal."""
     return shlex.join(("--set", f"{symbol}={value}"))
-
-
-def _document(source: str) -> Document:
-    """Read the text of a drive's table; a file that says nothing is refused."""
-    is_file = os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
-    if source.strip().casefold() == EXAMPLE and not is_file:
-        return Document.from_text(example_table("drive"), EXAMPLE)
-    repair = _("start with: {command}").format(command="cranktrain textbook --drive example -o drive.toml")
-    with problems_as(lambda problem: replace(problem, repair=problem.repair or repair)):
-        document = Document.read(source)
-    if not parsed(document.text, document.name):
-        raise InputError([Problem("", None, _("no drive in it"), repair, Position(document.name))])
-    return document
 
 
 def _show(console: Console, found: Statements, angle: float, *, first_of: _Asked | None) -> None:

@@ -7,12 +7,11 @@ from rich.console import Console
 
 from cranktrain.analysis import Result
 from cranktrain.cli.screen.text import INDENT, section
-from cranktrain.cli.textbook.curve_tables import ROUND_ANGLES, show_curves
-from cranktrain.cli.textbook.error_columns import stated_error_columns
+from cranktrain.cli.textbook.tables import ROUND_ANGLES, show_curves, stated_error_columns
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.machine import Machine
-from cranktrain.textbook.distinct_pistons import alike
+from cranktrain.textbook.alike import alike
 from cranktrain.textbook.motion_statements import (
     form_curves,
     form_heading,

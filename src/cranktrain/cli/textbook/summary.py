@@ -9,8 +9,8 @@ from rich.text import Text as Line
 from cranktrain.analysis import Result
 from cranktrain.cli.screen.text import INDENT, section, table
 from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
-from cranktrain.cli.textbook.curve_tables import ROUND_ANGLES, show_curves
 from cranktrain.cli.textbook.forms import show_form
+from cranktrain.cli.textbook.tables import ROUND_ANGLES, show_curves
 from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import InputError
 from cranktrain.grouping import grouped, places_of_equal
@@ -18,10 +18,10 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.plans.machine_drive import machine_drive, missing_values
-from cranktrain.textbook.distinct_pistons import AlikePistons, alike
-from cranktrain.textbook.error_statements import ERRORS, LARGEST
+from cranktrain.textbook.alike import AlikePistons, alike
 from cranktrain.textbook.motion_statements import form_curves, form_statements
 from cranktrain.textbook.opposed_statements import OpposedCylinders, opposed_cylinders, opposed_statements
+from cranktrain.textbook.statements import ERRORS, LARGEST
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text
 from cranktrain.texts.percents import percent

@@ -1,6 +1,5 @@
 """`textbook --throw`: (44) to (53) for a throw, each constituent and all together, and its two balances."""
 
-import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import PurePath
@@ -12,17 +11,15 @@ from rich.text import Text
 
 from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
-from cranktrain.cli.textbook.curve_tables import show_curves
-from cranktrain.cli.textbook.output_names import CURVES, TABLE, output_problems
+from cranktrain.cli.textbook.output import CURVES, TABLE, output_problems, write_machine_throw, write_throw
+from cranktrain.cli.textbook.source import EXAMPLE, read_own
 from cranktrain.cli.textbook.speaking import with_speaking
-from cranktrain.cli.textbook.throw_output import write_machine_throw, write_throw
+from cranktrain.cli.textbook.tables import show_curves
 from cranktrain.cli.to_type import textbook_command
-from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
+from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.grouping import grouped
-from cranktrain.io.document import Document
 from cranktrain.io.machine_file import read_machine
 from cranktrain.io.own_tables import is_machine
-from cranktrain.io.syntax import parsed
 from cranktrain.language import _
 from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.one_line import one_line
@@ -31,15 +28,12 @@ from cranktrain.plans.throw_loads import CrankMasses
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.statements import Statements
 from cranktrain.textbook.throw_statements import REACTIONS, SOURCE, TOGETHER, machine_statements, throw_statements
-from cranktrain.texts.example_tables import example_table
 from cranktrain.texts.throw_table import Throw, read_throw
 from cranktrain.wording import figure, number
 
-EXAMPLE = "example"
 _ONE_TURN = 360.0
 _ON_A_SCREEN, _WHOLE = 60.0, 30.0
 """Between the rows of a cycle of two turns that fits a screen, and of all else. [deg]"""
-_SETTING = Position("--set")
 
 
 _NOTHING = 1e-12
@@ -168,38 +162,8 @@ def _as_typed(problem: Problem) -> Problem:
 
 def read_throw_file(source: str, settings: Sequence[str]) -> _ThrowFile:
     """Read a throw's table with some values set anew; what is wrong stands at its line, or at `--set`."""
-    typed = _document(source)
-    document, keys = typed, list[str]()
-    for setting in settings:
-        key, equals, value = (part.strip() for part in setting.partition("="))
-        if not equals or not key.isidentifier():
-            allowed = _('must be SYMBOL=VALUE, such as "K1=20 kN"')
-            raise InputError([Problem("", setting, allowed, position=_SETTING)])
-        try:
-            document = document.with_value(key, value)
-        except InputError as error:
-            raise InputError(replace(problem, position=_SETTING) for problem in error.problems) from None
-        keys.append(key)
-    try:
-        return _ThrowFile(read_throw(parsed(document.text, document.name)), document.text)
-    except InputError as error:
-        raise InputError(
-            replace(problem, position=_SETTING) if problem.path in keys else document.located(problem)
-            for problem in error.problems
-        ) from None
-
-
-def _document(source: str) -> Document:
-    """Read the text of a throw's table; a file that says nothing is refused."""
-    is_file = os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
-    if source.strip().casefold() == EXAMPLE and not is_file:
-        return Document.from_text(example_table("throw"), EXAMPLE)
-    repair = _("start with: {command}").format(command="cranktrain textbook --throw example -o throw.toml")
-    with problems_as(lambda problem: replace(problem, repair=problem.repair or repair)):
-        document = Document.read(source)
-    if not parsed(document.text, document.name):
-        raise InputError([Problem("", None, _("no throw in it"), repair, Position(document.name))])
-    return document
+    form, nothing = _('must be SYMBOL=VALUE, such as "K1=20 kN"'), _("no throw in it")
+    return _ThrowFile(*read_own("throw", source, settings, read_throw, form=form, nothing=nothing))
 
 
 def _show(console: Console, found: Statements, *, with_table: bool = False, whole: str | None) -> None:

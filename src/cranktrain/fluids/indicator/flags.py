@@ -1,17 +1,21 @@
-"""What an engineer would ask about a diagram: is its compression one, is it smooth, does it miss a jump."""
+"""What an engineer would ask about a diagram: its level, its compression, a jump that it misses; and what is found."""
 
 from collections.abc import Iterator
 
 import numpy as np
 
+from cranktrain.fluids.indicator.card import Card
 from cranktrain.fluids.indicator.chamber import Chamber
-from cranktrain.fluids.indicator.curve import steps_between
+from cranktrain.fluids.indicator.curve import CubicCurve, crest, steps_between
 from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.fluids.indicator.pegging import polytropic_exponent
+from cranktrain.fluids.indicator.reading import peg_advice
 from cranktrain.language import _
+from cranktrain.motion import Array, single
 from cranktrain.numerics import around_zero
-from cranktrain.numerics.ties import first_largest
+from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.quantities import shown
+from cranktrain.wording import precise
 
 _START, _END = np.radians(-80.0), np.radians(-40.0)
 """A piece of the compression with closed ports and valves and before the fire, from firing. [rad]"""
@@ -24,6 +28,9 @@ _LARGE_STEP = 0.1
 """Steps of less cannot hide a jump that is worth a word, in parts of the range."""
 _STEEP, _STEEPER = 5.0, 2.0
 """How much steeper a step is that may hide a jump: than steps beside it in its own sense; than any beside it."""
+
+_LOWEST_USUAL, _HIGHEST_LOWEST, _HIGHEST_USUAL, _LOWEST_PEAK = 0.3e5, 8e5, 350e5, 3e5
+"""Lowest pressure of a cycle below or above which, and peak above or below which, a unit is flagged. [Pa]"""
 
 
 def compression_flags(samples: Samples, chamber: Chamber) -> Iterator[str]:
@@ -112,3 +119,112 @@ def rounded_jump_flags(samples: Samples) -> Iterator[str]:
     """
     if np.any(np.diff(samples.angles) == 0.0):
         yield _("The file's pressures jump; a spline rounds that off, and so does smoothing: leave these out.")
+
+
+def refuse_not_positive(card: Card, curve: CubicCurve) -> None:
+    """Refuse absolute pressures that cannot be, once their level is found and their noise is smoothed.
+
+    Parameters
+    ----------
+    card : Card
+        As which the curve was pegged and smoothed.
+    curve : CubicCurve
+        Absolute pressure over the crank angle from nominal firing. [rad, Pa]
+
+    Raises
+    ------
+    InputError
+        With the lowest pressure that is left, and what would raise it.
+    """
+    lowest = first_smallest(curve.starts)
+    if curve.starts[lowest] > 0:
+        return
+    allowed = _("has {n} absolute pressures that are not more than 0, the lowest {lowest} bar at {angle}° from firing")
+    angle = float(around_zero(single(float(curve.places[lowest])), curve.period))
+    said = allowed.format(
+        n=np.count_nonzero(curve.starts <= 0),
+        lowest=f"{shown(float(curve.starts[lowest]), 'bar'):.4g}",
+        angle=f"{shown(angle, 'deg') + 0.0:.4g}",
+    )
+    repair = peg_advice()
+    if card.peg is not None and card.smoothing is None:
+        repair = _('if that is noise, write smoothing, such as smoothing = "2 deg"; else give another peg')
+    elif card.peg is not None and card.smoothing is not None:
+        repair = _("if that is noise, smooth over more than {width}; else give another peg")
+        repair = repair.format(width=precise(card.smoothing, "deg"))
+    raise card.trace.refused(said, repair=repair)
+
+
+def level_flags(pressures: Array) -> Iterator[str]:
+    """Flag pressures as no engine has them: gauge for absolute, a wrong level, or a unit that is off by ten.
+
+    Parameters
+    ----------
+    pressures : Array
+        Of a cycle, absolute. [Pa]
+
+    Yields
+    ------
+    str
+    """
+    lowest, highest = float(np.min(pressures)), float(np.max(pressures))
+    low, high = (f"{shown(pressure, 'bar'):.4g}" for pressure in (lowest, highest))
+    if lowest < _LOWEST_USUAL:
+        yield _(
+            "The lowest pressure is {low} bar absolute, too low for an engine: gauge pressures, or another unit?"
+        ).format(low=low)
+    if lowest > _HIGHEST_LOWEST or highest > _HIGHEST_USUAL:
+        yield _("Pressures of {low} to {high} bar are too high for an engine: is the unit right?").format(
+            low=low, high=high
+        )
+    elif highest < _LOWEST_PEAK:
+        yield _("The peak of {high} bar is too low for an engine: is the unit right?").format(high=high)
+
+
+def curve_findings(curve: CubicCurve, samples: Samples, highest: int, dead_centre: float) -> Iterator[str]:
+    """Say what the samples show and what the curve makes of them.
+
+    Parameters
+    ----------
+    curve : CubicCurve
+    samples : Samples
+        What the curve was laid through, before it was smoothed.
+    highest : int
+        Which of them is the file's largest pressure.
+    dead_centre : float
+        Where the true dead centre at firing is, in the samples' count. [rad]
+
+    Yields
+    ------
+    str
+    """
+    crest_at, crest_pressure = crest(curve)
+    sentence = _(
+        "The largest sample is {sample} bar at {sample_at} from firing, the curve's crest {crest} bar at {crest_at}."
+    )
+    yield sentence.format(
+        sample=_bar(float(samples.pressures[highest])),
+        sample_at=_from_firing(float(samples.angles[highest]) - dead_centre, curve.period),
+        crest=_bar(crest_pressure),
+        crest_at=_from_firing(crest_at - dead_centre, curve.period),
+    )
+    befores = np.roll(curve.ends, 1)
+    jumps = [
+        _("at {angle} from {before} to {after} bar").format(
+            angle=_from_firing(place - dead_centre, curve.period), before=_bar(before), after=_bar(after)
+        )
+        for place, before, after in zip(curve.places.tolist(), befores.tolist(), curve.starts.tolist(), strict=True)
+        if before != after
+    ]
+    if jumps:
+        yield _("The pressure jumps where the file gives two, from firing: {jumps}.").format(jumps=", ".join(jumps))
+
+
+def _bar(pressure: float) -> str:
+    """Write a pressure in bar."""
+    return f"{shown(pressure, 'bar'):.4g}" if pressure < 1e6 else f"{shown(pressure, 'bar'):.2f}"
+
+
+def _from_firing(angle: float, cycle: float) -> str:
+    """Write an angle in degrees from firing, half a cycle before it to half a cycle after; no −0."""
+    return f"{shown(float(around_zero(single(angle), cycle)), 'deg') + 0.0:.2f}°"

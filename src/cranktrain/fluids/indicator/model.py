@@ -11,9 +11,14 @@ from cranktrain.fluids.indicator.card import Card
 from cranktrain.fluids.indicator.chamber import Chamber, central_ratio
 from cranktrain.fluids.indicator.cycle import Samples, one_cycle
 from cranktrain.fluids.indicator.diagram import CURVES, Diagram, diagram_through, smoothed
-from cranktrain.fluids.indicator.findings import curve_findings
-from cranktrain.fluids.indicator.flags import compression_flags, lost_jump_flags, rounded_jump_flags
-from cranktrain.fluids.indicator.level import level_flags, refuse_not_positive
+from cranktrain.fluids.indicator.flags import (
+    compression_flags,
+    curve_findings,
+    level_flags,
+    lost_jump_flags,
+    refuse_not_positive,
+    rounded_jump_flags,
+)
 from cranktrain.fluids.indicator.noise import eaten_flags, noise_flags
 from cranktrain.fluids.indicator.pegging import pegged
 from cranktrain.fluids.indicator.placing import placed

@@ -12,12 +12,11 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.mechanisms import Mechanisms, mechanisms_of
 from cranktrain.layout.part_tables import part_name
 from cranktrain.layout.specs import MAIN
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.layout.wish.constant_crank import constant_crank
 from cranktrain.layout.wish.fitting import WishWay, fitted, refuse_outside
-from cranktrain.layout.wish.following import Following, corners, crank_by_angle
+from cranktrain.layout.wish.following import Following, Rocking, corners, crank_by_angle
 from cranktrain.layout.wish.laws import LAWS, NEAREST
-from cranktrain.layout.wish.rocking import Rocking
 from cranktrain.layout.wish.stroke import Output, output_of
 from cranktrain.layout.wish.tables import MotionPieceSpec, WantedMotionSpec
 from cranktrain.layout.wish.wanted import Piece, WantedMotion, from_pieces, through_positions

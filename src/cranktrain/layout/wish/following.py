@@ -1,4 +1,4 @@
-"""A crank that makes a wanted motion: where it is at a time, and when and how fast it is at an angle."""
+"""A crank that makes a wanted motion: where it is at a time, how fast at an angle; or it swings between two angles."""
 
 from typing import NamedTuple
 
@@ -229,3 +229,27 @@ def _by_angle(made: Following, stroke: Stroke, angle: Array) -> Array:
         about = np.stack([end.time + end.side * away, *_about(end, of_time, turned)])
         found = np.where(near, about, found)
     return found
+
+
+class Rocking(NamedTuple):
+    """A wanted motion within the stroke of an output, on the half turn behind its high dead centre."""
+
+    output: Output
+    wanted: WantedMotion
+
+
+def rocking_crank(made: Rocking, time: Array) -> CrankMotion:
+    """Where a rocking crank is at times, shape (n,), and how it moves; its speed changes sign.
+
+    Notes
+    -----
+    ω = ẋ/x′, ε = (ẍ − x″ω²)/x′, with x′ never 0. docs/theory/servo, eq. (29.3).
+    """
+    whole = moved(made.wanted, time)
+    low = made.output.high.angle
+    high = low + np.mod(made.output.low.angle - low, TURN)
+    ends = (np.full(time.shape, end) for end in (low, high))
+    angle = bracketed_roots(lambda phi: made.output.motion(phi).value - whole.value, *ends)
+    place = made.output.motion(angle)
+    speed = whole.first / place.first
+    return CrankMotion(time, angle, speed, (whole.second - place.second * speed**2) / place.first)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from cranktrain.layout.wish.laws import Law, Moved, polynomial_law
 from cranktrain.motion import Array
-from cranktrain.numerics.spline import periodic_slopes
+from cranktrain.numerics.spline import periodic_powers
 
 
 class Piece(NamedTuple):
@@ -147,15 +147,11 @@ def through_positions(times: Array, positions: Array, period: float) -> WantedMo
     period : float
         [s]
     """
-    slopes = periodic_slopes(times, positions, period)
     spans = np.diff(times, append=times[0] + period)
-    rise, after = np.roll(positions, -1) - positions, np.roll(slopes, -1)
-    second = (3 * rise / spans - 2 * slopes - after) / spans
-    third = (slopes + after - 2 * rise / spans) / spans**2
     pieces: list[Piece] = []
-    rows = zip(times, spans, positions, slopes, second, third, strict=True)
-    for number, (start, span, *powers) in enumerate(rows):
-        own = _cut(float(start - times[0]), float(span), Polynomial(np.array(powers)))
+    rows = zip(times, spans, periodic_powers(times, positions, period).T, strict=True)
+    for number, (start, span, powers) in enumerate(rows):
+        own = _cut(float(start - times[0]), float(span), Polynomial(powers))
         pieces += [piece._replace(number=number) for piece in own]
     return WantedMotion(tuple(pieces), period, float(times[0]), np.stack([_powers(piece) for piece in pieces], axis=1))
 

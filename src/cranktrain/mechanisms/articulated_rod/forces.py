@@ -17,8 +17,7 @@ from cranktrain.linkage.forces import (
     turned_wrench,
 )
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, ArticulatedRodMotion
-from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Group, Reaction
-from cranktrain.mechanisms.solved import Forces
+from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Forces, Group, Reaction
 from cranktrain.motion import ZERO, Array, Link
 
 

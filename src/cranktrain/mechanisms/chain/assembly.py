@@ -8,8 +8,8 @@ import numpy as np
 from cranktrain.linkage import Pose, triad_modes, turned_link
 from cranktrain.linkage.nearest import nearest_pose
 from cranktrain.linkage.triad import Triad, TriadEnds
+from cranktrain.mechanisms.chain.groups import SHAFT, Made, pin_of
 from cranktrain.mechanisms.chain.kinematics import chain_made
-from cranktrain.mechanisms.chain.made import SHAFT, Made, pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     StartSize,

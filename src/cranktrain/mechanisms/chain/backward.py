@@ -27,7 +27,7 @@ from cranktrain.linkage.forces import (
     turned_wrench,
     yoke_reactions,
 )
-from cranktrain.mechanisms.chain.made import Made, slot_of
+from cranktrain.mechanisms.chain.groups import Made, slot_of
 from cranktrain.mechanisms.chain.steps import (
     PinStep,
     RodLegStep,

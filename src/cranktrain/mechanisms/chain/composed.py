@@ -11,9 +11,8 @@ from cranktrain.language import _
 from cranktrain.mechanisms.chain.drawing import chain_drawing
 from cranktrain.mechanisms.chain.forces import chain_dynamics
 from cranktrain.mechanisms.chain.gaps import chain_gap, chain_gaps
-from cranktrain.mechanisms.chain.groups import anatomy, made_names
+from cranktrain.mechanisms.chain.groups import SHAFT, Part, anatomy, made_names, pin_of
 from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_motion, triad_branch
-from cranktrain.mechanisms.chain.made import SHAFT, Part, pin_of
 from cranktrain.mechanisms.chain.margin import chain_openings
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
@@ -30,8 +29,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadStep,
     YokeStep,
 )
-from cranktrain.mechanisms.geometry import Geometry
-from cranktrain.mechanisms.kind import ClosingPart, Kind
+from cranktrain.mechanisms.kind import ClosingPart, Geometry, Kind
 from cranktrain.mechanisms.output import PISTON, ROCKER, OutputPart
 from cranktrain.motion import Array
 

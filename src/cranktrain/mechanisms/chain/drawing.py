@@ -3,9 +3,8 @@
 import numpy as np
 
 from cranktrain.linkage import LinkPoint, point
-from cranktrain.mechanisms.chain.groups import each_part, guide_directions
+from cranktrain.mechanisms.chain.groups import SHAFT, each_part, guide_directions, pin_of
 from cranktrain.mechanisms.chain.kinematics import chain_made
-from cranktrain.mechanisms.chain.made import SHAFT, pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     GuideLegStep,

@@ -18,19 +18,21 @@ from cranktrain.linkage.forces import (
     swivel_slider_link,
 )
 from cranktrain.mechanisms.chain.backward import SOLVED, Acting
-from cranktrain.mechanisms.chain.groups import anatomy, guide_directions, made_names
-from cranktrain.mechanisms.chain.joints import (
+from cranktrain.mechanisms.chain.groups import (
+    Made,
+    anatomy,
     carriers_of,
     chain_contacts,
     chain_moving,
     chain_reactions,
+    guide_directions,
+    made_names,
+    pin_of,
 )
 from cranktrain.mechanisms.chain.kinematics import ChainMotion
-from cranktrain.mechanisms.chain.made import Made, pin_of
 from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep
-from cranktrain.mechanisms.dynamics import Dynamics
-from cranktrain.mechanisms.geometry import Geometry
-from cranktrain.mechanisms.solved import Forces
+from cranktrain.mechanisms.dynamics import Dynamics, Forces
+from cranktrain.mechanisms.kind import Geometry
 from cranktrain.motion import ZERO, Array, Link
 
 

@@ -22,8 +22,8 @@ from cranktrain.linkage import (
     turned,
     turned_link,
 )
+from cranktrain.mechanisms.chain.groups import Made, pin_of
 from cranktrain.mechanisms.chain.kinematics import triad_branch, triad_motion
-from cranktrain.mechanisms.chain.made import Made, pin_of
 from cranktrain.mechanisms.chain.placing import driven, guide_offset, placed
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,

@@ -2,9 +2,8 @@
 
 from collections.abc import Iterator, Mapping
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
-from cranktrain.mechanisms.chain.made import SHAFT, pin_of, slot_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     GuideLegStep,
@@ -21,11 +20,30 @@ from cranktrain.mechanisms.chain.steps import (
     TriadStep,
     YokeStep,
 )
-from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Group, Role
-from cranktrain.motion import Array
+from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Group, Reaction, Role
+from cranktrain.motion import Array, Coefficient, Link, Point
+
+SHAFT = "O"
+"""Name of the shaft's centre."""
+
+Part: TypeAlias = Point | Link | Coefficient
+"""A point, a link or a slider."""
+
+Made: TypeAlias = dict[str, Any]
+"""Each `Part` by its name, which says what it is."""
 
 GUIDE = "guide"
 """Where a slider meets its fixed guide, in a joint's name."""
+
+
+def pin_of(name: str) -> str:
+    """Name of the point that a crank or a slider gives."""
+    return f"{name}.pin"
+
+
+def slot_of(slider: str) -> str:
+    """Name of what slides in the slot that drives a slider, or that it drives."""
+    return f"{slider}.slot"
 
 
 class Product(NamedTuple):
@@ -177,3 +195,28 @@ def made_names(structure: Structure) -> tuple[str, ...]:
     """Names of all that a chain makes, in order."""
     pins = [pin_of(name) for name in structure.cranks]
     return (SHAFT, *structure.fixed, *pins, *(name for step in structure.steps for name in anatomy(step).made))
+
+
+def chain_moving(structure: Structure) -> tuple[str, ...]:
+    """Names of what has mass: cranks, then links and sliders in the order of the file."""
+    return (*structure.cranks, *(name for step in structure.steps for name in anatomy(step).moving))
+
+
+def chain_contacts(structure: Structure) -> dict[str, Contact]:
+    """Where what may have friction slides: sliders in their guides, and blocks in slots, by the slider of the slot."""
+    return {name: contact for step in structure.steps for name, contact in anatomy(step).contacts.items()}
+
+
+def chain_reactions(structure: Structure) -> tuple[Reaction, ...]:
+    """Joints of a chain: the bearing of its cranks, then each part's, named `point/link` by where and on what."""
+    carriers = carriers_of(structure)
+    joints = (joint for step in structure.steps for joint in anatomy(step).joints)
+    parts = (Reaction(joint.name, joint.on, joint.by or carriers[joint.at], joint.role) for joint in joints)
+    return (Reaction("main_bearing", structure.cranks[0], FRAME, "main_bearing"), *parts)
+
+
+def carriers_of(structure: Structure) -> dict[str, str]:
+    """Which body carries each point."""
+    still = dict.fromkeys((SHAFT, *structure.fixed), FRAME) | {pin_of(name): name for name in structure.cranks}
+    made = (item for step in structure.steps for item in anatomy(step).made.items())
+    return still | {name: own.carrier for name, own in made if own.carrier}

@@ -6,7 +6,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from cranktrain.linkage import TriadDriver, TriadEnds, TriadMotion, triad
-from cranktrain.mechanisms.chain.made import Made, Part
+from cranktrain.mechanisms.chain.groups import Made, Part
 from cranktrain.mechanisms.chain.placing import driven, placed
 from cranktrain.mechanisms.chain.steps import ChainSize, Structure, TriadSize, TriadStep
 from cranktrain.mechanisms.chain.triads import place_triad, triad_at, triad_ends, triad_legs

@@ -13,7 +13,7 @@ from cranktrain.mechanisms.chain.steps import ChainSize, Structure, TriadStep
 from cranktrain.mechanisms.chain.triads import link_size, triad_at, triad_legs
 from cranktrain.mechanisms.chain.walks import start_at
 from cranktrain.mechanisms.closing import Openings, Way, changed
-from cranktrain.mechanisms.geometry import Geometry, rows
+from cranktrain.mechanisms.kind import Geometry, rows
 from cranktrain.motion import Array, chosen
 from cranktrain.numerics import turn_grid
 from cranktrain.numerics.nested import leaves

@@ -22,7 +22,7 @@ from cranktrain.linkage import (
     turned_link,
     yoke,
 )
-from cranktrain.mechanisms.chain.made import SHAFT, Made, pin_of, slot_of
+from cranktrain.mechanisms.chain.groups import SHAFT, Made, pin_of, slot_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     MountStep,

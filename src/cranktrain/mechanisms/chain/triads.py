@@ -14,7 +14,7 @@ from cranktrain.linkage import (
     rod_end,
     turned,
 )
-from cranktrain.mechanisms.chain.made import Made, pin_of
+from cranktrain.mechanisms.chain.groups import Made, pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     GuideLegSize,

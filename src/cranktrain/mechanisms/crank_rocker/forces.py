@@ -3,9 +3,8 @@
 from cranktrain.linkage import Crank, Pin, PinMotion
 from cranktrain.linkage.forces import Body, Conditions, PinLoads, Wrench, carrying_crank, crank_link, pin_reactions
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, CrankRockerMotion
-from cranktrain.mechanisms.dynamics import FRAME, Across, Dynamics, Group, Reaction
+from cranktrain.mechanisms.dynamics import FRAME, Across, Dynamics, Forces, Group, Reaction
 from cranktrain.mechanisms.on_crank import each_borne, torque_on_rocker
-from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Link
 
 

@@ -13,10 +13,9 @@ from cranktrain.linkage.forces import (
     swivel_reactions,
     swivel_slider_link,
 )
-from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Group, Reaction
+from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Forces, Group, Reaction
 from cranktrain.mechanisms.on_crank import each_borne
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinderMotion
-from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Link
 
 

@@ -13,10 +13,9 @@ from cranktrain.linkage.forces import (
     slider_link,
     yoke_reactions,
 )
-from cranktrain.mechanisms.dynamics import FRAME, Contact, Dynamics, Group, Reaction
+from cranktrain.mechanisms.dynamics import FRAME, Contact, Dynamics, Forces, Group, Reaction
 from cranktrain.mechanisms.on_crank import each_borne, force_on_slider
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, ScotchYokeMotion
-from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Link
 
 

@@ -11,10 +11,9 @@ from cranktrain.linkage.forces import (
     slide_reactions,
     slider_link,
 )
-from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Group, Reaction
+from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Forces, Group, Reaction
 from cranktrain.mechanisms.on_crank import each_borne, force_on_slider
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, SliderCrankMotion
-from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Link
 
 

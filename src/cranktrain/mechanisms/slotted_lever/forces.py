@@ -11,10 +11,9 @@ from cranktrain.linkage.forces import (
     swivel_reactions,
     swivel_slider_link,
 )
-from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Group, Reaction
+from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Forces, Group, Reaction
 from cranktrain.mechanisms.on_crank import each_borne, torque_on_rocker
 from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLeverMotion
-from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Link
 
 

@@ -6,11 +6,11 @@ import numpy as np
 
 from cranktrain.language import N_
 from cranktrain.motion import Array, chosen, single
+from cranktrain.motors.declared import peak_limits
 from cranktrain.motors.induction.breakdown_slip import slip_from_rated
 from cranktrain.motors.induction.current import line_current, rotor_heat
 from cranktrain.motors.induction.kloss import kloss_torque, slip_of
 from cranktrain.motors.law import BriefLimits, MotorBreaks, MotorLaw
-from cranktrain.motors.limits import peak_limits
 
 PULL_UP_SLIP = single(0.8)
 """Where the torque between standstill and breakdown is taken to be least, if nothing is known: typical."""

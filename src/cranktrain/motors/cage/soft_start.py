@@ -7,10 +7,10 @@ import numpy as np
 from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.motors.cage.law import CageMotor, cage_breaks, torque_at_slip
+from cranktrain.motors.declared import curve_limits
 from cranktrain.motors.induction.current import line_current, rotor_heat
 from cranktrain.motors.induction.kloss import slip_of
 from cranktrain.motors.law import MotorBreaks, MotorLaw
-from cranktrain.motors.limits import curve_limits
 
 
 class SoftStart(NamedTuple):

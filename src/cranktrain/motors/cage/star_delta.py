@@ -5,9 +5,9 @@ from typing import NamedTuple
 from cranktrain.language import N_
 from cranktrain.motion import Array, chosen, single
 from cranktrain.motors.cage.law import CageCurrent, CageMotor, cage_breaks, cage_current, cage_torque
+from cranktrain.motors.declared import star_limits
 from cranktrain.motors.induction.current import rotor_heat
 from cranktrain.motors.law import MotorBreaks, MotorLaw
-from cranktrain.motors.limits import star_limits
 
 STAR = single(1 / 3)
 """Torque and line current in star, in parts of those in delta."""
@@ -37,9 +37,13 @@ def star_delta_torque(speed: Array, time: Array, geometry: StarDelta) -> Array:
     -----
     docs/theory/drive, eq. (25.12).
     """
-    since = time - geometry.change_time
-    part = chosen(since < 0, STAR, chosen(since < geometry.pause, 0.0, 1.0))
-    return part * cage_torque(speed, geometry.motor)
+    return part_of_delta(time, geometry.change_time, geometry.pause) * cage_torque(speed, geometry.motor)
+
+
+def part_of_delta(time: Array, change_time: Array, pause: Array) -> Array:
+    """Torque or line current in parts of those in delta: in star, none while switching, in delta."""
+    since = time - change_time
+    return chosen(since < 0, STAR, chosen(since < pause, 0.0, 1.0))
 
 
 def star_delta_breaks(geometry: StarDelta) -> MotorBreaks:
@@ -63,8 +67,7 @@ class StarDeltaCurrent(NamedTuple):
 
 def star_delta_current(speed: Array, time: Array, geometry: StarDeltaCurrent) -> Array:
     """Line current in star, none while switching, and in delta. docs/theory/drive, eqs. (25.11) and (25.12)."""
-    since = time - geometry.change_time
-    part = chosen(since < 0, STAR, chosen(since < geometry.pause, 0.0, 1.0))
+    part = part_of_delta(time, geometry.change_time, geometry.pause)
     return part * cage_current(speed, time, geometry.motor)
 
 

@@ -14,8 +14,7 @@ from cranktrain.motors.cage.law import CageMotor
 from cranktrain.motors.cage.soft_start import SOFT_START, SoftStart
 from cranktrain.motors.cage.star_delta import STAR_DELTA, StarDelta, StarDeltaCurrent
 from cranktrain.motors.declared import UNLIMITED, DeclaredMotor
-from cranktrain.motors.induction.spec import Part
-from cranktrain.motors.induction.starters import RampSpec, StarterSpec
+from cranktrain.motors.induction.spec import Part, RampSpec, StarterSpec
 from cranktrain.quantities import (
     Given,
     NonNegativeTime,

@@ -7,9 +7,9 @@ import numpy as np
 from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.motors.circuit.law import Circuit, circuit_heat, torque_by_slip_speed
+from cranktrain.motors.declared import ramped_limits
 from cranktrain.motors.induction.ramp import Ramp, limit_breaks, limit_slips, ramp_speed
 from cranktrain.motors.law import MotorBreaks, MotorLaw
-from cranktrain.motors.limits import ramped_limits
 
 
 class Inverter(NamedTuple):

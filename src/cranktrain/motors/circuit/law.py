@@ -7,8 +7,8 @@ import numpy as np
 from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.motors.cage.law import CageMotor, kloss_curve
+from cranktrain.motors.declared import curve_limits
 from cranktrain.motors.law import MotorLaw
-from cranktrain.motors.limits import curve_limits
 
 
 class Circuit(NamedTuple):

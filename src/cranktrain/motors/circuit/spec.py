@@ -12,8 +12,7 @@ from cranktrain.motion import Array
 from cranktrain.motors.circuit.inverter import INVERTER, Inverter
 from cranktrain.motors.circuit.law import CIRCUIT, Circuit, CircuitCurrent, circuit_current, kloss_of_circuit
 from cranktrain.motors.declared import DeclaredMotor
-from cranktrain.motors.induction.spec import InductionSpec
-from cranktrain.motors.induction.starters import RampSpec
+from cranktrain.motors.induction.spec import InductionSpec, RampSpec
 from cranktrain.quantities import Dimension, Given, PositiveResistance, PositiveVoltage, Quantity
 
 Boost = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0)]

@@ -1,7 +1,8 @@
-"""What the tables of induction motors have in common: the speed of the field, and where it is not clear."""
+"""What the tables of induction motors and of their starters have in common: the speed of the field, its ramp."""
 
-from collections.abc import Iterator
-from typing import Annotated
+from abc import abstractmethod
+from collections.abc import Iterable, Iterator
+from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import Field
@@ -9,8 +10,20 @@ from pydantic import Field
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, single
+from cranktrain.motors.declared import UNLIMITED, DeclaredMotor
+from cranktrain.motors.induction.ramp import Ramp
 from cranktrain.motors.spec import RatedSpec, first, missing_keys, out_of_place
-from cranktrain.quantities import Dimension, Given, PositiveFrequency, PositiveSpeed, Quantity, shown
+from cranktrain.quantities import (
+    Dimension,
+    Given,
+    PositiveFrequency,
+    PositiveSpeed,
+    PositiveTime,
+    PositiveTorque,
+    Quantity,
+    shown,
+)
+from cranktrain.spec import Spec
 
 AboveOne = Annotated[Given, Quantity(Dimension.RATIO, above=1.0)]
 AtLeastOne = Annotated[Given, Quantity(Dimension.RATIO, at_least=1.0)]
@@ -21,6 +34,8 @@ LINE_FREQUENCY = 50.0
 MOST_RATED_SLIP = 0.1
 """Of motors whose synchronous speed is guessed from the rated one; with more, another frequency may be meant."""
 _ROUNDING = 1e-9
+
+NonNegativeSpeed = Annotated[Given, Quantity(Dimension.SPEED, at_least=0.0)]
 
 
 class InductionSpec(RatedSpec, frozen=True):
@@ -73,3 +88,43 @@ class InductionSpec(RatedSpec, frozen=True):
         if self.synchronous_speed is None and self.poles is None:
             speed = f"{shown(first(self.field_speed), 'rpm'):.6g} rpm"
             yield _("The synchronous speed is {speed}, the nearest above the rated one.").format(speed=speed)
+
+
+class StarterSpec(Spec, frozen=True):
+    """What every starter of a machine file declares."""
+
+    kind: str
+
+    @abstractmethod
+    def started(self, direct: DeclaredMotor) -> DeclaredMotor:
+        """Give the motor with this starter, from that direct on line."""
+
+    def problems_with(self, *, starting_current_is_known: bool) -> Iterable[Problem]:
+        """Find what does not suit the motor; paths are relative to the motor's table."""
+        return ()
+
+
+class RampSpec(StarterSpec, frozen=True):
+    """What every inverter declares: a ramp of frequency, and a limit of torque."""
+
+    kind: Literal["inverter"] = Field(description=N_("Kind of starter."))
+    ramp_time: PositiveTime = Field(description=N_("Time in which the field comes to its last speed."))
+    first_speed: NonNegativeSpeed = Field(
+        default=Given(0.0, "0 rpm"), description=N_("Synchronous speed with which the ramp begins.")
+    )
+    last_speed: PositiveSpeed | None = Field(
+        default=None, description=N_("Synchronous speed with which it ends; that of rated frequency unless given.")
+    )
+    torque_limit: PositiveTorque | None = Field(
+        default=None, description=N_("To which the inverter limits the torque both ways; not at all unless given.")
+    )
+
+    def ramp(self, direct: DeclaredMotor) -> Ramp:
+        """Give the ramp of the field's speed."""
+        last = direct.top_speed if self.last_speed is None else self.last_speed.array
+        return Ramp(self.first_speed.array, last, self.ramp_time.array)
+
+    @property
+    def limit(self) -> Array:
+        """Limit of torque, infinite where there is none. [N·m]"""
+        return UNLIMITED if self.torque_limit is None else self.torque_limit.array

@@ -8,9 +8,8 @@ from pydantic import Field
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.motors.declared import DeclaredMotor
-from cranktrain.motors.points import curve_problems, points
 from cranktrain.motors.prime_mover.law import PRIME_MOVER, PrimeMover
-from cranktrain.motors.spec import RatedSpec, missing_keys
+from cranktrain.motors.spec import RatedSpec, curve_problems, missing_keys, points
 from cranktrain.motors.table.law import TableMotor, table_torque
 from cranktrain.quantities import Dimension, Given, PositiveSpeed, Quantity
 from cranktrain.spec import Spec

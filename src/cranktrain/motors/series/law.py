@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 from cranktrain.language import N_
 from cranktrain.motion import Array
+from cranktrain.motors.declared import start_limits
 from cranktrain.motors.law import MotorLaw, OfRated
-from cranktrain.motors.limits import start_limits
 
 
 class SeriesMotor(NamedTuple):

@@ -6,8 +6,8 @@ import numpy as np
 
 from cranktrain.language import N_
 from cranktrain.motion import Array
+from cranktrain.motors.declared import curve_limits
 from cranktrain.motors.law import MotorBreaks, MotorLaw
-from cranktrain.motors.limits import curve_limits
 
 
 class TableMotor(NamedTuple):

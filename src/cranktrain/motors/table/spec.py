@@ -10,8 +10,7 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.motors.declared import DeclaredMotor
-from cranktrain.motors.points import curve_problems, points
-from cranktrain.motors.spec import RatedSpec
+from cranktrain.motors.spec import RatedSpec, curve_problems, points
 from cranktrain.motors.table.law import TABLE, TableMotor
 from cranktrain.quantities import Dimension, Given, Quantity, Speed
 

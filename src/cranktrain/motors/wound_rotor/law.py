@@ -6,10 +6,10 @@ import numpy as np
 
 from cranktrain.language import N_
 from cranktrain.motion import ZERO, Array
+from cranktrain.motors.declared import curve_limits
 from cranktrain.motors.induction.current import rotor_heat
 from cranktrain.motors.induction.kloss import kloss_torque, slip_of
 from cranktrain.motors.law import MotorLaw
-from cranktrain.motors.limits import curve_limits
 
 
 class WoundRotor(NamedTuple):

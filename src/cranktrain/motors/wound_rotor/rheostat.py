@@ -6,9 +6,9 @@ import numpy as np
 
 from cranktrain.language import N_
 from cranktrain.motion import Array
+from cranktrain.motors.declared import curve_limits
 from cranktrain.motors.induction.kloss import slip_of
 from cranktrain.motors.law import MotorBreaks, MotorLaw
-from cranktrain.motors.limits import curve_limits
 from cranktrain.motors.wound_rotor.law import WoundRotor, wound_rotor_heat, wound_rotor_torque
 
 

@@ -6,10 +6,9 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import bodies_given
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, table
 from cranktrain.layout.specs import MAIN
-from cranktrain.layout.uses import table
-from cranktrain.questions.balance import frame_forces, rows, running_frame, shaking, spec, unlikely, weights
+from cranktrain.questions.balance import frame_forces, rows, shaking, spec, unlikely, weights
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 
 
@@ -33,7 +32,7 @@ QUESTION = Question(
     parts=_parts,
     stages=(
         Stage(frame_forces.frame_forces, applies=bodies_given),
-        Stage(running_frame.running_frame),
+        Stage(frame_forces.running_frame),
         Stage(weights.balance_weights),
         Stage(shaking.shaking_forces),
         Stage(shaking.shaking_couples),

@@ -1,4 +1,4 @@
-"""What the frame bears of the moving masses: reactions of what stands still, and the momentum that they change."""
+"""What the frame bears of the moving masses, at a constant speed and at one that varies over the cycle."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -14,14 +14,15 @@ from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
-from cranktrain.layout.speed import Speed
-from cranktrain.layout.throws import Throws
-from cranktrain.linkage.forces import WEIGHTLESS, Momentum, Wrench, momentum
+from cranktrain.layout.shafts import Throws
+from cranktrain.layout.speed import Speed, SpeedCurve
+from cranktrain.linkage.forces import WEIGHTLESS, Drive, Momentum, Wrench, momentum
 from cranktrain.mechanisms.dynamics import FRAME
 from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import has_ended, spectral_derivative, turn_grid
 from cranktrain.numerics.harmonics import ComplexArray
+from cranktrain.numerics.periodic import cycle_grid
 from cranktrain.numerics.plane_vectors import PlaneVectors, curve_vectors, delayed_vectors
 from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.forces.forces_times_arms import largest_in_joints
@@ -30,7 +31,7 @@ from cranktrain.record import record
 
 _LIMIT = 1e-11
 _FEWEST, _MOST = 360, 2880
-ENDED = 1e-13
+_ENDED = 1e-13
 """What the highest orders may have of the largest order, for the grid to show all that there is."""
 
 
@@ -82,18 +83,18 @@ def frame_forces(
     # Inertia repeats with the turn, as all shafts turn as fast as `main`.
     n_turn = round(crank_angle.shown.size * 2 * np.pi / crank_angle.cycle)
     step = -(-_FEWEST // n_turn)
-    machine = LoadedMachine(mechanisms, carriers, without_loads(masses), None, None, Speed(np.ones((1, 1, 1))))
+    machine = LoadedMachine(mechanisms, carriers, _without_loads(masses), None, None, Speed(np.ones((1, 1, 1))))
     while True:
         angle = turn_grid(n_turn * step) + crank_angle.zero
         motions = machine.motions(angle)
-        found = momenta(machine, motions, frames)
-        own = -derivative(found.vector)
-        ended = has_ended(own, ENDED)
+        found = _momenta(machine, motions, frames)
+        own = -_derivative(found.vector)
+        ended = has_ended(own, _ENDED)
         if n_turn * step >= _MOST or np.all(ended):
             break
         step *= 2
     solved = machine.solved(angle, motions=motions)
-    force = force_on_frame(machine, solved, frames, found.vector.shape)
+    force = _force_on_frame(machine, solved, frames, found.vector.shape)
     zero = crank_angle.zero[:, 0]
     return FrameForces(
         force=force,
@@ -102,7 +103,7 @@ def frame_forces(
         vectors=delayed_vectors(curve_vectors(force.real, force.imag, HIGHEST_ORDER), zero),
         own=delayed_vectors(curve_vectors(own.real, own.imag, HIGHEST_ORDER), zero),
         checks=(
-            momentum_check(
+            _momentum_check(
                 "momentum",
                 throws.gathered(force),
                 throws.gathered(own),
@@ -113,7 +114,7 @@ def frame_forces(
     )
 
 
-def without_loads(masses: Masses) -> Masses:
+def _without_loads(masses: Masses) -> Masses:
     """Masses that nothing weighs on and that nothing rubs."""
     batches = tuple(
         batch._replace(gravity=WEIGHTLESS, friction=tuple(ZERO for _slider in batch.friction))
@@ -122,7 +123,7 @@ def without_loads(masses: Masses) -> Masses:
     return replace(masses, batches=batches)
 
 
-def momenta(machine: LoadedMachine, motions: Sequence[AnyMotion], frames: Frames) -> Momenta:
+def _momenta(machine: LoadedMachine, motions: Sequence[AnyMotion], frames: Frames) -> Momenta:
     """Add up the links of every mechanism."""
     parts: list[Momenta] = []
     for batch, made, motion in zip(machine.mechanisms.batches, machine.masses.batches, motions, strict=True):
@@ -133,12 +134,12 @@ def momenta(machine: LoadedMachine, motions: Sequence[AnyMotion], frames: Frames
     return Momenta(*map(machine.in_order, zip(*parts, strict=True)))
 
 
-def derivative(vector: ComplexArray) -> ComplexArray:
+def _derivative(vector: ComplexArray) -> ComplexArray:
     """Derivative by the crank angle of a vector x + iy over one turn."""
     return spectral_derivative(vector.real) + 1j * spectral_derivative(vector.imag)
 
 
-def force_on_frame(
+def _force_on_frame(
     machine: LoadedMachine, solved: Sequence[SolvedBatch], frames: Frames, shape: tuple[int, ...]
 ) -> ComplexArray:
     """Force of every mechanism on what stands still."""
@@ -153,7 +154,7 @@ def force_on_frame(
     return force
 
 
-def momentum_check(
+def _momentum_check(
     name: str, force: ComplexArray, momentum_lost: ComplexArray, in_joints: Array, ended: NDArray[np.bool_]
 ) -> Check:
     """Compare the throws' forces with what their momentum says, by a series that may have ended, for each design."""
@@ -164,4 +165,78 @@ def momentum_check(
         _("Inertia forces on the frame against the change of momentum of all parts, relative to the joints' largest"),
         np.where((residual > _LIMIT) & ~np.all(ended, axis=(-2, -1)), np.inf, residual),
         _LIMIT,
+    )
+
+
+@record
+class RunningFrame(Checked):
+    """As `FrameForces`, in newtons and over the whole cycle.
+
+    Attributes
+    ----------
+    force : complex, shape (design, mechanism, n)
+        On the frame, by the bearings, guides and pivots of each mechanism. [N]
+    moment : Array, shape (design, mechanism, n)
+        By the inertia of each mechanism's own parts about their shaft's centre, as `main` runs. [N·m]
+    angle : Array, shape (design, n)
+        φ. [rad]
+    drive : Drive, arrays of shape (design, n)
+        Speed and acceleration there.
+    step : int
+        How many of these points make a step of the grid of crank angles, on whose first point they begin.
+    """
+
+    force: ComplexArray
+    moment: Array
+    angle: Array
+    drive: Drive
+    step: int
+
+
+def running_frame(
+    curve: SpeedCurve,
+    mechanisms: Mechanisms,
+    carriers: Carriers,
+    masses: Masses,
+    frames: Frames,
+    throws: Throws,
+    frame: FrameForces,
+    crank_angle: CrankAngle,
+) -> RunningFrame:
+    """Solve the machine with its masses alone, at the speed and acceleration of each crank angle.
+
+    The force of each throw is compared with p′ω² + pε, in which the momentum p for each rad/s knows no reaction.
+    docs/theory/balance, eq. (16.15); docs/theory/evenness, eq. (17.20).
+    """
+    n_points = crank_angle.shown.size * frame.step
+    angle = cycle_grid(n_points, crank_angle.cycle) + crank_angle.zero
+    bare = LoadedMachine(mechanisms, carriers, _without_loads(masses), None, None, Speed(curve.mean, curve))
+    shape = (len(angle), len(mechanisms.names), n_points)
+    solved = bare.solved(angle)
+    force = _force_on_frame(bare, solved, frames, shape)
+    turns = round(crank_angle.cycle / (2 * np.pi))
+    turn = turn_grid(n_points // turns) + crank_angle.zero
+    per_speed = _momenta(bare, bare.motions(turn), frames)
+    slope = Momenta(_derivative(per_speed.vector), spectral_derivative(per_speed.moment))
+    ended = has_ended(slope.vector, _ENDED)
+    drive = curve.drive(angle)
+
+    square = drive.speed**2
+    own = -(square * np.tile(slope.vector, turns) + drive.acceleration * np.tile(per_speed.vector, turns))
+    moment = -(square * np.tile(slope.moment, turns) + drive.acceleration * np.tile(per_speed.moment, turns))
+    return RunningFrame(
+        force=force,
+        moment=moment,
+        angle=angle[:, 0],
+        drive=Drive(*(part[:, 0] for part in drive)),
+        step=frame.step,
+        checks=(
+            _momentum_check(
+                "running_momentum",
+                throws.gathered(force),
+                throws.gathered(own),
+                largest_in_joints(bare, solved),
+                ended,
+            ),
+        ),
     )

@@ -23,9 +23,8 @@ from cranktrain.numerics.plane_vectors import (
     vector_curve,
 )
 from cranktrain.numerics.ties import falling
-from cranktrain.questions.balance.frame_forces import FrameForces
+from cranktrain.questions.balance.frame_forces import FrameForces, RunningFrame
 from cranktrain.questions.balance.rotating_weights import RotatingWeights, weight_orders, weight_vectors
-from cranktrain.questions.balance.running_frame import RunningFrame
 from cranktrain.questions.balance.unit_shaking import gross
 from cranktrain.record import record
 from cranktrain.wording import Names

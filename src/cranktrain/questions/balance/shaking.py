@@ -5,18 +5,16 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
-from cranktrain.layout.axial import AxialPlaces
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
+from cranktrain.layout.shafts import AxialPlaces, ShaftCentres
 from cranktrain.layout.speed import Speed
-from cranktrain.layout.throws import ShaftCentres
 from cranktrain.linkage.forces import Drive, weight
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray, curve, from_vectors
 from cranktrain.numerics.plane_vectors import running_axes
-from cranktrain.questions.balance.frame_forces import FrameForces
+from cranktrain.questions.balance.frame_forces import FrameForces, RunningFrame
 from cranktrain.questions.balance.rotating_weights import weight_orders, weight_roll
-from cranktrain.questions.balance.running_frame import RunningFrame
 from cranktrain.questions.balance.shaken import BALANCE, Balanced, Shaken, shaken
 from cranktrain.questions.balance.weights import BalanceWeights
 from cranktrain.questions.forces.loaded_machine import LoadedMachine

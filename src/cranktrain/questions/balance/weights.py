@@ -12,11 +12,10 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
-from cranktrain.layout.axial import AxialPlaces, throw_positions
 from cranktrain.layout.design import Designs
 from cranktrain.layout.frames import Frames
+from cranktrain.layout.shafts import AxialPlaces, ShaftCentres, Throws, throw_positions
 from cranktrain.layout.specs import MAIN, ShaftSpec
-from cranktrain.layout.throws import ShaftCentres, Throws
 from cranktrain.motion import Array, single
 from cranktrain.numerics.harmonics import ComplexArray, phasor
 from cranktrain.numerics.plane_vectors import PlaneVectors, reversed_vectors, running_axes

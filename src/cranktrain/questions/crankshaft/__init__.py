@@ -5,8 +5,7 @@ from collections.abc import Iterator
 from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
-from cranktrain.layout.uses import table
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, table
 from cranktrain.questions.crankshaft import rows
 from cranktrain.questions.crankshaft.loads.gears import declared_gears, gear_problems
 from cranktrain.questions.crankshaft.loads.load_places import loaded_shafts

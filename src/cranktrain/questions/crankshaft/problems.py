@@ -7,8 +7,8 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
-from cranktrain.layout.axial import throw_positions
 from cranktrain.layout.design import Design
+from cranktrain.layout.shafts import throw_positions
 from cranktrain.layout.specs import MAIN
 from cranktrain.quantities import Given, one_of
 from cranktrain.questions.crankshaft.shaft_line import (

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.layout.axial import throw_positions
 from cranktrain.layout.design import Design
+from cranktrain.layout.shafts import throw_positions
 from cranktrain.motion import ZERO, Array
 from cranktrain.quantities import Given
 from cranktrain.questions.crankshaft.spec import NEEDED, BearingSpec, CrankshaftSpec, CrankshaftTable

@@ -4,8 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
-from cranktrain.layout.uses import keys
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, keys
 from cranktrain.questions.cylinders import firing, opposed, ports, rows, spec, travel, unlikely, volumes
 from cranktrain.questions.cylinders.parts import parts, problems
 from cranktrain.questions.motion.outputs import InCylinders

@@ -1,22 +1,29 @@
-"""The firing order of the file, put to the cylinders and held against where the crank pins stand."""
+"""The firing that a file gives, by order or by angles: put to cylinders, held against where the crank pins stand."""
 
+import itertools
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
+from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.harmonics import TURN
+from cranktrain.numerics.ties import smallest_of
+from cranktrain.quantities import Given
 from cranktrain.questions.cylinders.firing import FiringOrder, firing_angles, within_turn
-from cranktrain.questions.cylinders.given_firing import given_firing
-from cranktrain.questions.cylinders.makers_numbers import are_makers_numbers, numbers_line
 from cranktrain.questions.cylinders.possible_orders import likest_orders
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.record import record
 from cranktrain.wording import number
+
+_WRITTEN = np.radians(0.02)
+"""An angle may be written to so many digits: 51.43 for 360/7. It says which turn; the crank pins say the rest. [rad]"""
+_PATH = "cylinder.firing_angles"
 
 
 @record
@@ -128,7 +135,7 @@ def _order_problems(asked: _Asked, order: Sequence[str], names: Sequence[str]) -
     allowed = _("must name each cylinder once ({cylinders}); {wrong}").format(
         cylinders=", ".join(names), wrong="; ".join(wrong)
     )
-    if not asked.common.numbers and are_makers_numbers(order, names):
+    if not asked.common.numbers and _are_makers_numbers(order, names):
         line = numbers_line(order, asked.leading, _tops(asked.leading), asked.common.cycle_length)
         return (Problem("cylinder.firing_order", asked.common.firing_order, allowed, line),)
     return (Problem("cylinder.firing_order", asked.common.firing_order, allowed, asked.repair(order)),)
@@ -148,3 +155,118 @@ def _throw_problems(asked: _Asked, order: Sequence[str], tops: Array) -> tuple[P
     ahead = _backwards(order) if asked.astern else order
     said = allowed.format(possible=possible)
     return (Problem("cylinder.firing_order", asked.common.firing_order, said, asked.repair(ahead)),)
+
+
+def given_firing(
+    common: CylindersSpec, leading: Sequence[PlacedMechanism], cycle: float, *, zero: Array, astern: bool
+) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
+    """Read at which crank angles the cylinders fire.
+
+    Parameters
+    ----------
+    common : CylindersSpec
+        With `firing_angles`, which count as crank angles are shown, ahead.
+    leading : sequence of PlacedMechanism
+        Of each cylinder, the piston along whose axis the crank lies at nominal firing.
+    cycle : float
+        2π or 4π. [rad]
+    zero : Array
+        φ where the shown crank angle is 0. [rad]
+    astern : bool
+        The same metal at −φ: the angles count the other way.
+
+    Returns
+    -------
+    FiringOrder or None, tuple of Problem
+        No order where a cylinder has no angle, or one at which its crank does not lie along it.
+    """
+    names = [place.cylinder for place in leading]
+    given, problems = _by_cylinder(common, names)
+    if problems:
+        return None, problems
+    sense = -1.0 if astern else 1.0
+    fires = [sense * angle.array + zero for _key, angle in given]
+    tops_of = [place.nominal_top for place in leading]
+    asked, tops = (by_design(each, max(map(np.size, (*fires, *tops_of)))) for each in (fires, tops_of))
+    turns = np.rint((asked - tops) / (2 * np.pi))
+    angles = within_turn(tops + 2 * np.pi * turns, cycle)
+    off = np.abs(asked - tops - 2 * np.pi * turns) > _WRITTEN
+    if np.any(off):
+        possible = [
+            np.sort(within_turn(sense * (top - zero) + 2 * np.pi * np.arange(round(cycle / (2 * np.pi))), cycle))
+            for top in tops[0]
+        ]
+        allowed = _("must be where the crank lies along the cylinder: {angles}")
+        return None, tuple(
+            Problem(
+                f"{_PATH}{key}",
+                angle.text,
+                allowed.format(angles=_(" or ").join(number(float(one), "deg") for one in where)),
+            )
+            for (key, angle), where, is_off in zip(given, possible, off[0], strict=True)
+            if is_off
+        )
+    order: NDArray[np.intp] = np.argsort(angles[0], kind="stable")
+    in_order: list[str] = [names[i] for i in order.tolist()]
+    return FiringOrder(order, common.makers_numbers(in_order), angles), ()
+
+
+def _by_cylinder(common: CylindersSpec, names: Sequence[str]) -> tuple[list[tuple[str, Given]], tuple[Problem, ...]]:
+    """Give every cylinder its angle, with the path below the table; problems where it has none, or two."""
+    angles = common.firing_angles or ()
+    if not isinstance(angles, Mapping):
+        if len(angles) == len(names):
+            return [(f"[{i}]", angle) for i, angle in enumerate(angles)], ()
+        allowed = _("must be one angle for each cylinder: {cylinders}").format(cylinders=", ".join(names))
+        return [], (Problem(_PATH, _("a list of {n}").format(n=len(angles)), allowed),)
+    meant = [(common.numbers.get(key, key), key, angle) for key, angle in angles.items()]
+    allowed = _("must be a cylinder of this machine, each once: {cylinders}").format(cylinders=", ".join(names))
+    named = [name for name, _key, _angle in meant]
+    wrong = [
+        Problem(f"{_PATH}.{key}", angle.text, allowed)
+        for i, (name, key, angle) in enumerate(meant)
+        if name not in names or name in named[:i]
+    ]
+    left_out = [name for name in names if name not in named]
+    if left_out and not wrong:
+        missing = _("must have an angle for each cylinder; left out: {names}").format(names=", ".join(left_out))
+        wrong = [Problem(_PATH, None, missing)]
+    found = {name: (f".{key}", angle) for name, key, angle in meant}
+    return [found[name] for name in names if name in found], tuple(wrong)
+
+
+def _are_makers_numbers(order: Sequence[str], names: Sequence[str]) -> bool:
+    """Whether an order counts the cylinders from 1, and they have other names."""
+    counted = {str(number) for number in range(1, len(names) + 1)}
+    return set(order) == counted and counted != set(names)
+
+
+def numbers_line(order: Sequence[str], leading: Sequence[PlacedMechanism], tops: Array, cycle: float | None) -> str:
+    """Give the line for the table of the cylinders: counted in the way in which the order fires most evenly.
+
+    Of ways that fire as evenly, that along one bank after the other comes first, in the order of the file.
+    """
+    ways = [{str(n): name for n, name in enumerate(names, 1)} for names in _ways_to_count(leading)]
+    places = [place.cylinder for place in leading]
+
+    def unevenness(numbers: dict[str, str]) -> float:
+        """Sum of squared intervals; infinite where the pins do not allow the order."""
+        if cycle is None:
+            return 0.0
+        fired = firing_angles(tops[[places.index(numbers[word]) for word in order]], cycle)
+        return np.inf if fired is None else float(np.sum(np.diff(fired, append=fired[0] + cycle) ** 2).round(6))
+
+    numbers = smallest_of(ways, unevenness)
+    pairs = ", ".join(f'{word} = "{name}"' for word, name in numbers.items())
+    return _("where these are the maker's numbers, write in [cylinder]: {line}").format(line=f"numbers = {{ {pairs} }}")
+
+
+def _ways_to_count(leading: Sequence[PlacedMechanism]) -> Iterator[list[str]]:
+    """Count along one bank after the other, or throw by throw, from either bank."""
+    banks = list(dict.fromkeys(place.bank for place in leading))
+    of_bank = {bank: [place.cylinder for place in leading if place.bank == bank] for bank in banks}
+    for ordered in (banks, banks[::-1]):
+        yield [name for bank in ordered for name in of_bank[bank]]
+    for ordered in (banks, banks[::-1]):
+        rows = itertools.zip_longest(*(of_bank[bank] for bank in ordered))
+        yield [name for row in rows for name in row if name is not None]

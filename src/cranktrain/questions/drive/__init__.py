@@ -6,9 +6,8 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.drive.table import DriveSpec
-from cranktrain.layout.question import Parts, Question, Stage, Use
+from cranktrain.layout.question import Parts, Question, Stage, Use, inner_table
 from cranktrain.layout.shaft_loads import on_shafts
-from cranktrain.layout.uses import inner_table
 from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.drive import rows
 from cranktrain.questions.drive.driven_speed import driven_speed

@@ -13,7 +13,7 @@ from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
-from cranktrain.motors.limits import beyond_measured
+from cranktrain.motors.declared import beyond_measured
 from cranktrain.questions.drive.balanced_speed import balance
 from cranktrain.questions.drive.settling import missed_motion, settled
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, speed_range

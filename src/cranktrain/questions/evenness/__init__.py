@@ -5,17 +5,15 @@ from collections.abc import Iterator, Sequence
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import bodies_given
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, inner_table, keys, table
 from cranktrain.layout.shaft_loads import on_shafts
-from cranktrain.layout.uses import inner_table, keys, table
 from cranktrain.questions.evenness import (
-    applied_torque,
     flywheel,
     flywheel_moment,
-    load_torque,
     rows,
     running_speed,
     shaft_balance,
+    shaft_torque,
     shaft_work,
     spec,
     unlikely,
@@ -38,9 +36,9 @@ QUESTION = Question(
     parts=_parts,
     stages=(
         Stage(flywheel_moment.flywheel_moment, applies=bodies_given),
-        Stage(applied_torque.applied_torque, applies=applied_torque.of_steady_running),
+        Stage(shaft_torque.applied_torque, applies=shaft_torque.of_steady_running),
         Stage(shaft_balance.shaft_balance, applies=shaft_balance.are_balanced),
-        Stage(load_torque.load_torque, applies=load_torque.are_on_shafts),
+        Stage(shaft_torque.load_torque, applies=shaft_torque.are_on_shafts),
         Stage(shaft_work.shaft_work),
         Stage(running_speed.running_speed, applies=running_speed.runs_steadily),
         Stage(running_speed.for_second_run),
@@ -66,7 +64,7 @@ QUESTION = Question(
     uses=(
         Use(table("evenness"), (shaft_work.ShaftWork,)),
         Use(keys("evenness", "flywheel", "flywheel_moment"), (running_speed.RunningSpeed,)),
-        Use(_balanced_loads, (load_torque.LoadTorque,)),
+        Use(_balanced_loads, (shaft_torque.LoadTorque,)),
         Use(keys("evenness", "coefficient"), (flywheel.FlywheelSize,)),
         Use(inner_table("evenness", "rim"), (flywheel.RimSize,)),
     ),

@@ -11,9 +11,9 @@ from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.evenness.flywheel_inertia import METHODS, Flywheel, flywheels_by_method
-from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.rim import rim, rim_speed
 from cranktrain.questions.evenness.running_speed import RunningSpeed
+from cranktrain.questions.evenness.shaft_torque import LoadTorque
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.questions.evenness.spec import Balancing, DeclaredRim, DrivenByMotor, GivenFlywheel, WantedCoefficient
 from cranktrain.record import record

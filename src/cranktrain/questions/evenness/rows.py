@@ -6,9 +6,9 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.questions.evenness.flywheel import FlywheelSize, RimSize
-from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.running_speed import RunningSpeed
 from cranktrain.questions.evenness.shaft_balance import ShaftBalance
+from cranktrain.questions.evenness.shaft_torque import LoadTorque
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.rows import Amount, AnswerLine, Extent, valued, worded
 from cranktrain.wording import Names

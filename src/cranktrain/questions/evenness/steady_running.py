@@ -11,8 +11,8 @@ from cranktrain.numerics import spectral_derivative
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import PeriodicCurve, combined, fourier_integral, spline_integral
 from cranktrain.questions.evenness.law_between_events import speed_between_events
-from cranktrain.questions.evenness.load_torque import LoadTorque
 from cranktrain.questions.evenness.mean_speed import balancing_coefficient, has_mean, with_load
+from cranktrain.questions.evenness.shaft_torque import LoadTorque
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.questions.evenness.spec import Balancing
 from cranktrain.questions.evenness.speed_law import Power, SpeedUnderLaw, TorqueLaw, speed_under_law

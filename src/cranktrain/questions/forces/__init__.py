@@ -7,8 +7,7 @@ from cranktrain.language import N_
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import mass_problems, masses_of
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
-from cranktrain.layout.uses import table
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, table
 from cranktrain.quantities import Given
 from cranktrain.questions import gas
 from cranktrain.questions.forces import (

@@ -15,9 +15,8 @@ from cranktrain.layout.shaft_loads import TorqueOnShaft
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots, in_slots
-from cranktrain.questions.forces.edges import edges_of
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
-from cranktrain.questions.forces.solved_cycle import SolvedCycle
+from cranktrain.questions.forces.solved_cycle import SolvedCycle, edges_of
 from cranktrain.questions.gas.events import GasEvents
 from cranktrain.record import record
 

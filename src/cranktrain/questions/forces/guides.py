@@ -7,18 +7,15 @@ import numpy as np
 from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
-from cranktrain.layout.guide_tables import bearing_moments
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
-from cranktrain.layout.part_tables import part_name
+from cranktrain.layout.part_tables import bearing_moments, part_name
 from cranktrain.linkage.forces import EdgeForces
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
-from cranktrain.questions.forces.edges import edges_of
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
-from cranktrain.questions.forces.members import Member, mechanisms_of, parts_of
 from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, one_sided
-from cranktrain.questions.forces.solved_cycle import SolvedCycle
+from cranktrain.questions.forces.solved_cycle import Member, SolvedCycle, edges_of, mechanisms_of, parts_of
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 

@@ -13,9 +13,8 @@ from cranktrain.mechanisms.dynamics import Reaction
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
-from cranktrain.questions.forces.members import Member, mechanisms_of, parts_of
 from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, one_sided
-from cranktrain.questions.forces.solved_cycle import SolvedCycle
+from cranktrain.questions.forces.solved_cycle import Member, SolvedCycle, mechanisms_of, parts_of
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import ranged

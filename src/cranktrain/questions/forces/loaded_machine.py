@@ -7,16 +7,16 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.layout.guide_tables import Edges
 from cranktrain.layout.load_laws import ByTravel, LoadState
 from cranktrain.layout.loads import LinkLoad, Loads, of_member
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Batch, Mechanisms
+from cranktrain.layout.part_tables import Edges
 from cranktrain.layout.speed import Speed
 from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added
 from cranktrain.linkage.forces.load import LoadWay
+from cranktrain.mechanisms.dynamics import Forces
 from cranktrain.mechanisms.kind import AnyMotion
-from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Coefficient, Link
 from cranktrain.numerics import extremes, in_windows
 from cranktrain.numerics.nested import put

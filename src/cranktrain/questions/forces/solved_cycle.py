@@ -1,6 +1,15 @@
-"""Forces of every mechanism on the grid of crank angles."""
+"""Forces of every mechanism on the grid of crank angles, and how joints, guides and their edges are taken of them."""
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Batch
+from cranktrain.linkage.forces import EdgeForces, edge_forces
+from cranktrain.motion import Array
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.record import record
@@ -16,3 +25,40 @@ class SolvedCycle:
 def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressures | None) -> SolvedCycle:
     """Solve the machine on its grid; docs/theory/forces, eqs. (13.1) to (13.3)."""
     return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=None if gas is None else gas.gas_force))
+
+
+class Member(NamedTuple):
+    """One joint or guide of one mechanism: its name; the mechanism; its batch, member and place in the kind."""
+
+    name: str
+    mechanism: int
+    batch: int
+    member: int
+    place: int
+
+
+def mechanisms_of(members: Sequence[Member]) -> NDArray[np.intp]:
+    """Whose each is, shape (one,)."""
+    return np.array([one.mechanism for one in members], dtype=np.intp)
+
+
+def parts_of(
+    members: Sequence[Member], solved: Sequence[SolvedBatch], values: Callable[[int, int], Sequence[Array]]
+) -> Array:
+    """Parts of what each bears, shape (part, design, one, n), from those that a batch has at a place of its kind."""
+    found = {
+        (batch, place): np.stack(np.broadcast_arrays(solved[batch].forces.driving_torque, *values(batch, place))[1:])
+        for batch, place in {(one.batch, one.place) for one in members}
+    }
+    return np.stack([found[one.batch, one.place][:, :, one.member] for one in members], axis=2)
+
+
+def edges_of(batch: Batch, one: SolvedBatch, place: int) -> EdgeForces:
+    """What both edges press of the guides in which one part of a kind slides, broadcastable to (design, member, n)."""
+    dynamics = batch.kind.dynamics
+    links = dynamics.by_link(dynamics.links(one.motion, batch.members.geometry))
+    contact = dynamics.contacts[place]
+    link, wrench = links[dynamics.sliding[place]], dynamics.by_joint(one.forces.joints)[contact.joint]
+    friction = one.conditions.friction[place]
+    normal = contact.way * (link.cos * wrench.y - link.sin * wrench.x)
+    return edge_forces(normal, wrench.moment, friction.per_length, friction.middle)

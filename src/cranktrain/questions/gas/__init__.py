@@ -6,8 +6,7 @@ from cranktrain.errors import Problem
 from cranktrain.fluids import FluidSpec, fluid_of
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.question import Parts, Question, Stage, TableFile, Use
-from cranktrain.layout.uses import keys
+from cranktrain.layout.question import Parts, Question, Stage, TableFile, Use, keys
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.cylinders.firing import Cycle, FiringOrder
 from cranktrain.questions.cylinders.spec import CylindersSpec

@@ -11,7 +11,6 @@ from cranktrain.questions.motion import (
     couplers,
     dead_centres,
     followed,
-    permissible,
     pistons,
     points,
     rocker_load,
@@ -26,7 +25,7 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
     yield followed.followed_of(followed.FollowedLinks, designs.places)
     yield followed.followed_of(followed.FollowedSliders, designs.places)
     yield rocker_load.load_radius_of(designs)
-    yield permissible.permissible_angles_of(designs)
+    yield rods.permissible_angles_of(designs)
 
 
 QUESTION = Question(

@@ -2,7 +2,7 @@
 
 from cranktrain.catalogue import quantity
 from cranktrain.language import N_
-from cranktrain.layout.axial import AxialPlaces
+from cranktrain.layout.shafts import AxialPlaces
 from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.references import CONVENTIONS

@@ -6,8 +6,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.distinct import distinct
-from cranktrain.layout.mechanisms import Mechanisms
+from cranktrain.layout.mechanisms import Mechanisms, distinct
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest

@@ -8,8 +8,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.distinct import Distinct, distinct
-from cranktrain.layout.mechanisms import Mechanisms, Pistons
+from cranktrain.layout.mechanisms import Distinct, Mechanisms, Pistons, distinct
 from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Coefficient, Link

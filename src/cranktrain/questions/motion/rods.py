@@ -1,24 +1,64 @@
-"""Motion of the rods that pistons hang on: angles, their derivatives, pressure angles; with the speed, velocities."""
+"""Motion of the rods that pistons hang on: angles, with the pressure angle that is permitted; velocities."""
+
+from collections.abc import Iterator
+from typing import ClassVar
 
 import numpy as np
 
 from cranktrain.catalogue import coefficients, extreme, quantity
 from cranktrain.checks import Flagged
-from cranktrain.language import N_
+from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.design import Designs
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.layout.speed import Speed, rates
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, turning_points
+from cranktrain.numerics.ties import first_largest
 from cranktrain.numerics.tops import chosen
 from cranktrain.questions.motion.dead_centres import PistonGrid, PistonTurn, slider_and_rod
-from cranktrain.questions.motion.permissible import PermissibleAngles, exceeding
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
+from cranktrain.wording import around_turn, number
+
+_ROUNDING = 1e-9
+"""A rod that was made for its limit may miss it by this part."""
 
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")
 _GROUPS = "docs/theory/groups"
+
+
+@record
+class PermissibleAngles:
+    """Permissible pressure angle of every piston's rod, shape (design, piston); NaN for one without a limit. [rad]"""
+
+    reads: ClassVar[tuple[str, ...]] = ("[mechanism]",)
+
+    value: Array
+
+
+def permissible_angles_of(designs: Designs) -> PermissibleAngles | None:
+    """Collect the limits; None where there is none at all."""
+    limits = [place.spec.pressure_angle_limit for place in designs.together.pistons]
+    value = designs.by_design([np.nan if limit is None else limit.array for limit in limits])
+    return None if np.all(np.isnan(value)) else PermissibleAngles(value)
+
+
+def _exceeding(permissible: PermissibleAngles, largest: Extreme) -> Iterator[str]:
+    """Flag the rod whose pressure angle exceeds its limit the most, and where it does; of all designs the worst."""
+    angle = np.abs(largest.value)
+    excess = np.where(angle > permissible.value * (1 + _ROUNDING), angle - permissible.value, 0.0)
+    if not np.any(excess > 0.0):
+        return
+    worst = np.unravel_index(first_largest(excess), excess.shape)
+    said = _("The rod's pressure angle comes to {angle} (crank at {crank}), {excess} over the permissible {limit}.")
+    yield said.format(
+        angle=number(float(angle[worst]), "deg"),
+        crank=number(float(around_turn(largest.angle[worst])), "deg"),
+        excess=number(float(excess[worst]), "deg"),
+        limit=number(float(permissible.value[worst]), "deg"),
+    )
 
 
 @record
@@ -78,7 +118,7 @@ def rod_motion(
         grid.value.rod,
         largest_pressure_angle=largest,
         opposite_pressure_angle=chosen(is_usual, opposite, usual),
-        flags=() if permissible is None else tuple(exceeding(permissible, largest)),
+        flags=() if permissible is None else tuple(_exceeding(permissible, largest)),
     )
 
 

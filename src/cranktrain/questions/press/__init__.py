@@ -1,9 +1,8 @@
 """Press: single strokes by clutch and brake, and how many a minute there can be."""
 
 from cranktrain.language import N_
-from cranktrain.layout.drive.grips import DeclaredStroke
-from cranktrain.layout.question import Question, Stage, Use
-from cranktrain.layout.uses import inner_table
+from cranktrain.layout.drive.declared import DeclaredStroke
+from cranktrain.layout.question import Question, Stage, Use, inner_table
 from cranktrain.questions.press import rows
 from cranktrain.questions.press.strokes import PressStrokes, press_strokes
 

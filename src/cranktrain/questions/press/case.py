@@ -6,15 +6,15 @@ from functools import cached_property
 import numpy as np
 
 from cranktrain.language import _
-from cranktrain.layout.drive.grips import DeclaredBrake, DeclaredClutch, DeclaredStroke, before_clutch
+from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredClutch, DeclaredStroke, before_clutch
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.roots import bracketed_roots
 from cranktrain.questions.reduction.at_angles import has_inertia
 from cranktrain.questions.reduction.machines import ReducedMachines
+from cranktrain.questions.start.case import Switching, start_kernels
 from cranktrain.questions.start.curves import in_list
-from cranktrain.questions.start.switching import Switching, start_kernels
 from cranktrain.record import record
 from cranktrain.transient.clutched.equation import Press, firm_acceleration, press_of
 from cranktrain.transient.clutched.runs import PressPlan

@@ -10,8 +10,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.drive.declared import DeclaredDrive
-from cranktrain.layout.drive.grips import MINUTE, DeclaredBrake, DeclaredClutch, DeclaredStroke
+from cranktrain.layout.drive.declared import MINUTE, DeclaredBrake, DeclaredClutch, DeclaredDrive, DeclaredStroke
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
 from cranktrain.numerics.harmonics import TURN

@@ -4,8 +4,7 @@ from collections.abc import Iterator
 
 from cranktrain.language import N_
 from cranktrain.layout.design import Designs
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
-from cranktrain.layout.uses import table
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, table
 from cranktrain.questions.pumping import rows
 from cranktrain.questions.pumping.declared import DeclaredPumping, declared_pumping, pumping_problems
 from cranktrain.questions.pumping.gearbox_torque import GearboxTorque, gearbox_torque

@@ -4,11 +4,9 @@ from collections.abc import Iterator
 
 from cranktrain.language import N_
 from cranktrain.layout.design import Designs
-from cranktrain.layout.drive.declared import DeclaredDrive, declared_drive
-from cranktrain.layout.drive.grips import declared_grips
+from cranktrain.layout.drive.declared import DeclaredDrive, declared_drive, declared_grips
 from cranktrain.layout.drive.table import DriveSpec
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
-from cranktrain.layout.uses import table
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, table
 from cranktrain.motors import motor_of
 from cranktrain.questions.reduction import rows
 from cranktrain.questions.reduction.half_periods import half_periods

@@ -16,7 +16,7 @@ from cranktrain.questions.reduction.at_angles import reduced_at
 from cranktrain.questions.reduction.cycle_pieces import mesh_of
 from cranktrain.questions.reduction.gear_train import torque_through
 from cranktrain.questions.reduction.machines import ReducedMachines
-from cranktrain.questions.reduction.sign_changes import ASIDE, sign_changes
+from cranktrain.questions.reduction.static_torques import ASIDE, sign_changes
 from cranktrain.record import record
 from cranktrain.transient.gearing import overall_ratio
 

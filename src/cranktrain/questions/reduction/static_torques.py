@@ -1,6 +1,6 @@
 """Static torque and inertia reduced to every shaft of a drive: what the motor must hold, and what it must speed up."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -13,13 +13,12 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.motion import ONE, Array
-from cranktrain.numerics import Extreme, largest_between
+from cranktrain.numerics import Extreme, bracketed_roots, largest_between
 from cranktrain.numerics.ties import without_residue
 from cranktrain.questions.reduction.at_angles import reduced_at
-from cranktrain.questions.reduction.cycle_pieces import mesh_of
+from cranktrain.questions.reduction.cycle_pieces import CyclePieces, mesh_of
 from cranktrain.questions.reduction.gear_train import torque_through
 from cranktrain.questions.reduction.machines import ReducedMachines
-from cranktrain.questions.reduction.sign_changes import sign_changes
 from cranktrain.record import record
 from cranktrain.transient.gearing import Gearing, overall_ratio
 from cranktrain.transient.reduced import ReducedMachine
@@ -31,6 +30,11 @@ against the motor always, as [gandzha] has it."""
 
 _SHAFT = ("drive_shaft",)
 _CURVE = ("drive_shaft", "crank_angle")
+
+ASIDE = 1e-9
+"""Of a corner, on both its sides. [rad]"""
+_NOTHING = 1e-9
+"""Of the peak: a smaller torque is of neither sign."""
 
 
 @record
@@ -224,3 +228,18 @@ def _flags(drive: DeclaredDrive) -> Iterator[str]:
     """Flag irreversible gearing."""
     if any(np.any(gearing.backward < 0) for gearing in drive.gearings):
         yield _("A stage of the drive is irreversible: the motor must drive even while the load pulls.")
+
+
+def sign_changes(torque: Callable[[Array], Array], mesh: CyclePieces) -> Array:
+    """Crank angles at which a torque changes its sign, also where it jumps across 0. [rad]"""
+    ends = np.stack([mesh.start + ASIDE, mesh.start + mesh.width - ASIDE], axis=-1)
+    places = np.ravel(np.hstack([ends[:, :1], mesh.nodes.reshape(len(mesh.start), -1), ends[:, 1:]]))
+    values = torque(places)
+    clear = np.abs(values) > _NOTHING * np.max(np.abs(values))
+    angles, signs = places[clear], np.sign(values[clear])
+    if not angles.size:
+        return angles
+    cycle = float(np.sum(mesh.width))
+    low, high = angles, np.append(angles[1:], angles[0] + cycle)
+    changes = signs * np.append(signs[1:], signs[0]) < 0
+    return np.mod(bracketed_roots(torque, low[changes], high[changes]), cycle)

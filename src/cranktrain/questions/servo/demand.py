@@ -6,8 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.layout.wish.following import CrankMotion, Following, crank_at, crank_by_angle
-from cranktrain.layout.wish.rocking import Rocking, rocking_crank
+from cranktrain.layout.wish.following import CrankMotion, Following, Rocking, crank_at, crank_by_angle, rocking_crank
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.products import product

@@ -10,8 +10,7 @@ from cranktrain.language import _
 from cranktrain.layout.load_laws import BySpeed, LoadState
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
-from cranktrain.layout.wish.following import CrankMotion, Following
-from cranktrain.layout.wish.rocking import Rocking
+from cranktrain.layout.wish.following import CrankMotion, Following, Rocking
 from cranktrain.motion import Array
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.servo.rocking import RockingDrive

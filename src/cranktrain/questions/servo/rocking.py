@@ -7,8 +7,7 @@ from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.layout.wish.declared import RockingMotions
-from cranktrain.layout.wish.following import CrankMotion
-from cranktrain.layout.wish.rocking import Rocking, rocking_crank
+from cranktrain.layout.wish.following import CrankMotion, Rocking, rocking_crank
 from cranktrain.motion import Array
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.servo.demand import ServoDemand, rocking_demand

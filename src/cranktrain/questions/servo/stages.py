@@ -1,6 +1,7 @@
 """Results of a wanted motion: how the crank moves, how far a constant speed misses it, what the motor does."""
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -10,12 +11,13 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.layout.wish.declared import WantedMotions
-from cranktrain.layout.wish.following import CrankMotion, crank_by_angle
+from cranktrain.layout.wish.following import CrankMotion, Following, crank_by_angle
 from cranktrain.layout.wish.wanted import moved
 from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
+from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.reduction.at_angles import reduced_at
 from cranktrain.questions.reduction.machines import ReducedMachines
-from cranktrain.questions.servo.constant_miss import constant_miss
 from cranktrain.questions.servo.demand import ServoDemand, crank_torque, motor_torque, servo_demand
 from cranktrain.record import record
 from cranktrain.wording import Names, number
@@ -25,6 +27,10 @@ _CURVE = ("crank_angle",)
 _FOLLOWS = 1e-9
 """Of the stroke: what the crank may miss of the wanted position."""
 _ENERGY_LIMIT = 1e-6
+
+_N_TIMES, _N_PHASES = 720, 180
+_GOLDEN = (np.sqrt(5) - 1) / 2
+_N_STEPS = 40
 
 
 @record
@@ -191,3 +197,37 @@ def _energy_check(demands: list[ServoDemand], machines: ReducedMachines) -> Chec
 def is_wanted(wanted: WantedMotions | None) -> bool:
     """Whether there is a wanted motion: nobody else misses what it would give."""
     return wanted is not None
+
+
+class ConstantMiss(NamedTuple):
+    """Largest difference of position at equal times [m or rad], and where the constant crank is at time 0 [rad]."""
+
+    largest: float
+    phase: float
+
+
+def constant_miss(made: Following) -> ConstantMiss:
+    """Find the phase at which the largest difference is least, on 720 times of a period.
+
+    docs/theory/servo, eq. (29.9).
+    """
+    time: Array = np.arange(_N_TIMES, dtype=np.float64) * (made.wanted.period / _N_TIMES)
+    wanted = moved(made.wanted, time).value
+    turned = TURN * np.arange(_N_TIMES) / _N_TIMES
+
+    def largest(phase: Array) -> Array:
+        """Largest difference at each of some phases, shape (k,)."""
+        angle = np.ravel(phase[:, np.newaxis] + turned)
+        places = made.output.motion(angle).value.reshape(-1, _N_TIMES)
+        return np.max(np.abs(places - wanted), axis=1)
+
+    step = TURN / _N_PHASES
+    phases: Array = np.arange(_N_PHASES, dtype=np.float64) * step
+    best = float(phases[first_smallest(largest(phases))])
+    low, high = best - step, best + step
+    for _step in range(_N_STEPS):
+        inner = np.array([high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)])
+        values = largest(inner)
+        low, high = (low, float(inner[1])) if values[0] < values[1] else (float(inner[0]), high)
+    found = 0.5 * (low + high)
+    return ConstantMiss(float(largest(np.array([found]))[0]), float(np.mod(found, TURN)))

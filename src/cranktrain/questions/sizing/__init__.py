@@ -5,8 +5,7 @@ from collections.abc import Iterator
 from cranktrain.language import N_
 from cranktrain.layout.design import Designs
 from cranktrain.layout.drive.table import DriveSpec
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
-from cranktrain.layout.uses import inner_table
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, inner_table
 from cranktrain.questions.sizing import rows
 from cranktrain.questions.sizing.flywheel_sizing import DriveFlywheel, drive_flywheel
 from cranktrain.questions.sizing.motor_sizing import MotorSizing, motor_sizing

@@ -16,9 +16,8 @@ from cranktrain.questions.sizing.checks import (
     choice_of,
     motor_uses,
 )
-from cranktrain.questions.sizing.duty import DUTY_PERIOD, intermittent_factor, no_load_factor
+from cranktrain.questions.sizing.duty import DUTY_PERIOD, intermittent_factor, no_load_factor, rms_torque
 from cranktrain.questions.sizing.starting import inertia_ratio, loaded_start
-from cranktrain.questions.sizing.torque_means import rms_torque
 
 ALL_CRITERIA = (*CRITERIA, "start_time")
 """What a size is checked for, in this order along the last axis of its uses."""

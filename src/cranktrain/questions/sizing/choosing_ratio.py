@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest_along
 from cranktrain.questions.sizing.choosing import TorqueHistory
-from cranktrain.questions.sizing.torque_means import rms_torque
+from cranktrain.questions.sizing.duty import rms_torque
 
 R20 = (1.0, 1.12, 1.25, 1.4, 1.6, 1.8, 2.0, 2.24, 2.5, 2.8, 3.15, 3.55, 4.0, 4.5, 5.0, 5.6, 6.3, 7.1, 8.0, 9.0)
 """Preferred numbers of a decade, in which makers of gears step their ratios; recalled of ISO 3, which was not read."""

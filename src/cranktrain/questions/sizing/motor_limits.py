@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
-from cranktrain.motors.limits import curve
+from cranktrain.motors.declared import curve
 from cranktrain.questions.sizing.starting import StartTimeHeat, loaded_start
 
 _END_SLIP = 2.0

@@ -10,8 +10,7 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
-from cranktrain.layout.drive.declared import DeclaredDrive
-from cranktrain.layout.drive.grips import DeclaredClutch, before_clutch
+from cranktrain.layout.drive.declared import DeclaredClutch, DeclaredDrive, before_clutch
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor

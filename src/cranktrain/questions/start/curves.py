@@ -6,9 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.questions.start.case import StartCase
+from cranktrain.questions.start.case import StartCase, Switching, start_kernels
 from cranktrain.questions.start.record import StartCurves
-from cranktrain.questions.start.switching import Switching, start_kernels
 from cranktrain.transient.equation import ANGLE, HEAT, LOAD_WORK, LOST_WORK, MOTOR_WORK, SPEED
 from cranktrain.transient.floats import in_floats
 from cranktrain.transient.gearing import overall_ratio, turning_inertia

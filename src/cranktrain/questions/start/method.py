@@ -6,9 +6,8 @@ from typing import Protocol
 
 import numpy as np
 
-from cranktrain.questions.start.case import StartCase
+from cranktrain.questions.start.case import Braking, StartCase, Switching, start_kernels
 from cranktrain.questions.start.curves import in_list
-from cranktrain.questions.start.switching import Braking, Switching, start_kernels
 from cranktrain.transient.corners import few_ahead
 from cranktrain.transient.equation import DriveTrain, Kernels
 from cranktrain.transient.gearing import overall_ratio

@@ -6,11 +6,10 @@ from typing import Any
 import numpy as np
 
 from cranktrain.language import N_, _
-from cranktrain.layout.drive.grips import DeclaredBrake, DeclaredClutch, DeclaredStroke
+from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredClutch, DeclaredStroke
 from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
 from cranktrain.motors import DeclaredMotor
-from cranktrain.motors.declared import LONG_SINCE
-from cranktrain.motors.limits import beyond_measured
+from cranktrain.motors.declared import LONG_SINCE, beyond_measured
 from cranktrain.questions.start.parts import DeclaredStart
 from cranktrain.questions.start.record import StartRun
 

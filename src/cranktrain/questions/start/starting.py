@@ -10,11 +10,10 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.questions.reduction.unloaded import with_open_valves
-from cranktrain.questions.start.case import StartCase
+from cranktrain.questions.start.case import StartCase, Switching, start_kernels
 from cranktrain.questions.start.curves import at_times, close_times, curves_of, in_list
 from cranktrain.questions.start.method import Runs, method_of
 from cranktrain.questions.start.record import StartEvent, StartRun
-from cranktrain.questions.start.switching import Switching, start_kernels
 from cranktrain.transient import endings
 from cranktrain.transient.equation import MOTOR_WORK, SPEED, DriveTrain
 from cranktrain.transient.reduced import ReducedMachine

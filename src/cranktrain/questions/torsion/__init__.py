@@ -5,9 +5,8 @@ from collections.abc import Iterator, Sequence
 from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, table
 from cranktrain.layout.specs import MAIN
-from cranktrain.layout.uses import table
 from cranktrain.questions.torsion import rows
 from cranktrain.questions.torsion.critical import critical_speeds, mode_vector_sums
 from cranktrain.questions.torsion.modes import TorsionalModes, of_known_stiffness, torsional_modes, torsional_train

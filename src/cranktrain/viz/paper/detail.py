@@ -7,9 +7,8 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
 from cranktrain.plans.positions import scale_words
-from cranktrain.viz.paper.labels import dots
 from cranktrain.viz.paper.page import Box, Page, fitting_scale
-from cranktrain.viz.paper.sketch import Circle, Sketch
+from cranktrain.viz.paper.sketch import Circle, Sketch, dots
 
 _SMALLEST = 5.0
 """Radius on paper from which a crank is seen well enough. [mm]"""

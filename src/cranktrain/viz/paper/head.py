@@ -1,22 +1,18 @@
-"""The head of a sheet: the machine, at which speed, where its numbers are from, and what is not used."""
+"""The head of a sheet: the machine, its speed and conventions, where its numbers are from, and what is not used."""
 
 from collections.abc import Sequence
 from textwrap import wrap
 
 from cranktrain.analysis import Result, sentences
-from cranktrain.io.description import layout_words
+from cranktrain.io.description import counted_by_status, given_numbers, layout_words
 from cranktrain.language import _
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.one_line import short
+from cranktrain.quantities import shown
 from cranktrain.viz.paper.page import MARGIN, Box, Page, paper
 from cranktrain.viz.paper.style import MUTED, TITLE
-from cranktrain.viz.paper.words import (
-    provenance_words,
-    running_words,
-    speed_words,
-    zero_words,
-)
+from cranktrain.wording import as_given
 
 _LONGEST_NAME = 100
 """Characters of a title."""
@@ -43,7 +39,7 @@ def title_block(page: Page, machine: Machine, title: str = "", at_speed: str = "
     page.text(MARGIN, top - 4.5, name, fontsize=TITLE, fontweight="bold")
     layout = layout_words(machine)
     page.text(MARGIN, top - 10.0, f"{layout[:1].upper()}{layout[1:]}. {running_words(machine)}")
-    zero = zero_words(machine)
+    zero = _zero_words(machine)
     page.text(MARGIN, top - 14.5, f"{title}. {zero}" if title else zero, color=MUTED)
     page.text(page.width - MARGIN, top - 10.0, provenance_words(machine), ha="right")
     letters = int((page.width - 2 * MARGIN) * _LETTERS / 100.0)
@@ -52,3 +48,50 @@ def title_block(page: Page, machine: Machine, title: str = "", at_speed: str = "
         top -= 4.5
     page.rule(top - 17.5)
     return top - 17.5
+
+
+def running_words(machine: Machine) -> str:
+    """Say speed and sense of rotation, and at one moment the angular acceleration."""
+    senses = {
+        ("clockwise", "ahead"): _("clockwise"),
+        ("anticlockwise", "ahead"): _("anticlockwise"),
+        ("clockwise", "astern"): _("astern, anticlockwise"),
+        ("anticlockwise", "astern"): _("astern, clockwise"),
+    }
+    shaft = machine.main_shaft
+    given = (("n", shaft.speed, "rpm"), ("ε", shaft.acceleration, "rad/s²"))
+    said = [f"{symbol} = {as_given(one, usual)}" for symbol, one, usual in given if one is not None]
+    sense = senses[machine.rotation, machine.running]
+    return ", ".join([*said, sense if said else sense[:1].upper() + sense[1:]])
+
+
+def speed_words(curve: SpeedCurve | None, design: int = 0) -> str:
+    """Say at which speed over the cycle a picture is, as the terminal does; nothing of a constant one."""
+    return "" if curve is None else curve.answer({}, design)
+
+
+def first_that_holds(*cases: tuple[bool, str]) -> str:
+    """Give the first of some sentences whose case it is."""
+    return next(sentence for holds, sentence in cases if holds)
+
+
+def _zero_words(machine: Machine) -> str:
+    """Say where the crank angle is 0 and how it counts."""
+    axis = first_that_holds(
+        (len(machine.bank) > 1, _("the axis of bank {bank}")),
+        (len(machine.bank) == 1, _("the first cylinder's axis")),
+        (True, _("the mechanism's x")),
+    ).format(bank=next(iter(machine.bank), ""))
+    ahead = 0.0 if machine.crank_zero == "Y" else machine.crank_zero.si
+    start = first_that_holds(
+        (machine.crank_zero == "Y", _("φ = 0 where crank 1 points up")),
+        (ahead > 0.0, _("φ = 0 where crank 1 is {angle} ahead of {axis}")),
+        (ahead < 0.0, _("φ = 0 where crank 1 is {angle} behind {axis}")),
+        (True, _("φ = 0 where crank 1 is on {axis}")),
+    ).format(angle=f"{shown(abs(ahead), 'deg'):.2f}°", axis=axis)
+    return _("{start}; counted in the sense of running; seen from the free end").format(start=start)
+
+
+def provenance_words(machine: Machine) -> str:
+    """Count the numbers that a machine's file gives by where they are from."""
+    return _("Inputs: {counts}").format(counts=counted_by_status(given_numbers(machine)))

@@ -17,8 +17,7 @@ from cranktrain.plans.vectors import angle_of, turned_left
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.labels import Wish
-from cranktrain.viz.paper.sketch import Habit, Line
+from cranktrain.viz.paper.sketch import Habit, Line, Wish
 
 _LETTERS = 16
 """Of a load's name."""

@@ -69,6 +69,12 @@ class Box(NamedTuple):
         """Its middle, shape (2,)."""
         return np.array([self.left + self.width / 2, self.bottom + self.height / 2])
 
+    def columns(self, share: float, axis: float) -> tuple["Box", "Box"]:
+        """Part it: curves with a share of the width, of which their axis takes some [mm], and what stands beside."""
+        start = self.left + share * self.width + 8.0
+        curves = self._replace(left=self.left + axis, width=share * self.width - (axis + 6.0))
+        return curves, self._replace(left=start, width=self.left + self.width - start)
+
 
 @contextmanager
 def drawing_settings() -> Generator[None]:

@@ -12,7 +12,7 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import visible
@@ -24,8 +24,8 @@ from cranktrain.plans.together import places_called
 from cranktrain.plans.vectors import pair
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import plain
+from cranktrain.viz.paper.head import speed_words
 from cranktrain.viz.paper.sketch import LAYERS, Circle, Line, Sketch, bounds_of
-from cranktrain.viz.paper.words import speed_words
 from cranktrain.viz.plans.drive_beside import crank_pin
 from cranktrain.viz.plans.drive_chain import bounds_of_chain, chain_drawing
 from cranktrain.viz.plans.drive_symbols import crank_mark

@@ -14,9 +14,8 @@ from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.scales import scale_for
 from cranktrain.texts.crank_rocker import pin_velocity_ratio
 from cranktrain.viz.figures import figure
-from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Figure, drawing_settings, formula, mathematics
-from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, placed_labels
 from cranktrain.viz.paper.tables import write_table
 from cranktrain.viz.plans.sheet import (
     cells_of,

@@ -8,8 +8,7 @@ from cranktrain.motion import Array
 from cranktrain.plans.constructions import Construction
 from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch, Wish, placed_labels
 from cranktrain.viz.plans.sketches import alike
 
 _RULER, _ROW, _DIMENSION = 5.0, 3.6, 5.0

@@ -16,10 +16,9 @@ from cranktrain.texts.drive_curves import Thing, Verdict, curve_facts, dead_posi
 from cranktrain.texts.drive_table import CrankRockerDrive
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import MARGIN, Axes, Box, Figure, Page, drawing_settings, fitting_scale, paper
 from cranktrain.viz.paper.panels import axes_in
-from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch, Wish, placed_labels
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED, TITLE
 from cranktrain.viz.paper.tables import LEAST_ROW, write_table
 from cranktrain.viz.plans.sheet import centre

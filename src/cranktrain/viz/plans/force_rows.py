@@ -10,9 +10,9 @@ from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.vectors import spoken_name
 from cranktrain.scales import Scale, scale_for
 from cranktrain.viz.figures import column, figure, rounded
+from cranktrain.viz.paper.head import first_that_holds
 from cranktrain.viz.paper.page import Page, in_words, mathematics
 from cranktrain.viz.paper.tables import write_row
-from cranktrain.viz.paper.words import first_that_holds
 
 Item = TypeVar("Item")
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import _
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.plans.klein import Klein, klein
 from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_polygons

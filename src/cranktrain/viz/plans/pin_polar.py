@@ -14,9 +14,8 @@ from cranktrain.plans.positions import fitting, plan_angles
 from cranktrain.plans.vectors import angle_of
 from cranktrain.scales import Scale, scale_for
 from cranktrain.viz.figures import aligned, figure, plain, with_unit
-from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics, rounded_down
-from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, placed_labels
 from cranktrain.viz.paper.style import INK
 from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_beside, write_scales
 

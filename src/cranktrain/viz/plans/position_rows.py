@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import short

@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.lettering import lettered, pin_letters

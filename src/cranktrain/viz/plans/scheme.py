@@ -17,9 +17,8 @@ from cranktrain.quantities import shown
 from cranktrain.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
-from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, placed_labels
 from cranktrain.viz.paper.tables import ROW
 from cranktrain.viz.plans.drive_beside import DriveBeside, crank_pin
 from cranktrain.viz.plans.drive_symbols import crank_mark

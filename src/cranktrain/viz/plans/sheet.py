@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.lettering import pin_letters
@@ -16,13 +16,11 @@ from cranktrain.plans.vectors import pair, spoken_name
 from cranktrain.quantities import chosen_unit
 from cranktrain.scales import Scale
 from cranktrain.viz.figures import plain
-from cranktrain.viz.paper.head import title_block
-from cranktrain.viz.paper.labels import labelled_bounds
+from cranktrain.viz.paper.head import speed_words, title_block
 from cranktrain.viz.paper.page import LINE, MARGIN, Box, Page, fitting_scale, formula, paper
-from cranktrain.viz.paper.sketch import Sketch, bounds_of
+from cranktrain.viz.paper.sketch import Sketch, bounds_of, labelled_bounds
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import ROW, write_table
-from cranktrain.viz.paper.words import speed_words
 
 MOST = 24
 """Positions or polygons on one sheet."""

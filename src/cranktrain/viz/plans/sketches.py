@@ -14,9 +14,8 @@ from cranktrain.plans.positions import PositionPlan
 from cranktrain.plans.shown_loads import ShownLoads
 from cranktrain.plans.vectors import POLE, Part, angle_of, spoken_name
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import INDICES
-from cranktrain.viz.paper.sketch import Circle, Habit, Layer, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Habit, Layer, Line, Sketch, Wish, placed_labels, together
 from cranktrain.viz.plans.load_sketches import Wording, drawn_loads
 
 _ONE_PLACE = 0.4

@@ -18,9 +18,8 @@ from cranktrain.plans.vectors import POLE, angle_of, pair, spoken_name, turned_l
 from cranktrain.plans.zhukovsky import LeverForce, ZhukovskyLever, zhukovsky_lever
 from cranktrain.scales import Scale, scale_for
 from cranktrain.viz.figures import column, power_of_ten
-from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
-from cranktrain.viz.paper.sketch import Circle, Line, Sketch, bounds_of
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, bounds_of, placed_labels, together
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW
 from cranktrain.viz.plans.forces import too_many_words

@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import smallest_of
 from cranktrain.plans.vectors import pair
-from cranktrain.viz.paper.labels import labelled_bounds
 from cranktrain.viz.paper.page import fitting_scale
-from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch, labelled_bounds
 
 _PASSES = 3
 """How often a scale is corrected: hatches and words keep their size on paper."""

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import smallest_of
 from cranktrain.plans.drawn_throws import drawn_throws

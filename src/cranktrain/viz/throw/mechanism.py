@@ -10,10 +10,16 @@ from cranktrain.motion import Array
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.throw.angle_marks import degree_ring, rotations
+from cranktrain.viz.throw.annotations import (
+    bank_angle,
+    followed_points,
+    load_names,
+    moving_lines,
+    piston_names,
+    point_names,
+    throw_loads,
+)
 from cranktrain.viz.throw.cylinders import common_cylinder, cylinder, skirt
-from cranktrain.viz.throw.followed import followed_points, point_names
-from cranktrain.viz.throw.loads import load_names, moving_lines, throw_loads
-from cranktrain.viz.throw.names import bank_angle, piston_names
 from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, DrawnMechanism, Scene
 
 _COARSE = 5

@@ -12,7 +12,7 @@ from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
-from cranktrain.layout.throws import Throws
+from cranktrain.layout.shafts import Throws
 from cranktrain.questions.balance.frame_forces import frame_forces
 from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics

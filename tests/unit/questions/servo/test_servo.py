@@ -8,7 +8,7 @@ import cranktrain as ct
 from cranktrain.motors.servo.law import Servo, servo_limit
 from cranktrain.questions.servo.rocking import RockingDrive
 from cranktrain.questions.servo.stages import ServoDrive
-from cranktrain.questions.sizing.torque_means import rms_torque
+from cranktrain.questions.sizing.duty import rms_torque
 
 RADIUS, MASS, RATIO, ROTOR = 0.05, 40.0, 12.0, 0.02
 OUT, REST, BACK = 0.6, 0.2, 0.4

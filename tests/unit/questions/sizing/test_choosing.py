@@ -30,7 +30,7 @@ from cranktrain.questions.sizing.choosing_ratio import (
     rms_by_ratio,
     transmitted_torque,
 )
-from cranktrain.questions.sizing.torque_means import rms_torque
+from cranktrain.questions.sizing.duty import rms_torque
 
 SIZING = json.loads((Path(__file__).parents[3] / "golden/drive/sizing.json").read_text(encoding="utf-8"))["sizing"]
 MOTORS = four_pole_motors()

@@ -8,8 +8,8 @@ from cranktrain.motors.cage.catalogue import four_pole_motors
 from cranktrain.motors.cage.law import cage_breaks, cage_torque, catalogue_curve
 from cranktrain.questions.sizing.checks import CRITERIA, TorqueDemand, motor_choice
 from cranktrain.questions.sizing.clutch import Engagement, engaged, held_torque
+from cranktrain.questions.sizing.duty import rms_torque
 from cranktrain.questions.sizing.starting import inertia_ratio, loaded_start, starts_per_hour
-from cranktrain.questions.sizing.torque_means import rms_torque
 
 
 def demand(rms, peak, start):

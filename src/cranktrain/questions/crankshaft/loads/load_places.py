@@ -2,12 +2,10 @@
 
 import numpy as np
 
-from cranktrain.layout.axial import AxialPlaces
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.shaft_loads import LoadsOnShafts
-from cranktrain.layout.shafts import Shafts
-from cranktrain.layout.throws import ShaftCentres
+from cranktrain.layout.shafts import AxialPlaces, ShaftCentres, Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.ties import first_smallest

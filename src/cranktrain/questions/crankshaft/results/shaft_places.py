@@ -5,7 +5,7 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_
-from cranktrain.layout.axial import AxialPlaces
+from cranktrain.layout.shafts import AxialPlaces
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayouts

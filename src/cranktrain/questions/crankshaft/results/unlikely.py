@@ -7,8 +7,7 @@ import numpy as np
 
 from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
-from cranktrain.layout.axial import AxialPlaces
-from cranktrain.layout.shafts import Shafts
+from cranktrain.layout.shafts import AxialPlaces, Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft

@@ -1,10 +1,11 @@
-"""What bearings and pins carry: polar diagrams by every method, wear with oil holes, torque along the shaft."""
+"""What bearings and pins carry: polar diagrams by every method, torque along the shaft."""
 
 from cranktrain.language import N_
 from cranktrain.viz.picture import Picture
 
 _WHOLE = N_("must be left out: the sheet is of the whole crankshaft over its cycle")
-_REFUSED = {"at": _WHOLE, "mechanism": _WHOLE}
+REFUSED = {"at": _WHOLE, "mechanism": _WHOLE}
+"""By every sheet of a whole crankshaft."""
 
 PICTURES = (
     Picture(
@@ -13,7 +14,7 @@ PICTURES = (
         "cranktrain.viz.sheets.crankshaft.bearings:sheet_crankshaft",
         "cycle",
         needs={"main_bearing_load_x": N_("a sheet of main bearings needs {needs}")},
-        refused=_REFUSED,
+        refused=REFUSED,
     ),
     Picture(
         "sheet",
@@ -21,15 +22,7 @@ PICTURES = (
         "cranktrain.viz.sheets.crankshaft.pins:sheet_crankpins",
         "cycle",
         needs={"crankpin_wear": N_("a sheet of crank pins needs {needs}")},
-        refused=_REFUSED,
-    ),
-    Picture(
-        "sheet",
-        "wear",
-        "cranktrain.viz.sheets.crankshaft.wear:sheet_wear",
-        "cycle",
-        needs={"crankpin_wear": N_("a sheet of wear needs {needs}")},
-        refused=_REFUSED,
+        refused=REFUSED,
     ),
     Picture(
         "sheet",
@@ -37,6 +30,6 @@ PICTURES = (
         "cranktrain.viz.sheets.crankshaft.torque:sheet_shaft_torque",
         "cycle",
         needs={"section_torque": N_("a sheet of the torque along the shaft needs {needs}")},
-        refused=_REFUSED,
+        refused=REFUSED,
     ),
 )

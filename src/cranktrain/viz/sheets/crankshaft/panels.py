@@ -1,4 +1,4 @@
-"""Loads of bearings and pins as curves in the plane, their wear, and the torque along the shaft, out of a result."""
+"""Loads of bearings and pins as curves in the plane, and the torque along the shaft, out of a result."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -9,9 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.ties import first_largest
-from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.results.section_torques import SECTIONS
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 from cranktrain.wording import ranged
@@ -56,18 +54,6 @@ class AlikePins(NamedTuple):
 
     first: int
     names: str
-
-
-class WearDiagram(NamedTuple):
-    """Mean load on each ray, shape (ray,) [N], from straight up in the sense `turn`; place of an oil hole. [rad]
-
-    turn is 1 where rays count clockwise on paper, −1 where they count anticlockwise.
-    """
-
-    title: str
-    wear: Array
-    hole: float
-    turn: float
 
 
 def bearing_diagrams(shown: OneDesign) -> tuple[PolarDiagram, ...]:
@@ -129,33 +115,6 @@ def _diagram(shown: OneDesign, title: str, curves: Sequence[tuple[str, Array, Ar
     return PolarDiagram(title, found, found[0].points[:, first_largest(size)], at, float(shown.cycle[-1]))
 
 
-def pin_wear(shown: OneDesign) -> Iterator[WearDiagram]:
-    """Wear of crank pins, and of the rods' bearings on them; up is away from the shaft, and toward the piston."""
-    for pin in alike_pins(shown):
-        hole = float(shown("crankpin_oil_hole")[pin.first])
-        yield WearDiagram(_("Pin {names}").format(names=pin.names), shown("crankpin_wear")[pin.first], hole, 1.0)
-        title = _("Rod {names}").format(names=pin.names)
-        yield WearDiagram(title, shown("rod_bearing_wear")[pin.first], np.nan, 1.0)
-
-
-def journal_wear(shown: OneDesign) -> Iterator[tuple[WearDiagram, WearDiagram]]:
-    """Wear of every journal, up is toward throw 1, and of its bearing as it is seen, by the first method."""
-    turns = [
-        -one.layout.turn for one in shown.result[LoadedShafts].each for _bearing in one.layout.declared.bearing_names
-    ]
-    for bearing, (name, turn) in enumerate(zip(shown.result.labels["bearing"], turns, strict=True)):
-        journal, shell = (
-            WearDiagram(
-                title.format(name=name),
-                shown(f"{part}_wear")[0, bearing],
-                float(shown(f"{part}_oil_hole")[0, bearing]),
-                sense,
-            )
-            for part, title, sense in (("journal", _("Journal {name}"), 1.0), ("bearing", _("Bearing {name}"), turn))
-        )
-        yield journal, shell
-
-
 def on_journals(shown: OneDesign) -> NDArray[np.bool_]:
     """Which sections of the shaft are journals."""
     return np.array([SECTIONS[0] in name for name in shown.result.labels["section"]])
@@ -181,9 +140,3 @@ def torque_panels(shown: OneDesign) -> Iterator[Panel]:
         ]
         said = f"{title}: {_('thick that of widest range')}, {names[worst]}"
         yield Panel(said, "N*m", shown.cycle, tuple(curves))
-
-
-def turned_by(wear: WearDiagram) -> Array:
-    """Directions of its rays on paper, anticlockwise from the right. [rad]"""
-    rays = np.arange(wear.wear.size, dtype=np.float64)
-    return np.asarray(TURN / 4 - wear.turn * (TURN / wear.wear.size) * rays)

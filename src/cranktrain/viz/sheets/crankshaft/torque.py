@@ -56,10 +56,8 @@ def sheet_shaft_torque(result: Result, *, size: str = "A4", design: int = 0) -> 
     if not np.all(np.isfinite(shown("section_torque_range")[0])):
         raise InputError([Problem("crankshaft", None, _("gives no torque in pins, so there is no sheet of it"))])
     page, box = result_page(result, design, size, _("Torque along the shaft"))
-    curves = box._replace(left=box.left + 12.0, width=_LEFT * box.width - 18.0)
+    curves, right = box.columns(_LEFT, 12.0)
     draw_panels(page, list(torque_panels(shown)), curves, FORCES)
-    start = box.left + _LEFT * box.width + 8.0
-    right = Box(start, box.bottom, box.left + box.width - start, box.height)
     below = _draw_ranges(page, shown, right)
     _write_table(page, shown, right._replace(height=below - right.bottom))
     return page.figure

@@ -12,12 +12,19 @@ from cranktrain.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.panel import OneDesign, closed
 from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.page import Box, Figure, drawing_settings
+from cranktrain.viz.paper.page import Figure, drawing_settings
 from cranktrain.viz.paper.panels import FORCES, draw_panels
 from cranktrain.viz.paper.tables import write_table
-from cranktrain.viz.sheets.drive.demands import demand_facts, demand_of, demand_panels, way_of
 from cranktrain.viz.sheets.drive.half_periods import draw_half_periods
-from cranktrain.viz.sheets.drive.panels import drive_panels, runs, steady_panels
+from cranktrain.viz.sheets.drive.panels import (
+    demand_facts,
+    demand_of,
+    demand_panels,
+    drive_panels,
+    runs,
+    steady_panels,
+    way_of,
+)
 from cranktrain.viz.sheets.drive.torque_speed import draw_torque_speed
 
 _LEFT = 0.55
@@ -49,12 +56,10 @@ def sheet_drive(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
     """
     shown, demand = OneDesign(result, design), demand_of(result, design)
     page, box = result_page(result, design, size, _("Drive"))
-    left = box._replace(left=box.left + 14.0, width=_LEFT * box.width - 20.0)
+    left, right = box.columns(_LEFT, 14.0)
     running = steady_panels(shown) if demand is None else demand_panels(shown, demand)
     at_motor, *_others = draw_panels(page, [*drive_panels(shown), *running], left, _LOOK)
     draw_half_periods(page, at_motor, shown)
-    start = box.left + _LEFT * box.width + 8.0
-    right = Box(start, box.bottom, box.left + box.width - start, box.height)
     below = right.bottom + right.height
     motor = _motor(result, design)
     room = right._replace(bottom=below - _LOOP * right.height, height=_LOOP * right.height)

@@ -7,28 +7,88 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.questions.start.record import StartEvent
 from cranktrain.scales import scale_for
 from cranktrain.study.start import Start
 from cranktrain.viz.figures import figure, power_of_ten, with_unit
 from cranktrain.viz.paper.head import title_block
-from cranktrain.viz.paper.page import MARGIN, Box, Figure, Page, drawing_settings, formula, paper
+from cranktrain.viz.paper.page import MARGIN, Axes, Box, Figure, Page, drawing_settings, formula, paper
 from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED, SYMBOL
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW, write_table
-from cranktrain.viz.sheets.drive.start_events import (
-    STRIP,
-    EventSort,
-    draw_events,
-    event_rows,
-    event_sorts,
-    write_numbers,
-)
 from cranktrain.viz.sheets.drive.torque_speed import draw_torque_speed
+
+_STRIP = 4.0
+"""Height of the numbers over the marks. [mm]"""
+_FEW, _MOST = 3, 60
+"""Events of one name that each have a number and a row; lines of one that has none."""
+_WIDE = 2.2
+"""Of a number over its mark; nearer ones stand together. [mm]"""
 
 _LEFT, _LOOP = 0.56, 0.5
 _HEAD, _GAP, _FOOT = 5.2, 9.0, 9.0
 _CHANGES = 0.5
 """A curve whose least value is a larger part of its largest is drawn without its zero."""
+
+
+class EventSort(NamedTuple):
+    """Events of one name: their number on the picture, 0 of those that come too often for one, and their times. [s]"""
+
+    name: str
+    number: int
+    times: tuple[float, ...]
+
+
+def _event_sorts(events: Sequence[StartEvent]) -> list[EventSort]:
+    """Sort events by name: the rare ones, numbered, before the others, each in the order in which it first comes."""
+    times: dict[str, list[float]] = {}
+    for event in events:
+        times.setdefault(event.name, []).append(event.time)
+    rare = [name for name, own in times.items() if len(own) <= _FEW]
+    numbered = [EventSort(name, number, tuple(times[name])) for number, name in enumerate(rare, start=1)]
+    return numbered + [EventSort(name, 0, tuple(own)) for name, own in times.items() if name not in rare]
+
+
+def _draw_events(axes: Axes, sorts: Sequence[EventSort]) -> None:
+    """Draw a line at each event: dashed where it has a number, else dotted."""
+    for one in sorts:
+        line = {"color": INK, "linewidth": 0.7, "linestyle": (0, (5.0, 2.0))}
+        if not one.number:
+            line = {"color": MUTED, "linewidth": 0.5, "linestyle": (0, (1.0, 2.5))}
+        for time in one.times if len(one.times) <= _MOST else ():
+            axes.axvline(time, zorder=1.2, **line)
+
+
+def write_numbers(page: Page, sorts: Sequence[EventSort], place: tuple[float, float, float], until: float) -> None:
+    """Write the numbers of marks over a panel, from its left to its right end [mm], which is at a time. [s]
+
+    Those that would stand over each other stand side by side behind the first.
+    """
+    left, right, y = place
+    marks = sorted((time, one.number) for one in sorts if one.number for time in one.times)
+    together: list[tuple[float, list[int]]] = []
+    for time, number in marks:
+        x = left + (right - left) * time / until
+        if together and x - together[-1][0] < _WIDE * (2 * len(together[-1][1]) - 1) + 1.0:
+            together[-1][1].append(number)
+        else:
+            together.append((x, [number]))
+    for x, numbers in together:
+        page.text(x, y, ",".join(map(str, numbers)), ha="center" if len(numbers) == 1 else "left")
+
+
+def _event_rows(sorts: Sequence[EventSort]) -> Iterator[tuple[str, str]]:
+    """Rows of the table: the number of a mark, its name and time, or how many lines there are."""
+    for one in sorts:
+        if one.number:
+            yield from ((f"{one.number}  {one.name}", _time(time)) for time in one.times)
+        else:
+            said = _("{name}, dotted: {n}") if len(one.times) <= _MOST else _("{name}, not drawn: {n}")
+            yield said.format(name=one.name, n=len(one.times)), _("first {time}").format(time=_time(one.times[0]))
+
+
+def _time(time: float) -> str:
+    return with_unit(time, scale_for("s", abs(time)))
 
 
 class _Line(NamedTuple):
@@ -59,10 +119,8 @@ def start_picture(start: Start, *, size: str = "A4") -> Figure:
     page = Page(*paper(size))
     top = title_block(page, start.machine, _("Start: {reason}").format(reason=start.run.reason)) - 4.0
     box = Box(MARGIN, MARGIN, page.width - 2 * MARGIN, top - MARGIN)
-    sorts = event_sorts(start.events)
-    left = Box(box.left + 14.0, box.bottom, _LEFT * box.width - 20.0, box.height)
-    begin = box.left + _LEFT * box.width + 8.0
-    right = Box(begin, box.bottom, box.left + box.width - begin, box.height)
+    sorts = _event_sorts(start.events)
+    left, right = box.columns(_LEFT, 14.0)
     below = right.bottom + right.height
     time = start.run.whole_time
     if time[-1] <= time[0]:
@@ -73,7 +131,7 @@ def start_picture(start: Start, *, size: str = "A4") -> Figure:
             room = right._replace(bottom=below - _LOOP * right.height, height=_LOOP * right.height)
             way = (start.run.whole.motor_speed, start.run.whole.motor_torque)
             below = draw_torque_speed(page, start.motor, 0, way, room, _("this start")) - 2.0
-    _write_facts(page, [*_facts(start), *event_rows(sorts)], (right.left, below, right.width))
+    _write_facts(page, [*_facts(start), *_event_rows(sorts)], (right.left, below, right.width))
     return page.figure
 
 
@@ -101,7 +159,7 @@ def _panels(start: Start) -> Iterator[tuple[str, str, tuple[_Line, ...]]]:
 def _draw_over_time(page: Page, start: Start, sorts: Sequence[EventSort], box: Box) -> None:
     """Stack the curves over the time, numbers of the events over the first."""
     panels, time = list(_panels(start)), start.run.whole_time
-    strip = STRIP if any(one.number for one in sorts) else 0.0
+    strip = _STRIP if any(one.number for one in sorts) else 0.0
     each = (box.height - _FOOT - _HEAD - strip - _GAP * (len(panels) - 1)) / len(panels)
     low = box.bottom + box.height - _HEAD - strip + _GAP
     for place, (title, unit, lines) in enumerate(panels, start=1):
@@ -113,7 +171,7 @@ def _draw_over_time(page: Page, start: Start, sorts: Sequence[EventSort], box: B
         for line in lines:
             dashes = (0, line.dashes) if line.dashes else "-"
             axes.plot(time, scale.of(line.values), color=line.colour, linewidth=1.4, linestyle=dashes)
-        draw_events(axes, sorts)
+        _draw_events(axes, sorts)
         axes.set(xlim=(float(time[0]), float(time[-1])))
         axes.tick_params(labelbottom=place == len(panels))
         head = low + each + 2.2 + (strip if place == 1 else 0.0)

@@ -1,6 +1,6 @@
 """Diagrams of evenness on paper: Wittenbauer's energy over inertia, Mertsalov's energy over the crank angle."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,21 +10,30 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.plans.evenness_diagrams import mertsalov_diagram, wittenbauer_diagram
 from cranktrain.quantities import shown
+from cranktrain.quantities import shown as in_unit
+from cranktrain.questions.evenness.flywheel import FlywheelSize
 from cranktrain.scales import Scale, scale_for
 from cranktrain.texts.flywheel_diagrams import Tangent
+from cranktrain.viz.figures import figure, plain, written_apart
 from cranktrain.viz.panel import Curve, OneDesign, Panel, as_shown
 from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import Axes, Box, Figure, Page, drawing_settings, formula, set_words
 from cranktrain.viz.paper.panels import axes_in, draw_curves, line_of
-from cranktrain.viz.paper.style import COLOURS, INK, SYMBOL
-from cranktrain.viz.sheets.evenness.numbers import LOWER, TABLE, UPPER, write_numbers
+from cranktrain.viz.paper.sketch import Wish, placed_labels, together
+from cranktrain.viz.paper.style import COLOURS, INK, MUTED, SYMBOL
+from cranktrain.viz.paper.tables import write_table
 from cranktrain.viz.sheets.evenness.panels import mertsalov_panels, wittenbauer_panel
 
 _ONE_POINT = 1.5
 """Marks of the crank angle nearer to each other are one, with one label. [mm]"""
 _NAMED = 2
 """Of more angles at one mark not each is named."""
+
+_TABLE = 86.0
+"""Width of the tables. [mm]"""
+
+_UPPER, _LOWER = (9.0, 3.0), (3.0, 2.0)
+"""Dashes of the tangents at the largest and the smallest speed."""
 
 
 @drawing_settings()
@@ -48,7 +57,7 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
     energy = scale_for("J", float(np.max(np.abs(panel.values))))
     panel = as_shown(panel)
     upper, lower = (_in_unit(Tangent(*(part[design] for part in one)), energy) for one in (found.upper, found.lower))
-    tangents = {UPPER: upper, LOWER: lower}
+    tangents = {_UPPER: upper, _LOWER: lower}
     origin = np.array([found.origin_inertia[design], energy.of(found.origin_work[design])])
     inertia, work = panel.across, panel.curves[0].values
     title = _("Wittenbauer's diagram: excess work over inertia of the moving parts")
@@ -66,8 +75,8 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
         _ring(axes, tangent.inertia, tangent.work)
     _number_angles(page, axes, panel, shown(result.grid.cycle, "deg"), (upper, lower))
     right = box.left + box.width + 10.0
-    below = write_numbers(page, OneDesign(result, design), right, box.bottom + box.height, (upper, lower))
-    room = Box(right + 14.0, box.bottom, TABLE - 14.0, below - box.bottom - 10.0)
+    below = _write_numbers(page, OneDesign(result, design), right, box.bottom + box.height, (upper, lower))
+    room = Box(right + 14.0, box.bottom, _TABLE - 14.0, below - box.bottom - 10.0)
     _draw_whole(page, room, panel, tangents, origin)
     return page.figure
 
@@ -86,10 +95,10 @@ def plan_mertsalov(result: Result, *, size: str = "A4", design: int = 0) -> Figu
     page.text(box.left + box.width / 2, box.bottom - 8.5, _("Crank angle φ, °"), ha="center")
     ends = [float(energy.of(extreme.value[design, 0])) for extreme in (found.smallest, found.largest)]
     for extreme, value in zip((found.smallest, found.largest), ends, strict=True):
-        axes.axhline(value, color=INK, linewidth=0.6, dashes=LOWER)
+        axes.axhline(value, color=INK, linewidth=0.6, dashes=_LOWER)
         _ring(axes, shown(float(extreme.angle[design, 0]), "deg") % lower.across[-1], value, clip_on=False)
     _dimension(page, page.place_of(axes, np.stack([np.full(2, lower.across[-1]), ends])))
-    write_numbers(page, OneDesign(result, design), box.left + box.width + 10.0, box.bottom + box.height, ())
+    _write_numbers(page, OneDesign(result, design), box.left + box.width + 10.0, box.bottom + box.height, ())
     return page.figure
 
 
@@ -102,7 +111,7 @@ def _in_unit(tangent: Tangent, energy: Scale) -> Tangent:
 def _page(result: Result, size: str, design: int, title: str) -> tuple[Page, Box]:
     """Begin a sheet; give the room of the diagram."""
     page, box = result_page(result, design, size, title)
-    return page, Box(box.left + 16.0, box.bottom + 10.0, box.width - TABLE - 26.0, box.height - 15.0)
+    return page, Box(box.left + 16.0, box.bottom + 10.0, box.width - _TABLE - 26.0, box.height - 15.0)
 
 
 def _over_cycle(page: Page, panel: Panel, box: Box, beside: float) -> Axes:
@@ -212,3 +221,51 @@ def _wide(values: Array, beside: float) -> tuple[float, float]:
     low, high = float(np.min(values)), float(np.max(values))
     room = beside * (high - low) or max(abs(high), 1.0) * beside
     return low - room, high + room
+
+
+def _write_numbers(page: Page, shown: OneDesign, left: float, top: float, tangents: Sequence[Tangent]) -> float:
+    """Write speeds and flywheels beside a diagram, and what its tangents are; give where the tables end. [mm]"""
+    y = write_table(page, _speeds(shown, tangents), (left, top, _TABLE))
+    y = write_table(page, list(_flywheels(shown)), (left, y - 3.0, _TABLE), (0.52, 0.77, 1.0))
+    if tangents:
+        for words, dashes in ((_("tangent at the largest speed"), _UPPER), (_("tangent at the smallest"), _LOWER)):
+            page.sample(left, left + 10.0, y - 1.0, color=INK, lw=0.9, dashes=dashes)
+            page.text(left + 12.0, y - 2.0, words, color=MUTED)
+            y -= 4.6
+    return y
+
+
+def _speeds(shown: OneDesign, tangents: Sequence[Tangent]) -> list[tuple[str, str]]:
+    """What is wanted, the speeds, where they are, and energies."""
+    size = shown.result[FlywheelSize]
+    fastest, slowest, energy = (
+        float(part[shown.design])
+        for part in (size.exact.largest_speed, size.exact.smallest_speed, size.exact.initial_energy)
+    )
+    speed = scale_for("rpm", fastest)
+    speeds = written_apart(speed.of(np.array([fastest, slowest])))
+    largest = float(shown("largest_excess_work"))
+    works = [(one, scale_for("J", abs(one))) for one in (largest, energy)]
+    excess, start = ((scale.label, figure(float(scale.of(one)))) for one, scale in works)
+    angles = (f"{float(in_unit(tangent.angle, 'deg')) % shown.cycle[-1]:.2f}" for tangent in tangents)
+    return [
+        (_("Wanted"), ""),
+        (_("Coefficient of fluctuation δ"), plain(float(size.wanted[shown.design]))),
+        (_("Largest speed, {unit}").format(unit=speed.label), speeds[0]),
+        (_("Smallest speed, {unit}").format(unit=speed.label), speeds[1]),
+        (_("Largest excess work, {unit}").format(unit=excess[0]), excess[1]),
+        (_("Energy at φ = 0, E₀, {unit}").format(unit=start[0]), start[1]),
+        *zip((_("Largest speed at φ, °"), _("Smallest speed at φ, °")), angles, strict=False),
+    ]
+
+
+def _flywheels(shown: OneDesign) -> Iterator[tuple[str, str, str, str]]:
+    """Flywheel by each method, and the error of that; the exact one comes first."""
+    titles = {"exact": _("exact"), "mertsalov": _("Mertsalov"), "textbook": _("textbook, ΔA/(δω²)")}
+    inertias, errors = (shown(name).tolist() for name in ("flywheel_inertia", "flywheel_inertia_error"))
+    yield _("Flywheel"), "J, kg·m²", "GD², kg·m²", _("error")
+    for name, inertia, error in zip(shown.result.labels["flywheel_method"], inertias, errors, strict=True):
+        is_told = inertia > 0 and inertias[0] > 0
+        share = f"{100 * error:+.2f} %".replace("-", "−") if is_told else "–"
+        moment, doubled = (figure(inertia), figure(4 * inertia)) if inertia > 0 else (_("not needed"), "–")
+        yield titles[name], moment, doubled, "" if name == "exact" else share

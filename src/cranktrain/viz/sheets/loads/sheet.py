@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.layout.part_tables import part_name
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.numerics.ties import first_largest
 from cranktrain.one_line import short
 from cranktrain.plans.drawn_throws import drawn_throws
@@ -16,9 +16,9 @@ from cranktrain.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.labels import labelled_bounds
 from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.panels import FORCES, axes_in, draw_curves, draw_panels
+from cranktrain.viz.paper.sketch import labelled_bounds
 from cranktrain.viz.paper.tables import write_table
 from cranktrain.viz.sheets.loads.panels import CurvesOfLoads, load_curves, load_panels, travel_panels
 from cranktrain.viz.throw.beside import fitted
@@ -68,10 +68,8 @@ def sheet_loads(result: Result, *, size: str = "A4", piston: str | None = None, 
     shown = OneDesign(result, design)
     curves = load_curves(shown)
     page, box = result_page(result, design, size, _("Loads"))
-    left = box._replace(left=box.left + 12.0, width=_LEFT * box.width - 18.0)
+    left, right = box.columns(_LEFT, 12.0)
     draw_panels(page, list(load_panels(shown, curves)), left, FORCES)
-    start = box.left + _LEFT * box.width + 8.0
-    right = Box(start, box.bottom, box.left + box.width - start, box.height)
     below = _write_loads(page, shown, curves, right)
     page.notes(right.left, below - 2.0, _notes(curves))
     below = _draw_cards(page, curves, right, below - _NOTES)

@@ -10,7 +10,7 @@ from cranktrain.language import _
 from cranktrain.plans.drawn_throws import drawn_places
 from cranktrain.record import record
 from cranktrain.viz.panel import OneDesign
-from cranktrain.viz.paper.words import first_that_holds
+from cranktrain.viz.paper.head import first_that_holds
 from cranktrain.viz.sheets.motion.panels import drawn_forms, drawn_names, opposed_names
 
 FEW = 2

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.analysis import Result
 from cranktrain.grouping import grouped
 from cranktrain.language import _
-from cranktrain.layout.speed import rates
-from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.layout.speed import SpeedCurve, rates
 from cranktrain.linkage.forces import Drive
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient

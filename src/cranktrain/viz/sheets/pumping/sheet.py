@@ -44,10 +44,8 @@ def sheet_pumping(result: Result, *, size: str = "A4", design: int = 0) -> Figur
     """
     shown = OneDesign(result, design)
     page, box = result_page(result, design, size, _("Pumping unit"))
-    left = box._replace(left=box.left + 14.0, width=_LEFT * box.width - 20.0)
+    left, right = box.columns(_LEFT, 14.0)
     draw_panels(page, list(pumping_panels(shown)), left, FORCES)
-    start = box.left + _LEFT * box.width + 8.0
-    right = Box(start, box.bottom, box.left + box.width - start, box.height)
     below = _draw_card(page, shown, right)
     table = write_table(page, list(_facts(shown)), (right.left, below, right.width), _COLUMNS)
     page.notes(right.left, table - 2.0, _notes(shown))

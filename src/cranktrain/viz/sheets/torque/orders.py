@@ -6,9 +6,9 @@ from cranktrain.language import _
 from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.scales import scale_for
 from cranktrain.viz.panel import OneDesign
-from cranktrain.viz.paper.labels import together
 from cranktrain.viz.paper.page import Box, Page
 from cranktrain.viz.paper.panels import axes_in
+from cranktrain.viz.paper.sketch import together
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED
 from cranktrain.viz.sheets.torque.panels import STARS, is_constant, largest_stars, order_bars
 
