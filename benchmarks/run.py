@@ -121,10 +121,10 @@ def of_run(example, what, n_pairs):
     """Times of an answer, and of the yardstick. [s]"""
     machine = ct.load(example)
     if what == "answer":
-        yield from beside(lambda: ct.run(machine).compute_answer(), yardstick, n_pairs)
+        yield from beside(lambda: ct.run(machine).find_answer(), yardstick, n_pairs)
         return
     asked = {"all": None, "one fact": FACT, "mechanics": mechanics(machine)}[what]
-    yield from beside(lambda: ct.run(machine, quantities=asked).compute(), yardstick, n_pairs)
+    yield from beside(lambda: ct.run(machine, quantities=asked).find_all(), yardstick, n_pairs)
 
 
 def mechanics(machine):
@@ -156,7 +156,7 @@ def of_designs(example):
     many = varied(example, FEW * TIMES)
 
     def few(places):
-        return timed(lambda: [ct.run(many[i * FEW : (i + 1) * FEW], step_degrees=STEP).compute() for i in places])
+        return timed(lambda: [ct.run(many[i * FEW : (i + 1) * FEW], step_degrees=STEP).find_all() for i in places])
 
     before = few(range(TIMES // 2))
     start = process_time()

@@ -115,7 +115,7 @@ def calls_of(machines):
 
     sys.setprofile(count)
     try:
-        ct.run(machines, step_degrees=10.0)
+        ct.run(machines, step_degrees=10.0).find_all()
     finally:
         sys.setprofile(None)
     return n_calls
@@ -129,6 +129,6 @@ def test_no_step_is_quadratic_in_designs():
     def designs(n):
         return [ct.Machine(**varied(data, 0.01 * k)) for k in range(n)]
 
-    ct.run(designs(2), step_degrees=10.0)
+    ct.run(designs(2), step_degrees=10.0).find_all()
     few, more, many = (calls_of(designs(n)) for n in (5, 10, 20))
     assert many - more == pytest.approx(2 * (more - few), rel=0.01)

@@ -168,10 +168,10 @@ class Outcomes:
     def __getitem__(self, kind: type) -> Any:
         """Give an outcome, found now if nobody asked for it before."""
         if kind not in self._shown:
-            self.compute((kind,))
+            self.find((kind,))
         return self._shown[kind]
 
-    def compute(self, kinds: Iterable[type]) -> None:
+    def find(self, kinds: Iterable[type]) -> None:
         """Find outcomes, and all that they need."""
         with self._lock, shown_as_then(self._units):
             wanted = [kind for kind in kinds if kind not in self._shown]
@@ -203,7 +203,7 @@ class Outcomes:
         """What is to be said of curves for which the steps asked for are too wide; all are found for that."""
         if self._finding is None or not are_wide(self._finding.shown):
             return self._coarse
-        self.compute(self.kinds)
+        self.find(self.kinds)
         facts = {kind: self._finding.facts[kind] for kind in self._finding.kinds}
         return coarse_curves(facts, self._shown, self._finding.shown)
 
@@ -227,11 +227,11 @@ class FoundLabels(Mapping[str, tuple[str, ...]]):
             if dimension in self.known:
                 break
             if any(dimension in entry.dimensions for entry in entries(kind)):
-                self._outcomes.compute((kind,))
+                self._outcomes.find((kind,))
         return self.known[dimension]
 
     def __iter__(self) -> Iterator[str]:
-        self._outcomes.compute(self._outcomes.kinds)
+        self._outcomes.find(self._outcomes.kinds)
         return iter(self.known)
 
     def __len__(self) -> int:

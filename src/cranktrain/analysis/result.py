@@ -95,19 +95,19 @@ class Result:
     def _outcomes_of(self, *kinds: type) -> tuple[Any, ...]:
         """What those stages give whose results are of some kinds."""
         wanted = [kind for kind in self.computed.kinds if issubclass(kind, kinds)]
-        self.computed.compute(wanted)
+        self.computed.find(wanted)
         return tuple(self.computed[kind] for kind in wanted)
 
-    def compute(self) -> None:
+    def find_all(self) -> None:
         """Find now what would be found when it is first asked for: everything."""
-        self.computed.compute(self.computed.kinds)
+        self.computed.find(self.computed.kinds)
 
-    def compute_answer(self) -> None:
+    def find_answer(self) -> None:
         """Find now what the answer rests on: its rows, and whatever may check or warn."""
         functions = (rows_of for _title, each in self._row_functions() for rows_of in each)
         asked = {kind for function in functions for kind in needs_of(function).types.values()}
         there = self.computed.kinds
-        self.computed.compute(kind for kind in there if kind in asked or issubclass(kind, Checked | Flagged))
+        self.computed.find(kind for kind in there if kind in asked or issubclass(kind, Checked | Flagged))
 
     @property
     def labels(self) -> Mapping[str, tuple[str, ...]]:

@@ -164,6 +164,7 @@ def _run(
         {"design": _numbered(machines), **facts.labels},
         Finding([one.gives for one in chosen], facts, curves, n_between, grid.shown),
     )
+    outcomes.find(one.gives for one in chosen if one.refuses)
     return Result(
         machines=machines,
         has_designs=has_designs,

@@ -52,12 +52,12 @@ class AskedAtSpeed(Asked):
         with problems_as(self._at_curve):
             return read_machine(self.file, settings, partial=self.is_partial)
 
-    def result(self, file: MachineFile, compute: "Callable[[Result], None] | None" = None, **options: Any) -> "Result":
-        """Compute, at once what `compute` does; `options` as `run` of the analysis takes them."""
+    def result(self, file: MachineFile, find: "Callable[[Result], None] | None" = None, **options: Any) -> "Result":
+        """Compute, at once what `find` finds; `options` as `run` of the analysis takes them."""
         with says_how_far():
             result = computed(file, speed=self.speed, partial=self.is_partial, **options)
-            if compute is not None:
-                compute(result)
+            if find is not None:
+                find(result)
         return result
 
     def _at_curve(self, problem: Problem) -> Problem:

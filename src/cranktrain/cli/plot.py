@@ -266,7 +266,7 @@ def _draw(file: MachineFile, choice: Choice, request: PlotRequest) -> None:
 
 def _result(file: MachineFile, picture: Picture, request: PlotRequest) -> Result:
     """Compute what a picture says that it draws; of one that draws what there is, that is found while it is drawn."""
-    return request.result(file, Result.compute if picture.quantities else None, quantities=picture.quantities)
+    return request.result(file, Result.find_all if picture.quantities else None, quantities=picture.quantities)
 
 
 def _of_machine(file: MachineFile, choice: Choice, request: PlotRequest) -> dict[str, Any]:

@@ -140,8 +140,8 @@ def _form(request: RunRequest) -> "Form | None":
 def _computed(file: MachineFile, request: RunRequest, *, is_answer: bool = False) -> Result:
     """Compute all, or what the answer takes; refuse a quantity that was asked for and that this machine has not."""
     with problems_as(at_running_speed):
-        compute = Result.compute_answer if is_answer else Result.compute
-        result = request.result(file, compute, step_degrees=request.step_degrees, quantities=request.quantities)
+        find = Result.find_answer if is_answer else Result.find_all
+        result = request.result(file, find, step_degrees=request.step_degrees, quantities=request.quantities)
     names = request.quantities or ()
     refuse(_absence(name, result, request.file) for name in names if name not in result.catalogue)
     return result

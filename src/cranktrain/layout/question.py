@@ -92,11 +92,14 @@ class Stage:
         and then nobody misses what it would give; or what the file would have to say.
     beside : tuple of type
         Needs that may be absent, and are wherever nothing else asks for them: it takes what there is.
+    refuses : bool
+        Whether it may find a machine wrong, and raise an `InputError`: it is run at once, not when somebody reads it.
     """
 
     function: Callable[..., Any]
     applies: Callable[..., Applies] | None = None
     beside: tuple[type, ...] = ()
+    refuses: bool = False
 
     @cached_property
     def gives(self) -> type:

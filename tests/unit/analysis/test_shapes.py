@@ -47,7 +47,7 @@ def test_of_several_designs():
     result = run([ENGINE] * 3, stages=[stage_of((3, 2, "n"), (3, 2), TWO)])
     assert result.pitch.shape == (3, 2, 360)
     with pytest.raises(TypeError, match=r"Tones\.pitch.* has the shape \(1, 2, 360\), .* design \(3\), tone \(2\)"):
-        run([ENGINE] * 3, stages=[stage_of((1, 2, "n"), (3, 2), TWO)]).compute()
+        run([ENGINE] * 3, stages=[stage_of((1, 2, "n"), (3, 2), TWO)]).find_all()
 
 
 @pytest.mark.parametrize(

@@ -37,7 +37,7 @@ QUESTION = Question(
         Stage(volumes.chamber_volumes),
         Stage(ports.port_timing, applies=ports.have_ports),
         Stage(ports.effective_compression),
-        Stage(firing.firing, applies=firing.has_firing),
+        Stage(firing.firing, applies=firing.has_firing, refuses=True),
         Stage(opposed.combined_motion, applies=opposed.are_opposed),
         Stage(opposed.combined_speeds),
         Stage(unlikely.unlikely_cylinders),

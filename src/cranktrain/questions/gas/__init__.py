@@ -47,7 +47,7 @@ QUESTION = Question(
     problems=_problems,
     parts=_parts,
     stages=(
-        Stage(chambers.gas_in_chambers, applies=chambers.can_be_filled),
+        Stage(chambers.gas_in_chambers, applies=chambers.can_be_filled, refuses=True),
         Stage(events.gas_events),
         Stage(pressures.gas_pressures),
         Stage(flows.compressor_capacity, applies=flows.has_compressors),

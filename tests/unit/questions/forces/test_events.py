@@ -33,5 +33,5 @@ def solved(monkeypatch):
 
 @pytest.mark.parametrize("machine", ["pumping_unit_c57", "shaper"])
 def test_forces_are_not_solved_for_events_of_loads(solved, machine):
-    ct.run(machine, quantities="load_work")
+    ct.run(machine, quantities="load_work").find_all()
     assert not solved

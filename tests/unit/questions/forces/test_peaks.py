@@ -26,18 +26,18 @@ def solved(monkeypatch):
 
 @pytest.mark.parametrize("asked", [FACTS, *((fact,) for fact in FACTS)])
 def test_a_machine_is_solved_on_its_grid_and_once_near_its_peaks(solved, asked):
-    ct.run(ct.load("3d12"), quantities=asked)
+    ct.run(ct.load("3d12"), quantities=asked).find_all()
     assert [shape[-1] == _GRID for shape in solved] == [True, False]
 
 
 def test_curves_that_are_largest_near_to_each_other_share_a_window(solved):
     """Seven curves of joints and seven of pistons on each rod's throw, of up to three pieces each: eleven windows."""
-    ct.run(ct.load("3d12"), quantities=FACTS[:2])
+    ct.run(ct.load("3d12"), quantities=FACTS[:2]).find_all()
     assert solved[-1] == (1, 12, 11 * _NODES)
 
 
 def test_what_is_not_asked_is_not_looked_for(solved):
-    ct.run(ct.load("3d12"), quantities=FACTS[2])
+    ct.run(ct.load("3d12"), quantities=FACTS[2]).find_all()
     assert solved[-1] == (1, 12, 10 * _NODES)
 
 
