@@ -1,9 +1,10 @@
 """The declared machine: the domains' tables together, and what only they together can check."""
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
-from typing import Any, Literal, Self, TypeAlias
+from os import PathLike
+from typing import Any, Literal, Self
 
 import numpy as np
 from pydantic import Field, ValidationError
@@ -38,17 +39,10 @@ from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.gas.spec import GasTables
 from cranktrain.spec import Spec, problems, with_tuples
+from cranktrain.typed_file import TypedFile
 
 _FOUND = ("arranged", "asks", "closing_problems", "design", "kinds", "table_problems")
 """What is found once of what a machine declares."""
-
-FileReader: TypeAlias = Callable[[Mapping[str, object]], tuple[dict[str, Any], tuple[Problem, ...]]]
-"""Gives tables with what the files hold that they name, and what is wrong with these."""
-
-
-def _unread(data: Mapping[str, object]) -> tuple[dict[str, Any], tuple[Problem, ...]]:
-    """Leave tables as they are."""
-    return dict(data), ()
 
 
 class Machine(Spec, frozen=True):
@@ -164,14 +158,31 @@ class Machine(Spec, frozen=True):
         return {}
 
     @cached_property
-    def files_read(self) -> FileReader:
-        """What puts into tables what the files hold that they name; of a machine made in Python it leaves them."""
-        return _unread
+    def typed_in(self) -> TypedFile:
+        """Where it is from; of a machine made in Python nothing is known."""
+        return TypedFile()
 
-    def reading(self, files_read: FileReader) -> Self:
-        """Let the machine, which nobody has seen yet, read the files that it is later given by name; give itself."""
-        vars(self)["files_read"] = files_read
+    def coming_from(self, file: TypedFile) -> Self:
+        """Let the machine, which nobody has seen yet, know where it is from; give itself."""
+        vars(self)["typed_in"] = file
         return self
+
+    def save(self, path: "str | PathLike[str]", *, force: bool = False) -> None:
+        """Write it as a machine file, whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path-like
+            Ends in `.toml`. If the machine was read from a file, its comments and layout stay as they are there.
+        force : bool
+            Replace a file that is there.
+
+        Raises
+        ------
+        InputError
+            If a file is there and `force` is not given, or it cannot be written.
+        """
+        face("save_machine")(self, path, force=force)
 
     def with_(self, values: Mapping[str, object]) -> Self:
         """Give a machine like this one with other values at some paths, checked as a new one is.
@@ -200,9 +211,9 @@ class Machine(Spec, frozen=True):
         ('140 mm', '136 mm')
         """
         data, paths = with_values(self.declared, values)
-        data, found = self.files_read(in_place_of_lists(data, paths))
+        data, found = self.typed_in.files_read(in_place_of_lists(data, paths))
         refuse(found)
-        return type(self)(**data).reading(self.files_read)
+        return type(self)(**data).coming_from(self.typed_in)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """Copy it; refuse other values, which nothing would check."""
@@ -383,17 +394,6 @@ class Machine(Spec, frozen=True):
 
 
 def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Problem, ...]:
-    """Find what only the whole machine can show to be wrong.
-
-    Parameters
-    ----------
-    machine : Machine
-    partial : bool
-        Accept links that cannot close over the whole turn.
-
-    Returns
-    -------
-    tuple of Problem
-    """
+    """Find what only the whole machine shows to be wrong; with `partial`, links may close over a part of the turn."""
     found = machine.table_problems
     return found if partial or machine.arranged[1] else (*found, *machine.closing_problems)

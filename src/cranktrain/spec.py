@@ -41,7 +41,7 @@ class Spec(BaseModel, frozen=True, metaclass=SpecClass):
     """Fields that say where a curve's numbers are and how they are read: as numbers, they may differ among designs."""
 
     unlisted: ClassVar[frozenset[str]] = frozenset(
-        {"master_field", "of_file", "others", "reading", "unlisted", "words"}
+        {"coming_from", "master_field", "of_file", "others", "typed_in", "unlisted", "words"}
     )
     """Names that the program needs, and nobody who has a spec in hand."""
 

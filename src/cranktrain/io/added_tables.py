@@ -76,6 +76,11 @@ def with_values(text: str, values: Mapping[str, str], whole: Sequence[str] = ())
     return source.decode()
 
 
+def commented_out(text: str, paths: Iterable[PathParts]) -> str:
+    """Give a text with some keys and tables behind comment marks."""
+    return _without(text.encode(), (), paths).decode()
+
+
 def _with_table(source: bytes, path: str, values: Mapping[str, str]) -> bytes:
     """Give the text with nothing of a table but some of its keys."""
     parts = quantity_path(path)

@@ -14,6 +14,7 @@ from cranktrain.layout.load_tables import in_place_of_lists
 from cranktrain.machine import Machine
 from cranktrain.paths import parts_of, with_values
 from cranktrain.record import record
+from cranktrain.typed_file import TypedFile
 
 MachineLike: TypeAlias = "Machine | str | os.PathLike[str] | Mapping[str, object]"
 """A machine; a machine file or the name of an example; or the tables of a file."""
@@ -135,7 +136,7 @@ def _with_files(machine: Machine, values: Mapping[str, object]) -> Machine:
         changed = machine.with_(values) if values else machine
     filled, found = with_curves(changed.declared, Path())
     refuse(found)
-    return changed if filled == changed.declared else Machine(**filled).reading(_here)
+    return changed if filled == changed.declared else Machine(**filled).coming_from(_HERE)
 
 
 def _of_tables(tables: Mapping[str, object], values: Mapping[str, object]) -> Machine:
@@ -147,12 +148,15 @@ def _of_tables(tables: Mapping[str, object], values: Mapping[str, object]) -> Ma
         data, paths = with_values(dict(tables), values)
         filled, found = _here(in_place_of_lists(data, paths))
         refuse(found)
-        return Machine(**filled).reading(_here)
+        return Machine(**filled).coming_from(_HERE)
 
 
 def _here(data: Mapping[str, object]) -> tuple[dict[str, Any], tuple[Problem, ...]]:
     """Read the files that tables name, relative to the working folder."""
     return with_curves(data, Path())
+
+
+_HERE = TypedFile(_here)
 
 
 def _of_set(values: Mapping[str, object]) -> Any:

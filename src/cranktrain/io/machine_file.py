@@ -20,6 +20,7 @@ from cranktrain.paths import PathParts, parts_of, path_text, quantity_path, with
 from cranktrain.quantities import Given
 from cranktrain.record import record
 from cranktrain.spec import Spec
+from cranktrain.typed_file import TypedFile
 
 if TYPE_CHECKING:
     from cranktrain.analysis import Result
@@ -140,7 +141,8 @@ def _checked(data: Mapping[str, object], folder: Path, origin: Origin, *, partia
     read = with_arguments(with_curves, folder=folder)
     filled, found = read(in_place_of_lists(data, origin.paths))
     try:
-        machine = Machine(**cast("dict[str, Any]", filled)).reading(read)
+        where = TypedFile(read, folder, origin.typed.text, origin.typed.data)
+        machine = Machine(**cast("dict[str, Any]", filled)).coming_from(where)
         found = (*found, *machine_problems(machine, partial=partial))
         if not found:
             return machine

@@ -1,0 +1,118 @@
+"""A machine as a file again: the text that it was read from with what was changed, comments and layout as they were."""
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, cast
+
+from cranktrain.io.added_tables import commented_out, with_values
+from cranktrain.io.output import write_machine_file
+from cranktrain.machine import Machine
+from cranktrain.paths import PathParts, path_text, quoted
+from cranktrain.quantities import Given
+from cranktrain.spec import Spec
+
+
+def save_machine(machine: Machine, path: "str | os.PathLike[str]", *, force: bool = False) -> None:
+    """Write a machine file, as `Machine.save` does."""
+    name = os.fspath(path)
+    write_machine_file(name, machine_text(machine, Path(name).parent), force=force)
+
+
+def machine_text(machine: Machine, folder: Path) -> str:
+    """Give the text of a machine file.
+
+    Parameters
+    ----------
+    machine : Machine
+    folder : Path
+        Where the file will be: files that the tables name are found from there.
+
+    Returns
+    -------
+    str
+        That of the file of which the machine was read, if it was: a value that is another is put in its place, one that
+        is new is added, and what is gone goes behind comment marks.
+    """
+    file = machine.typed_in
+    typed, plain = file.data, _plain(machine.declared)
+    declared = _with_files(plain, typed, file.folder.absolute(), folder.absolute())
+    text = commented_out(file.text, _gone(typed, declared))
+    return with_values(text, {path_text(path): _toml(value) for path, value in _changed(typed, declared)})
+
+
+def _plain(value: object) -> Any:
+    """Give what was declared as TOML reads it."""
+    if isinstance(value, Given):
+        about = {name: getattr(value, name) for name in ("status", "note", "source")}
+        said = {name: text for name, text in about.items() if text is not None}
+        return {"value": value.text, **said} if said else value.text
+    if isinstance(value, Spec):
+        fields = type(value).model_fields
+        own: dict[str, Any] = {fields[name].alias or name: getattr(value, name) for name in value.model_fields_set}
+        others: Mapping[str, Any] = {} if value.others is None else own.pop(value.others, {})
+        return _plain({**own, **others})
+    if isinstance(value, Mapping):
+        return {key: _plain(item) for key, item in cast("Mapping[str, object]", value).items()}
+    return [_plain(item) for item in cast("Sequence[object]", value)] if isinstance(value, list | tuple) else value
+
+
+def _with_files(declared: Mapping[str, Any], typed: Mapping[str, Any], old: Path, new: Path) -> dict[str, Any]:
+    """Name files as they are found from another folder, and leave out what was read from them; not what was typed."""
+    found: dict[str, Any] = {}
+    is_read, is_moved = "file" in typed and "text" not in typed, old != new
+    for key, value in declared.items():
+        if isinstance(value, dict):
+            found[key] = _with_files(cast("dict[str, Any]", value), _table(typed.get(key)), old, new)
+        elif not is_read or key != "text":
+            is_name = is_read and is_moved and key == "file"
+            found[key] = Path(os.path.relpath(old / value, new)).as_posix() if is_name else value
+    return found
+
+
+def _table(value: object) -> Mapping[str, Any]:
+    """Give a table; none of anything else."""
+    return cast("Mapping[str, Any]", value) if _is_table(value) else {}
+
+
+def _is_table(value: object) -> bool:
+    """Whether a value is a table of keys, and no number that says where it is from."""
+    return isinstance(value, Mapping) and "value" not in value
+
+
+def _changed(
+    typed: Mapping[str, Any], declared: Mapping[str, Any], above: PathParts = ()
+) -> Iterator[tuple[PathParts, Any]]:
+    """Values that are new, or others than were typed, by their paths."""
+    for key, value in declared.items():
+        old = typed.get(key)
+        if _is_table(value) and value:
+            yield from _changed(_table(old), value, (*above, key))
+        elif old != value:
+            yield (*above, key), value
+
+
+def _gone(typed: Mapping[str, Any], declared: Mapping[str, Any], above: PathParts = ()) -> Iterator[PathParts]:
+    """Paths of what was typed and is not there any more, or is no table, or no list of tables, any more."""
+    for key, old in typed.items():
+        path, value = (*above, key), declared.get(key)
+        if _is_table(old) and _is_table(value):
+            yield from _gone(old, _table(value), path)
+        elif key not in declared or _is_table(old):
+            yield path
+        elif isinstance(old, list) and old != value and any(map(_is_table, cast("list[object]", old))):
+            yield from ((*path, place) for place in range(len(cast("list[object]", old))))
+
+
+def _toml(value: object) -> str:
+    """Write a value as TOML has it in a line."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, str):
+        return quoted(value)
+    if isinstance(value, Mapping):
+        pairs = (f"{path_text((key,))} = {_toml(item)}" for key, item in cast("Mapping[str, object]", value).items())
+        return "{ " + ", ".join(pairs) + " }"
+    if isinstance(value, list):
+        return f"[{', '.join(map(_toml, cast('list[object]', value)))}]"
+    return repr(value)
