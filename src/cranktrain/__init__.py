@@ -17,10 +17,11 @@ Machines
     >>> longer = pump.with_({"mechanism.rod_length": "36 in"})
     >>> longer.mechanism.rod_length, longer.mechanism.rod_length.si
     (<36 in>, 0.9144)
+    >>> longer.save("longer.toml")  # doctest: +SKIP
 
 Results
     `run` takes a name, a file, a dict, a machine, or a list of these. A quantity is an attribute, a read-only array in
-    the unit of its entry in the catalogue; `dir(result)` has them all.
+    the unit of its entry in the catalogue, computed when it is first read; `dir(result)` has them all.
 
     >>> result = ct.run(pump)
     >>> result

@@ -15,6 +15,7 @@ from cranktrain import catalogue
 from cranktrain.analysis import every_stage
 from cranktrain.analysis.comparison import compared
 from cranktrain.analysis.designs_summary import summary_of_designs
+from cranktrain.analysis.outcomes import Outcomes
 from cranktrain.analysis.representations import result_html
 from cranktrain.analysis.stages import homes
 from cranktrain.catalogue import entries, extreme, quantity
@@ -206,7 +207,7 @@ def made_up(factor=1.0):
         np.array([[1.0, -2.0, 3.0, -5.0]]),
         Extreme(angle=np.radians([272.0]), value=np.array([-7.0])),
     )
-    return replace(result, outcomes=(paces,))
+    return replace(result, computed=Outcomes({Paces: paces}, dict(result.labels)))
 
 
 def test_a_made_up_result_is_shown_as_it_declares():
@@ -234,7 +235,13 @@ def test_the_worst_of_designs_is_the_end_that_is_declared():
     one = made_up()
     paces = one[Paces].pace
     both = replace(one[Paces], pace=np.concatenate([paces, 2 * paces]))
-    several = replace(one, outcomes=(both,), has_designs=True, machines=one.machines * 2, asked=("pace",))
+    several = replace(
+        one,
+        computed=Outcomes({Paces: both}, dict(one.labels)),
+        has_designs=True,
+        machines=one.machines * 2,
+        asked=("pace",),
+    )
     assert list(summary_of_designs(several))[1:] == ["pace: 60.00 rpm (design 1) to 120.0 rpm (design 2)"]
 
 

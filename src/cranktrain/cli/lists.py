@@ -2,11 +2,10 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from typing import cast
+from typing import Any, cast
 
 from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.language import _
-from cranktrain.layout.specs import ENDS
 
 
 def show_list(what: str, behind: str | None = None, file: str | None = None) -> None:
@@ -55,9 +54,9 @@ def _examples() -> Iterator[str]:
 
 def _mechanisms(data: Mapping[str, object]) -> list[str]:
     """Name the kinds of mechanism in a machine file, each once."""
-    banks = cast("Mapping[str, Mapping[str, object]]", data.get("bank", {}))
-    opposed = [table[end] for table in banks.values() for end in ENDS if end in table]
-    tables = cast("list[Mapping[str, object]]", [data, *banks.values(), *opposed])
+    banks = cast("Mapping[str, Mapping[str, object]]", data.get("bank", {})).values()
+    opposed: list[Any] = [table for bank in banks for table in bank.values() if isinstance(table, Mapping)]
+    tables = cast("list[Mapping[str, object]]", [data, *banks, *opposed])
     mechanisms = [table["mechanism"] for table in tables if "mechanism" in table]
     return list(dict.fromkeys(cast("Mapping[str, str]", mechanism)["kind"] for mechanism in mechanisms))
 

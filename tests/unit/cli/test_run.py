@@ -25,6 +25,7 @@ from cranktrain.cli.screen.answer import answer_lines
 from cranktrain.cli.screen.report import show_full
 from cranktrain.cli.screen.text import page
 from cranktrain.io.machine_file import read_machine
+from cranktrain.record import record
 
 CENTRAL = """
 name = "small"
@@ -155,6 +156,7 @@ def test_check_tells_what_can_be_computed(typed, written):
 
 
 def test_failed_check_is_shown(typed, capsys):
+    @record
     class Doubtful(Checked, Flagged):
         pass
 

@@ -18,7 +18,7 @@ def test_each_kind_of_chamber_is_asked_once(monkeypatch, machine, n_kinds):
     asked = []
     beside = subintervals._beside
     monkeypatch.setattr(subintervals, "_beside", lambda *given: asked.append(1) or beside(*given))
-    ct.run(machine, quantities="excess_work")
+    ct.run(machine, quantities="excess_work").find_all()
     assert len(asked) == n_kinds
 
 

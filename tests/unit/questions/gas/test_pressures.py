@@ -14,7 +14,7 @@ def test_crest_and_steepest_rise_are_looked_for_in_one_look(monkeypatch):
         return true(self, angle, volume)
 
     monkeypatch.setattr(GasInChambers, "pressure_and_slope", counted)
-    ct.run(ct.load("3d12"), quantities=("peak_pressure", "steepest_pressure_rise"))
+    ct.run(ct.load("3d12"), quantities=("peak_pressure", "steepest_pressure_rise")).find_all()
     on_grid, near = shapes
     assert on_grid == (1, 12, 720)
     assert near[-1] < on_grid[-1] / 4

@@ -189,8 +189,9 @@ class TestVectorSums:
     def test_on_a_rigid_shaft_they_are_the_phase_stars(self, name):
         """As the stage gives them for a mode in which all discs turn as one."""
         from cranktrain.analysis import every_stage
+        from cranktrain.analysis.outcomes import run_stages
         from cranktrain.analysis.parts import parts_of
-        from cranktrain.analysis.stages import lacking, run_stages
+        from cranktrain.analysis.stages import lacking
 
         disc = {"rotor": {"inertia": "2 kg·m²", "beside": 1, "stiffness": "2 MN·m/rad"}}
         machine = ct.load(name)

@@ -98,6 +98,6 @@ def test_wear_takes_few_points_beside_those_that_means_take(monkeypatch, name, n
         (one_way_steps, "polynomial"),
     ):
         monkeypatch.setattr(module, helper, counted(getattr(module, helper)))
-    ct.run(name)
+    ct.run(name).find_all()
     assert len(given) == n_stages
     assert sum(tried) <= 4 * sum(given)
