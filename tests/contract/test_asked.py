@@ -13,7 +13,7 @@ from cranktrain.analysis import every_stage, run
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import lacking, missing_results
+from cranktrain.analysis.stages import lacking, leading_to, missing_results
 from cranktrain.catalogue import entries
 from cranktrain.io.examples import example_names
 from cranktrain.layout.parts import laid_out
@@ -47,6 +47,18 @@ def test_what_is_missing_is_the_same_with_all_stages_at_hand(name):
         type(one) for one in result.outcomes if entries(type(one))
     ]
     assert flags_of(result.outcomes) == flags_of(whole.values())
+
+
+@pytest.mark.parametrize("quantity", ["throw_stiffness", "natural_frequency", "largest_bearing_load", "motor_torque"])
+def test_a_quantity_that_is_asked_for_lacks_the_same(quantity):
+    """Of a question that is not asked, and of one that rests on such a one: torsion of a shaft of unknown sizes."""
+    table = {"stiffness": "1 MN*m/rad", "throw_inertia": "0.1 kg*m^2"}
+    for machine in (ct.load("textbook_78x78"), ct.load("textbook_78x78").with_({"torsion": table})):
+        result = run(machine, quantities=quantity)
+        absent = lacking(every_stage(), parts_of((machine,), step=FACTS_STEP))
+        (giving,) = (stage for stage in every_stage() if quantity in stage.results)
+        chosen = [stage for stage in leading_to(every_stage(), [giving.gives]) if stage.results]
+        assert result.missing == missing_results(chosen, absent)
 
 
 def flags_of(outcomes) -> list[str]:

@@ -24,7 +24,6 @@ from cranktrain.analysis.stages import (
     stages_giving,
     steps_of,
 )
-from cranktrain.analysis.unasked import UnaskedStage
 from cranktrain.analysis.unused import unused
 from cranktrain.errors import InputError, Problem
 from cranktrain.how_far import within
@@ -114,25 +113,26 @@ def run(
 
 
 class _Steps(NamedTuple):
-    """Stages of a run: all that there may be, those that are run, and those of which it is told what they lack."""
+    """Stages of a run: all that there may be, with what is known of others; those that are run; and those told of."""
 
     every: Sequence[Stage]
+    known: Sequence[Step]
     chosen: Sequence[Stage]
     told: Sequence[Step]
 
 
 def _steps(machine: Machine, stages: Sequence[Stage] | None, names: Sequence[str] | None) -> _Steps:
     """Choose the stages that lead to some quantities, or to all that a machine is asked."""
-    if stages is None and names is None:
-        asked = stages_for(machine)
-        return _Steps(asked, asked, steps_of(machine.asks, machine.kinds))
-    every = stages_for(machine) if stages is None else stages
-    if names is None:
-        return _Steps(every, every, every)
-    if stages is None and not homes(tuple(every)).keys() >= set(names):
-        every = every_stage()
-    chosen = _needed(every, names)
-    return _Steps(every, chosen, chosen)
+    if stages is None:
+        every, known = stages_for(machine), steps_of(machine.asks, machine.kinds)
+        if names is None:
+            return _Steps(every, known, every, known)
+        if not homes(every).keys() >= set(names):
+            every = known = every_stage()
+    else:
+        every = known = stages
+    chosen = every if names is None else _needed(every, names)
+    return _Steps(every, known, chosen, chosen)
 
 
 def _designs(first: int, last: int, n_designs: int) -> str:
@@ -150,7 +150,7 @@ def _run(
 ) -> Result:
     """Compute all designs at once."""
     parts = with_speed(parts_of(machines, step=FACTS_STEP), speed, steps.every, step)
-    absent = lacking((*steps.every, *(one for one in steps.told if isinstance(one, UnaskedStage))), parts)
+    absent = lacking(steps.known, parts)
     chosen = [one for one in steps.chosen if one.outcome not in absent]
     facts = curves = StageRun(chosen, parts)
     # Curves want points as close as facts, or closer: of these a coarser step takes some.
