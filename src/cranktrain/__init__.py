@@ -1,7 +1,7 @@
 """Exact mechanics of any machine with a crank in it: how it moves, which forces act, how evenly it runs.
 
 Machines
-    An example by its name, a machine file, or its tables as a dict; quantities are texts with units.
+    An example by its name, a machine file, or its tables as a dict; quantities are texts with units. `save` writes one.
 
     >>> import cranktrain as ct
     >>> ct.example_names()[:3]
@@ -17,7 +17,6 @@ Machines
     >>> longer = pump.with_({"mechanism.rod_length": "36 in"})
     >>> longer.mechanism.rod_length, longer.mechanism.rod_length.si
     (<36 in>, 0.9144)
-    >>> longer.save("longer.toml")  # doctest: +SKIP
 
 Results
     `run` takes a name, a file, a dict, a machine, or a list of these. A quantity is an attribute, a read-only array in

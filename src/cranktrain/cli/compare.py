@@ -131,6 +131,8 @@ def _computed(files: tuple[MachineFile, MachineFile], request: CompareRequest) -
     """Compute both."""
     with says_how_far():
         one, other = (computed(file, partial=request.is_partial, quantities=request.quantities) for file in files)
+        for result in (one, other):
+            (Result.find_answer if request.quantities is None else Result.find_all)(result)
     return one, other
 
 
