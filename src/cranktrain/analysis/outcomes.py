@@ -1,10 +1,11 @@
 """What stages give, each found when it is first asked for: once, of the parts that are kept, in whatever order."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from copy import copy
 from dataclasses import is_dataclass
 from functools import cache, partial
 from threading import RLock
-from typing import Any, NamedTuple, cast, final
+from typing import Any, NamedTuple, Self, cast, final
 
 import numpy as np
 
@@ -63,6 +64,12 @@ class StageRun:
     def __getitem__(self, kind: type) -> Any:
         """Give an outcome that was found."""
         return self._known[kind]
+
+    def as_now(self) -> Self:
+        """Give a run that knows what this one knows now, whatever this one finds later."""
+        other = copy(self)
+        vars(other).update(_known=dict(self._known), _frozen=set(self._frozen))
+        return other
 
     def _way(self, kinds: Iterable[type]) -> list[Stage]:
         """Stages that are still to be run, in the order in which they can be."""
@@ -205,11 +212,18 @@ class Outcomes:
             return self._coarse
         self.find(self.kinds)
         facts = {kind: self._finding.facts[kind] for kind in self._finding.kinds}
-        return coarse_curves(facts, self._shown, self._finding.shown)
+        curves = {kind: self._shown[kind] for kind in self._finding.kinds}
+        return coarse_curves(facts, curves, self._finding.shown)
 
     def __getstate__(self) -> dict[str, Any]:
-        """All but the lock, which is for the threads of one process."""
-        return {name: held for name, held in vars(self).items() if name != "_lock"}
+        """Give all but the lock, which is for the threads of one process, as it is now."""
+        with self._lock:
+            state = {**vars(self), "_shown": dict(self._shown)}
+            if self._finding is not None:
+                facts, curves = (self._finding.facts.as_now(), self._finding.curves.as_now())
+                is_one = self._finding.curves is self._finding.facts
+                state["_finding"] = self._finding._replace(facts=facts, curves=facts if is_one else curves)
+        return {name: held for name, held in state.items() if name != "_lock"}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Take all, and a lock of one's own."""
@@ -220,7 +234,7 @@ class FoundLabels(Mapping[str, tuple[str, ...]]):
     """Names along dimensions; of what was not computed yet, they are found with it."""
 
     def __init__(self, outcomes: Outcomes, known: Labels) -> None:
-        self._outcomes, self.known = outcomes, dict(known)
+        self._outcomes, self._first, self.known = outcomes, tuple(known), dict(known)
 
     def __getitem__(self, dimension: str) -> tuple[str, ...]:
         for kind in self._outcomes.kinds:
@@ -232,7 +246,14 @@ class FoundLabels(Mapping[str, tuple[str, ...]]):
 
     def __iter__(self) -> Iterator[str]:
         self._outcomes.find(self._outcomes.kinds)
-        return iter(self.known)
+        held = (getattr(self._outcomes[kind], "labels", {}) for kind in self._outcomes.kinds)
+        return iter(dict.fromkeys([*self._first, *(name for labels in held for name in labels), *sorted(self.known)]))
+
+    def __repr__(self) -> str:
+        return repr(dict(self))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**vars(self), "known": dict(self.known)}
 
     def __len__(self) -> int:
         return sum(1 for _dimension in self)

@@ -14,6 +14,9 @@ from cranktrain.all_questions import QUESTIONS
 from cranktrain.layout.question import Applies, Question, Stage, needs_of
 
 LIST = Path(__file__).parent / "unasked.json"
+_MODULES = Path(__file__).parents[1] / "questions"
+_SOURCES = Path(__file__).parents[3] / "pyproject.toml"
+"""Beside sources that are worked on; nowhere near an installed package."""
 
 
 class UnaskedStage(NamedTuple):
@@ -27,14 +30,15 @@ class UnaskedStage(NamedTuple):
         The quantities in that.
     lacks : mapping of str to str
         What it cannot do without, by the names of classes: what the file would have to say, where that gives it.
-    answer : bool or str
-        Whether it is for a machine that has none of the question's tables, or what the file would have to say.
+    answer : bool or str, or None
+        Whether it is for a machine that has none of the question's tables, or what the file would have to say; None
+        where that hangs on the machine.
     """
 
     outcome: str
     results: Sequence[str]
     lacks: Mapping[str, str]
-    answer: bool | str
+    answer: bool | str | None
 
     def __hash__(self) -> int:
         """Tell it by what it gives."""
@@ -42,7 +46,7 @@ class UnaskedStage(NamedTuple):
 
     def applies_to(self, _parts: Mapping[type, object]) -> Applies:
         """Answer as of any machine without the question's tables."""
-        return self.answer
+        return self.answer or False
 
 
 class UnaskedQuestion(NamedTuple):
@@ -50,6 +54,11 @@ class UnaskedQuestion(NamedTuple):
 
     stages: tuple[UnaskedStage, ...]
     offers: Mapping[str, str]
+
+    @property
+    def is_told(self) -> bool:
+        """Whether nothing in it hangs on the machine; else the question itself has to be asked."""
+        return all(stage.answer is not None for stage in self.stages)
 
 
 @cache
@@ -64,8 +73,16 @@ def unasked(name: str) -> UnaskedQuestion:
 
 @cache
 def _listed() -> Mapping[str, Sequence[Any]]:
-    """Read the list, if it was made."""
-    return json.loads(LIST.read_text(encoding="utf-8")) if LIST.exists() else {}
+    """Read the list, if it was made, and of these sources: those that are worked on may have changed since."""
+    if not LIST.exists():
+        return {}
+    if _SOURCES.exists() and _changed_at(LIST) < max(map(_changed_at, _MODULES.rglob("*.py"))):
+        return {}
+    return json.loads(LIST.read_text(encoding="utf-8"))
+
+
+def _changed_at(path: Path) -> float:
+    return path.stat().st_mtime
 
 
 def made() -> dict[str, UnaskedQuestion]:
@@ -80,14 +97,17 @@ def described(question: Question) -> UnaskedQuestion:
 
 def _stage(question: Question, stage: Stage) -> UnaskedStage:
     """Describe a stage: what it says then of whether it is for a machine, it says of every machine."""
-    answer: Applies = True
+    answer: Applies | None = True
     if stage.applies is not None:
         asked = needs_of(stage.applies)
         own = f"cranktrain.questions.{question.name}."
         is_lacking = any(
             kind.__module__.startswith(own) for name, kind in asked.types.items() if name not in asked.optional
         )
-        answer = not is_lacking and stage.applies(**dict.fromkeys(asked.types))
+        try:
+            answer = not is_lacking and stage.applies(**dict.fromkeys(asked.types))
+        except (AttributeError, TypeError):  # it looks at what other parts of the machine are
+            answer = None
     if isinstance(answer, tuple):
         raise TypeError(f"{stage.outcome} must lack one thing where nothing of [{question.name}] is declared")
     return UnaskedStage(stage.outcome, stage.results, dict(stage.lacks), answer)

@@ -141,7 +141,7 @@ def _checked(data: Mapping[str, object], folder: Path, origin: Origin, *, partia
     read = with_arguments(with_curves, folder=folder)
     filled, found = read(in_place_of_lists(data, origin.paths))
     try:
-        where = TypedFile(read, folder, origin.typed.text, origin.typed.data)
+        where = TypedFile(read, folder.absolute(), origin.typed.text, origin.typed.data)
         machine = Machine(**cast("dict[str, Any]", filled)).coming_from(where)
         found = (*found, *machine_problems(machine, partial=partial))
         if not found:

@@ -1,11 +1,16 @@
 """A machine as a file again: the text that it was read from with what was changed, comments and layout as they were."""
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from itertools import takewhile
 from pathlib import Path
 from typing import Any, cast
 
+from cranktrain.errors import InputError
 from cranktrain.io.added_tables import commented_out, with_values
+from cranktrain.io.document import Document
 from cranktrain.io.output import write_machine_file
 from cranktrain.machine import Machine
 from cranktrain.paths import PathParts, path_text, quoted
@@ -32,13 +37,36 @@ def machine_text(machine: Machine, folder: Path) -> str:
     -------
     str
         That of the file of which the machine was read, if it was: a value that is another is put in its place, one that
-        is new is added, and what is gone goes behind comment marks.
+        is new is added, and what is gone goes behind comment marks. Where that would not be read as the same tables in
+        the same order, as one that was taken away has others in it, all is written anew, below the file's first lines.
     """
     file = machine.typed_in
     typed, plain = file.data, _plain(machine.declared)
     declared = _with_files(plain, typed, file.folder.absolute(), folder.absolute())
-    text = commented_out(file.text, _gone(typed, declared))
-    return with_values(text, {path_text(path): _toml(value) for path, value in _changed(typed, declared)})
+    with suppress(InputError, ValueError):
+        changed = _written(commented_out(file.text, _gone(typed, declared)), _changed(typed, declared))
+        if _is_same(tomllib.loads(changed), declared):
+            return changed
+    head = "".join(takewhile(lambda line: line.startswith("#"), file.text.splitlines(keepends=True)))
+    return _written(head, _changed({}, declared))
+
+
+def _written(text: str, values: Iterable[tuple[PathParts, Any]]) -> str:
+    """Put values into a text."""
+    return with_values(text, {path_text(path): _toml(value) for path, value in values})
+
+
+def _is_same(one: object, other: object) -> bool:
+    """Whether tables are the same, those that stand by name in the same order."""
+    if isinstance(one, dict) and isinstance(other, dict):
+        mine, theirs = cast("dict[str, Any]", one), cast("dict[str, Any]", other)
+        of_mine, of_theirs = ([key for key in table if _is_table(table[key])] for table in (mine, theirs))
+        return (
+            mine.keys() == theirs.keys()
+            and of_mine == of_theirs
+            and all(_is_same(mine[key], theirs[key]) for key in mine)
+        )
+    return type(one) is type(other) and bool(one == other)
 
 
 def _plain(value: object) -> Any:
@@ -54,7 +82,9 @@ def _plain(value: object) -> Any:
         return _plain({**own, **others})
     if isinstance(value, Mapping):
         return {key: _plain(item) for key, item in cast("Mapping[str, object]", value).items()}
-    return [_plain(item) for item in cast("Sequence[object]", value)] if isinstance(value, list | tuple) else value
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in cast("Sequence[object]", value)]
+    return float(value) if isinstance(value, float) else value  # NumPy's numbers too
 
 
 def _with_files(declared: Mapping[str, Any], typed: Mapping[str, Any], old: Path, new: Path) -> dict[str, Any]:
@@ -109,7 +139,7 @@ def _toml(value: object) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, str):
-        return quoted(value)
+        return quoted(Document.from_text(value, "save").text)
     if isinstance(value, Mapping):
         pairs = (f"{path_text((key,))} = {_toml(item)}" for key, item in cast("Mapping[str, object]", value).items())
         return "{ " + ", ".join(pairs) + " }"

@@ -283,17 +283,18 @@ def _between(samples: Array, slope: Array) -> Array:
 
 def _by_pieces(coefficients: Array, cycle: float) -> PeriodicCurve:
     """Curve of polynomials, one from each node to the next; coefficients (power, ..., n) as `_cubics` has them."""
+    return PeriodicCurve(cycle, coefficients[0], partial(_on_steps, coefficients, cycle), coefficients)
+
+
+def _on_steps(coefficients: Array, cycle: float, angle: Array) -> Coefficient:
+    """Value and derivatives of polynomials of equal pieces at any angle."""
     n_points = coefficients.shape[-1]
     step = cycle / n_points
     flat = coefficients.reshape(len(coefficients), -1)
     starts = np.arange(0, flat.shape[-1], n_points, dtype=np.intp)
     rows = starts.reshape((*coefficients.shape[1:-1], 1))
-
-    def motion(angle: Array) -> Coefficient:
-        place = np.floor(angle / step)
-        share = angle / step - place
-        # Of an angle that is NaN any piece will do, as its share is NaN.
-        found = polynomial(flat[:, np.fmax(np.mod(place, n_points), 0.0).astype(np.intp) + rows], share)
-        return Coefficient(found.value, found.first / step, found.second / step**2)
-
-    return PeriodicCurve(cycle, coefficients[0], motion, coefficients)
+    place = np.floor(angle / step)
+    share = angle / step - place
+    # Of an angle that is NaN any piece will do, as its share is NaN.
+    found = polynomial(flat[:, np.fmax(np.mod(place, n_points), 0.0).astype(np.intp) + rows], share)
+    return Coefficient(found.value, found.first / step, found.second / step**2)

@@ -141,3 +141,26 @@ def test_what_cannot_be_had_is_never_run():
     run_of.find([Stage])
     with pytest.raises(KeyError):
         _ = run_of[Stage]
+
+
+def test_a_result_at_a_speed_of_its_own_can_be_sent():
+    result = ct.run("vaz_21213", speed="running", step_degrees=10)
+    sent = pickle.loads(pickle.dumps(result))
+    np.testing.assert_array_equal(sent.shaft_torque, result.shaft_torque)
+
+
+def test_flags_and_names_do_not_hang_on_what_was_read_first():
+    one, other = (ct.run("deltic", step_degrees=10) for _n in range(2))
+    _ = other.crank_acceleration, other.largest_bearing_load
+    assert one.flags == other.flags
+    assert list(one.labels) == list(other.labels)
+    assert repr(one.labels) == repr(dict(one.labels))
+
+
+def test_a_result_is_sent_while_it_is_read():
+    result = ct.run("3d12")
+    reading = threading.Thread(target=result.find_all)
+    reading.start()
+    while reading.is_alive():
+        pickle.dumps(result)
+    reading.join()

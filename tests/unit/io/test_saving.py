@@ -1,5 +1,6 @@
 """A machine that is saved is the same when it is read, and its file keeps what was written around the numbers."""
 
+import numpy as np
 import pytest
 
 import cranktrain as ct
@@ -115,3 +116,33 @@ def test_nothing_is_lost(pump, tmp_path):
         pump.save(tmp_path / "pump.csv")
     with pytest.raises(InputError, match="folder"):
         pump.save(tmp_path / "no/pump.toml")
+
+
+@pytest.mark.parametrize(
+    ("name", "changed"),
+    [
+        ("great_northern", lambda tables: {"bank": {"cylinder": tables["bank"]["cylinder"]}}),
+        (
+            "jaw_crusher",
+            lambda tables: {"drive": {key: item for key, item in tables["drive"].items() if key != "part"}},
+        ),
+        ("vaz_21213", lambda _tables: {"torsion": {"stiffness": "1 MN*m/rad", "throw_inertia": "0.1 kg*m^2"}}),
+        ("vaz_21213", lambda _tables: {"cylinder.compression_ratio": np.linspace(9.0, 10.0, 3)[1]}),
+        ("3d12", lambda tables: {"bank": {"R": tables["bank"]["R"], "L": tables["bank"]["L"]}}),
+    ],
+    ids=["a bank", "parts", "torsion", "a number of NumPy", "the order of banks"],
+)
+def test_what_holds_others_may_be_taken_away(tmp_path, name, changed):
+    """Where no change of the text would be read as the same machine, all of it is written anew."""
+    machine = ct.load(name)
+    machine = machine.with_(changed(machine.declared))
+    machine.save(tmp_path / "changed.toml")
+    again = ct.load(tmp_path / "changed.toml")
+    assert again == machine
+    assert list(again.bank) == list(machine.bank)
+
+
+def test_half_a_character_is_refused(pump, tmp_path):
+    with pytest.raises(InputError, match="half a character"):
+        pump.with_({"name": "a \ud800"}).save(tmp_path / "half.toml")
+    assert not (tmp_path / "half.toml").exists()
