@@ -56,17 +56,12 @@ def _written(text: str, values: Iterable[tuple[PathParts, Any]]) -> str:
     return with_values(text, {path_text(path): _toml(value) for path, value in values})
 
 
-def _is_same(one: object, other: object) -> bool:
+def _is_same(one: Any, other: Any) -> bool:
     """Whether tables are the same, those that stand by name in the same order."""
-    if isinstance(one, dict) and isinstance(other, dict):
-        mine, theirs = cast("dict[str, Any]", one), cast("dict[str, Any]", other)
-        of_mine, of_theirs = ([key for key in table if _is_table(table[key])] for table in (mine, theirs))
-        return (
-            mine.keys() == theirs.keys()
-            and of_mine == of_theirs
-            and all(_is_same(mine[key], theirs[key]) for key in mine)
-        )
-    return type(one) is type(other) and bool(one == other)
+    if not (_is_table(one) and _is_table(other)):
+        return bool(type(one) is type(other) and one == other)
+    named = [[key for key, item in table.items() if _is_table(item)] for table in (one, other)]
+    return one.keys() == other.keys() and named[0] == named[1] and all(_is_same(one[key], other[key]) for key in one)
 
 
 def _plain(value: object) -> Any:
