@@ -101,7 +101,7 @@ Step: TypeAlias = Stage | UnaskedStage
 @cache
 def steps_of(questions: tuple[str, ...], kinds: tuple[str, ...]) -> tuple[Step, ...]:
     """Give the stages of questions and kinds, and in their place what is known of those of all other questions."""
-    asked = {name for name in QUESTIONS.names if name in questions or not unasked(name).is_told}
+    asked = {name for name in QUESTIONS.names if name in questions or not unasked(name).is_general}
     each = ((QUESTIONS.named(name) if name in asked else unasked(name)).stages for name in QUESTIONS.names)
     return (*(step for steps in each for step in steps), *stages_of((), kinds))
 

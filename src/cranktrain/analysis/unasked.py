@@ -56,7 +56,7 @@ class UnaskedQuestion(NamedTuple):
     offers: Mapping[str, str]
 
     @property
-    def is_told(self) -> bool:
+    def is_general(self) -> bool:
         """Whether nothing in it hangs on the machine; else the question itself has to be asked."""
         return all(stage.answer is not None for stage in self.stages)
 
