@@ -4,7 +4,7 @@ import json
 import re
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, TypeAlias, cast
+from typing import Any, TypeAlias, TypeGuard, cast
 
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
@@ -100,6 +100,11 @@ def path_text(parts: Iterable[str | int]) -> str:
 def quoted(text: str) -> str:
     """Write text as a TOML basic string; JSON's escapes are TOML's, but for DEL."""
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def is_table(value: object) -> TypeGuard[Mapping[str, Any]]:
+    """Whether a value of a machine file is a table of keys, and no number that says where it is from."""
+    return isinstance(value, Mapping) and "value" not in value
 
 
 def value_at(data: object, path: str) -> object:

@@ -4,7 +4,7 @@ import inspect
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.parts import parts_of
@@ -16,7 +16,7 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.question import Stage, tables_of
 from cranktrain.machine import Machine
-from cranktrain.paths import path_text
+from cranktrain.paths import is_table, path_text
 
 _CITED = re.compile(r"(docs/theory/[\w-]+)(?:, eqs?\. (\([\d.]+\)(?:(?:,| to| and|, and) \([\d.]+\))*))?")
 _ANY = "NAME"
@@ -132,11 +132,11 @@ def _tables(patterns: Sequence[str], declared: Mapping[str, Any] | None) -> tupl
 
 
 def _paths(declared: Mapping[str, Any], above: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:
-    """Paths of all tables in a file's tables; a number that says where it is from is none."""
+    """Paths of all tables in a file's tables."""
     for key, value in declared.items():
-        if isinstance(value, Mapping) and "value" not in value:
+        if is_table(value):
             yield (*above, key)
-            yield from _paths(cast("Mapping[str, Any]", value), (*above, key))
+            yield from _paths(value, (*above, key))
 
 
 def _is_of(pattern: str, path: Sequence[str]) -> bool:

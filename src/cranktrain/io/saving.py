@@ -13,7 +13,7 @@ from cranktrain.io.added_tables import commented_out, with_values
 from cranktrain.io.document import Document
 from cranktrain.io.output import write_machine_file
 from cranktrain.machine import Machine
-from cranktrain.paths import PathParts, path_text, quoted
+from cranktrain.paths import PathParts, is_table, path_text, quoted
 from cranktrain.quantities import Given
 from cranktrain.spec import Spec
 
@@ -43,7 +43,7 @@ def machine_text(machine: Machine, folder: Path) -> str:
     file = machine.typed_in
     typed, plain = file.data, _plain(machine.declared)
     declared = _with_files(plain, typed, file.folder.absolute(), folder.absolute())
-    with suppress(InputError, ValueError):
+    with suppress(InputError, ValueError):  # of changes that cannot be made in the text, or leave none that is TOML
         changed = _written(commented_out(file.text, _gone(typed, declared)), _changed(typed, declared))
         if _is_same(tomllib.loads(changed), declared):
             return changed
@@ -58,9 +58,9 @@ def _written(text: str, values: Iterable[tuple[PathParts, Any]]) -> str:
 
 def _is_same(one: Any, other: Any) -> bool:
     """Whether tables are the same, those that stand by name in the same order."""
-    if not (_is_table(one) and _is_table(other)):
+    if not (is_table(one) and is_table(other)):
         return bool(type(one) is type(other) and one == other)
-    named = [[key for key, item in table.items() if _is_table(item)] for table in (one, other)]
+    named = [[key for key, item in table.items() if is_table(item)] for table in (one, other)]
     return one.keys() == other.keys() and named[0] == named[1] and all(_is_same(one[key], other[key]) for key in one)
 
 
@@ -88,21 +88,12 @@ def _with_files(declared: Mapping[str, Any], typed: Mapping[str, Any], old: Path
     is_read, is_moved = "file" in typed and "text" not in typed, old != new
     for key, value in declared.items():
         if isinstance(value, dict):
-            found[key] = _with_files(cast("dict[str, Any]", value), _table(typed.get(key)), old, new)
+            of_table = typed.get(key)
+            found[key] = _with_files(cast("dict[str, Any]", value), of_table if is_table(of_table) else {}, old, new)
         elif not is_read or key != "text":
             is_name = is_read and is_moved and key == "file"
             found[key] = Path(os.path.relpath(old / value, new)).as_posix() if is_name else value
     return found
-
-
-def _table(value: object) -> Mapping[str, Any]:
-    """Give a table; none of anything else."""
-    return cast("Mapping[str, Any]", value) if _is_table(value) else {}
-
-
-def _is_table(value: object) -> bool:
-    """Whether a value is a table of keys, and no number that says where it is from."""
-    return isinstance(value, Mapping) and "value" not in value
 
 
 def _changed(
@@ -111,8 +102,8 @@ def _changed(
     """Values that are new, or others than were typed, by their paths."""
     for key, value in declared.items():
         old = typed.get(key)
-        if _is_table(value) and value:
-            yield from _changed(_table(old), value, (*above, key))
+        if is_table(value) and value:
+            yield from _changed(old if is_table(old) else {}, value, (*above, key))
         elif old != value:
             yield (*above, key), value
 
@@ -121,11 +112,11 @@ def _gone(typed: Mapping[str, Any], declared: Mapping[str, Any], above: PathPart
     """Paths of what was typed and is not there any more, or is no table, or no list of tables, any more."""
     for key, old in typed.items():
         path, value = (*above, key), declared.get(key)
-        if _is_table(old) and _is_table(value):
-            yield from _gone(old, _table(value), path)
-        elif key not in declared or _is_table(old):
+        if is_table(old) and is_table(value):
+            yield from _gone(old, value, path)
+        elif key not in declared or is_table(old):
             yield path
-        elif isinstance(old, list) and old != value and any(map(_is_table, cast("list[object]", old))):
+        elif isinstance(old, list) and old != value and any(map(is_table, cast("list[object]", old))):
             yield from ((*path, place) for place in range(len(cast("list[object]", old))))
 
 

@@ -4,7 +4,13 @@ from pathlib import Path
 import pytest
 
 import cranktrain as ct
+from cranktrain.analysis import stages_for
+from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.outcomes import run_stages
+from cranktrain.analysis.parts import parts_of
+from cranktrain.analysis.stages import lacking, leading_to
 from cranktrain.how_far import listened_to
+from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
 
 PACKAGE = Path(ct.__file__).parent
 
@@ -25,8 +31,20 @@ def test_the_last_stage_gives_it_and_all_stand_behind_what_they_take(bearing_loa
     assert taken == known - {"MainBearingLoads"}
 
 
-def test_they_run_after_all_that_they_take(bearing_load):
-    """As a run says how far it is: `3 of 40, dead centres`. Of another step of crank angles it runs some again."""
+def test_they_run_in_this_order(bearing_load):
+    """As stages that are run together say how far they are: `3 of 40, dead centres`."""
+    machine = ct.load("3d12")
+    parts = parts_of((machine,), step=FACTS_STEP)
+    absent = lacking(stages_for(machine), parts)
+    there = [stage for stage in stages_for(machine) if stage.outcome not in absent]
+    said: list[str] = []
+    with listened_to(lambda words: said.append(words[-1]().partition(", ")[2])):
+        run_stages(leading_to(there, [MainBearingLoads]), parts, absent)
+    assert said == [re.sub("(?<=[a-z])(?=[A-Z])", " ", stage.gives).lower() for stage in bearing_load.stages]
+
+
+def test_a_run_runs_them_after_all_that_they_take(bearing_load):
+    """What may refuse the machine is run first. Of another step of crank angles some are run again."""
     said: list[str] = []
     with listened_to(lambda words: said.append(words[-1]().partition(", ")[2])):
         ct.run("3d12", quantities="largest_bearing_load").find_all()

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from cranktrain.cli.completing.names import EXAMPLES_FOLDER, names
+from cranktrain.paths import is_table
 
 _LARGEST = 2**20
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
@@ -33,8 +34,8 @@ def _data(file: str) -> dict[str, Any]:
 
 def _of_values(data: object, parts: tuple[str, ...]) -> Iterator[str]:
     """Give the paths of what stands in a table: numbers, texts and lists, and quantities with their status."""
-    if isinstance(data, Mapping) and "value" not in data:
-        for key, value in cast("Mapping[str, object]", data).items():
+    if is_table(data):
+        for key, value in data.items():
             if _BARE.fullmatch(key):
                 yield from _of_values(value, (*parts, key))
     else:
