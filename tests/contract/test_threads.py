@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from tests.contract.test_code import MODULES, SOURCE
 
-from cranktrain.numerics.products import product, summed_products
+from cranktrain.numerics.products import product, product_by_columns, summed_products
 
 PACKAGE = SOURCE / "cranktrain"
 MOST = 1.02
@@ -81,6 +81,19 @@ def test_product_by_blocks_is_the_product(left, right):
     close = {"rtol": 0, "atol": 1e-13 * left[-1]}
     np.testing.assert_allclose(product(rows, matrix), rows @ matrix, **close)
     np.testing.assert_allclose(product(1j * rows, 1j * matrix), -(rows @ matrix), **close)
+
+
+@pytest.mark.parametrize(
+    ("matrix", "columns"), [((14, 54), (54, 150)), ((2, 3), (3, 1)), ((3, 40, 300), (3, 300, 70)), ((33, 12), (12, 0))]
+)
+def test_a_column_is_the_same_whatever_stands_beside_it(matrix, columns):
+    rows, many = (np.cos(np.arange(np.prod(shape)) + 0.3).reshape(shape) for shape in (matrix, columns))
+    whole = product_by_columns(rows, many)
+    np.testing.assert_allclose(whole, rows @ many, rtol=0, atol=1e-13 * columns[-2])
+    for first in range(0, columns[-1], 7):
+        for last in (first + 1, first + 5, columns[-1]):
+            some = slice(first, last)
+            np.testing.assert_array_equal(product_by_columns(rows, many[..., some]), whole[..., some])
 
 
 def test_summed_products():

@@ -5,10 +5,12 @@ import pytest
 from tests.crankshafts import drawn_crankshaft
 
 from cranktrain.numerics.nested import leaves
-from cranktrain.questions.crankshaft.bending.bearing_loads import residuals
+from cranktrain.questions.crankshaft.bending.bearing_loads import resultant, unbalanced
 from cranktrain.questions.crankshaft.bending.blocks import turned_by
+from cranktrain.questions.crankshaft.bending.loads_in_spans import alike_shafts, spanned_loads, unit_loads
 from cranktrain.questions.crankshaft.bending.shaft_loads import on_axis
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
+from cranktrain.questions.crankshaft.methods.supported_shaft import in_bearings
 
 EVERY = pytest.mark.parametrize("method", BEARING_METHODS, ids=lambda method: method.name)
 LINEAR = pytest.mark.parametrize(
@@ -63,9 +65,10 @@ def varied(seed, n_designs=4):
 def test_bearings_balance_the_loads(method, seed):
     shaft, loads = drawn_crankshaft(seed, 7)
     shaft = without_settlement(shaft)
-    left = residuals(shaft.supports, on_axis(loads), method.loads(shaft, loads))
-    assert np.max(left.force / left.largest_force) <= 1e-12
-    assert np.max(left.moment / left.largest_moment) <= 1e-12
+    of_loads = resultant(shaft.supports, on_axis(loads))
+    force, moment = unbalanced(shaft.supports, of_loads, method.loads(shaft, loads).load)
+    assert np.max(force / of_loads.largest_force) <= 1e-12
+    assert np.max(moment / of_loads.largest_moment) <= 1e-12
 
 
 @EVERY
@@ -77,6 +80,39 @@ def test_a_design_beside_others_is_as_alone(method, seed):
         for whole, alone in zip(together, method.loads(shaft, loads), strict=True):
             np.testing.assert_array_equal(whole[design], alone[0])
             assert np.all(np.isfinite(alone))
+
+
+def bearings(shaft, loads, method):
+    """What bearings carry, by the loads as they are and by unit loads where these will do."""
+    spanned = spanned_loads(alike_shafts(shaft, loads.places), loads)
+    units = [unit_loads(group.of, is_geared=True) for group in spanned.groups]
+    (supported,) = in_bearings(method, [shaft.supports], [units])
+    return spanned, supported, method.of(shaft.supports, spanned).load
+
+
+@LINEAR
+@SEEDS
+def test_unit_loads_add_up_to_what_bearings_carry(method, seed):
+    """In any number of designs, of which some have bearings that give otherwise toward X than toward Y."""
+    shaft, loads = (side_by_side(parts) for parts in zip(*varied(seed), strict=True))
+    spanned, supported, wanted = bearings(without_settlement(shaft), loads, method)
+    assert any(by_unit is not None for by_unit in supported.by_unit) != method.is_cut
+    size = np.max(np.abs(wanted))
+    np.testing.assert_allclose(supported.borne(spanned), wanted, rtol=0, atol=1e-12 * size)
+    turned = turned_by(wanted, loads.turned)
+    np.testing.assert_allclose(supported.turning(spanned), turned, rtol=0, atol=1e-12 * size)
+    for design, (one, own) in enumerate(varied(seed)):
+        alone, supported_alone, _wanted = bearings(without_settlement(one), own, method)
+        np.testing.assert_array_equal(supported.borne(spanned)[design], supported_alone.borne(alone)[0])
+
+
+@EVERY
+@SEEDS
+def test_bearings_that_do_not_stand_in_line_are_found_as_they_are(method, seed):
+    shaft, loads = drawn_crankshaft(seed, 5)
+    spanned, supported, wanted = bearings(shaft, loads, method)
+    assert set(supported.by_unit) == {None}
+    np.testing.assert_array_equal(supported.borne(spanned), wanted)
 
 
 @EVERY

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.products import product_by_columns
 from cranktrain.numerics.subintervals import Subintervals, interpolation
 
 _TRIED = np.linspace(-1.0, 1.0, 33)
@@ -49,7 +50,7 @@ def tops_in_panels(of: Subintervals, values: Array, nothing: Array) -> Array:
         highest = np.max(nodes, axis=-1)
         may_be = highest + _OVER * (highest - np.min(nodes, axis=-1)) >= best[:, np.newaxis]
         row, at = np.nonzero(may_be & has_tops[:, np.newaxis])
-        tried = np.sum(nodes[row, at][:, :, np.newaxis] * _weights(n_nodes), axis=1)
+        tried = product_by_columns(_weights(n_nodes), nodes[row, at].T).T
         ends = np.full((len(tried), 1), -np.inf)
         before, after = (np.concatenate(pair, axis=1) for pair in ((ends, tried[:, :-1]), (tried[:, 1:], ends)))
         pair, way = np.nonzero((tried >= before) & (tried >= after))
@@ -68,8 +69,8 @@ def tops_in_panels(of: Subintervals, values: Array, nothing: Array) -> Array:
 
 @cache
 def _weights(n_nodes: int) -> Array:
-    """Of values at Gauss's points for those where a panel is tried, shape (n, tried)."""
-    return np.ascontiguousarray(interpolation(_TRIED, n_nodes).T)
+    """Of values at Gauss's points for those where a panel is tried, shape (tried, n)."""
+    return np.ascontiguousarray(interpolation(_TRIED, n_nodes))
 
 
 def _in_rows(row: NDArray[np.intp], angle: Array, height: Array, n_rows: int) -> Array:

@@ -19,6 +19,8 @@ _MOST = 2**17
 """Multiplications in a block: OpenBLAS shares out twice as many, or more of them as versions go."""
 _MOST_OF_VECTOR = 2**13
 """The same where a block is one row or one column: of these it shares out 9216."""
+_FEW, _MOST_FEW = 16, 4
+"""Columns that BLAS does not part, on any processor, and how many times as many stand in a block at most."""
 
 
 def product(rows: NDArray[Number], matrix: NDArray[Number]) -> NDArray[Number]:
@@ -54,6 +56,33 @@ def product(rows: NDArray[Number], matrix: NDArray[Number]) -> NDArray[Number]:
         for column in _blocks(n_columns, wide):
             np.matmul(rows[..., row, :], matrix[..., column], out=found[..., row, column])
     return found
+
+
+def product_by_columns(matrix: Array, columns: Array) -> Array:
+    """Product of a matrix and columns, each to the last bit the same whatever stands beside it.
+
+    BLAS does what is left over behind the last whole few columns on another way, with other rounding: these are filled
+    up to whole blocks.
+
+    Parameters
+    ----------
+    matrix : Array, shape (..., m, k)
+    columns : Array, shape (..., k, n)
+
+    Returns
+    -------
+    Array, shape (..., m, n)
+    """
+    n_rows, n_terms, n_columns = (*matrix.shape[-2:], columns.shape[-1])
+    wide = _FEW * max(1, min(_MOST_FEW, _MOST // (_FEW * n_terms * n_rows)))
+    n_blocks = -(-n_columns // wide)
+    filled = np.zeros((*columns.shape[:-1], n_blocks * wide))
+    filled[..., :n_columns] = columns
+    blocks = np.swapaxes(filled.reshape(*columns.shape[:-1], n_blocks, wide), -3, -2)
+    tall = max(1, _MOST // (n_terms * wide))
+    rows = [np.matmul(matrix[..., np.newaxis, row, :], blocks) for row in _blocks(n_rows, tall)]
+    found = np.swapaxes(np.concatenate(rows, axis=-2), -3, -2)
+    return found.reshape(*found.shape[:-2], n_blocks * wide)[..., :n_columns]
 
 
 def summed_products(left: Array, right: Array) -> Array:

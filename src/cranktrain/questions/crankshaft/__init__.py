@@ -22,6 +22,7 @@ from cranktrain.questions.crankshaft.results import (
     section_torques,
     shaft_peaks,
     shaft_places,
+    supported_shafts,
     throw_bending,
     unlikely,
 )
@@ -52,6 +53,7 @@ QUESTION = Question(
         Stage(crank_sizes.crank_sizes),
         Stage(throw_bending.throw_bending),
         Stage(loaded_shafts),
+        Stage(supported_shafts.supported_shafts),
         Stage(loads_over_cycle),
         Stage(bearings_between_events.bearings_between_events),
         Stage(shaft_peaks.shaft_peaks),

@@ -30,15 +30,15 @@ class BearingLoads(NamedTuple):
     displacement: Array
 
 
-class Residuals(NamedTuple):
-    """What loads and bearings leave over, shape (design, angle), and what they are to be compared with.
+class Resultant(NamedTuple):
+    """What loads come to together, and the largest of them.
 
     Attributes
     ----------
-    force : Array
-        Of the sum of all forces across the shaft. [N]
-    moment : Array
-        Of the sum of their moments about the middle between the outer bearings. [N·m]
+    force : Array, shape (design, 2, angle)
+        Sum of all forces across the shaft. [N]
+    moment : Array, shape (design, 2, angle)
+        Sum of their moments about the middle between the outer bearings. [N·m]
     largest_force : Array, shape (design, 1)
         Largest load. [N]
     largest_moment : Array, shape (design, 1)
@@ -93,17 +93,32 @@ def end_moments(n_bearings: int, cut: CutShaft) -> Array:
     return moment
 
 
-def residuals(supports: Supports, loads: AxisLoads, found: BearingLoads) -> Residuals:
-    """Whether bearings balance the loads: an identity that can fail."""
-    middle = 0.5 * (supports.place[:, :1] + supports.place[:, -1:])
-    z = (loads.z - middle)[:, :, np.newaxis, np.newaxis]
-    moment = np.sum(z * loads.force, axis=1)
+def resultant(supports: Supports, loads: AxisLoads) -> Resultant:
+    """What loads come to together."""
+    moment = np.sum(_from_middle(supports, loads.z) * loads.force, axis=1)
     if loads.couple is not None:
         moment = moment + np.sum(loads.couple, axis=1)
-    force = np.sum(loads.force, axis=1) - np.sum(found.load, axis=1)
-    moment = moment - np.sum((supports.place - middle)[:, :, np.newaxis, np.newaxis] * found.load, axis=1)
     largest = np.max(np.abs(loads.force), axis=(1, 2, 3), initial=0.0)[:, np.newaxis]
     length = supports.place[:, -1:] - supports.place[:, :1]
-    return Residuals(
-        np.hypot(*np.moveaxis(force, 1, 0)), np.hypot(*np.moveaxis(moment, 1, 0)), largest, largest * length
-    )
+    return Resultant(np.sum(loads.force, axis=1), moment, largest, largest * length)
+
+
+def unbalanced(supports: Supports, of_loads: Resultant, borne: Array) -> tuple[Array, Array]:
+    """What bearings leave over of loads, an identity that can fail: force and moment, shape (design, angle). [N, N·m]
+
+    Parameters
+    ----------
+    supports : Supports
+    of_loads : Resultant
+    borne : Array, shape (design, bearing, 2, angle)
+        What the bearings carry. [N]
+    """
+    force = of_loads.force - np.sum(borne, axis=1)
+    moment = of_loads.moment - np.sum(_from_middle(supports, supports.place) * borne, axis=1)
+    return np.hypot(force[:, 0], force[:, 1]), np.hypot(moment[:, 0], moment[:, 1])
+
+
+def _from_middle(supports: Supports, z: Array) -> Array:
+    """How far places lie from the middle between the outer bearings, shape (design, place, 1, 1). [m]"""
+    middle = 0.5 * (supports.place[:, :1] + supports.place[:, -1:])
+    return (z - middle)[:, :, np.newaxis, np.newaxis]

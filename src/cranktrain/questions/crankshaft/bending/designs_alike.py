@@ -21,11 +21,15 @@ class Alike(NamedTuple):
         Between which bearings each load and each web lies, as `spans_of` says.
     is_isotropic : bool
         Whether every bearing gives as much in all directions.
+    is_steady : bool
+        Whether, beside that, all bearings stand in line: then what they carry of a load that turns with the shaft turns
+        with it, and is nothing without loads.
     """
 
     loads: NDArray[np.intp]
     webs: NDArray[np.intp]
     is_isotropic: bool
+    is_steady: bool
 
 
 def designs_alike(shaft: Crankshaft, z: Array) -> Iterator[tuple[NDArray[np.intp], Alike]]:
@@ -37,7 +41,10 @@ def designs_alike(shaft: Crankshaft, z: Array) -> Iterator[tuple[NDArray[np.intp
         (compliance[..., 0, 0] == compliance[..., 1, 1]) & (compliance[..., 0, 1] == 0) & (compliance[..., 1, 0] == 0)
     )
     isotropic = np.all(even, axis=-1)
-    keys = ((by_load[i].tobytes(), by_web[i].tobytes(), bool(isotropic[i])) for i in range(place.shape[0]))
+    steady = isotropic & np.all(shaft.supports.settlement == 0.0, axis=(1, 2))
+    keys = (
+        (by_load[i].tobytes(), by_web[i].tobytes(), bool(isotropic[i]), bool(steady[i])) for i in range(place.shape[0])
+    )
     for designs in grouped((key, design) for design, key in enumerate(keys)).values():
         first = designs[0]
-        yield np.array(designs), Alike(by_load[first], by_web[first], bool(isotropic[first]))
+        yield np.array(designs), Alike(by_load[first], by_web[first], bool(isotropic[first]), bool(steady[first]))

@@ -57,7 +57,7 @@ class EndSlopes(NamedTuple):
 
 def end_slopes(shaft: Crankshaft) -> EndSlopes:
     """How the ends of spans turn, of designs whose webs lie between the same bearings."""
-    alike = Alike(np.array([], dtype=np.intp), _spans_of_webs(shaft), is_isotropic=True)
+    alike = Alike(np.array([], dtype=np.intp), _spans_of_webs(shaft), is_isotropic=True, is_steady=True)
     bent = bent_spans(shaft, _no_loads(shaft.supports.place.shape[0]), alike)
     first, last = bent.first.slope, bent.last.slope
     return EndSlopes(-first[:, :, 0], -first[:, :, 1], last[:, :, 1])

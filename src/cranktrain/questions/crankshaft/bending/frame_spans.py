@@ -103,7 +103,7 @@ def _slopes_by_loads(bent: BentSpans, thrust: int, loads: ShaftLoads, spans: NDA
     """Rotations of both ends of every span by loads, each of shape (design, end, 2, angle)."""
     force = turned_by(loads.force, loads.turned)
     couple = None if loads.couple is None else turned_by(loads.couple, loads.turned)
-    about_axis = torques(loads)
+    about_axis = torques(loads, force)
     slopes: list[Array] = []
     for span in range(bent.first.twist.shape[1]):
         through = _passing(about_axis, spans <= span)

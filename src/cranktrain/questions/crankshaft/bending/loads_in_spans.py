@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.motion import Array
 from cranktrain.numerics.designs import of_designs
 from cranktrain.questions.crankshaft.bending.blocks import turned_by
 from cranktrain.questions.crankshaft.bending.cut_shaft import CutShaft, cut_shaft
@@ -95,9 +96,48 @@ class LoadsInSpans:
         return straight_spans(shaft.supports.place, shaft.straight, self.of.alike.loads, self._along)
 
     @cached_property
+    def turning(self) -> Array:
+        """All that acts, in axes that turn with the shaft, as `unit_loads` has it, shape (design, unit load, angle)."""
+        if self._taken is not None:
+            return self._taken.whole.turning[..., self._taken.angles]
+        return _in_turning_axes(self.loads)
+
+    @cached_property
     def _along(self) -> AxisLoads:
         """The loads, carried over to the axis."""
         return on_axis(self.loads)
+
+
+def _in_turning_axes(loads: ShaftLoads) -> Array:
+    """Forces, couples, torques and thrusts one below another, shape (design, one, angle)."""
+    across = (part for part in (loads.force, loads.couple) if part is not None)
+    about = (part for part in (loads.torque, loads.thrust) if part is not None)
+    n_designs, n_angles = loads.turned.shape
+    turned = (turned_by(part, loads.turned).reshape(n_designs, -1, n_angles) for part in across)
+    return np.concatenate([*turned, *about], axis=1)
+
+
+def unit_loads(of: AlikeShafts, *, is_geared: bool) -> LoadsInSpans:
+    """Unit loads at all places, one at each of so many angles, of axes that do not turn.
+
+    Forces toward the first and the second axis at each place, then torques; with gears, couples behind the forces, and
+    at last thrusts.
+    """
+    n_designs, n_places = of.places.z.shape
+    n_kinds = (2, 2, 1, 1) if is_geared else (2, 0, 1, 0)
+    n_units = n_places * sum(n_kinds)
+    rows = np.broadcast_to(np.eye(n_units), (n_designs, n_units, n_units))
+    force, couple, torque, thrust = np.split(rows, np.cumsum(n_kinds)[:-1] * n_places, axis=1)
+    across = (n_designs, n_places, 2, n_units)
+    loads = ShaftLoads(
+        *of.places,
+        turned=np.zeros((n_designs, n_units)),
+        force=force.reshape(across),
+        couple=couple.reshape(across) if is_geared else None,
+        torque=torque,
+        thrust=thrust if is_geared else None,
+    )
+    return LoadsInSpans(of, loads)
 
 
 class _Taken(NamedTuple):
@@ -126,13 +166,25 @@ class SpannedLoads(NamedTuple):
     groups: tuple[LoadsInSpans, ...]
 
     @property
-    def n_bearings(self) -> int:
-        """Of the shaft."""
-        return self.groups[0].of.shaft.supports.place.shape[1]
+    def turning_force(self) -> Array:
+        """Forces in axes that turn with the shaft, shape (design, load, 2, angle). [N]"""
+        shape = self.loads.force.shape
+        forces = [group.turning[:, : 2 * shape[1]].reshape(-1, *shape[1:]) for group in self.groups]
+        return in_order(self.groups, forces)
 
     def at(self, angles: NDArray[np.intp]) -> "SpannedLoads":
         """The same at some of the crank angles."""
         return SpannedLoads(loads_at(self.loads, angles), tuple(group.at(angles) for group in self.groups))
+
+
+def in_order(groups: Sequence[LoadsInSpans], values: Sequence[Array]) -> Array:
+    """Values of designs that are alike, for each group of these, in the order of all designs."""
+    if len(groups) == 1:
+        return values[0]
+    whole = np.empty((sum(group.of.designs.size for group in groups), *values[0].shape[1:]))
+    for group, own in zip(groups, values, strict=True):
+        whole[group.of.designs] = own
+    return whole
 
 
 def spanned_loads(shafts: Sequence[AlikeShafts], loads: ShaftLoads) -> SpannedLoads:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.questions.crankshaft.bending.blocks import turned_by
 
 
 class ActingPlaces(NamedTuple):
@@ -92,15 +93,14 @@ def on_axis(loads: ShaftLoads) -> AxisLoads:
     """
     if loads.thrust is None:
         return AxisLoads(loads.z, loads.force, loads.couple)
-    aside = -loads.thrust[:, :, np.newaxis, :] * arms(loads)
+    arm = turned_by(np.broadcast_to(arms(loads.radius, loads.angle), loads.force.shape), -loads.turned)
+    aside = -loads.thrust[:, :, np.newaxis, :] * arm
     return AxisLoads(loads.z, loads.force, aside if loads.couple is None else loads.couple + aside)
 
 
-def arms(loads: ShaftLoads) -> Array:
-    """Where loads act, from the axis toward X and Y, shape (design, load, 2, angle). [m]"""
-    direction = loads.angle[:, :, np.newaxis] + loads.turned[:, np.newaxis, :]
-    radius = loads.radius[:, :, np.newaxis]
-    return np.stack([radius * np.cos(direction), radius * np.sin(direction)], axis=2)
+def arms(radius: Array, angle: Array) -> Array:
+    """What stands at radii and angles, shape (design, place), from the axis: (design, place, 2, 1). [m]"""
+    return np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=2)[..., np.newaxis]
 
 
 def torque_sizes(loads: ShaftLoads) -> Array:
@@ -109,13 +109,19 @@ def torque_sizes(loads: ShaftLoads) -> Array:
     return most if loads.torque is None else most + np.abs(loads.torque)
 
 
-def torques(loads: ShaftLoads) -> Array:
+def torques(loads: ShaftLoads, force: Array) -> Array:
     """Torque of each load about the shaft's axis, from X toward Y, shape (design, load, angle). [N·m]
+
+    Parameters
+    ----------
+    loads : ShaftLoads
+    force : Array, shape (design, load, 2, angle)
+        Theirs in axes that turn with the shaft. [N]
 
     Notes
     -----
     docs/theory/crankshaft, eq. (24.3).
     """
-    arm = arms(loads)
-    own = arm[:, :, 0] * loads.force[:, :, 1] - arm[:, :, 1] * loads.force[:, :, 0]
+    arm = arms(loads.radius, loads.angle)
+    own = arm[:, :, 0] * force[:, :, 1] - arm[:, :, 1] * force[:, :, 0]
     return own if loads.torque is None else own + loads.torque

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads, torques
+from cranktrain.questions.crankshaft.bending.blocks import turned_by
+from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads, arms, torques
 from cranktrain.questions.crankshaft.metal.shaft import Crankshaft
 
 
@@ -21,21 +22,22 @@ class TorqueAlong(NamedTuple):
 
 
 class TorqueOfLoads(NamedTuple):
-    """The same by all that acts but the bearings, and what their loads need to add to it.
+    """Torque by all that acts but the bearings, and what their loads need to add to it.
 
     Attributes
     ----------
-    along : TorqueAlong
-    axis : Array, shape (design, piece, 2, angle)
-        Axis of each piece, from the shaft's toward X and Y. [m]
+    torque : Array, shape (design, piece, angle)
+        [N·m]
+    axis : Array, shape (design, piece, 2, 1)
+        Axis of each piece, from the shaft's, in axes that turn with it. [m]
     """
 
-    along: TorqueAlong
+    torque: Array
     axis: Array
 
     def at(self, angles: NDArray[np.intp]) -> "TorqueOfLoads":
         """The same at some of the crank angles."""
-        return TorqueOfLoads(TorqueAlong(*(part[..., angles] for part in self.along)), self.axis[..., angles])
+        return self._replace(torque=self.torque[..., angles])
 
 
 def torque_along(shaft: Crankshaft, loads: ShaftLoads, borne: Array) -> TorqueAlong:
@@ -57,28 +59,37 @@ def torque_along(shaft: Crankshaft, loads: ShaftLoads, borne: Array) -> TorqueAl
     -----
     docs/theory/crankshaft, eqs. (24.37) and (24.38).
     """
-    by_loads, bounds = torque_of_loads(shaft, loads), shaft.pieces.bounds
-    return TorqueAlong(
-        by_loads.along.begin + torque_by_bearings(shaft, by_loads.axis, borne, bounds[:, :-1]),
-        by_loads.along.end + torque_by_bearings(shaft, by_loads.axis, borne, bounds[:, 1:]),
-    )
+    force, turning = turned_by(loads.force, loads.turned), turned_by(borne, loads.turned)
+    bounds = shaft.pieces.bounds
+
+    def at(z: Array, *, behind: bool) -> Array:
+        by_loads = torque_of_loads(shaft, loads, force, behind=behind)
+        return by_loads.torque + torque_by_bearings(shaft, by_loads.axis, turning, z)
+
+    return TorqueAlong(at(bounds[:, :-1], behind=False), at(bounds[:, 1:], behind=True))
 
 
-def torque_of_loads(shaft: Crankshaft, loads: ShaftLoads) -> TorqueOfLoads:
-    """Torque by all that acts on a shaft but its bearings: the same by every method."""
-    pieces, turned = shaft.pieces, loads.turned
-    about_axis = torques(loads)
-    direction = pieces.angle[..., np.newaxis] + turned[:, np.newaxis]
-    radius = pieces.radius[..., np.newaxis]
-    axis = np.stack([radius * np.cos(direction), radius * np.sin(direction)], axis=2)
-    begin, end = (np.empty(direction.shape) for _place in range(2))
-    torque, force = np.zeros_like(turned), np.zeros((turned.shape[0], 2, turned.shape[1]))
-    for piece in range(pieces.radius.shape[1]):
-        for part, on_web in ((begin, False), (end, True)):
-            part[:, piece] = torque - _moment(axis[:, piece], force)
-            for load in np.flatnonzero((loads.piece == piece) & (loads.on_web == on_web)).tolist():
-                torque, force = torque + about_axis[:, load], force + loads.force[:, load]
-    return TorqueOfLoads(TorqueAlong(begin, end), axis)
+def torque_of_loads(shaft: Crankshaft, loads: ShaftLoads, force: Array, *, behind: bool = False) -> TorqueOfLoads:
+    """Torque by all that acts on a shaft but its bearings, where pieces begin: the same by every method.
+
+    Parameters
+    ----------
+    shaft : Crankshaft
+    loads : ShaftLoads
+    force : Array, shape (design, load, 2, angle)
+        Of the loads in axes that turn with the shaft. [N]
+    behind : bool
+        Where pieces end instead, behind all that acts on them.
+    """
+    pieces = shaft.pieces
+    # Before what acts on a piece, that on it, and that on the web behind it.
+    place = 2 * loads.piece + loads.on_web
+    order = np.argsort(place, kind="stable")
+    ends: NDArray[np.intp] = 2 * np.arange(pieces.radius.shape[1], dtype=np.intp) + behind
+    n_before = np.searchsorted(place[order], ends)
+    torque, summed = (_summed(part[:, order])[:, n_before] for part in (torques(loads, force), force))
+    axis = arms(pieces.radius, pieces.angle)
+    return TorqueOfLoads(torque - _moment(axis, summed), axis)
 
 
 def torque_by_bearings(shaft: Crankshaft, axis: Array, borne: Array, z: Array) -> Array:
@@ -87,16 +98,20 @@ def torque_by_bearings(shaft: Crankshaft, axis: Array, borne: Array, z: Array) -
     Parameters
     ----------
     shaft : Crankshaft
-    axis : Array, shape (design, piece, 2, angle)
+    axis : Array, shape (design, piece, 2, 1)
         [m]
     borne : Array, shape (design, bearing, 2, angle)
-        [N]
+        In axes that turn with the shaft, as the axis of a piece. [N]
     z : Array, shape (design, piece)
         [m]
     """
     n_before = np.sum(shaft.supports.place[:, np.newaxis] < z[..., np.newaxis], axis=-1)
-    summed = np.cumsum(np.concatenate([np.zeros_like(borne[:, :1]), borne], axis=1), axis=1)
-    return _moment(axis, np.take_along_axis(summed, n_before[..., np.newaxis, np.newaxis], axis=1))
+    return _moment(axis, np.take_along_axis(_summed(borne), n_before[..., np.newaxis, np.newaxis], axis=1))
+
+
+def _summed(values: Array) -> Array:
+    """Sums of the first none, one, two, … along the second axis."""
+    return np.cumsum(np.concatenate([np.zeros_like(values[:, :1]), values], axis=1), axis=1)
 
 
 def _moment(arm: Array, force: Array) -> Array:

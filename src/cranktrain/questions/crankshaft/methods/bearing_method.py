@@ -11,6 +11,7 @@ from cranktrain.questions.crankshaft.bending.loads_in_spans import (
     LoadsInSpans,
     SpannedLoads,
     alike_shafts,
+    in_order,
     spanned_loads,
 )
 from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads
@@ -78,6 +79,8 @@ class BearingMethod:
     beside : str or None
         That line where its largest load, `{other}`, stands beside `{load}` in `{bearing}`, that of the most trusted
         method of these bearings, not yet translated; None where it has no place there.
+    is_cut : bool
+        Whether the shaft is cut at its bearings, so that no span knows of the loads on another.
     trust : str
         What the answer says of whom to trust where this is the best that the file has numbers for, not yet translated:
         `{range}` is what all methods give in `{bearing}`.
@@ -91,6 +94,7 @@ class BearingMethod:
     bearings: TakenBearings
     rank: int
     beside: str | None = None
+    is_cut: bool = False
     trust: str = N_("{method}; bearing {bearing} by all: {range}")
 
     def loads(self, shaft: Crankshaft, loads: ShaftLoads) -> BearingLoads:
@@ -98,21 +102,19 @@ class BearingMethod:
         return self.of(shaft.supports, spanned_loads(alike_shafts(shaft, loads.places), loads))
 
     def of(self, supports: Supports, loads: SpannedLoads) -> BearingLoads:
-        """The same of loads whose spans are known, in bearings that may give otherwise than the shaft's.
+        """The same of loads whose spans are known, in bearings that may give otherwise than the shaft's."""
+        by_group = [self.of_alike(supports, group) for group in loads.groups]
+        return BearingLoads(*(in_order(loads.groups, parts) for parts in zip(*by_group, strict=True)))
+
+    def of_alike(self, supports: Supports, loads: LoadsInSpans) -> BearingLoads:
+        """The same of those of the designs that are alike.
 
         NaN where the shaft floats on a single bearing, or has no stiffness where the method asks for it.
         """
-        n_designs, n_angles = loads.loads.turned.shape
-        shape = (n_designs, loads.n_bearings, 2, n_angles)
-        if loads.n_bearings < 2:
-            nothing = np.full(shape, np.nan)
+        own = of_designs(supports, loads.of.designs)
+        n_designs, n_bearings = own.place.shape
+        if n_bearings < 2:
+            nothing = np.full((n_designs, n_bearings, 2, loads.loads.turned.shape[1]), np.nan)
             return BearingLoads(nothing, nothing, nothing)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            by_group = [self.kernel(of_designs(supports, group.of.designs), group) for group in loads.groups]
-        if len(by_group) == 1:
-            return by_group[0]
-        joined = [np.empty(shape) for _part in BearingLoads._fields]
-        for group, values in zip(loads.groups, by_group, strict=True):
-            for whole, part in zip(joined, values, strict=True):
-                whole[group.of.designs] = part
-        return BearingLoads(*joined)
+            return self.kernel(own, loads)

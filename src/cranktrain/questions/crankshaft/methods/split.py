@@ -27,5 +27,6 @@ SPLIT = BearingMethod(
     N_("a hinge at every bearing: each span carries its own loads, whatever the stiffness"),
     RIGID,
     rank=5,
+    is_cut=True,
     beside=N_("{load} in bearing {bearing}; split {other}"),
 )

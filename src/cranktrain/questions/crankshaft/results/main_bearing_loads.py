@@ -10,14 +10,15 @@ from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.numerics.ties import first_largest
-from cranktrain.questions.crankshaft.bending.bearing_loads import BearingLoads, residuals
+from cranktrain.questions.crankshaft.bending.bearing_loads import resultant, unbalanced
 from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.bending.shaft_loads import on_axis
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts, LoadsOverCycle
-from cranktrain.questions.crankshaft.methods import methods_for, title_of
+from cranktrain.questions.crankshaft.methods import title_of
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.bearings_between_events import BearingsBetweenEvents
 from cranktrain.questions.crankshaft.results.shaft_peaks import ShaftPeaks
+from cranktrain.questions.crankshaft.results.supported_shafts import SupportedShafts
 from cranktrain.questions.forces.peaks import one_sided
 from cranktrain.questions.wear.cycle_points import CyclePoints
 from cranktrain.record import record
@@ -69,6 +70,7 @@ class MainBearingLoads(Checked, Flagged):
 def main_bearing_loads(
     loaded: LoadedShafts,
     declared: DeclaredCrankshafts,
+    supported: SupportedShafts,
     over_cycle: LoadsOverCycle,
     between: BearingsBetweenEvents,
     points: CyclePoints,
@@ -80,14 +82,12 @@ def main_bearing_loads(
     -----
     docs/theory/crankshaft, eqs. (24.6) and (24.10).
     """
-    methods = methods_for(declared)
     acting = over_cycle.each
     by_method = [
-        [method.of(supports, loads) for supports, loads in zip(loaded.supports, acting, strict=True)]
-        for method in methods
+        [shaft.borne(loads) for shaft, loads in zip(shafts, acting, strict=True)] for shafts in supported.by_method
     ]
-    curves = np.stack([np.concatenate([borne.load for borne in shafts], axis=1) for shafts in by_method], axis=1)
-    named = [f"{method.name} {bearing}" for method in methods for bearing in declared.bearings]
+    curves = np.stack([np.concatenate(shafts, axis=1) for shafts in by_method], axis=1)
+    named = [f"{method.name} {bearing}" for method in supported.methods for bearing in declared.bearings]
     return MainBearingLoads(
         main_bearing_load_x=curves[:, :, :, 0],
         main_bearing_load_y=curves[:, :, :, 1],
@@ -98,13 +98,14 @@ def main_bearing_loads(
     )
 
 
-def _check(loaded: LoadedShafts, acting: Sequence[SpannedLoads], by_method: Sequence[Sequence[BearingLoads]]) -> Check:
+def _check(loaded: LoadedShafts, acting: Sequence[SpannedLoads], by_method: Sequence[Sequence[Array]]) -> Check:
     """Whether the bearings balance all that acts, in force and in moment, by every method."""
     worst = np.zeros(len(acting[0].loads.z))
-    for shafts in by_method:
-        for supports, spanned, borne in zip(loaded.supports, acting, shafts, strict=True):
-            left = residuals(supports, on_axis(spanned.loads), borne)
-            for part, scale in ((left.force, left.largest_force), (left.moment, left.largest_moment)):
-                worst = np.maximum(worst, np.max(part / np.where(scale > 0, scale, 1.0), axis=-1))
+    for place, (supports, spanned) in enumerate(zip(loaded.supports, acting, strict=True)):
+        of_loads = resultant(supports, on_axis(spanned.loads))
+        scales = (of_loads.largest_force, of_loads.largest_moment)
+        for shafts in by_method:
+            for left, scale in zip(unbalanced(supports, of_loads, shafts[place]), scales, strict=True):
+                worst = np.maximum(worst, np.max(left / np.where(scale > 0, scale, 1.0), axis=-1))
     sentence = _("Sum of all bearing loads and their moments against all that acts on the shaft, by every method")
     return Check("bearing_loads", sentence, worst, _LIMIT)

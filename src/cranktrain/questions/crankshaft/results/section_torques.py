@@ -14,11 +14,13 @@ from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.bending.shaft_loads import torque_sizes, torques
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts, LoadsOverCycle
-from cranktrain.questions.crankshaft.methods import methods_for
-from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
 from cranktrain.questions.crankshaft.results.shaft_peaks import ShaftPeaks
-from cranktrain.questions.crankshaft.results.torque_of_shafts import torque_in_sections, torques_of_loads
+from cranktrain.questions.crankshaft.results.torque_of_shafts import (
+    in_turning_axes,
+    torque_in_sections,
+    torques_of_loads,
+)
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout
 from cranktrain.questions.forces.mechanism_torques import driving_torques
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
@@ -93,7 +95,6 @@ def widest_sections(ranges: Array, sections: Sequence[str]) -> tuple[int, int]:
 
 def section_torques(
     loaded: LoadedShafts,
-    declared: DeclaredCrankshafts,
     bearings: MainBearingLoads,
     over_cycle: LoadsOverCycle,
     solved: SolvedCycle,
@@ -107,8 +108,9 @@ def section_torques(
     """
     acting = over_cycle.each
     load = np.stack([bearings.main_bearing_load_x, bearings.main_bearing_load_y], axis=3)
-    by_loads, n_methods = torques_of_loads(loaded, acting), len(methods_for(declared))
-    curves = [torque_in_sections(loaded, by_loads, load[:, method]) for method in range(n_methods)]
+    by_loads, n_methods = torques_of_loads(loaded, acting), load.shape[1]
+    borne = (in_turning_axes(load[:, method], acting, loaded) for method in range(n_methods))
+    curves = [torque_in_sections(loaded, by_loads, loads) for loads in borne]
     is_journal = np.concatenate([shaft.layout.is_journal for shaft in loaded.each])
     most, least = (Peak(*np.empty((3, len(load), n_methods, is_journal.size))) for _way in range(2))
     for way, ends in enumerate((most, least)):
@@ -131,7 +133,7 @@ def _check(loaded: LoadedShafts, acting: Sequence[SpannedLoads], driving: Array)
     worst = np.zeros(len(driving))
     for shaft, spanned in zip(loaded.each, acting, strict=True):
         n_loads = shaft.rods.number.size + shaft.cranks.number.size
-        by_forces = shaft.layout.turn * torques(spanned.loads)[:, :n_loads]
+        by_forces = shaft.layout.turn * torques(spanned.loads, spanned.turning_force)[:, :n_loads]
         by_joints = np.sum(driving[:, np.unique(shaft.rods.number)], axis=1)
         off = np.max(np.abs(np.sum(by_forces, axis=1) + by_joints), axis=-1)
         # Forces that stand along their cranks turn nothing, but by rounding.

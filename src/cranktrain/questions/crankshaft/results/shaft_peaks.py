@@ -15,14 +15,17 @@ from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.bending.torque_along import TorqueOfLoads
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.metal.shaft import Supports
-from cranktrain.questions.crankshaft.methods import methods_for, most_trusted
-from cranktrain.questions.crankshaft.methods.bearing_method import ELASTIC, BearingMethod
+from cranktrain.questions.crankshaft.methods import most_trusted
+from cranktrain.questions.crankshaft.methods.bearing_method import ELASTIC
+from cranktrain.questions.crankshaft.methods.supported_shaft import SupportedShaft, in_bearings
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
-from cranktrain.questions.crankshaft.results.bearings_between_events import (
-    BearingsBetweenEvents,
-    bearing_loads_of,
+from cranktrain.questions.crankshaft.results.bearings_between_events import BearingsBetweenEvents
+from cranktrain.questions.crankshaft.results.supported_shafts import SupportedShafts
+from cranktrain.questions.crankshaft.results.torque_of_shafts import (
+    in_turning_axes,
+    torque_in_sections,
+    torques_of_loads,
 )
-from cranktrain.questions.crankshaft.results.torque_of_shafts import torque_in_sections, torques_of_loads
 from cranktrain.questions.forces.events import ForceEvents, breaks_at_speed
 from cranktrain.questions.forces.peaks import counted
 from cranktrain.questions.wear.cycle_points import CyclePoints
@@ -63,20 +66,19 @@ class ShaftPeaks:
 class _Curves(NamedTuple):
     """Curves of which all need the same: bearing loads by a method in some bearings, and the torque of sections.
 
-    Without a method the torque is that by the loads alone, and there are no loads of bearings.
+    Without shafts in bearings the torque is that by the loads alone, and there are no loads of bearings.
     """
 
-    method: BearingMethod | None
-    supports: Sequence[Supports]
+    shafts: Sequence[SupportedShaft]
     sections: NDArray[np.bool_]
 
-    def borne(self, acting: Sequence[SpannedLoads]) -> Array | None:
-        """Load of all bearings, shape (design, bearing, 2, n). [N]"""
-        return None if self.method is None else bearing_loads_of(self.supports, [self.method], acting)[:, 0]
+    def borne(self, acting: Sequence[SpannedLoads]) -> list[Array]:
+        """Load of the bearings of each shaft in axes that turn with it, shape (design, bearing, 2, n). [N]"""
+        return [shaft.turning(loads) for shaft, loads in zip(self.shafts, acting, strict=False)]
 
-    def values(self, loaded: LoadedShafts, by_loads: Sequence[TorqueOfLoads], borne: Array | None) -> Array:
+    def values(self, loaded: LoadedShafts, by_loads: Sequence[TorqueOfLoads], borne: Sequence[Array]) -> Array:
         """Sizes of the loads, the torques, and these against the rotation, shape (design, curve, n)."""
-        sizes = [] if borne is None else [np.hypot(borne[:, :, 0], borne[:, :, 1])]
+        sizes = [np.hypot(load[:, :, 0], load[:, :, 1]) for load in borne]
         if np.any(self.sections):
             torque = torque_in_sections(loaded, by_loads, borne)[:, self.sections]
             sizes += [torque, -torque]
@@ -85,38 +87,40 @@ class _Curves(NamedTuple):
     def kinds(self, n_curves: int) -> Iterator[int]:
         """How many of the curves are of each kind, of which what is rounding beside its largest is nothing."""
         n_torques = 2 * int(np.sum(self.sections))
-        if self.method is not None:
+        if self.shafts:
             yield n_curves - n_torques
-        if self.method is None or n_torques:
+        if not self.shafts or n_torques:
             yield n_torques
 
 
 def shaft_peaks(
     loaded: LoadedShafts,
     declared: DeclaredCrankshafts,
+    supported: SupportedShafts,
     points: CyclePoints,
     between: BearingsBetweenEvents,
     events: ForceEvents,
     crank_angle: CrankAngle,
 ) -> ShaftPeaks:
     """Find the tops of all curves in the panels between events, and look at the machine near these once."""
-    methods, supports = methods_for(declared), loaded.supports
     is_journal = np.concatenate([shaft.layout.is_journal for shaft in loaded.each])
     nowhere = np.zeros_like(is_journal)
-    groups = [_Curves(method, supports, ~is_journal) for method in methods]
+    groups = [_Curves(shafts, ~is_journal) for shafts in supported.by_method]
     if declared.is_elastic:
-        groups += [_Curves(most_trusted(ELASTIC), _in_housing(supports, factor), nowhere) for factor in HOUSINGS]
-    groups.append(_Curves(None, supports, is_journal))
-    n_methods = len(methods)
+        trusted = most_trusted(ELASTIC)
+        housings = (_in_housing(loaded.supports, factor) for factor in HOUSINGS)
+        groups += [_Curves(in_bearings(trusted, softer, supported.units), nowhere) for softer in housings]
+    groups.append(_Curves((), is_journal))
+    n_methods = len(supported.by_method)
     by_loads = torques_of_loads(loaded, between.acting)
-    borne: list[Array | None] = [between.load[:, method] for method in range(n_methods)]
+    borne = [in_turning_axes(load, between.acting, loaded) for load in np.moveaxis(between.load, 1, 0)]
     borne += [group.borne(between.acting) for group in groups[n_methods:]]
-    samples = [group.values(loaded, by_loads, load) for group, load in zip(groups, borne, strict=True)]
+    samples = [group.values(loaded, by_loads, loads) for group, loads in zip(groups, borne, strict=True)]
     kinds = [n for group, values in zip(groups, samples, strict=True) for n in group.kinds(values.shape[1])]
     peaks = iter(_largest(loaded, groups, samples, kinds, points, events, crank_angle))
-    loads, torques = zip(*((next(peaks), next(peaks)) for _method in methods), strict=True)
-    housings = tuple(next(peaks) for _group in groups[n_methods:-1])
-    return ShaftPeaks(_by_method(loads), _by_method(torques), next(peaks), housings)
+    loads, torques = zip(*((next(peaks), next(peaks)) for _method in range(n_methods)), strict=True)
+    of_housings = tuple(next(peaks) for _group in groups[n_methods:-1])
+    return ShaftPeaks(_by_method(loads), _by_method(torques), next(peaks), of_housings)
 
 
 def _by_method(peaks: Sequence[Peak]) -> Peak:
