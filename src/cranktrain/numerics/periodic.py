@@ -12,7 +12,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extremes, turning_points
 from cranktrain.numerics.harmonics import TURN, harmonics, phasor
 from cranktrain.numerics.piecewise import PiecePlaces, mean_shares, piece_extremes, quintics
-from cranktrain.numerics.polynomials import polynomial
+from cranktrain.numerics.polynomials import polynomial, polynomial_value
 from cranktrain.numerics.products import product
 
 
@@ -66,8 +66,8 @@ class PeriodicCurve(NamedTuple):
         assert self.between is not None
         pieces, width = self.pieces, self.between.width
         if chosen is not None:
-            *powers, width = (np.broadcast_to(part, chosen.shape)[chosen] for part in (*pieces, width))
-            pieces = np.stack(powers)
+            pieces = np.broadcast_to(pieces, (len(pieces), *chosen.shape))[:, chosen]
+            width = np.broadcast_to(width, chosen.shape)[chosen]
         safe = np.where(width > 0, width, 1.0)
 
         def motion(share: Array) -> Coefficient:
@@ -220,7 +220,8 @@ def mean_samples(*curves: PeriodicCurve) -> tuple[list[Array], Array | None]:
     if between is None or any(one.between is not between for one in curves):
         return [one.samples for one in curves], None
     shares, weight = mean_shares()
-    values = [np.concatenate([one.each(share).value for share in shares], axis=-1) for one in curves]
+    pieces = [one.pieces for one in curves if one.pieces is not None]
+    values = [np.concatenate([polynomial_value(powers, share) for share in shares], axis=-1) for powers in pieces]
     width = between.width / curves[0].cycle
     return values, np.concatenate([part * width for part in weight], axis=-1)
 
