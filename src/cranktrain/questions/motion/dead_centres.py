@@ -13,7 +13,7 @@ from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, turn_grid
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.nested import each_changed
 from cranktrain.questions.motion.outputs import InCylinders, by_output, outputs_of
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
@@ -107,7 +107,7 @@ class PistonGrid:
 def piston_grid(pistons: Pistons, crank_angle: CrankAngle) -> PistonGrid:
     """Evaluate every piston on the grid."""
     turn = slider_and_rod(pistons, crank_angle.first_turn)
-    return PistonGrid(mapped(lambda _name, values: crank_angle.over_cycle(values), turn))
+    return PistonGrid(each_changed(crank_angle.over_cycle, turn))
 
 
 # The position has 16 digits, and its part that moves so many fewer. Rods that stand for none are given 10⁴ cranks.

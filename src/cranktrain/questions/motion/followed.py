@@ -13,7 +13,7 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Coefficient
 from cranktrain.numerics import unwrapped
-from cranktrain.numerics.nested import Nested, mapped, side_by_side
+from cranktrain.numerics.nested import Nested, each_changed, side_by_side
 from cranktrain.record import record
 
 _THEORY = "docs/theory/groups-2"
@@ -139,4 +139,4 @@ def followed_parts(
 
 def _members(motion: Nested, index: NDArray[np.intp]) -> Nested:
     """Take some members of a part: nested NamedTuples of arrays, shape (design, member, n)."""
-    return mapped(lambda _name, values: values[:, index], motion)
+    return each_changed(lambda values: values[:, index], motion)
