@@ -12,6 +12,7 @@ from cranktrain.linkage.forces import EdgeForces, edge_forces
 from cranktrain.motion import Array
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
 
 
@@ -22,9 +23,12 @@ class SolvedCycle:
     batches: tuple[SolvedBatch, ...]
 
 
-def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressures | None) -> SolvedCycle:
+def solved_cycle(
+    loaded: LoadedMachine, crank_angle: CrankAngle, motion: GridMotion, gas: GasPressures | None
+) -> SolvedCycle:
     """Solve the machine on its grid; docs/theory/forces, eqs. (13.1) to (13.3)."""
-    return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=None if gas is None else gas.gas_force))
+    gas_force = None if gas is None else gas.gas_force
+    return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=gas_force, motions=motion.batches))
 
 
 class Member(NamedTuple):

@@ -11,6 +11,7 @@ from cranktrain.questions.motion import (
     couplers,
     dead_centres,
     followed,
+    grid_motion,
     pistons,
     points,
     rocker_load,
@@ -34,6 +35,7 @@ QUESTION = Question(
     parts=_parts,
     stages=(
         Stage(dead_centres.piston_turn),
+        Stage(grid_motion.grid_motion),
         Stage(dead_centres.piston_grid),
         Stage(dead_centres.dead_centres),
         Stage(pistons.piston_motion),
