@@ -114,8 +114,8 @@ class GasInChambers(Flagged):
         found = np.empty((2, *volume.value.shape))
         for filling, state in self._states(angle, volume):
             own, fluid = filling.places, filling.fluid
-            found[0][:, own] = fluid.pressure(state, filling.ready)
-            found[1][:, own] = fluid.slope(state, volume.first[:, own], filling.ready)
+            found[0][:, own] = pressure = fluid.pressure(state, filling.ready)
+            found[1][:, own] = fluid.slope(state, pressure, volume.first[:, own], filling.ready)
         return found
 
     def _states(self, angle: Array, volume: Coefficient) -> Iterator[tuple[Filling, ChamberState]]:
