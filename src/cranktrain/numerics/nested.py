@@ -81,7 +81,7 @@ def side_by_side(found: Sequence[tuple[NDArray[np.intp], Nested]], shape: tuple[
     return filled(found[0][1], iter(columns))
 
 
-def put(of_all: Iterable[Array], place: NDArray[np.intp] | Sequence[int], values: Iterable[Array]) -> None:
+def put(of_all: Iterable[Array], place: NDArray[np.intp], values: Iterable[Array]) -> None:
     """Put curves of some, each of shape (design, one, ...), at their places in those of all, which are changed."""
     for whole, part in zip(of_all, values, strict=True):
         whole[:, place] = part

@@ -11,7 +11,6 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch
 from cranktrain.linkage.forces import EdgeForces, edge_forces
 from cranktrain.motion import Array
-from cranktrain.numerics.nested import put
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.motion.grid_motion import GridMotion
@@ -31,6 +30,11 @@ def solved_cycle(
     """Solve the machine on its grid; docs/theory/forces, eqs. (13.1) to (13.3)."""
     gas_force = None if gas is None else gas.gas_force
     return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=gas_force, motions=motion.batches))
+
+
+def force_size(x: Array, y: Array) -> Array:
+    """Size of a force: it is far from the largest and smallest numbers, for which `np.hypot` takes its time."""
+    return np.sqrt(x * x + y * y)
 
 
 class Member(NamedTuple):
@@ -59,7 +63,8 @@ def parts_of(
     for where, places in alike.items():
         own = [members[place].member for place in places]
         shape = solved[where[0]].forces.driving_torque.shape
-        put(found, places, [np.broadcast_to(part, shape)[:, own] for part in parts[where]])
+        for whole, part in zip(found, parts[where], strict=True):
+            whole[:, places] = np.broadcast_to(part, shape)[:, own]
     return found
 
 
