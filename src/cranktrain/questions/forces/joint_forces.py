@@ -145,6 +145,8 @@ def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Itera
         joints = dynamics.by_joint(one.forces.joints)
         for place, (name, contact) in enumerate(zip(dynamics.sliding, dynamics.contacts, strict=True)):
             wrench, rubs = joints[contact.joint], (made.friction[place] > 0) & (made.edges[place].per_length == 0)
+            if not np.any(rubs):
+                continue
             turned = np.abs(wrench.moment) > _NO_ARM * np.max(force_size(wrench.x, wrench.y), axis=-1, keepdims=True)
             found = np.any(turned & rubs, axis=(0, 2))
             parts += [f"{loaded.mechanisms.names[i]}.{part_name(name)}" for i in batch.index[found].tolist()]
@@ -160,6 +162,8 @@ def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
     stuck: list[int] = []
     for batch, one, made in zip(loaded.mechanisms.batches, solved.batches, loaded.masses.batches, strict=True):
         for name, coefficient in zip(batch.kind.dynamics.sliding, made.friction, strict=True):
+            if not np.any(coefficient > 0):
+                continue
             moves = ~np.isnan(batch.kind.named(one.motion, name).first)
             found = (coefficient > 0) & moves & np.isnan(one.forces.driving_torque)
             stuck += batch.index[np.any(found, axis=(0, 2))].tolist()

@@ -149,14 +149,14 @@ class LoadedMachine:
     @cached_property
     def sharing(self) -> NDArray[np.intp]:
         """One number for all mechanisms that hang on one rod or share a chamber, shape (mechanism,)."""
-        label = np.arange(len(self.mechanisms.names), dtype=np.intp)
+        label = list(range(len(self.mechanisms.names)))
         pairs = [(slave, master) for slave, master in enumerate(self.carriers.master.tolist()) if master >= 0]
         if self.gas is not None:
             driven, works = self.carriers.driven, np.any(self.gas.chambers.areas != 0.0, axis=0)
             pairs += [(driven[np.argmax(is_own)], other) for is_own in works.T for other in driven[is_own].tolist()]
         for one, other in pairs:
-            label[label == label[one]] = label[other]
-        return label
+            label = [label[other] if own == label[one] else own for own in label]
+        return np.array(label, dtype=np.intp)
 
     def of_each(
         self,
