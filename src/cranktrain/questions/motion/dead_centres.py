@@ -13,7 +13,6 @@ from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, turn_grid
-from cranktrain.numerics.nested import side_by_side
 from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.questions.motion.outputs import InCylinders, by_output, outputs_of
 from cranktrain.record import record
@@ -110,14 +109,9 @@ class PistonGrid:
     value: SliderAndRod
 
 
-def piston_grid(pistons: Pistons, mechanisms: Mechanisms, motion: GridMotion) -> PistonGrid:
+def piston_grid(pistons: Pistons, motion: GridMotion) -> PistonGrid:
     """Pick what moves pistons from the motion of all mechanisms."""
-    driving = (
-        own for batch, own in zip(mechanisms.batches, motion.batches, strict=True) if batch.kind.output.is_slider
-    )
-    picked = [(batch.index, _picked(own)) for batch, own in zip(pistons.batches, driving, strict=True)]
-    shape = (len(pistons.nominal_top), len(pistons.names), motion.n_angles)
-    return PistonGrid(side_by_side(picked, shape))
+    return PistonGrid(motion.of(pistons, _picked))
 
 
 # The position has 16 digits, and its part that moves so many fewer. Rods that stand for none are given 10⁴ cranks.

@@ -1,13 +1,18 @@
 """Motion of every mechanism on the grid of crank angles, found once for all that go on from it."""
 
+from collections.abc import Callable
+from typing import TypeVar
+
 import numpy as np
 
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.motion import Array
-from cranktrain.numerics.nested import each_changed
+from cranktrain.numerics.nested import each_changed, side_by_side
 from cranktrain.record import record
+
+Outcome = TypeVar("Outcome", bound=tuple[object, ...])
 
 
 @record
@@ -16,20 +21,28 @@ class GridMotion:
 
     Attributes
     ----------
+    mechanisms : Mechanisms
     batches : tuple of NamedTuple
-        In the order of `Mechanisms.batches`, parts of shape (design, member, n).
+        In the order of `mechanisms.batches`, parts of shape (design, member, n).
     n_angles : int
     """
 
+    mechanisms: Mechanisms
     batches: tuple[AnyMotion, ...]
     n_angles: int
+
+    def of(self, some: Mechanisms, pick: Callable[[AnyMotion], Outcome]) -> Outcome:
+        """Pick arrays from the motion of those mechanisms that drive one sort of output, shape (design, some, n)."""
+        by_kind = {batch.kind: own for batch, own in zip(self.mechanisms.batches, self.batches, strict=True)}
+        picked = [(batch.index, pick(by_kind[batch.kind])) for batch in some.batches]
+        return side_by_side(picked, (len(some.nominal_top), len(some.names), self.n_angles))
 
 
 def grid_motion(mechanisms: Mechanisms, crank_angle: CrankAngle) -> GridMotion:
     """Evaluate every mechanism's kernel over one turn, which all turns of the cycle repeat."""
     turn, n_angles = crank_angle.first_turn, crank_angle.shown.size
     found = (batch.kind.motion(turn + batch.members.phase, batch.members.geometry) for batch in mechanisms.batches)
-    return GridMotion(tuple(_over_cycle(motion, turn.shape[-1], n_angles) for motion in found), n_angles)
+    return GridMotion(mechanisms, tuple(_over_cycle(motion, turn.shape[-1], n_angles) for motion in found), n_angles)
 
 
 def _over_cycle(motion: AnyMotion, n_turn: int, n_angles: int) -> AnyMotion:
