@@ -64,7 +64,7 @@ def parts_of(
         own = [members[place].member for place in places]
         shape = solved[where[0]].forces.driving_torque.shape
         for whole, part in zip(found, parts[where], strict=True):
-            whole[:, places] = np.broadcast_to(part, shape)[:, own]
+            whole[:, places] = (part if np.shape(part) == shape else np.broadcast_to(part, shape))[:, own]
     return found
 
 

@@ -34,8 +34,8 @@ QUESTION = Question(
     problems=points.point_problems,
     parts=_parts,
     stages=(
-        Stage(dead_centres.piston_turn),
         Stage(grid_motion.grid_motion),
+        Stage(dead_centres.piston_turn),
         Stage(dead_centres.piston_grid),
         Stage(dead_centres.dead_centres),
         Stage(pistons.piston_motion),
