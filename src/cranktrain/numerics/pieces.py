@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.numerics.polynomials import polynomial
+from cranktrain.numerics.polynomials import polynomial_value, value_and_first
 from cranktrain.numerics.products import product
 from cranktrain.numerics.series import around_zero
 from cranktrain.numerics.ties import ALIKE
@@ -203,7 +203,7 @@ def _tops(windows: Windows, values: Array) -> Peak:
         base = values[:, _N_NODES // 2]
         powers = product(values - base[:, np.newaxis], _TO_POWERS.T)
         way = _top(powers, scale[windows.row], windows.level)
-        value = base + polynomial(powers.T, way).value
+        value = base + polynomial_value(powers.T, way)
     top, angle, at = np.full((3, *is_piece.shape), np.nan)
     top[is_piece], angle[is_piece], at[is_piece] = value, windows.middle + windows.half * way, way
     ends = np.full((2, *is_piece.shape), np.nan)
@@ -322,7 +322,7 @@ def _top(powers: Array, scale: Array, level: Array) -> Array:
     slopes = (powers[:, 1:] * np.arange(1, _N_NODES)).T
     way, low, high = start, np.maximum(start - apart, -1.0), np.minimum(start + apart, 1.0)
     for _step in range(_NEWTON_STEPS):
-        first, second, _third = polynomial(slopes, way)
+        first, second = value_and_first(slopes, way)
         move = np.where(second < 0, -first / second, np.sign(first) * apart)
         way = np.minimum(np.maximum(way + np.where(np.isnan(move), 0.0, move), low), high)
     return np.where(np.sum(is_top, axis=-1) > 1, np.where(place == 0, level, start), way)
