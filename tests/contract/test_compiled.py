@@ -19,8 +19,8 @@ from tests.contract import force_kernels
 import cranktrain.fluids
 import cranktrain.linkage
 import cranktrain.mechanisms
-from cranktrain.fluids.compressor.pressure import Compressor
-from cranktrain.fluids.dual.pressure import IdealCycle
+from cranktrain.fluids.compressor.pressure import Compressor, compressor_pressure
+from cranktrain.fluids.dual.pressure import IdealCycle, ideal_pressure
 from cranktrain.fluids.state import ChamberState, VolumeLimits
 from cranktrain.linkage import (
     GUIDE,
@@ -210,6 +210,7 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "compressor.compressor_pressure": lambda angle, size, side: (chamber(angle, size, side), compressor(size)),
     "compressor.compressor_slope": lambda angle, size, side: (
         chamber(angle, size, side),
+        compressor_pressure(chamber(angle, size, side), compressor(size)),
         volume(angle, size).first,
         compressor(size),
     ),
@@ -221,6 +222,7 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "dual.ideal_pressure": lambda angle, size, side: (chamber(angle, size, side), ideal_cycle(size)),
     "dual.ideal_slope": lambda angle, size, side: (
         chamber(angle, size, side),
+        ideal_pressure(chamber(angle, size, side), ideal_cycle(size)),
         volume(angle, size).first,
         ideal_cycle(size),
     ),

@@ -151,7 +151,7 @@ def test_slope_is_the_pressures(kind):
         return state, volume.first
 
     state, volume_slope = at(angle)
-    found = kind.slope(state, volume_slope, own)
+    found = kind.slope(state, kind.pressure(state, own), volume_slope, own)
     assert found.shape == angle.shape
     near = np.array([kind.pressure(at(angle + one)[0], own) for one in step])
     expected = np.array([1.0, -8.0, 8.0, -1.0]) @ near / (12 * np.radians(0.02))

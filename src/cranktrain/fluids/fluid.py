@@ -122,8 +122,9 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
         `InputError` where they do not suit the chambers.
     pressure : callable (ChamberState, prepared) → Array
         Absolute pressure at each crank angle, of the state's shape; of one chamber of one design too. [Pa]
-    slope : callable (ChamberState, V′, prepared) → Array
-        Derivative of the pressure by the crank angle, where it does not jump, for the volume's. [Pa/rad, m³/rad]
+    slope : callable (ChamberState, p, V′, prepared) → Array
+        Derivative of the pressure by the crank angle, where it does not jump, for the pressure itself and the volume's
+        derivative. [Pa/rad; Pa, m³/rad]
     work : callable (prepared, Rooms) → Array, shape (design, chamber)
         ∮ p dV over a cycle, exactly. [J]
     example : str
@@ -150,7 +151,7 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
     numbers: Callable[[_Table], _Numbers]
     prepared: Callable[[_Numbers, Rooms], _Ready]
     pressure: Callable[[ChamberState, _Ready], Array]
-    slope: Callable[[ChamberState, Array, _Ready], Array]
+    slope: Callable[[ChamberState, Array, Array, _Ready], Array]
     work: Callable[[_Ready, Rooms], Array]
     example: str
     flags: Callable[[_Table], tuple[str, ...]] = lambda spec: ()

@@ -69,9 +69,13 @@ def chamber_state(volume: Coefficient, limits: VolumeLimits, angle_from_firing: 
     swing = limits.largest - limits.smallest
     is_at_rest = np.abs(volume.first) <= _STANDSTILL * swing
     sense = chosen(chosen(is_at_rest, volume.second, volume.first) > 0, 1.0, -1.0)
-    near_top = chosen(np.cos(angle_from_firing / 2) > 0, 1.0, -1.0)
-    near_bottom = chosen(np.sin(angle_from_firing / 2) > 0, sense, -sense)
-    turn = chosen(np.cos(angle_from_firing) >= 0, near_top, near_bottom)
+    half = angle_from_firing / 2
+    cos = np.cos(half)
+    sin = np.sin(half)
+    near_top = chosen(cos > 0, 1.0, -1.0)
+    near_bottom = chosen(sin > 0, sense, -sense)
+    # Within 90° of firing cos φ = cos² ½φ − sin² ½φ is positive.
+    turn = chosen(cos * cos >= sin * sin, near_top, near_bottom)
     return ChamberState(
         volume.value,
         limits.smallest,

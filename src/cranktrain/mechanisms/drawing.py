@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array, Point
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.nested import each_changed
 from cranktrain.record import record
 
 
@@ -72,5 +72,5 @@ class Drawing:
 
     def scaled(self, factor: float) -> "Drawing":
         """Give the same drawing in another unit of length."""
-        pins = {name: mapped(lambda _name, value: factor * value, pin) for name, pin in self.pins.items()}
+        pins = {name: each_changed(lambda value: factor * value, pin) for name, pin in self.pins.items()}
         return replace(self, pins=pins)

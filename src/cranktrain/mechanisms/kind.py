@@ -15,7 +15,7 @@ from cranktrain.mechanisms.output import OutputPart
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array, Handed
 from cranktrain.numerics import Extreme
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.nested import each_changed
 from cranktrain.record import record
 from cranktrain.rows import AnswerLine
 
@@ -242,4 +242,4 @@ def _part(geometry: object, name: str) -> object:
 
 def rows(geometry: Geometry, index: NDArray[np.intp]) -> Geometry:
     """Take some of a geometry's mechanisms, counted through all its axes: arrays of shape (*index.shape, 1)."""
-    return mapped(lambda _name, value: value.reshape(-1, 1)[index], geometry)
+    return each_changed(lambda value: value.reshape(-1, 1)[index], geometry)

@@ -1,4 +1,4 @@
-"""Arrays in nested NamedTuples, as kernels take geometry and give motions: listed, or each changed by its name."""
+"""Arrays in nested NamedTuples, as kernels take geometry and give motions: listed, or each changed, by its name too."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TypeVar, cast
@@ -43,6 +43,25 @@ def mapped(change: Callable[[str, Array], Array], parts: Nested, above: str = ""
     )
 
 
+def each_changed(change: Callable[[Array], Array], parts: Nested) -> Nested:
+    """Change every array of nested tuples, whatever its name: as `mapped`, in less time.
+
+    Examples
+    --------
+    >>> each_changed(lambda value: -value, (1.0, (2.0, 3.0)))
+    (-1.0, (-2.0, -3.0))
+    """
+    make = cast("Callable[[Iterable[object]], Nested]", getattr(parts, "_make", tuple))
+    return make(
+        [
+            each_changed(change, cast("tuple[object, ...]", part))
+            if isinstance(part, tuple)
+            else change(cast(Array, part))
+            for part in parts
+        ]
+    )
+
+
 def leaves(parts: tuple[object, ...]) -> list[Array]:
     """List all arrays of nested tuples, in order."""
     found: list[Array] = []
@@ -70,4 +89,4 @@ def put(of_all: Iterable[Array], place: NDArray[np.intp], values: Iterable[Array
 
 def filled(parts: Nested, arrays: Iterator[Array]) -> Nested:
     """Put other arrays into nested tuples, in order."""
-    return mapped(lambda _name, _value: next(arrays), parts)
+    return each_changed(lambda _value: next(arrays), parts)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.numerics.polynomials import polynomial
+from cranktrain.numerics.polynomials import polynomial_value, value_and_first
 from cranktrain.numerics.products import product
 from cranktrain.numerics.series import around_zero
 from cranktrain.numerics.ties import ALIKE
@@ -203,7 +203,7 @@ def _tops(windows: Windows, values: Array) -> Peak:
         base = values[:, _N_NODES // 2]
         powers = product(values - base[:, np.newaxis], _TO_POWERS.T)
         way = _top(powers, scale[windows.row], windows.level)
-        value = base + polynomial(powers.T, way).value
+        value = base + polynomial_value(powers.T, way)
     top, angle, at = np.full((3, *is_piece.shape), np.nan)
     top[is_piece], angle[is_piece], at[is_piece] = value, windows.middle + windows.half * way, way
     ends = np.full((2, *is_piece.shape), np.nan)
@@ -239,10 +239,13 @@ def in_slots(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Array,
 
 def in_windows(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Array, NDArray[np.intp]]:
     """The same, with one slot for all that ask of a row at the same angles, as tops of several curves are together."""
-    seen: dict[tuple[int, bytes], int] = {}
-    each = ((row, own.tobytes()) for row, own in zip(which.tolist(), angle, strict=True))
-    number = np.array([seen.setdefault(window, len(seen)) for window in each], dtype=np.intp)
-    _numbers, first = np.unique(number, return_index=True)
+    # What is asked of one row at one first and one last angle stands together, and mostly is one window.
+    order = np.lexsort((angle[:, -1], angle[:, 0], which))
+    asked = np.column_stack([which, angle])[order]
+    is_new = np.any(np.diff(asked, axis=0, prepend=np.nan) != 0.0, axis=-1)
+    number = np.empty_like(which)
+    number[order] = np.cumsum(is_new) - 1
+    first = order[is_new]
     laid, slot = in_slots(which[first], angle[first], n_rows)
     return laid, slot[number]
 
@@ -262,7 +265,8 @@ def _places(known: Array, scale: Array, has_break: NDArray[np.bool_]) -> NDArray
     same = np.where(scale > 0, ALIKE * scale, 1.0)
     ring = np.concatenate([known[:, -1:], known, known[:, :1]], axis=-1)
     lower = ring - same
-    row, place = np.nonzero((known >= lower[:, :-2]) & (known >= lower[:, 2:]))
+    is_peak = (known >= lower[:, :-2]) & (known >= lower[:, 2:])
+    row, place = np.divmod(np.flatnonzero(is_peak), known.shape[-1])
     is_known = known[row, place] > -np.inf
     row, place = row[is_known], place[is_known]
     before, at, after = ring[row, place], known[row, place], ring[row, place + 2]
@@ -318,7 +322,7 @@ def _top(powers: Array, scale: Array, level: Array) -> Array:
     slopes = (powers[:, 1:] * np.arange(1, _N_NODES)).T
     way, low, high = start, np.maximum(start - apart, -1.0), np.minimum(start + apart, 1.0)
     for _step in range(_NEWTON_STEPS):
-        first, second, _third = polynomial(slopes, way)
+        first, second = value_and_first(slopes, way)
         move = np.where(second < 0, -first / second, np.sign(first) * apart)
         way = np.minimum(np.maximum(way + np.where(np.isnan(move), 0.0, move), low), high)
     return np.where(np.sum(is_top, axis=-1) > 1, np.where(place == 0, level, start), way)

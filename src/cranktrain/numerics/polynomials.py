@@ -24,6 +24,21 @@ def polynomial(powers: Array, x: Array) -> Coefficient:
     return Coefficient(value, first, 2 * half_second)
 
 
+def value_and_first(powers: Array, x: Array) -> tuple[Array, Array]:
+    """Value and first derivative of `polynomial` alone.
+
+    Examples
+    --------
+    >>> value_and_first(np.array([1.0, 2.0, 3.0]), np.array([10.0]))
+    (array([321.]), array([62.]))
+    """
+    value, first = powers[-1], np.zeros_like(powers[-1])
+    for part in powers[-2::-1]:
+        first = first * x + value
+        value = value * x + part
+    return value, first
+
+
 def polynomial_value(powers: Array, x: Array) -> Array:
     """Value of `polynomial` alone.
 

@@ -82,7 +82,7 @@ def subintervals(breaks: Array, widest: float, period: float, n_more: int = 0) -
     size: NDArray[np.intp] = np.array(sizes, dtype=np.intp)[np.searchsorted(np.array(bounds) * widest, width)]
     first: NDArray[np.intp] = np.cumsum(size, dtype=np.intp) - size
     angle, weight = np.empty((2, int(np.sum(size))))
-    for n_nodes in sizes:
+    for n_nodes in set(size.tolist()):
         chosen = size == n_nodes
         node, share = leggauss(n_nodes)
         place: NDArray[np.intp] = first[chosen, np.newaxis] + np.arange(n_nodes, dtype=np.intp)

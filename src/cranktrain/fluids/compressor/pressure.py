@@ -108,13 +108,12 @@ def compressor_pressure(state: ChamberState, compressor: Compressor) -> Array:
     return chosen(state.sense > 0, expansion, compression)
 
 
-def compressor_slope(state: ChamberState, volume_slope: Array, compressor: Compressor) -> Array:
-    """Derivative of `compressor_pressure` by the crank angle, for that of the volume: 0 while a valve is open. [Pa/rad]
+def compressor_slope(state: ChamberState, pressure: Array, volume_slope: Array, compressor: Compressor) -> Array:
+    """Derivative of `compressor_pressure` by the crank angle, for the volume's: 0 while a valve is open. [Pa/rad]
 
     docs/theory/gas, eq. (14.24).
     """
     found = corners(compressor, VolumeLimits(state.smallest, state.largest))
-    pressure = compressor_pressure(state, compressor)
     expands = chosen(pressure > compressor.suction_pressure, found.expansion_exponent, 0.0)
     compresses = chosen(pressure < compressor.discharge_pressure, compressor.compression_exponent, 0.0)
     return polytropic_slope(pressure, chosen(state.sense > 0, expands, compresses), state.volume, volume_slope)

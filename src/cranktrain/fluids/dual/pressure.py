@@ -78,21 +78,23 @@ def ideal_pressure(state: ChamberState, cycle: IdealCycle) -> Array:
     """
     corners = corner_pressures(cycle, state.largest / state.smallest)
     cut_off = cycle.cut_off_ratio * state.smallest
-    heated = corners.peak * (cut_off / np.maximum(state.volume, cut_off)) ** cycle.expansion_exponent
-    compression = cycle.start_pressure * (state.largest / state.volume) ** cycle.compression_exponent
-    expansion = chosen(cut_off > state.largest, np.nan, heated)
-    exchange = chosen(state.sense > 0, cycle.inlet_pressure, cycle.exhaust_pressure)
-    return chosen(state.turn > 0, chosen(state.sense > 0, expansion, compression), exchange)
+    grows = state.sense > 0
+    heated = chosen(cut_off > state.largest, np.nan, corners.peak)
+    # One power for both branches: it takes longer than all else.
+    start = chosen(grows, heated, cycle.start_pressure)
+    ratio = chosen(grows, cut_off / np.maximum(state.volume, cut_off), state.largest / state.volume)
+    exponent = chosen(grows, cycle.expansion_exponent, cycle.compression_exponent)
+    exchange = chosen(grows, cycle.inlet_pressure, cycle.exhaust_pressure)
+    return chosen(state.turn > 0, start * ratio**exponent, exchange)
 
 
-def ideal_slope(state: ChamberState, volume_slope: Array, cycle: IdealCycle) -> Array:
-    """Derivative of `ideal_pressure` by the crank angle, for that of the volume; of a jump it has nothing. [Pa/rad]
+def ideal_slope(state: ChamberState, pressure: Array, volume_slope: Array, cycle: IdealCycle) -> Array:
+    """Derivative of `ideal_pressure` by the crank angle, for the volume's; of a jump it has nothing. [Pa/rad]
 
     p′ = −n p V′/V. docs/theory/gas, eq. (14.24).
     """
     expands = chosen(state.volume > cycle.cut_off_ratio * state.smallest, cycle.expansion_exponent, 0.0)
     exponent = chosen(state.sense > 0, expands, cycle.compression_exponent)
-    pressure = ideal_pressure(state, cycle)
     return polytropic_slope(pressure, chosen(state.turn > 0, exponent, 0.0), state.volume, volume_slope)
 
 

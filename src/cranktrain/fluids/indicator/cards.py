@@ -63,7 +63,7 @@ def card_pressure(state: ChamberState, diagrams: Diagrams) -> Array:
     return found
 
 
-def card_slope(state: ChamberState, volume_slope: Array, diagrams: Diagrams) -> Array:
+def card_slope(state: ChamberState, _pressure: Array, volume_slope: Array, diagrams: Diagrams) -> Array:
     """Derivative of each chamber's diagram by the crank angle. [Pa/rad]"""
     found = np.empty(np.broadcast_shapes(volume_slope.shape, state.angle_from_firing.shape))
     angle = np.broadcast_to(state.angle_from_firing, found.shape)

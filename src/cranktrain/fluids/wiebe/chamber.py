@@ -102,10 +102,10 @@ def chamber_pressure(state: ChamberState, chambers: BurningChambers) -> Array:
     return chosen(state.turn > 0, working, exchange)
 
 
-def chamber_slope(state: ChamberState, volume_slope: Array, chambers: BurningChambers) -> Array:
+def chamber_slope(state: ChamberState, pressure: Array, volume_slope: Array, chambers: BurningChambers) -> Array:
     """Derivative of `chamber_pressure` by the crank angle, for that of the volume. [Pa/rad]"""
     volume = Coefficient(state.volume, volume_slope, np.zeros_like(volume_slope))
-    pressure, wall = chamber_pressure(state, chambers), walls(chambers.area, state.volume)
+    wall = walls(chambers.area, state.volume)
     return chosen(state.turn > 0, burning_slope(chambers.curve, _angle(state), volume, pressure, wall), 0.0)
 
 

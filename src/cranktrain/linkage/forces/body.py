@@ -140,6 +140,11 @@ def reduced_inertia(link: Link, body: Body) -> ReducedInertia:
         J = m r′·r′ + Iθ′², J′ = 2(m r′·r″ + Iθ′θ″). docs/theory/forces, eq. (13.4).
     """
     v, a = swept(link.origin, _arm(link, body), link.angle)
+    return _inertia_by_motion(v, a, link, body)
+
+
+def _inertia_by_motion(v: Vector, a: Vector, link: Link, body: Body) -> ReducedInertia:
+    """Reduced inertia by the derivatives of the centroid's place by the crank angle."""
     turn = link.angle.first
     return ReducedInertia(
         body.mass * dot(v, v) + body.inertia * (turn * turn),
@@ -149,7 +154,9 @@ def reduced_inertia(link: Link, body: Body) -> ReducedInertia:
 
 def reduced(link: Link, body: Body, load: Wrench, gravity: Gravity) -> Reduced:
     """What one link adds to the equation of motion: its inertia, and the torque of its load and weight on the crank."""
-    return Reduced(reduced_inertia(link, body), work(link, load) + work(link, weight(link, body, gravity)))
+    v, a = swept(link.origin, _arm(link, body), link.angle)
+    of_weight = body.mass * (gravity.x * v.x + gravity.y * v.y)
+    return Reduced(_inertia_by_motion(v, a, link, body), work(link, load) + of_weight)
 
 
 def added_reduced(one: Reduced, other: Reduced) -> Reduced:

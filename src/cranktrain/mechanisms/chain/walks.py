@@ -11,7 +11,7 @@ from cranktrain.linkage.nearest import nearest_pose
 from cranktrain.mechanisms.chain.steps import StartSize
 from cranktrain.mechanisms.chain.triads import link_size
 from cranktrain.motion import Array, single
-from cranktrain.numerics.nested import Nested, mapped
+from cranktrain.numerics.nested import Nested, each_changed, mapped
 
 EndsAt = Callable[[Array], TriadEnds]
 
@@ -73,7 +73,7 @@ def lacking(branch: Branch, ends: TriadEnds, legs: Triad, is_open: Array) -> Arr
     chosen = np.nonzero(is_open)
 
     def there(parts: Nested) -> Nested:
-        return mapped(lambda _name, value: np.broadcast_to(value, is_open.shape)[chosen], parts)
+        return each_changed(lambda value: np.broadcast_to(value, is_open.shape)[chosen], parts)
 
     starts = [_last(walk) for walk in (branch.forward, branch.backward) if walk is not None]
     starts = [Pose(*map(_given, start, branch.start)) for start in starts]

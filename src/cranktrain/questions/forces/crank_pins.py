@@ -120,7 +120,7 @@ def crank_pin_loads(
         joint = batch.kind.dynamics.joint("crank_pin")
         if joint is None:
             continue
-        radius: Array = np.hypot(one.motion.pin.x.value, one.motion.pin.y.value)[..., :1]
+        radius: Array = np.hypot(one.motion.pin.x.value[..., :1], one.motion.pin.y.value[..., :1])
         link = crank_link(one.motion.pin, Crank(radius))
         load = pin_load(one.forces.joints[joint], link)
         put(whole, batch.index, load)

@@ -101,9 +101,10 @@ def force_events(
     shared = [
         np.concatenate([each[i] for i in np.flatnonzero(loaded.sharing == label)], axis=-1) for label in loaded.sharing
     ]
-    longest = max(part.shape[-1] for part in shared)
-    filled = [np.pad(part, ((0, 0), (0, longest - part.shape[-1])), constant_values=np.nan) for part in shared]
-    return ForceEvents(np.stack(filled, axis=1), np.concatenate(each, axis=-1), misses)
+    angle = np.full((n_designs, len(shared), max(part.shape[-1] for part in shared)), np.nan)
+    for mechanism, part in enumerate(shared):
+        angle[:, mechanism, : part.shape[-1]] = part
+    return ForceEvents(angle, np.concatenate(each, axis=-1), misses)
 
 
 def breaks_at_speed(events: ForceEvents, speed: Speed, crank_angle: CrankAngle) -> Array:

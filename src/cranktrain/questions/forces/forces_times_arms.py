@@ -18,31 +18,37 @@ def largest_in_joints(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> A
 
 @record
 class ForcesTimesArms:
-    """What the joints of each mechanism could do to the shaft at most, shape (design, mechanism). [N·m]"""
+    """What the joints of each mechanism could do to the shaft at most, shape (design, mechanism).
+
+    value: [N·m]; force: largest in any of them [N].
+    """
 
     value: Array
+    force: Array
 
 
 def forces_times_arms(loaded: LoadedMachine, solved: SolvedCycle) -> ForcesTimesArms:
     """The largest force by the longest way of pins for a turn of 1 rad, and the largest moment by the fastest turn."""
     found: list[Array] = []
-    for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True):
+    forces = [_largest_force(one) for one in solved.batches]
+    for batch, one, force in zip(loaded.mechanisms.batches, solved.batches, forces, strict=True):
         links = batch.kind.dynamics.links(one.motion, batch.members.geometry)
         way = np.sqrt(_largest(link.origin.x.first**2 + link.origin.y.first**2 for link in links))
         turn = _largest(np.abs(link.angle.first) for link in links)
         moment = _largest(np.abs(joint.moment) for joint in one.forces.joints)
-        found.append(_largest_force(one) * way + moment * turn)
-    return ForcesTimesArms(loaded.in_order(found))
+        found.append(force * way + moment * turn)
+    return ForcesTimesArms(loaded.in_order(found), loaded.in_order(forces))
 
 
-def forces_times_places(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:
-    """Largest force in the joints of each mechanism by how far its farthest pin is, shape (design, mechanism). [N·m]"""
-    found: list[Array] = []
-    for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
-        links = batch.kind.dynamics.links(one.motion, batch.members.geometry)
-        away = np.sqrt(_largest(link.origin.x.value**2 + link.origin.y.value**2 for link in links))
-        found.append(_largest_force(one) * away)
-    return loaded.in_order(found)
+def farthest_places(loaded: LoadedMachine, solved: SolvedCycle) -> Array:
+    """How far the farthest pin of each mechanism's links is from the origin, shape (design, mechanism). [m]"""
+    links = (
+        batch.kind.dynamics.links(one.motion, batch.members.geometry)
+        for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True)
+    )
+    return loaded.in_order(
+        np.sqrt(_largest(link.origin.x.value**2 + link.origin.y.value**2 for link in own)) for own in links
+    )
 
 
 def _largest_force(one: SolvedBatch) -> Array:
@@ -52,4 +58,4 @@ def _largest_force(one: SolvedBatch) -> Array:
 
 def _largest(curves: Iterable[Array]) -> Array:
     """Largest value of several curves of shape (..., n), each of which may stand for all."""
-    return reduce(np.maximum, (np.max(curve, axis=-1) for curve in map(np.atleast_1d, curves)))
+    return np.max(reduce(np.maximum, map(np.atleast_1d, curves)), axis=-1)

@@ -14,7 +14,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, one_sided
-from cranktrain.questions.forces.solved_cycle import Member, SolvedCycle, mechanisms_of, parts_of
+from cranktrain.questions.forces.solved_cycle import Member, SolvedCycle, force_size, mechanisms_of, parts_of
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import ranged
@@ -60,7 +60,7 @@ def joint_curves(loaded: LoadedMachine, solved: SolvedCycle) -> JointCurves:
     reactions = _reactions(joints, solved.batches)
     return JointCurves(
         mechanisms_of(joints),
-        np.hypot(*reactions[:2]),
+        force_size(*reactions[:2]),
         partial(_sizes, joints),
         names=tuple(joint.name for joint in joints),
         reactions=reactions,
@@ -69,7 +69,7 @@ def joint_curves(loaded: LoadedMachine, solved: SolvedCycle) -> JointCurves:
 
 def _sizes(joints: Sequence[Member], found: Sequence[SolvedBatch]) -> Array:
     """Sizes of the forces in joints, of mechanisms that are solved at any angles."""
-    return np.hypot(*_reactions(joints, found)[:2])
+    return force_size(*_reactions(joints, found)[:2])
 
 
 def joint_forces(loaded: LoadedMachine, solved: SolvedCycle, curves: JointCurves, peaks: ForcePeaks) -> JointForces:
@@ -145,7 +145,9 @@ def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Itera
         joints = dynamics.by_joint(one.forces.joints)
         for place, (name, contact) in enumerate(zip(dynamics.sliding, dynamics.contacts, strict=True)):
             wrench, rubs = joints[contact.joint], (made.friction[place] > 0) & (made.edges[place].per_length == 0)
-            turned = np.abs(wrench.moment) > _NO_ARM * np.max(np.hypot(wrench.x, wrench.y), axis=-1, keepdims=True)
+            if not np.any(rubs):
+                continue
+            turned = np.abs(wrench.moment) > _NO_ARM * np.max(force_size(wrench.x, wrench.y), axis=-1, keepdims=True)
             found = np.any(turned & rubs, axis=(0, 2))
             parts += [f"{loaded.mechanisms.names[i]}.{part_name(name)}" for i in batch.index[found].tolist()]
     if parts:
@@ -160,6 +162,8 @@ def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
     stuck: list[int] = []
     for batch, one, made in zip(loaded.mechanisms.batches, solved.batches, loaded.masses.batches, strict=True):
         for name, coefficient in zip(batch.kind.dynamics.sliding, made.friction, strict=True):
+            if not np.any(coefficient > 0):
+                continue
             moves = ~np.isnan(batch.kind.named(one.motion, name).first)
             found = (coefficient > 0) & moves & np.isnan(one.forces.driving_torque)
             stuck += batch.index[np.any(found, axis=(0, 2))].tolist()

@@ -149,14 +149,16 @@ class LoadedMachine:
     @cached_property
     def sharing(self) -> NDArray[np.intp]:
         """One number for all mechanisms that hang on one rod or share a chamber, shape (mechanism,)."""
-        label = np.arange(len(self.mechanisms.names), dtype=np.intp)
+        label: list[int] = list(range(len(self.mechanisms.names)))
         pairs = [(slave, master) for slave, master in enumerate(self.carriers.master.tolist()) if master >= 0]
         if self.gas is not None:
-            driven, works = self.carriers.driven, np.any(self.gas.chambers.areas != 0.0, axis=0)
-            pairs += [(driven[np.argmax(is_own)], other) for is_own in works.T for other in driven[is_own].tolist()]
+            works = np.any(self.gas.chambers.areas != 0.0, axis=0)
+            for is_own in works.T:
+                own = self.carriers.driven[is_own].tolist()
+                pairs += [(own[0], other) for other in own[1:]]
         for one, other in pairs:
-            label[label == label[one]] = label[other]
-        return label
+            label = [label[other] if each == label[one] else each for each in label]
+        return np.array(label, dtype=np.intp)
 
     def of_each(
         self,

@@ -27,7 +27,7 @@ class MachineCurves:
     Attributes
     ----------
     rows : array of int, shape (curve,)
-        Of which mechanism each is; −1 of the machine as a whole, of which all or none are.
+        Of which mechanism each is; −1 of the machine as a whole.
     samples : Array, shape (design, curve, n)
         On the grid.
     pick : callable
@@ -37,11 +37,6 @@ class MachineCurves:
     rows: NDArray[np.intp]
     samples: Array
     pick: Callable[[tuple[SolvedBatch, ...]], Array]
-
-    @property
-    def is_whole(self) -> bool:
-        """Whether they are of the machine as a whole."""
-        return bool(np.all(self.rows < 0))
 
 
 @record
@@ -73,25 +68,31 @@ def largest_together(
         Angles as shown, in [0, cycle). [rad]
     """
     rows = np.concatenate([one.rows for one in each])
-    breaks = (events.whole[:, np.newaxis] if one.is_whole else events.angle[:, one.rows] for one in each)
-    windows = [
-        windows_between(crank_angle.shown, one.samples, own - crank_angle.zero)
-        for one, own in zip(each, breaks, strict=True)
-    ]
+    shown, zero = crank_angle.shown, crank_angle.zero
+    samples = np.concatenate([one.samples for one in each], axis=1)
+    windows = windows_between(shown, samples, _breaks(events, rows) - zero)
 
     def picked(angle: Array) -> Array:
         solved = loaded.solved(angle)
         return np.concatenate([one.pick(solved) for one in each], axis=1)
 
-    starts = np.cumsum([0, *(one.rows.size for one in each)])
-    asked = [np.divmod(own.row, one.rows.size) for own, one in zip(windows, each, strict=True)]
-    design = np.concatenate([own for own, _row in asked])
-    row = np.concatenate([start + own for start, (_design, own) in zip(starts, asked, strict=False)])
-    shown = np.concatenate([own.angle for own in windows])
-    values = loaded.of_each(rows, design * rows.size + row, shown + crank_angle.zero[design, 0], picked)
-    ends = np.cumsum([own.row.size for own in windows])[:-1]
-    apart = zip(windows, np.split(values, ends), strict=True)
-    return [counted(peaks_in(own, found), crank_angle) for own, found in apart]
+    design = windows.row // rows.size
+    values = loaded.of_each(rows, windows.row, windows.angle + zero[design, 0], picked)
+    found = peaks_in(windows, values)
+    ends = np.cumsum([one.rows.size for one in each])[:-1]
+    apart = zip(*(np.split(part, ends, axis=1) for part in found), strict=True)
+    return [counted(Peak(*parts), crank_angle) for parts in apart]
+
+
+def _breaks(events: ForceEvents, rows: NDArray[np.intp]) -> Array:
+    """φ of the events of each curve, of one mechanism or of the whole machine, shape (design, curve, event). [rad]"""
+    whole = rows < 0
+    if not np.any(whole):
+        return events.angle[:, rows]
+    found = np.full((len(events.whole), rows.size, events.whole.shape[-1]), np.nan)
+    found[:, whole] = events.whole[:, np.newaxis]
+    found[:, ~whole, : events.angle.shape[-1]] = events.angle[:, rows[~whole]]
+    return found
 
 
 def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle) -> Peak:

@@ -38,8 +38,9 @@ def two_harmonic_inertia_force(angle: Array, geometry: SliderCrank, mass: Array,
     aside = geometry.offset / geometry.rod_length
     cos = np.cos(angle)
     sin = np.sin(angle)
-    second = cos + ratio * np.cos(2.0 * angle) + aside * sin
-    first = sin + 0.5 * ratio * np.sin(2.0 * angle) - aside * cos
+    # cos 2φ and ½ sin 2φ.
+    second = cos + ratio * (cos * cos - sin * sin) + aside * sin
+    first = sin + ratio * (sin * cos) - aside * cos
     pulled = second * (drive.speed * drive.speed) + first * drive.acceleration
     return -mass * geometry.crank_radius * pulled
 

@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage import LinkPoint, point
 from cranktrain.linkage.forces import Body, Drive, Gravity, Wrench, added, applied
+from cranktrain.linkage.vectors import Vector, at_arm, swept
 from cranktrain.motion import Array, Link
 
 
@@ -68,7 +68,7 @@ def by_two_masses(rod: Link, body: Body, rod_length: Array, drive: Drive, gravit
     """Weight less inertia of a rod, by two masses: force exact, moment not; as `applied`, about its first pin."""
     masses = two_masses(body, rod_length)
     return added(
-        _of_mass(rod, 0.0 * rod_length, masses.first, drive, gravity),
+        _of_first_pin(rod, masses.first, drive, gravity),
         _of_mass(rod, rod_length, masses.second, drive, gravity),
     )
 
@@ -84,7 +84,7 @@ def by_three_masses(rod: Link, body: Body, rod_length: Array, drive: Drive, grav
     """Weight less inertia of a rod, by three masses: exact; as `applied`."""
     masses = three_masses(body, rod_length)
     pins = added(
-        _of_mass(rod, 0.0 * rod_length, masses.first, drive, gravity),
+        _of_first_pin(rod, masses.first, drive, gravity),
         _of_mass(rod, rod_length, masses.second, drive, gravity),
     )
     return added(pins, _of_mass(rod, body.along, masses.middle, drive, gravity))
@@ -96,15 +96,28 @@ def as_rigid_body(rod: Link, body: Body, rod_length: Array, drive: Drive, gravit
     return Wrench(wrench.x, wrench.y, wrench.moment + 0.0 * rod_length)
 
 
+def _of_first_pin(rod: Link, mass: Array, drive: Drive, gravity: Gravity) -> Wrench:
+    """Weight less inertia of a point mass at the rod's first pin."""
+    x = rod.origin.x
+    y = rod.origin.y
+    force = _of_acceleration(Vector(x.first, y.first), Vector(x.second, y.second), mass, drive, gravity)
+    return Wrench(force.x, force.y, 0.0 * force.x)
+
+
 def _of_mass(rod: Link, along: Array, mass: Array, drive: Drive, gravity: Gravity) -> Wrench:
     """Weight less inertia of a point mass on the rod's line, about its first pin."""
-    place = point(rod, LinkPoint(along, 0.0 * along))
+    arm = Vector(along * rod.cos, along * rod.sin)
+    v, a = swept(rod.origin, arm, rod.angle)
+    return at_arm(arm, _of_acceleration(v, a, mass, drive, gravity))
+
+
+def _of_acceleration(v: Vector, a: Vector, mass: Array, drive: Drive, gravity: Gravity) -> Vector:
+    """Weight less inertia of a point mass, by the derivatives of its place by the crank angle."""
     square = drive.speed * drive.speed
-    x = mass * (gravity.x - (place.x.second * square + place.x.first * drive.acceleration))
-    y = mass * (gravity.y - (place.y.second * square + place.y.first * drive.acceleration))
-    arm_x = along * rod.cos
-    arm_y = along * rod.sin
-    return Wrench(x, y, arm_x * y - arm_y * x)
+    return Vector(
+        mass * (gravity.x - (a.x * square + v.x * drive.acceleration)),
+        mass * (gravity.y - (a.y * square + v.y * drive.acceleration)),
+    )
 
 
 ROD_METHODS: Mapping[str, Callable[[Link, Body, Array, Drive, Gravity], Wrench]] = {

@@ -21,6 +21,7 @@ from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number, ranged
 
 _FACT = ("rod_method", "piston")
+_EXACT = list(ROD_METHODS).index("exact")
 
 
 _SAID = 1e-9
@@ -97,9 +98,11 @@ def rod_methods(pistons: Pistons, loaded: LoadedMachine, solved: SolvedCycle, cr
         guide_place = batch.kind.dynamics.joint("guide")
         assert guide_place is not None  # of each piston that is driven directly
         piston = loaded.carriers.piston[batch.index]
-        found = {name: method(rod, body, size.rod_length, drive, WEIGHTLESS) for name, method in ROD_METHODS.items()}
-        for row, wrench in enumerate(found.values()):
-            off = Wrench(*(np.subtract(one, true) for one, true in zip(wrench, found["exact"], strict=True)))
-            side[:, row, piston] = relative(off.moment / (size.rod_length * rod.cos), forces.joints[guide_place].y)
-            torque[:, row, piston] = relative(work(rod, off), forces.driving_torque)
+        found = [method(rod, body, size.rod_length, drive, WEIGHTLESS) for method in ROD_METHODS.values()]
+        exact = found[_EXACT]
+        off = [Wrench(*(np.subtract(one, true) for one, true in zip(wrench, exact, strict=True))) for wrench in found]
+        across = np.stack([one.moment for one in off], axis=1) / (size.rod_length * rod.cos)[:, np.newaxis]
+        turning = np.stack([work(rod, one) for one in off], axis=1)
+        side[:, :, piston] = relative(across, forces.joints[guide_place].y[:, np.newaxis])
+        torque[:, :, piston] = relative(turning, forces.driving_torque[:, np.newaxis])
     return RodMethods(side, torque, labels={"rod_method": tuple(ROD_METHODS)})

@@ -14,7 +14,7 @@ from cranktrain.motion import Array
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.piston_formulas import inertia_force, rod_forces
 from cranktrain.questions.forces.rod_masses import TwoMasses, weighed_ends
-from cranktrain.questions.forces.solved_cycle import SolvedCycle
+from cranktrain.questions.forces.solved_cycle import SolvedCycle, force_size
 from cranktrain.record import record
 
 
@@ -137,7 +137,7 @@ def end_residual(loaded: LoadedMachine, rods: Sequence[tuple[RodsInPistons, Forc
         turning = link.angle.second * (one.drive.speed * one.drive.speed) + link.angle.first * one.drive.acceleration
         between = (one.borne.x + handed.x[:, index]) * link.cos + (one.borne.y + handed.y[:, index]) * link.sin
         off = forces.at_crank - forces.at_piston + between + body.mass * body.across * turning
-        worst.append(_share(off, np.max([np.hypot(pin.x, pin.y) for pin in one.pins], axis=0)))
+        worst.append(_share(off, np.maximum(*(force_size(pin.x, pin.y) for pin in one.pins))))
     return np.max(worst, axis=0)
 
 
@@ -152,9 +152,9 @@ def pin_residual(loaded: LoadedMachine, rods: Sequence[tuple[RodsInPistons, Forc
         share, gravity, pin = one.shares.second, one.gravity, one.pins[1]
         along = forces.piston - inertia_force(one.motion.slider, share, one.drive) + share * gravity.x - one.guide.x
         across = forces.side + one.on_piston.y + one.piston_mass * gravity.y
-        off = np.hypot(pin.x - along, pin.y + across)
-        acting = np.hypot(one.on_piston.x, one.on_piston.y) + np.abs(forces.inertia) + np.hypot(*one.guide[:2])
-        worst.append(_share(off, acting + one.reciprocating * np.hypot(gravity.x, gravity.y)))
+        off = force_size(pin.x - along, pin.y + across)
+        acting = force_size(one.on_piston.x, one.on_piston.y) + np.abs(forces.inertia) + force_size(*one.guide[:2])
+        worst.append(_share(off, acting + one.reciprocating * force_size(gravity.x, gravity.y)))
     return np.max(worst, axis=0)
 
 

@@ -6,12 +6,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.grouping import grouped
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch
 from cranktrain.linkage.forces import EdgeForces, edge_forces
 from cranktrain.motion import Array
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
 
 
@@ -22,9 +24,17 @@ class SolvedCycle:
     batches: tuple[SolvedBatch, ...]
 
 
-def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressures | None) -> SolvedCycle:
+def solved_cycle(
+    loaded: LoadedMachine, crank_angle: CrankAngle, motion: GridMotion, gas: GasPressures | None
+) -> SolvedCycle:
     """Solve the machine on its grid; docs/theory/forces, eqs. (13.1) to (13.3)."""
-    return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=None if gas is None else gas.gas_force))
+    gas_force = None if gas is None else gas.gas_force
+    return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=gas_force, motions=motion.batches))
+
+
+def force_size(x: Array, y: Array) -> Array:
+    """Size of a force: it is far from the largest and smallest numbers, for which `np.hypot` takes its time."""
+    return np.sqrt(x * x + y * y)
 
 
 class Member(NamedTuple):
@@ -46,11 +56,16 @@ def parts_of(
     members: Sequence[Member], solved: Sequence[SolvedBatch], values: Callable[[int, int], Sequence[Array]]
 ) -> Array:
     """Parts of what each bears, shape (part, design, one, n), from those that a batch has at a place of its kind."""
-    found = {
-        (batch, place): np.stack(np.broadcast_arrays(solved[batch].forces.driving_torque, *values(batch, place))[1:])
-        for batch, place in {(one.batch, one.place) for one in members}
-    }
-    return np.stack([found[one.batch, one.place][:, :, one.member] for one in members], axis=2)
+    n_designs, _n_members, n_angles = solved[0].forces.driving_torque.shape
+    alike = grouped(((one.batch, one.place), place) for place, one in enumerate(members))
+    parts = {where: values(*where) for where in alike}
+    found = np.empty((len(next(iter(parts.values()))), n_designs, len(members), n_angles))
+    for where, places in alike.items():
+        own = [members[place].member for place in places]
+        shape = solved[where[0]].forces.driving_torque.shape
+        for whole, part in zip(found, parts[where], strict=True):
+            whole[:, places] = (part if np.shape(part) == shape else np.broadcast_to(part, shape))[:, own]
+    return found
 
 
 def edges_of(batch: Batch, one: SolvedBatch, place: int) -> EdgeForces:

@@ -16,7 +16,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array, Coefficient, single
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.nested import each_changed
 from cranktrain.questions.cylinders.firing import Cycle, Firing, FiringOrder
 from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel
 from cranktrain.questions.cylinders.volumes import Chambers, ChamberVolumes, SweptVolumes
@@ -46,8 +46,8 @@ class Filling(NamedTuple):
     def of_chamber(self, design: int, place: int) -> Any:
         """What the pressure takes of one chamber of one design."""
         own = int(np.searchsorted(self.places, place))
-        return mapped(
-            lambda _name, part: part[min(design, len(part) - 1), min(own, part.shape[1] - 1)], cast(_Ready, self.ready)
+        return each_changed(
+            lambda part: part[min(design, len(part) - 1), min(own, part.shape[1] - 1)], cast(_Ready, self.ready)
         )
 
 
@@ -114,8 +114,8 @@ class GasInChambers(Flagged):
         found = np.empty((2, *volume.value.shape))
         for filling, state in self._states(angle, volume):
             own, fluid = filling.places, filling.fluid
-            found[0][:, own] = fluid.pressure(state, filling.ready)
-            found[1][:, own] = fluid.slope(state, volume.first[:, own], filling.ready)
+            found[0][:, own] = pressure = fluid.pressure(state, filling.ready)
+            found[1][:, own] = fluid.slope(state, pressure, volume.first[:, own], filling.ready)
         return found
 
     def _states(self, angle: Array, volume: Coefficient) -> Iterator[tuple[Filling, ChamberState]]:

@@ -11,6 +11,7 @@ from cranktrain.questions.motion import (
     couplers,
     dead_centres,
     followed,
+    grid_motion,
     pistons,
     points,
     rocker_load,
@@ -33,6 +34,7 @@ QUESTION = Question(
     problems=points.point_problems,
     parts=_parts,
     stages=(
+        Stage(grid_motion.grid_motion),
         Stage(dead_centres.piston_turn),
         Stage(dead_centres.piston_grid),
         Stage(dead_centres.dead_centres),

@@ -10,6 +10,7 @@ from cranktrain.layout.speed import Speed, rates
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import unwrapped
 from cranktrain.questions.motion.dead_centres import rod_angle
+from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
 
@@ -36,9 +37,9 @@ def on_rods(rockers: Rockers) -> bool:
     return bool(np.any(rockers.has_rod))
 
 
-def coupler_motion(rockers: Rockers, crank_angle: CrankAngle) -> CouplerMotion:
+def coupler_motion(rockers: Rockers, motion: GridMotion) -> CouplerMotion:
     """Angles of the rods, without jumps, and their derivatives."""
-    rod = rockers.evaluated(lambda motion: rod_angle(motion, motion.rocker.angle), crank_angle.angle)
+    rod = motion.of(rockers, lambda own: rod_angle(own, own.rocker.angle))
     return CouplerMotion(rod._replace(value=unwrapped(rod.value)))
 
 

@@ -13,7 +13,7 @@ from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, turn_grid
-from cranktrain.numerics.nested import mapped
+from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.questions.motion.outputs import InCylinders, by_output, outputs_of
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
@@ -45,7 +45,12 @@ def slider_and_rod(pistons: Mechanisms, angle: Array) -> SliderAndRod:
     -------
     SliderAndRod, shape (design, piston, n). [m, m/rad, m/rad²; rad, rad/rad, rad/rad²]
     """
-    return pistons.evaluated(lambda motion: SliderAndRod(motion.slider, rod_angle(motion, motion.slider)), angle)
+    return pistons.evaluated(_picked, angle)
+
+
+def _picked(motion: AnyMotion) -> SliderAndRod:
+    """Slider and rod of mechanisms of one kind."""
+    return SliderAndRod(motion.slider, rod_angle(motion, motion.slider))
 
 
 def rod_angle(motion: AnyMotion, output: Coefficient) -> Coefficient:
@@ -104,10 +109,9 @@ class PistonGrid:
     value: SliderAndRod
 
 
-def piston_grid(pistons: Pistons, crank_angle: CrankAngle) -> PistonGrid:
-    """Evaluate every piston on the grid."""
-    turn = slider_and_rod(pistons, crank_angle.first_turn)
-    return PistonGrid(mapped(lambda _name, values: crank_angle.over_cycle(values), turn))
+def piston_grid(pistons: Pistons, motion: GridMotion) -> PistonGrid:
+    """Pick what moves pistons from the motion of all mechanisms."""
+    return PistonGrid(motion.of(pistons, _picked))
 
 
 # The position has 16 digits, and its part that moves so many fewer. Rods that stand for none are given 10⁴ cranks.

@@ -8,12 +8,11 @@ from numpy.typing import NDArray
 
 from cranktrain.catalogue import coefficients
 from cranktrain.language import N_
-from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Coefficient
 from cranktrain.numerics import unwrapped
-from cranktrain.numerics.nested import Nested, mapped, side_by_side
+from cranktrain.numerics.nested import Nested, each_changed, side_by_side
+from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
 
 _THEORY = "docs/theory/groups-2"
@@ -95,9 +94,9 @@ class LinkMotion:
     )
 
 
-def link_motion(links: FollowedLinks, mechanisms: Mechanisms, crank_angle: CrankAngle) -> LinkMotion:
+def link_motion(links: FollowedLinks, motion: GridMotion) -> LinkMotion:
     """Angles of all links, without jumps, and their derivatives."""
-    angle = followed_parts(links, mechanisms, crank_angle, lambda link, _place: link.angle)
+    angle = followed_parts(links, motion, lambda link, _place: link.angle)
     return LinkMotion(angle._replace(value=unwrapped(angle.value)))
 
 
@@ -116,27 +115,22 @@ class SliderMotion:
     )
 
 
-def slider_motions(sliders: FollowedSliders, mechanisms: Mechanisms, crank_angle: CrankAngle) -> SliderMotion:
+def slider_motions(sliders: FollowedSliders, motion: GridMotion) -> SliderMotion:
     """Positions of all sliders and blocks, and their derivatives."""
-    return SliderMotion(followed_parts(sliders, mechanisms, crank_angle, lambda slider, _place: slider))
+    return SliderMotion(followed_parts(sliders, motion, lambda slider, _place: slider))
 
 
-def followed_parts(
-    followed: Followed, mechanisms: Mechanisms, crank_angle: CrankAngle, pick: Callable[[Any, int], Moving]
-) -> Moving:
+def followed_parts(followed: Followed, motion: GridMotion, pick: Callable[[Any, int], Moving]) -> Moving:
     """Motion of every part, shape (design, part, n): what `pick` takes of each, by its place, shape (design, 1, n)."""
     picked: list[tuple[NDArray[np.intp], Moving]] = []
-    for batch in mechanisms.batches:
-        own = np.flatnonzero(np.isin(followed.mechanism, batch.index))
-        if own.size:
-            motion = batch.kind.motion(crank_angle.angle + batch.members.phase, batch.members.geometry)
-            for place in own.tolist():
-                member = np.flatnonzero(batch.index == followed.mechanism[place])
-                part = _members(batch.kind.named(motion, followed.parts[place]), member)
-                picked.append((np.array([place]), pick(part, place)))
-    return side_by_side(picked, (len(crank_angle.zero), len(followed.names), crank_angle.shown.size))
+    for batch, own in zip(motion.mechanisms.batches, motion.batches, strict=True):
+        for place in np.flatnonzero(np.isin(followed.mechanism, batch.index)).tolist():
+            member = np.flatnonzero(batch.index == followed.mechanism[place])
+            part = _members(batch.kind.named(own, followed.parts[place]), member)
+            picked.append((np.array([place]), pick(part, place)))
+    return side_by_side(picked, (len(motion.mechanisms.nominal_top), len(followed.names), motion.n_angles))
 
 
 def _members(motion: Nested, index: NDArray[np.intp]) -> Nested:
     """Take some members of a part: nested NamedTuples of arrays, shape (design, member, n)."""
-    return mapped(lambda _name, values: values[:, index], motion)
+    return each_changed(lambda values: values[:, index], motion)

@@ -7,12 +7,11 @@ import numpy as np
 from cranktrain.catalogue import coefficients
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
-from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.linkage import LinkPoint, point
 from cranktrain.motion import ZERO, Array, Coefficient, Link, Point
 from cranktrain.questions.motion.followed import Followed, followed_parts
+from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
 
 _CURVE = ("point", "crank_angle")
@@ -100,11 +99,11 @@ class PointMotion:
     )
 
 
-def point_motion(points: LinkPoints, mechanisms: Mechanisms, crank_angle: CrankAngle) -> PointMotion:
+def point_motion(points: LinkPoints, motion: GridMotion) -> PointMotion:
     """Paths of all points, with derivatives by the crank angle."""
 
     def moving(part: Link | Point, place: int) -> Point:
         geometry = LinkPoint(points.geometry.radius[:, [place]], points.geometry.angle[:, [place]])
         return point(part, geometry) if isinstance(part, Link) else part
 
-    return PointMotion(*followed_parts(points, mechanisms, crank_angle, moving))
+    return PointMotion(*followed_parts(points, motion, moving))

@@ -10,6 +10,7 @@ from cranktrain.layout.mechanisms import Rockers
 from cranktrain.layout.speed import Speed, rates
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, derivatives_residual, turn_grid, turning_points, unwrapped
+from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
 from cranktrain.wording import Names, around_turn, shared
@@ -65,9 +66,8 @@ def _counted(angle: Array, middle: Array) -> Array:
     return np.where(np.isnan(middle), unwrapped(angle), about)
 
 
-def _without_jumps(rockers: Rockers, turn: RockerTurn, phi: Array) -> Coefficient:
-    """Angles of the rockers at φ, counted as their swings or turns ask for."""
-    motion = rocker_angle(rockers, phi)
+def _without_jumps(motion: Coefficient, turn: RockerTurn) -> Coefficient:
+    """Angles of the rockers, counted as their swings or turns ask for."""
     return motion._replace(value=_counted(motion.value, turn.middle))
 
 
@@ -121,7 +121,7 @@ class DeadPositions(Flagged):
 def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> DeadPositions:
     """Extremes of every rocker's angle, roots of θ′; docs/theory/crank-rocker, eqs. (3.5) and (3.6)."""
     least, most = turning_points(
-        lambda phi: _without_jumps(rockers, turn, phi), _counted(turn.samples.value, turn.middle)
+        lambda phi: _without_jumps(rocker_angle(rockers, phi), turn), _counted(turn.samples.value, turn.middle)
     )
     travel = np.mod(most.angle - least.angle, 2 * np.pi)
     slower = np.maximum(travel, 2 * np.pi - travel)
@@ -154,9 +154,10 @@ class RockerMotion(Checked):
     )
 
 
-def rocker_motion(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> RockerMotion:
+def rocker_motion(rockers: Rockers, turn: RockerTurn, motion: GridMotion) -> RockerMotion:
     """Angles of every rocker, without jumps, and their derivatives."""
-    return RockerMotion(_without_jumps(rockers, turn, crank_angle.angle), checks=(_derivatives_check(rockers),))
+    angle = motion.of(rockers, lambda own: own.rocker.angle)
+    return RockerMotion(_without_jumps(angle, turn), checks=(_derivatives_check(rockers),))
 
 
 def _derivatives_check(rockers: Rockers) -> Check:

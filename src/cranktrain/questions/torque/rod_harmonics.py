@@ -68,14 +68,21 @@ def torque_harmonics(rod_ratio: Array, highest: int) -> Array:
     >>> float(torque_harmonics(0.25, 3)[3])
     -0.192055573419...
     """
+    return both_harmonics(rod_ratio, highest)[1]
+
+
+def both_harmonics(rod_ratio: Array, highest: int) -> tuple[Array, Array]:
+    """`acceleration_harmonics`, and `torque_harmonics`, which are made of them."""
     ratio = np.asarray(rod_ratio, dtype=float)
     n_all = 2 * max(_n_terms(ratio), highest)
-    velocity = acceleration_harmonics(ratio, n_all)[..., 1:] / np.arange(1, n_all + 1)
+    acceleration = acceleration_harmonics(ratio, n_all)
+    velocity = acceleration[..., 1:] / np.arange(1, n_all + 1)
     # Both sums over i, from 1 on: V beyond the last, and before the first, is nothing.
     order, index = np.arange(highest + 1)[:, np.newaxis], np.arange(n_all)
     padded = np.concatenate([np.zeros((*ratio.shape, n_all)), velocity, np.zeros((*ratio.shape, highest))], axis=-1)
     others = padded[..., n_all + index + order] - padded[..., n_all + order - 2 - index] / 2
-    return order[:, 0] / 2 * np.sum(velocity[..., np.newaxis, :] * others, axis=-1)
+    torque = order[:, 0] / 2 * np.sum(velocity[..., np.newaxis, :] * others, axis=-1)
+    return acceleration[..., : highest + 1], torque
 
 
 def _even_harmonics(ratio: Array, n_wanted: int) -> Array:

@@ -8,7 +8,7 @@ from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle, order_labels
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
-from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics, torque_harmonics
+from cranktrain.questions.torque.rod_harmonics import both_harmonics
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_HARMONICS as _THEORY
 
@@ -36,7 +36,9 @@ def rod_orders(pistons: Pistons, crank_angle: CrankAngle) -> RodOrders:
     for batch in pistons.batches:
         if batch.kind.direct_ratio is not None:
             ratio[:, batch.index] = batch.kind.direct_ratio(batch.members.geometry)[..., 0]
-    by_order = np.stack([of(ratio, highest)[..., 1:] for of in (acceleration_harmonics, torque_harmonics)])
+    # Rods are mostly all of one ratio.
+    known, place = np.unique(ratio, return_inverse=True)
+    by_order = np.stack(both_harmonics(known, highest))[:, place.reshape(ratio.shape), 1:]
     # Orders between whole ones are those of a cycle of two turns: no piston's inertia knows them.
     every = np.where(np.isnan(by_order[..., :1]), np.nan, np.zeros(len(labels["order"])))
     every[..., turns - 1 :: turns] = by_order

@@ -7,7 +7,7 @@ from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
-from cranktrain.questions.forces.forces_times_arms import ForcesTimesArms, forces_times_places
+from cranktrain.questions.forces.forces_times_arms import ForcesTimesArms, farthest_places
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.pressures import GasPressures
@@ -65,7 +65,7 @@ def _work_size(works: Array, loaded: LoadedMachine, solved: SolvedCycle, times_a
     far longer than the stroke their places are rounded, and the way that is left of them.
     """
     on_the_way = np.sum(times_arms.value, axis=1)
-    there = np.sum(forces_times_places(loaded, solved.batches), axis=1)
+    there = np.sum(times_arms.force * farthest_places(loaded, solved), axis=1)
     size = np.maximum(np.sum(np.abs(works), axis=-1), np.maximum(_SHARE * on_the_way, _FAR * there))
     return np.where(size > 0, size, 1.0)
 

@@ -1,0 +1,60 @@
+"""Motion of every mechanism on the grid of crank angles, found once for all that go on from it."""
+
+from collections.abc import Callable
+from typing import TypeVar
+
+import numpy as np
+
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Mechanisms
+from cranktrain.mechanisms.kind import AnyMotion
+from cranktrain.motion import Array
+from cranktrain.numerics.nested import each_changed, side_by_side
+from cranktrain.record import record
+
+Outcome = TypeVar("Outcome", bound=tuple[object, ...])
+
+
+@record
+class GridMotion:
+    """Motion of every mechanism on the grid of crank angles; nothing that people read as it is.
+
+    Attributes
+    ----------
+    mechanisms : Mechanisms
+    batches : tuple of NamedTuple
+        In the order of `mechanisms.batches`, parts of shape (design, member, n).
+    n_angles : int
+    """
+
+    mechanisms: Mechanisms
+    batches: tuple[AnyMotion, ...]
+    n_angles: int
+
+    def of(self, some: Mechanisms, pick: Callable[[AnyMotion], Outcome]) -> Outcome:
+        """Pick arrays from the motion of those mechanisms that drive one sort of output, shape (design, some, n)."""
+        by_kind = {batch.kind: own for batch, own in zip(self.mechanisms.batches, self.batches, strict=True)}
+        picked = [(batch.index, pick(by_kind[batch.kind])) for batch in some.batches]
+        return side_by_side(picked, (len(some.nominal_top), len(some.names), self.n_angles))
+
+
+def grid_motion(mechanisms: Mechanisms, crank_angle: CrankAngle) -> GridMotion:
+    """Evaluate every mechanism's kernel over one turn, which all turns of the cycle repeat."""
+    turn, n_angles = crank_angle.first_turn, crank_angle.shown.size
+    found = (batch.kind.motion(turn + batch.members.phase, batch.members.geometry) for batch in mechanisms.batches)
+    return GridMotion(mechanisms, tuple(_over_cycle(motion, turn.shape[-1], n_angles) for motion in found), n_angles)
+
+
+def _over_cycle(motion: AnyMotion, n_turn: int, n_angles: int) -> AnyMotion:
+    """Motion of a turn at all angles; what stands still is as it is."""
+    # One array may stand in several places of a motion, as the crank pin does.
+    known: dict[int, Array] = {}
+
+    def repeated(values: Array) -> Array:
+        if np.shape(values)[-1:] != (n_turn,):
+            return values
+        if id(values) not in known:
+            known[id(values)] = np.concatenate([values] * (n_angles // n_turn), axis=-1)
+        return known[id(values)]
+
+    return each_changed(repeated, motion)
