@@ -41,6 +41,8 @@ def standing_problems(
         One at most for each shaft.
     """
     centres = shaft_centres(shafts)
+    if len(centres) == 1:
+        return ()
     found: dict[str, Problem] = {}
     for pair in grouped((place.cylinder, place) for place in places).values():
         if len(pair) != 2 or pair[0].shaft == pair[1].shaft or not {pair[0].shaft, pair[1].shaft} <= centres.keys():
