@@ -158,10 +158,11 @@ class Stage:
         """Say whether it applies to a machine of some parts; where it asks for one that is not there, it does not."""
         if self.applies is None:
             return True
-        asked = needs_of(self.applies)
-        given = {name: parts.get(kind) for name, kind in asked.types.items()}
-        if any(part is None and name not in asked.optional for name, part in given.items()):
-            return False
+        asked, given = needs_of(self.applies), dict[str, object]()
+        for name, kind in asked.types.items():
+            given[name] = parts.get(kind)
+            if given[name] is None and name not in asked.optional:
+                return False
         return self.applies(**given)
 
 
