@@ -1,10 +1,13 @@
 """Arrays of results held against the dimensions that they declare, before anybody reads them by these."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
+from operator import attrgetter
+from typing import Any
 
 import numpy as np
 
-from cranktrain.catalogue import Entry, entries, values
+from cranktrain.catalogue import Entry, entries
 
 
 def refuse_misshapen(outcomes: Iterable[object], labels: Mapping[str, Sequence[str]], n_angles: int) -> None:
@@ -25,10 +28,17 @@ def refuse_misshapen(outcomes: Iterable[object], labels: Mapping[str, Sequence[s
     """
     lengths = {name: len(names) for name, names in labels.items()} | {"crank_angle": n_angles}
     for outcome in outcomes:
-        for entry in entries(type(outcome)):
-            shape = np.shape(values(outcome, entry))
-            if shape != tuple(lengths.get(name) for name in ("design", *entry.dimensions)):
+        for entry, read, axes in _declared(type(outcome)):
+            found = read(outcome)
+            shape: tuple[int, ...] = getattr(found, "shape", None) or np.shape(found)
+            if shape != tuple(map(lengths.get, axes)):
                 raise TypeError(_contradiction(type(outcome), entry, shape, lengths))
+
+
+@cache
+def _declared(outcome: type) -> tuple[tuple[Entry, Callable[[object], Any], tuple[str, ...]], ...]:
+    """Quantities of a class of results, what reads the array of each, and its axes."""
+    return tuple((entry, attrgetter(entry.path), ("design", *entry.dimensions)) for entry in entries(outcome))
 
 
 def _contradiction(outcome: type, entry: Entry, shape: tuple[int, ...], lengths: Mapping[str, int]) -> str:
