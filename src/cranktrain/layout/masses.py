@@ -122,12 +122,14 @@ def _length(place: PlacedMechanism, part: str) -> Array | None:
 def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> Iterator[Problem]:
     """Find masses, friction and guides of parts that no mechanism has, and bodies that cannot be the link's."""
     moves = _("must be a part that moves: {parts}")
-    yield from unknown_parts(places, _TABLE, given.bodies, lambda dynamics: dynamics.moving, moves)
+    alike = grouped(((place.path, place.geometry), place) for place in places)
+    different = [first for first, *_others in alike.values()]
+    yield from unknown_parts(different, _TABLE, given.bodies, lambda dynamics: dynamics.moving, moves)
     for path, bodies in given.bodies.items():
         for name, body in bodies.items():
             own = [
                 place
-                for place in places
+                for place in different
                 if path in table_paths(place, _TABLE) and name in map(part_name, place.kind.dynamics.moving)
             ]
             if own:
@@ -135,10 +137,10 @@ def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> Iterator
     yield from crank_problems(places, given.bodies)
     slides = _("must be what slides in a guide or a slot: {parts}")
     yield from unknown_parts(
-        places, "friction", {"friction": given.friction}, lambda dynamics: dynamics.sliding, slides
+        different, "friction", {"friction": given.friction}, lambda dynamics: dynamics.sliding, slides
     )
     is_guided = _("must be what slides in a guide, which can bear a moment: {parts}")
-    yield from unknown_parts(places, "guide", given.guides, bearing_moments, is_guided)
+    yield from unknown_parts(different, "guide", given.guides, bearing_moments, is_guided)
 
 
 def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
@@ -245,13 +247,9 @@ def _is_likely(body: Body, length: Array | None) -> bool:
 
 
 def _said_of(place: PlacedMechanism, given: Weighed, cranks: Mapping[str, BodySpec | None]) -> object:
-    """All that the masses of a mechanism hang on: what is equal is the same."""
-    lengths = (_length(place, part) for part in place.kind.dynamics.moving)
-    numbers = [ZERO if length is None else length for length in lengths]
-    if given.gravity is not None:
-        numbers.append(frame_of(place, given.orientation)[0])
-    said = tuple(np.asarray(number).tobytes() for number in numbers)
-    return place.kind, place.path, id(cranks.get(place.name)), place.sense, said
+    """All that the masses of a mechanism hang on: what is equal is the same. Alike mechanisms share their geometry."""
+    direction = None if given.gravity is None else np.asarray(frame_of(place, given.orientation)[0]).tobytes()
+    return place.path, id(place.geometry), id(cranks.get(place.name)), place.sense, direction
 
 
 def _place_masses(place: PlacedMechanism, given: Weighed, specs: Mapping[str, BodySpec | None]) -> MechanismMasses:
