@@ -40,7 +40,7 @@ from cranktrain.questions.gas.spec import GasTables
 from cranktrain.spec import Spec, problems, with_tuples
 from cranktrain.typed_file import TypedFile
 
-_FOUND = ("arranged", "asks", "closing_problems", "design", "kinds", "table_problems")
+_FOUND = ("arranged", "asks", "closing_problems", "design", "kinds", "questions", "table_problems")
 """What is found once of what a machine declares."""
 
 
@@ -337,7 +337,7 @@ class Machine(Spec, frozen=True):
         """Names of the questions that its tables ask."""
         return QUESTIONS.by({key for key in type(self).model_fields if getattr(self, key)})
 
-    @property
+    @cached_property
     def questions(self) -> tuple[Question, ...]:
         """What its tables ask."""
         return tuple(map(QUESTIONS.named, self.asks))

@@ -267,16 +267,16 @@ def _how_far(place: int, n_stages: int, outcome: type) -> str:
 
 def _freeze(outcome: object, seen: set[int]) -> None:
     """Make all arrays of an outcome read-only: stages and users share them. `seen` holds what has been gone through."""
-    open_ends: list[object] = [(outcome,)]
+    open_ends: list[Iterable[object]] = [(outcome,)]
     while open_ends:
-        holder = open_ends.pop()
-        held = cast("Iterable[object]", holder if isinstance(holder, tuple) else vars(holder).values())
-        for value in held:
+        for value in open_ends.pop():
             if isinstance(value, np.ndarray):
                 value.setflags(write=False)
             elif not isinstance(value, str) and _may_hold_arrays(type(value)) and id(value) not in seen:
                 seen.add(id(value))
-                open_ends.append(value)
+                open_ends.append(
+                    cast("tuple[object, ...]", value) if isinstance(value, tuple) else vars(value).values()
+                )
 
 
 @cache

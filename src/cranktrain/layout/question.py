@@ -289,14 +289,11 @@ def keys(path: str, *names: str) -> Written:
 
     def written(design: Design) -> Sequence[str]:
         common: Any = design.tables.get(path)
+        if common is None:
+            return []
         below: Mapping[str, Any] = getattr(common, "overrides", {})
         tables = {path: common} | {f"{path}.{name}": own for name, own in below.items()}
-        return [
-            f"[{where}] {name}"
-            for name in names
-            for where, own in tables.items()
-            if own is not None and name in own.model_fields_set
-        ]
+        return [f"[{where}] {name}" for name in names for where, own in tables.items() if name in own.model_fields_set]
 
     return written
 
