@@ -1,36 +1,50 @@
 """What a changed file keeps of one that was checked: a table that stands as it stood is the spec that it was."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, cast
 
-from cranktrain.spec import Spec
+from cranktrain.errors import InputError
+from cranktrain.spec import Spec, SpecType
 
 
-def with_kept(data: Mapping[str, Any], checked: Spec, before: Mapping[str, Any]) -> dict[str, Any]:
-    """Put specs in place of those tables of a file that are the same as before.
+def read_like(
+    checked: SpecType, data: Mapping[str, Any], before: Mapping[str, Any], found: Mapping[str, Sequence[str]]
+) -> SpecType:
+    """Read the tables of a file of which another was read before, and are the same but in some places.
 
     Parameters
     ----------
-    data : mapping
-        The tables, changed in some places; all that is elsewhere is shared with `before`.
     checked : Spec
-        What was read from the tables before.
+        What was read before.
+    data : mapping
+        The tables; all that was not changed is shared with `before`.
     before : mapping
+    found : mapping of str to sequence of str
+        What a spec finds when it is asked, and the tables on which that rests, nothing else.
 
     Returns
     -------
-    dict
-        In which no table has to be read that is the same object as before; nor, of tables by name, one of these.
+    Spec
+        No table is read that is the same object as before; nor, of tables by name, one of these. What was found from
+        tables that are all the same is not found again.
 
-    Examples
-    --------
-    >>> from cranktrain.layout.specs import BankSpec
-    >>> before = {"masses": {"rod": {"mass": "2 kg"}}, "stagger": "0 mm", "throws": (1,)}
-    >>> checked = BankSpec.model_construct(**before)
-    >>> changed = {**before, "throws": [1]}
-    >>> with_kept(changed, checked, before)["masses"] is checked.masses
-    True
+    Raises
+    ------
+    InputError
+        With everything that is wrong, as if all were read.
     """
+    try:
+        changed = type(checked)(**_with_kept(checked, data, before))
+    except InputError:
+        changed = type(checked)(**data)
+    for name, tables in found.items():
+        if name in vars(checked) and all(data.get(table) is before.get(table) for table in tables):
+            vars(changed)[name] = vars(checked)[name]
+    return changed
+
+
+def _with_kept(checked: Spec, data: Mapping[str, Any], before: Mapping[str, Any]) -> dict[str, Any]:
+    """Put specs in place of those tables that are the same as before."""
     return {
         key: _kept(value, getattr(checked, key), before[key]) if key in before else value for key, value in data.items()
     }

@@ -13,7 +13,7 @@ from cranktrain.all_questions import QUESTIONS, CrankshaftSpec, DriveSpec, GearS
 from cranktrain.allowed import Name
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.faces import face
-from cranktrain.kept import with_kept
+from cranktrain.kept import read_like
 from cranktrain.language import N_, _
 from cranktrain.layout.as_in_file import as_in_file
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
@@ -42,6 +42,9 @@ from cranktrain.typed_file import TypedFile
 
 _FOUND = ("arranged", "asks", "closing_problems", "design", "kinds", "questions", "table_problems")
 """What is found once of what a machine declares."""
+_ARRANGING = ("angle", "bank", "mechanism", "running", "shaft")
+_RESTS_ON = {"arranged": _ARRANGING, "kinds": _ARRANGING, "closing_problems": (*_ARRANGING, "crank_zero", "units")}
+"""What of it is found from some tables alone."""
 
 
 class Machine(Spec, frozen=True):
@@ -212,10 +215,9 @@ class Machine(Spec, frozen=True):
         data, paths = with_values(self.declared, with_tuples(dict(values)))
         data, found = self.typed_in.files_read(in_place_of_lists(data, paths))
         refuse(found)
-        try:
-            changed = type(self)(**with_kept(data, self, self.declared))
-        except InputError:  # which is told as of a new machine
-            changed = type(self)(**data)
+        # What is wrong is told in the units of its time.
+        is_right = "arranged" in vars(self) and self.places and not vars(self).get("closing_problems")
+        changed = read_like(self, data, self.declared, _RESTS_ON if is_right else {})
         vars(changed)["declared"] = data
         return changed.coming_from(self.typed_in)
 
@@ -261,9 +263,8 @@ class Machine(Spec, frozen=True):
     @property
     def banks(self) -> Mapping[str, BankSpec]:
         """The banks by name; a bare `[mechanism]` is a bank of one, without a name."""
-        if self.bank:
-            return self.bank
-        return {"": BankSpec.model_construct(angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,))}
+        alone: dict[str, Any] = {"angle": (self.angle,), "mechanism": (self.mechanism,), "throws": (1,)}
+        return self.bank or {"": BankSpec.model_construct(**alone)}
 
     @property
     def main_shaft(self) -> ShaftSpec:

@@ -13,6 +13,7 @@ from cranktrain.io.examples import example_names
 from cranktrain.layout.load_tables import in_place_of_lists
 from cranktrain.machine import machine_problems
 from cranktrain.paths import path_text, with_values
+from cranktrain.quantities import shown_by, units_by_dimension
 
 every_example = pytest.mark.parametrize("name", example_names())
 WRONG = ("1.7 mm", "-3", 0, 1, True, None, "", [], {}, ["1 mm", "2 mm"], {"value": "2 mm"}, {"kind": "none"})
@@ -132,6 +133,26 @@ def test_what_stands_as_it_stood_is_the_same_object():
     assert changed.bank["L"] != machine.bank["L"]
     assert changed.typed_in is machine.typed_in
     assert pickle.loads(pickle.dumps(changed)) == changed
+
+
+def test_what_was_found_of_the_same_tables_is_not_found_again():
+    machine = ct.load("3d12")
+    places = machine.places
+    assert machine.with_({"gas.cut_off_ratio": "1.4"}).places is places
+    for path, value in {"shaft.main.throws[1]": "120 deg", "running": "astern", "bank.R.stagger": "1 mm"}.items():
+        assert "arranged" not in vars(machine.with_({path: value})), path
+    zeroed = machine.with_({"crank_zero": "Y"})
+    assert zeroed.places is places
+    assert "closing_problems" in vars(machine)
+    assert "closing_problems" not in vars(zeroed)
+
+
+def test_what_is_wrong_is_told_again_in_the_units_of_its_time():
+    short = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "45 mm"})
+    assert "mm" in str(short.closing_problems[0])
+    with shown_by(units_by_dimension(["in"])):
+        told = short.with_({"name": "short"}).closing_problems
+        assert told == ct.Machine(**short.declared).closing_problems
 
 
 def test_what_a_caller_changes_later_is_no_matter():
