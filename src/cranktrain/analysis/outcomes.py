@@ -57,7 +57,8 @@ class StageRun:
         for place, one in enumerate(way, start=1):
             say_how_far(partial(_how_far, place, len(way), one.gives))
             outcome = self._given_by(one)
-            labels = self.labels | getattr(outcome, "labels", {})
+            own: Labels | None = getattr(outcome, "labels", None)
+            labels = {**self.labels, **own} if own else self.labels
             if accept is not None:
                 accept(outcome, labels)
             self._known[one.gives], self.labels = outcome, labels
