@@ -1,4 +1,7 @@
-"""What a changed file keeps of one that was checked: a table that stands as it stood is the spec that it was."""
+"""What a changed file keeps of one that was checked: a table that stands as it stood is the spec that it was.
+
+That a table is the same is told by the object that holds it, never by its values: 1 is equal to true.
+"""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, cast
@@ -35,7 +38,7 @@ def read_like(
     """
     try:
         changed = type(checked)(**_with_kept(checked, data, before))
-    except InputError:
+    except InputError:  # of which more is told where tables are read than where specs stand in their place
         changed = type(checked)(**data)
     for name, tables in found.items():
         if name in vars(checked) and all(data.get(table) is before.get(table) for table in tables):
