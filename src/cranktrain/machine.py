@@ -13,11 +13,11 @@ from cranktrain.all_questions import QUESTIONS, CrankshaftSpec, DriveSpec, GearS
 from cranktrain.allowed import Name
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.faces import face
+from cranktrain.kept import read_like
 from cranktrain.language import N_, _
 from cranktrain.layout.as_in_file import as_in_file
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.closing import closing_problems
-from cranktrain.layout.crank_bodies import pin_problems
 from cranktrain.layout.design import Design
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
@@ -25,9 +25,8 @@ from cranktrain.layout.load_tables import LoadSpec, LoadTables, in_place_of_list
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
 from cranktrain.layout.question import Question
-from cranktrain.layout.shaft_problems import motion_problems, shaft_problems
+from cranktrain.layout.shaft_problems import layout_problems, shaft_problems
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
-from cranktrain.layout.standing import standing_problems
 from cranktrain.layout.unit_tables import unit_problems
 from cranktrain.mechanisms import KINDS, AnyMechanism
 from cranktrain.motion import Array
@@ -41,8 +40,11 @@ from cranktrain.questions.gas.spec import GasTables
 from cranktrain.spec import Spec, problems, with_tuples
 from cranktrain.typed_file import TypedFile
 
-_FOUND = ("arranged", "asks", "closing_problems", "design", "kinds", "table_problems")
+_FOUND = ("arranged", "asks", "closing_problems", "design", "kinds", "questions", "table_problems")
 """What is found once of what a machine declares."""
+_ARRANGING = ("angle", "bank", "mechanism", "running", "shaft")
+_RESTS_ON = {"arranged": _ARRANGING, "kinds": _ARRANGING, "closing_problems": (*_ARRANGING, "crank_zero", "units")}
+"""What of it is found from some tables alone."""
 
 
 class Machine(Spec, frozen=True):
@@ -210,10 +212,14 @@ class Machine(Spec, frozen=True):
         >>> longer.mechanism.rod_length.text, machine.mechanism.rod_length.text
         ('140 mm', '136 mm')
         """
-        data, paths = with_values(self.declared, values)
+        data, paths = with_values(self.declared, with_tuples(dict(values)))
         data, found = self.typed_in.files_read(in_place_of_lists(data, paths))
         refuse(found)
-        return type(self)(**data).coming_from(self.typed_in)
+        # What is wrong is told in the units of its time.
+        is_right = "arranged" in vars(self) and self.places and not vars(self).get("closing_problems")
+        changed = read_like(self, data, self.declared, _RESTS_ON if is_right else {})
+        vars(changed)["declared"] = data
+        return changed.coming_from(self.typed_in)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """Copy it; refuse other values, which nothing would check."""
@@ -257,8 +263,8 @@ class Machine(Spec, frozen=True):
     @property
     def banks(self) -> Mapping[str, BankSpec]:
         """The banks by name; a bare `[mechanism]` is a bank of one, without a name."""
-        bare = BankSpec.model_construct(angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,))
-        return self.bank or {"": bare}
+        alone: dict[str, Any] = {"angle": (self.angle,), "mechanism": (self.mechanism,), "throws": (1,)}
+        return self.bank or {"": BankSpec.model_construct(**alone)}
 
     @property
     def main_shaft(self) -> ShaftSpec:
@@ -332,7 +338,7 @@ class Machine(Spec, frozen=True):
         """Names of the questions that its tables ask."""
         return QUESTIONS.by({key for key in type(self).model_fields if getattr(self, key)})
 
-    @property
+    @cached_property
     def questions(self) -> tuple[Question, ...]:
         """What its tables ask."""
         return tuple(map(QUESTIONS.named, self.asks))
@@ -351,16 +357,11 @@ class Machine(Spec, frozen=True):
     @cached_property
     def table_problems(self) -> tuple[Problem, ...]:
         """What only the tables together can show to be wrong."""
-        places, found = self.arranged
-        if found:
+        if found := self.arranged[1]:
             return found
         with np.errstate(all="ignore"):  # links that cannot close have no motion, which is said beside
-            return (
-                *pin_problems(places),
-                *standing_problems(self.shafts, places, self.orientation),
-                *motion_problems(self.design),
-                *(problem for question in self.questions for problem in question.problems(self.design)),
-            )
+            of_questions = (problem for question in self.questions for problem in question.problems(self.design))
+            return (*layout_problems(self.design), *of_questions)
 
     @cached_property
     def closing_problems(self) -> tuple[Problem, ...]:

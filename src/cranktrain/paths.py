@@ -110,9 +110,13 @@ def is_table(value: object) -> TypeGuard[Mapping[str, Any]]:
 def value_at(data: object, path: str) -> object:
     """What stands at a path of some data; None where nothing does, or where it is no path."""
     try:
-        parts = quantity_path(path) if path else ()
+        return item_at(data, quantity_path(path) if path else ())
     except InputError:
         return None
+
+
+def item_at(data: object, parts: PathParts) -> object:
+    """What stands in some data at a path that is split already; None where nothing does."""
     for part in parts:
         if isinstance(data, Mapping):
             data = cast("Mapping[object, object]", data).get(part)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import (
     Annotated,
+    Any,
     ClassVar,
     Literal,
     NamedTuple,
@@ -389,10 +390,11 @@ def _as_written(data: object) -> str | None:
     return written(data)
 
 
-def with_tuples(data: object) -> object:
+def with_tuples(data: object) -> Any:
     """Turn lists into tuples, through and through."""
     if isinstance(data, list):
         return tuple(map(with_tuples, cast("list[object]", data)))
     if isinstance(data, dict):
-        return {key: with_tuples(value) for key, value in cast("dict[str, object]", data).items()}
+        table = cast("dict[str, object]", data)
+        return {key: value if isinstance(value, str) else with_tuples(value) for key, value in table.items()}
     return data

@@ -17,6 +17,7 @@ from cranktrain.how_far import say_how_far
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts, Stage
+from cranktrain.mechanisms.kind import Kind
 from cranktrain.motion import Array
 from cranktrain.quantities import shown_as_then, units_now
 
@@ -56,7 +57,8 @@ class StageRun:
         for place, one in enumerate(way, start=1):
             say_how_far(partial(_how_far, place, len(way), one.gives))
             outcome = self._given_by(one)
-            labels = self.labels | getattr(outcome, "labels", {})
+            own: Labels | None = getattr(outcome, "labels", None)
+            labels = {**self.labels, **own} if own else self.labels
             if accept is not None:
                 accept(outcome, labels)
             self._known[one.gives], self.labels = outcome, labels
@@ -266,20 +268,19 @@ def _how_far(place: int, n_stages: int, outcome: type) -> str:
 
 def _freeze(outcome: object, seen: set[int]) -> None:
     """Make all arrays of an outcome read-only: stages and users share them. `seen` holds what has been gone through."""
-    open_ends: list[object] = [outcome]
+    open_ends: list[Iterable[object]] = [(outcome,)]
     while open_ends:
-        value = open_ends.pop()
-        holds = _what_it_holds(type(value))
-        if holds is np.ndarray:
-            cast(Array, value).setflags(write=False)
-        elif holds is not None and id(value) not in seen:
-            seen.add(id(value))
-            open_ends += cast(tuple[object, ...], value) if holds is tuple else vars(value).values()
+        for value in open_ends.pop():
+            if isinstance(value, np.ndarray):
+                value.setflags(write=False)
+            elif not isinstance(value, str) and _may_hold_arrays(type(value)) and id(value) not in seen:
+                seen.add(id(value))
+                open_ends.append(
+                    cast("tuple[object, ...]", value) if isinstance(value, tuple) else vars(value).values()
+                )
 
 
 @cache
-def _what_it_holds(kind: type) -> type | None:
-    """As what a value of some type may hold arrays: as an array, a tuple, an object with fields; None of any other."""
-    if issubclass(kind, np.ndarray | tuple):
-        return np.ndarray if issubclass(kind, np.ndarray) else tuple
-    return object if is_dataclass(cast(object, kind)) else None
+def _may_hold_arrays(kind: type) -> bool:
+    """Whether a value of some type, no array itself, may hold arrays: a tuple or an object with fields, but no kind."""
+    return issubclass(kind, tuple) or (is_dataclass(cast(object, kind)) and not issubclass(kind, Kind))

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from functools import partial as with_arguments
 from typing import Any, NamedTuple
 
@@ -14,6 +15,7 @@ from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
 from cranktrain.analysis.stages import (
+    KEPT,
     Step,
     every_stage,
     homes,
@@ -22,6 +24,7 @@ from cranktrain.analysis.stages import (
     missing_results,
     stages_for,
     stages_giving,
+    stages_of,
     steps_of,
 )
 from cranktrain.analysis.unused import unused
@@ -90,7 +93,7 @@ def run(
     refuse_wrong(machines, partial=partial)
     asked = (quantities,) if isinstance(quantities, str) else quantities
     names = None if asked is None else tuple(asked)
-    steps = _steps(machines[0], stages, names)
+    steps = _steps(machines[0].asks, machines[0].kinds, None if stages is None else tuple(stages), names)
     if len(machines) <= MOST_AT_ONCE or isinstance(speed, SpeedCurve):
         return _run(machines, speed, step, steps, has_designs=not isinstance(machine, Machine))
     sizes = block_sizes(len(machines))
@@ -115,16 +118,22 @@ def run(
 class _Steps(NamedTuple):
     """Stages of a run: all that there may be, with what is known of others; those that are run; and those told of."""
 
-    every: Sequence[Stage]
-    known: Sequence[Step]
-    chosen: Sequence[Stage]
-    told: Sequence[Step]
+    every: tuple[Stage, ...]
+    known: tuple[Step, ...]
+    chosen: tuple[Stage, ...]
+    told: tuple[Step, ...]
 
 
-def _steps(machine: Machine, stages: Sequence[Stage] | None, names: Sequence[str] | None) -> _Steps:
-    """Choose the stages that lead to some quantities, or to all that a machine is asked."""
+@lru_cache(maxsize=KEPT)
+def _steps(
+    questions: tuple[str, ...],
+    kinds: tuple[str, ...],
+    stages: tuple[Stage, ...] | None,
+    names: tuple[str, ...] | None,
+) -> _Steps:
+    """Choose the stages that lead to some quantities, or to all that questions ask of mechanisms of some kinds."""
     if stages is None:
-        every, known = stages_for(machine), steps_of(machine.asks, machine.kinds)
+        every, known = stages_of(questions, kinds), steps_of(questions, kinds)
         if names is None:
             return _Steps(every, known, every, known)
         if not homes(every).keys() >= set(names):

@@ -1,10 +1,13 @@
 """Arrays of results held against the dimensions that they declare, before anybody reads them by these."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
+from operator import attrgetter
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import Entry, entries, values
+from cranktrain.catalogue import Entry, entries
 
 
 def refuse_misshapen(outcomes: Iterable[object], labels: Mapping[str, Sequence[str]], n_angles: int) -> None:
@@ -23,12 +26,28 @@ def refuse_misshapen(outcomes: Iterable[object], labels: Mapping[str, Sequence[s
     TypeError
         With the first such quantity: a stage is wrong, or what its result class says.
     """
-    lengths = {name: len(names) for name, names in labels.items()} | {"crank_angle": n_angles}
     for outcome in outcomes:
-        for entry in entries(type(outcome)):
-            shape = np.shape(values(outcome, entry))
-            if shape != tuple(lengths.get(name) for name in ("design", *entry.dimensions)):
+        quantities, dimensions = _declared(type(outcome))
+        lengths = {name: len(labels[name]) for name in dimensions if name in labels} | {"crank_angle": n_angles}
+        for entry, read, axes in quantities:
+            found = read(outcome)
+            shape: tuple[int, ...] = getattr(found, "shape", None) or np.shape(found)
+            if shape != tuple(map(lengths.get, axes)):
                 raise TypeError(_contradiction(type(outcome), entry, shape, lengths))
+
+
+class _Declared(NamedTuple):
+    """Quantities of a class of results, each with what reads its array and with its axes; and all axes of these."""
+
+    quantities: Sequence[tuple[Entry, Callable[[object], Any], tuple[str, ...]]]
+    axes: frozenset[str]
+
+
+@cache
+def _declared(outcome: type) -> _Declared:
+    """Say what a class of results declares."""
+    each = [(entry, attrgetter(entry.path), ("design", *entry.dimensions)) for entry in entries(outcome)]
+    return _Declared(each, frozenset(axis for _entry, _read, axes in each for axis in axes))
 
 
 def _contradiction(outcome: type, entry: Entry, shape: tuple[int, ...], lengths: Mapping[str, int]) -> str:

@@ -1,9 +1,9 @@
 """Stages in the order in which they can run: all that a machine allows, and in words what it lacks for the others."""
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from graphlib import TopologicalSorter
 from typing import TypeAlias, cast
 
@@ -14,9 +14,12 @@ from cranktrain.brief import brief_fields
 from cranktrain.errors import Problem, refuse
 from cranktrain.grouping import grouped
 from cranktrain.language import _
-from cranktrain.layout.question import NOT_FOR_IT, Stage
+from cranktrain.layout.question import NOT_FOR_IT, Applies, Stage
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
+
+KEPT = 64
+"""Of how many sorts of machines, or ways of asking, it is kept what of all stages they take or lack."""
 
 
 @dataclass(frozen=True)
@@ -122,20 +125,41 @@ def lacking(steps: Sequence[Step], parts: Mapping[type, object]) -> dict[str, tu
         By the names of outcomes, in words for what a machine file could say; none of an outcome that is not for this
         machine.
     """
-    known = {part.__name__ for part in parts}
-    roots: dict[str, frozenset[str]] = {}
-    for one in _by_needs(tuple(steps)):
-        needed, applies = one.lacks.keys() - known, one.applies_to(parts)
+    every = tuple(steps)
+    answers = tuple(one.applies_to(parts) for one in _choosy(every).values())
+    roots = _roots(every, frozenset(part.__name__ for part in parts), answers)
+    told = {
+        words: () if NOT_FOR_IT in words else tuple(sorted(_(word) for word in words)) for words in set(roots.values())
+    }
+    return {outcome: told[words] for outcome, words in roots.items()}
+
+
+@lru_cache(maxsize=KEPT)
+def _roots(
+    steps: tuple[Step, ...], declared: frozenset[str], answers: tuple[Applies, ...]
+) -> Mapping[str, frozenset[str]]:
+    """What a file would have to say for outcomes that cannot be made of parts, by their names.
+
+    `answers` are what the parts say of the choosy steps.
+    """
+    known, roots = set(declared), dict[str, frozenset[str]]()
+    answered = dict(zip(_choosy(steps), answers, strict=True))
+    for one in _by_needs(steps):
+        needed = one.lacks.keys() - known
+        applies = answered[one.applies] if isinstance(one, Stage) and one.applies else one.applies_to({})
         if needed or applies is not True:
             asked = applies if isinstance(applies, tuple) else (applies or NOT_FOR_IT,)
             said = frozenset[str]() if applies is True else frozenset(cast(tuple[str, ...], asked))
             roots[one.outcome] = said.union(*(roots.get(need, frozenset([one.lacks[need]])) for need in needed))
         else:
             known.add(one.outcome)
-    told = {
-        words: () if NOT_FOR_IT in words else tuple(sorted(_(word) for word in words)) for words in set(roots.values())
-    }
-    return {outcome: told[words] for outcome, words in roots.items()}
+    return roots
+
+
+@cache
+def _choosy(steps: tuple[Step, ...]) -> Mapping[Callable[..., Applies], Stage]:
+    """Steps whose machines they choose by their parts, one for each way of choosing."""
+    return {one.applies: one for one in steps if isinstance(one, Stage) and one.applies}
 
 
 @cache

@@ -72,8 +72,11 @@ def unused(machine: Machine, lacking: Mapping[str, tuple[str, ...]]) -> tuple[Un
 def _found(machine: Machine, lacking: Mapping[str, tuple[str, ...]]) -> Iterator[Unused]:
     """Go through all that may stand in a file, what nothing is missing for too."""
     for use in (use for question in machine.questions for use in question.uses):
+        tables = use.tables(machine.design)
+        if not tables:
+            continue
         needs = dict.fromkeys(need for result in use.results for need in lacking.get(result.__name__, ()))
-        for table in use.tables(machine.design):
+        for table in tables:
             # What a table holds is there, though nothing could be made of it.
             others = tuple(need for need in needs if need != table)
             has_consequence = use.instead is not None and use.instead.__name__ not in lacking

@@ -13,7 +13,7 @@ from cranktrain.io.files import content_of, refusal
 from cranktrain.language import _
 from cranktrain.layout.parts import FILES
 from cranktrain.layout.question import ANY_NAME, TableFile
-from cranktrain.paths import path_text, replaced, value_at
+from cranktrain.paths import item_at, path_text, replaced
 
 LARGEST_FILE = 16 * 2**20
 """Bytes; a cycle in steps of 0.1° has some 200 000."""
@@ -103,7 +103,7 @@ def _paths(data: Mapping[str, object], curve: TableFile) -> Iterator[tuple[str, 
         yield from _named(data, curve.table)
         return
     yield curve.table
-    table = value_at(data, path_text(curve.table))
+    table = item_at(data, curve.table)
     if curve.kind is not None and isinstance(table, Mapping) and "kind" not in table:
         yield from ((*curve.table, name) for name in cast("Mapping[str, object]", table))
 
@@ -120,13 +120,12 @@ def _named(data: object, table: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
 
 def _filled(data: dict[str, object], parts: tuple[str, ...], curve: TableFile, folder: Path) -> dict[str, object]:
     """Put the text of one file into its table."""
-    path = path_text(parts)
-    found = value_at(data, path)
+    found = item_at(data, parts)
     table = cast("Mapping[str, object]", found if isinstance(found, Mapping) else {})
     file = table.get("file")
     if not isinstance(file, str) or table.get("kind") != curve.kind or table.get("text") is not None:
         return data
-    with problems_as(lambda problem: replace(problem, path=f"{path}.file", given=file, position=None)):
+    with problems_as(lambda problem: replace(problem, path=f"{path_text(parts)}.file", given=file, position=None)):
         text = curve_text(_place_of(file, folder), file, curve.noun)
     return cast("dict[str, object]", replaced(data, (*parts, "text"), text))
 

@@ -43,14 +43,22 @@ def _throws(places: Sequence[PlacedMechanism]) -> list[_Throw]:
 def crank_bodies(places: Sequence[PlacedMechanism], given: Bodies) -> dict[str, BodySpec | None]:
     """Body of each throw, by the name of the mechanism with which it counts: the first on it that has a crank.
 
-    That of a bank's own table, whichever bank of the throw has one; else that of all throws.
+    That of a bank's own table, whichever bank of the throw has one; else that of all throws. Where the file has none,
+    no throw is named.
     """
+    if not _has_cranks(given):
+        return {}
     found: dict[str, BodySpec | None] = {}
     for members, is_main in _throws(places):
         own = _tables_of(members, given)
         default = nearest_item(members[0], CRANK, _TABLE, given) if is_main else None
         found[members[0].name] = own[0][1] if own else default
     return found
+
+
+def _has_cranks(given: Bodies) -> bool:
+    """Whether any table has a crank."""
+    return any(CRANK in bodies for bodies in given.values())
 
 
 def _tables_of(members: Sequence[PlacedMechanism], given: Bodies) -> list[tuple[str, BodySpec]]:
@@ -61,7 +69,7 @@ def _tables_of(members: Sequence[PlacedMechanism], given: Bodies) -> list[tuple[
 
 def crank_problems(places: Sequence[PlacedMechanism], given: Bodies) -> Iterator[Problem]:
     """Find banks that give the crank of one throw two bodies, and one pin two radii."""
-    for members, _is_main in _throws(places):
+    for members, _is_main in _throws(places) if _has_cranks(given) else ():
         own = _tables_of(members, given)
         for path, body in own[1:]:
             if not _is_same(body, own[0][1]):

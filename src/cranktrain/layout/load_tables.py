@@ -12,7 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.listed import OneOrMany
 from cranktrain.layout.load_card import LoadCard, load_card
 from cranktrain.layout.load_heads import Sort
-from cranktrain.paths import PathParts, path_text, replaced, value_at
+from cranktrain.paths import PathParts, item_at, replaced
 from cranktrain.quantities import (
     Angle,
     Dimension,
@@ -309,8 +309,10 @@ def in_place_of_lists(data: Mapping[str, object], paths: Sequence[PathParts]) ->
     """
     found: object = data
     for path in paths:
-        above, table = path[:-1], value_at(data, path_text(path[:-1]))
-        if path[-1:] == ("file",) and path[-3:-2] == ("load",) and isinstance(table, Mapping):
+        if path[-1:] != ("file",) or path[-3:-2] != ("load",):
+            continue
+        above = path[:-1]
+        if isinstance(table := item_at(data, above), Mapping):
             own = cast("Mapping[str, object]", table)
             kept = {key: value for key, value in own.items() if key not in OF_LISTS or (*above, key) in paths}
             found = replaced(found, above, kept)

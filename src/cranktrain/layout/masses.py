@@ -6,6 +6,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from cranktrain.errors import Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.layout.crank_bodies import CRANK, crank_bodies, crank_problems
@@ -25,7 +26,6 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces import Body, Gravity
 from cranktrain.motion import ZERO, Array
 from cranktrain.numerics.designs import by_design
-from cranktrain.numerics.nested import mapped
 from cranktrain.quantities import Given
 from cranktrain.record import record
 from cranktrain.wording import precise
@@ -122,12 +122,14 @@ def _length(place: PlacedMechanism, part: str) -> Array | None:
 def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> Iterator[Problem]:
     """Find masses, friction and guides of parts that no mechanism has, and bodies that cannot be the link's."""
     moves = _("must be a part that moves: {parts}")
-    yield from unknown_parts(places, _TABLE, given.bodies, lambda dynamics: dynamics.moving, moves)
+    alike = grouped(((place.path, place.geometry), place) for place in places)
+    different = [first for first, *_others in alike.values()]
+    yield from unknown_parts(different, _TABLE, given.bodies, lambda dynamics: dynamics.moving, moves)
     for path, bodies in given.bodies.items():
         for name, body in bodies.items():
             own = [
                 place
-                for place in places
+                for place in different
                 if path in table_paths(place, _TABLE) and name in map(part_name, place.kind.dynamics.moving)
             ]
             if own:
@@ -135,10 +137,10 @@ def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> Iterator
     yield from crank_problems(places, given.bodies)
     slides = _("must be what slides in a guide or a slot: {parts}")
     yield from unknown_parts(
-        places, "friction", {"friction": given.friction}, lambda dynamics: dynamics.sliding, slides
+        different, "friction", {"friction": given.friction}, lambda dynamics: dynamics.sliding, slides
     )
     is_guided = _("must be what slides in a guide, which can bear a moment: {parts}")
-    yield from unknown_parts(places, "guide", given.guides, bearing_moments, is_guided)
+    yield from unknown_parts(different, "guide", given.guides, bearing_moments, is_guided)
 
 
 def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
@@ -173,33 +175,21 @@ def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[Place
 def masses_of(places: Sequence[PlacedMechanism], given: Weighed, n_designs: int) -> Masses:
     """Stack the bodies of designs of one machine by kind, as `mechanisms_of` does."""
     cranks = crank_bodies(places, given.bodies)
-    batches = [
-        _kind_masses([place for place in places if place.kind == kind], given, cranks, n_designs)
-        for kind in dict.fromkeys(place.kind for place in places)
-    ]
-    moving = [
-        (place, part, nearest_item(place, part, _TABLE, given.bodies))
-        for place in places
-        for part in place.kind.dynamics.moving
-        if part != CRANK
-    ]
-    used = [spec for _place, _part, spec in moving] + [*cranks.values()]
+    said = [_said_of(place, given, cranks) for place in places]
+    # Of all of which the file says the same, masses are found once: mostly that is all of a bank.
+    different = dict(zip(said, places, strict=True))
+    found = {key: _found_of(place, given, cranks.get(place.name)) for key, place in different.items()}
+    each = [found[key] for key in said]
+    used = [body for own in found.values() for body in own.used] + [*cranks.values()]
     # Of banks that say the same of a throw they share each is right.
     used += [bodies[CRANK] for path, bodies in given.bodies.items() if path != _TABLE and CRANK in bodies]
+    of_kinds = grouped((place.kind, own.masses) for place, own in zip(places, each, strict=True))
     return Masses(
-        tuple(batches),
+        tuple(by_design(masses, n_designs) for masses in of_kinds.values()),
         are_given=bool(given.bodies),
-        weightless=tuple(f"{place.name}.{part_name(part)}" for place, part, spec in moving if spec is None),
-        assumed=tuple(
-            f"{place.name}.{part}"
-            for place, part, spec in moving
-            if spec is not None and spec.own_inertia is None and part not in (SLIDER, *place.kind.dynamics.straight)
-        ),
-        doubtful=tuple(
-            f"{place.name}.{part}"
-            for place, part, spec in moving
-            if spec is not None and not _has_likely_inertia(place, part, spec)
-        ),
+        weightless=_named(places, [own.weightless for own in each]),
+        assumed=_named(places, [own.assumed for own in each]),
+        doubtful=_named(places, [own.doubtful for own in each]),
         unused=tuple(
             f"{path}.{name}"
             for path, bodies in given.bodies.items()
@@ -209,55 +199,67 @@ def masses_of(places: Sequence[PlacedMechanism], given: Weighed, n_designs: int)
     )
 
 
-def _has_likely_inertia(place: PlacedMechanism, part: str, spec: BodySpec) -> bool:
-    """Whether a given inertia that is not 0 is one that a link of its mass and length can have, in all designs."""
-    length = _length(place, part)
-    if length is None or spec.own_inertia is None:
+def _named(places: Sequence[PlacedMechanism], parts: Sequence[Sequence[str]]) -> tuple[str, ...]:
+    """Name parts of mechanisms."""
+    return tuple(f"{place.name}.{part}" for place, own in zip(places, parts, strict=True) for part in own)
+
+
+class _Found(NamedTuple):
+    """Masses of a mechanism, bodies of the file that it uses, and the parts of which `Masses` speaks."""
+
+    masses: MechanismMasses
+    used: Sequence[BodySpec]
+    weightless: Sequence[str]
+    assumed: Sequence[str]
+    doubtful: Sequence[str]
+
+
+def _found_of(place: PlacedMechanism, given: Weighed, crank: BodySpec | None) -> _Found:
+    """Find the masses of a mechanism, with the body of its throw if that counts with it."""
+    dynamics = place.kind.dynamics
+    specs = {
+        part: crank if part == CRANK else nearest_item(place, part, _TABLE, given.bodies) for part in dynamics.moving
+    }
+    masses = _place_masses(place, given, specs)
+    bodies = dynamics.by_link(masses.bodies)
+    used = {part: spec for part, spec in specs.items() if part != CRANK and spec is not None}
+    unturned = (SLIDER, *dynamics.straight)
+    return _Found(
+        masses,
+        used=list(used.values()),
+        weightless=[part_name(part) for part, spec in specs.items() if part != CRANK and spec is None],
+        assumed=[part for part, spec in used.items() if spec.own_inertia is None and part not in unturned],
+        doubtful=[
+            part
+            for part, spec in used.items()
+            if spec.own_inertia is not None and not _is_likely(bodies[part], _length(place, part))
+        ],
+    )
+
+
+def _is_likely(body: Body, length: Array | None) -> bool:
+    """Whether an inertia that is not 0 is one that a link of its mass and length can have, in all designs."""
+    if length is None:
         return True
-    body = _body(place, part, spec)
     gyration = np.sqrt(body.inertia / body.mass)
     is_likely = (gyration >= _LEAST_GYRATION * length) & (gyration <= _MOST_GYRATION * length)
     return bool(np.all((body.inertia == 0) | is_likely))
 
 
-def _kind_masses(
-    places: Sequence[PlacedMechanism], given: Weighed, cranks: Mapping[str, BodySpec | None], n_designs: int
-) -> MechanismMasses:
-    """Masses of mechanisms of one kind, found once for all of which the file says the same: mostly that is all."""
-    said = [_said_of(place, given, cranks) for place in places]
-    one_of = dict(zip(said, places, strict=True))
-    number = {key: i for i, key in enumerate(one_of)}
-    origin = np.array([number[key] for key in said], dtype=np.intp)
-    own = [_place_masses(place, given, cranks.get(place.name)) for place in one_of.values()]
-    return mapped(lambda _name, values: values[:, origin], by_design(own, n_designs))
-
-
 def _said_of(place: PlacedMechanism, given: Weighed, cranks: Mapping[str, BodySpec | None]) -> object:
-    """All that the masses of a mechanism hang on, but for its kind: what is equal is the same."""
-    lengths = (_length(place, part) for part in place.kind.dynamics.moving)
-    numbers = [ZERO if length is None else length for length in lengths]
-    if given.gravity is not None:
-        numbers.append(frame_of(place, given.orientation)[0])
-    said = tuple(np.asarray(number).tobytes() for number in numbers)
-    return table_paths(place, _TABLE), id(cranks.get(place.name)), place.sense, said
+    """All that the masses of a mechanism hang on: what is equal is the same. Alike mechanisms share their geometry."""
+    direction = None if given.gravity is None else np.asarray(frame_of(place, given.orientation)[0]).tobytes()
+    return place.path, id(place.geometry), id(cranks.get(place.name)), place.sense, direction
 
 
-def _place_masses(place: PlacedMechanism, given: Weighed, crank: BodySpec | None) -> MechanismMasses:
-    """Bodies, gravity, friction and guides of one mechanism, with the body of its throw if that counts with it."""
-    dynamics = place.kind.dynamics
-    nothing = Body(ZERO, ZERO, ZERO, ZERO)
-    specs = [crank if part == CRANK else nearest_item(place, part, _TABLE, given.bodies) for part in dynamics.moving]
-    bodies = tuple(
-        nothing if spec is None else _body(place, part, spec) for part, spec in zip(dynamics.moving, specs, strict=True)
-    )
+def _place_masses(place: PlacedMechanism, given: Weighed, specs: Mapping[str, BodySpec | None]) -> MechanismMasses:
+    """Bodies, gravity, friction and guides of one mechanism, whose moving parts have these tables."""
+    sliding, nothing = place.kind.dynamics.sliding, Body(ZERO, ZERO, ZERO, ZERO)
     return MechanismMasses(
-        bodies,
+        tuple(nothing if spec is None else _body(place, part, spec) for part, spec in specs.items()),
         _gravity(place, given),
-        tuple(
-            given.friction[part_name(name)].array if part_name(name) in given.friction else ZERO
-            for name in dynamics.sliding
-        ),
-        tuple(edges_of(place, name, given.guides) for name in dynamics.sliding),
+        tuple(given.friction[part_name(name)].array if part_name(name) in given.friction else ZERO for name in sliding),
+        tuple(edges_of(place, name, given.guides) for name in sliding),
     )
 
 

@@ -1,6 +1,7 @@
 """What every machine declares, whatever is asked of it: its mechanisms, shafts, frames and speed as SI arrays."""
 
 from collections.abc import Iterator, Sequence
+from typing import TypeVar
 
 import numpy as np
 
@@ -16,6 +17,8 @@ from cranktrain.layout.speed import Speed, speed_at_moment
 from cranktrain.layout.speed_table import tabled_speed
 from cranktrain.mechanisms import KINDS
 from cranktrain.numerics.designs import by_design
+
+Driving = TypeVar("Driving", bound=Mechanisms)
 
 _OF_MECHANISMS = "mechanism"
 
@@ -44,15 +47,25 @@ def laid_out(each: Sequence[Design], together: Design, *, cycle: float, step: fl
         zero=by_design([together.zero], n_designs)[..., np.newaxis],
         cycle=cycle,
     )
-    pistons, rockers = (together.driving(part) for part in ("slider", "rocker"))
+    mechanisms = mechanisms_of(Mechanisms, together.places, n_designs)
     return Designs(
         each=tuple(each),
         together=together,
         crank_angle=grid,
-        mechanisms=mechanisms_of(Mechanisms, together.places, n_designs),
-        pistons=mechanisms_of(Pistons, pistons, n_designs) if pistons else None,
-        rockers=mechanisms_of(Rockers, rockers, n_designs) if rockers else None,
+        mechanisms=mechanisms,
+        pistons=_driving(Pistons, together, mechanisms, "slider"),
+        rockers=_driving(Rockers, together, mechanisms, "rocker"),
     )
+
+
+def _driving(result: type[Driving], together: Design, every: Mechanisms, part: str) -> Driving | None:
+    """Stack those of the mechanisms that drive a "slider" or a "rocker", mostly all of them; None where none does."""
+    places = together.driving(part)
+    if not places:
+        return None
+    if len(places) == len(together.places):
+        return result(every.names, every.banks, every.batches, every.nominal_top)
+    return mechanisms_of(result, places, len(every.nominal_top))
 
 
 def layout_parts(designs: Designs) -> Iterator[object | None]:

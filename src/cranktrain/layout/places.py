@@ -127,18 +127,13 @@ def places_of(
     phases, problems = shaft_phases(shafts, banks)
     problems = problems or tuple(lead_problems(shafts, banks))
     first = first_axis(banks)
+    metal = _Metal(slots)
     places: list[PlacedMechanism] = []
     for slot in slots:
-        master = _master_of(slot, slots)
+        master = _master_of(slot, slots, metal)
         if isinstance(master, Problem):
             problems = (*problems, master)
             continue
-        kind = kind_of(slot.spec)
-        hung = None
-        if master is not None:
-            master_kind = kind_of(master.spec)
-            hung = Master(master_kind.geometry(master.spec, None), slot.file_axis - master.file_axis)
-        geometry = mapped(_plain, kind.geometry(slot.spec, hung))
         kernel_axis = (master or slot).file_axis - first
         shaft = shafts[slot.shaft]
         throw_angle = phases[slot.shaft] + shaft.throws[slot.throw].array - shaft.throws[0].array
@@ -151,11 +146,40 @@ def places_of(
                 axis=sense * (slot.file_axis - first),
                 throw_angle=sense * throw_angle,
                 phase=sense * (throw_angle - kernel_axis),
-                kind=kind,
-                geometry=mirrored(geometry) if sense < 0 else geometry,
+                kind=metal.kind(slot),
+                geometry=metal.geometry(slot, master, is_mirrored=sense < 0),
             )
         )
     return (() if problems else tuple(places)), tuple(dict.fromkeys(problems))
+
+
+class _Metal:
+    """What mechanisms are made of, found once for those that stand alike on other throws."""
+
+    def __init__(self, slots: Sequence[_Slot]) -> None:
+        specs = {id(slot.spec): slot.spec for slot in slots}
+        self._kinds = {key: kind_of(spec) for key, spec in specs.items()}
+        self._geometries: dict[object, AnyGeometry] = {}
+
+    def kind(self, slot: _Slot) -> AnyKind:
+        """Give the kind of a mechanism."""
+        return self._kinds[id(slot.spec)]
+
+    def geometry(self, slot: _Slot, master: _Slot | None, *, is_mirrored: bool) -> AnyGeometry:
+        """Give the geometry of a mechanism, which may hang on a master."""
+        hangs = () if master is None else (id(master.spec), np.asarray(slot.file_axis - master.file_axis).tobytes())
+        key = (id(slot.spec), hangs, is_mirrored)
+        if key not in self._geometries:
+            geometry = self._found(slot, master)
+            self._geometries[key] = mirrored(geometry) if is_mirrored else geometry
+        return self._geometries[key]
+
+    def _found(self, slot: _Slot, master: _Slot | None) -> AnyGeometry:
+        """Find the geometry of a mechanism that turns in the machine's normal sense."""
+        hung = None
+        if master is not None:
+            hung = Master(self.kind(master).geometry(master.spec, None), slot.file_axis - master.file_axis)
+        return mapped(_plain, self.kind(slot).geometry(slot.spec, hung))
 
 
 def _plain(_name: str, value: Array) -> Array:
@@ -235,7 +259,7 @@ def _mechanisms(bank: BankSpec, end: str) -> list[tuple[MechanismSpec, Array, di
     ]
 
 
-def _master_of(slot: _Slot, slots: Sequence[_Slot]) -> _Slot | Problem | None:
+def _master_of(slot: _Slot, slots: Sequence[_Slot], metal: _Metal) -> _Slot | Problem | None:
     """Find the slider-crank on the same throw that a slave hangs on; None for a mechanism that needs none."""
     spec = slot.spec
     field = spec.master_field
@@ -252,7 +276,7 @@ def _master_of(slot: _Slot, slots: Sequence[_Slot]) -> _Slot | Problem | None:
             else _("must be the name of a bank of slider-cranks, but there is no other bank")
         )
         return Problem(path, name, allowed)
-    masters = [other for other in in_bank if kind_of(other.spec).is_direct]
+    masters = [other for other in in_bank if metal.kind(other).is_direct]
     if not masters:
         return Problem(path, name, _("must be a bank of slider-cranks; a slave rod cannot carry another"))
     on_throw = [other for other in masters if (other.shaft, other.throw) == (slot.shaft, slot.throw)]

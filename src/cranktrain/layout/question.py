@@ -158,10 +158,11 @@ class Stage:
         """Say whether it applies to a machine of some parts; where it asks for one that is not there, it does not."""
         if self.applies is None:
             return True
-        asked = needs_of(self.applies)
-        given = {name: parts.get(kind) for name, kind in asked.types.items()}
-        if any(part is None and name not in asked.optional for name, part in given.items()):
-            return False
+        asked, given = needs_of(self.applies), dict[str, object]()
+        for name, kind in asked.types.items():
+            given[name] = parts.get(kind)
+            if given[name] is None and name not in asked.optional:
+                return False
         return self.applies(**given)
 
 
@@ -288,14 +289,11 @@ def keys(path: str, *names: str) -> Written:
 
     def written(design: Design) -> Sequence[str]:
         common: Any = design.tables.get(path)
+        if common is None:
+            return []
         below: Mapping[str, Any] = getattr(common, "overrides", {})
         tables = {path: common} | {f"{path}.{name}": own for name, own in below.items()}
-        return [
-            f"[{where}] {name}"
-            for name in names
-            for where, own in tables.items()
-            if own is not None and name in own.model_fields_set
-        ]
+        return [f"[{where}] {name}" for name in names for where, own in tables.items() if name in own.model_fields_set]
 
     return written
 

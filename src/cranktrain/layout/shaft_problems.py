@@ -1,11 +1,13 @@
-"""What is wrong with the tables of shafts, seen beside the banks that they carry."""
+"""What is wrong with shafts, seen beside the banks that they carry, and with how mechanisms stand on them."""
 
 from collections.abc import Iterator, Mapping
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
+from cranktrain.layout.crank_bodies import pin_problems
 from cranktrain.layout.design import Design
 from cranktrain.layout.specs import MAIN, BankSpec, ShaftSpec
+from cranktrain.layout.standing import standing_problems
 from cranktrain.paths import path_text
 
 
@@ -25,8 +27,10 @@ def shaft_problems(shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec
         )
 
 
-def motion_problems(design: Design) -> Iterator[Problem]:
-    """Find what is wrong with a motion that is wanted."""
+def layout_problems(design: Design) -> Iterator[Problem]:
+    """Find mechanisms and shafts that do not fit one another, and what is wrong with a motion that is wanted."""
+    yield from pin_problems(design.places)
+    yield from standing_problems(design.shafts, design.places, design.orientation)
     if design.shafts[MAIN].motion is not None:
         from cranktrain.layout.wish.declared import wish_problems  # for machines that have one
 

@@ -12,10 +12,18 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.motion import Array, single
 from cranktrain.numerics import turn_grid
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.wording import precise
 
 _IN_LINE = 1e-3
 """Places are written to fewer digits than √3 has: two axes of one cylinder may differ by so much of their distance."""
+
+_CLEAR = 1e-3
+"""Two pistons with so much room, in parts of the distance of their shafts, have it on every throw with the same lead,
+though there they are looked at from degree to degree at other angles."""
+
+_DIGITS = 9
+"""Leads that are alike in so many are one. [rad]"""
 
 
 def shaft_centres(shafts: Mapping[str, ShaftSpec]) -> dict[str, Array]:
@@ -41,20 +49,35 @@ def standing_problems(
         One at most for each shaft.
     """
     centres = shaft_centres(shafts)
+    if len(centres) == 1:
+        return ()
     found: dict[str, Problem] = {}
+    clear = set[object]()
     for pair in grouped((place.cylinder, place) for place in places).values():
         if len(pair) != 2 or pair[0].shaft == pair[1].shaft or not {pair[0].shaft, pair[1].shaft} <= centres.keys():
             continue
+        alike = (*((place.path, place.geometry) for place in pair), round(_lead(pair), _DIGITS))
+        if alike in clear:
+            continue
         named = next(place.shaft for place in reversed(pair) if place.shaft != MAIN)
-        allowed = _wrong(pair, centres, orientation)
+        allowed, is_clear = _wrong(pair, centres, orientation)
         given = shafts[named].place
         if allowed is not None and given is not None:
             found.setdefault(named, Problem(f"shaft.{named}.place", ", ".join(part.text for part in given), allowed))
+        elif is_clear:
+            clear.add(alike)
     return tuple(found.values())
 
 
-def _wrong(pair: Sequence[PlacedMechanism], centres: Mapping[str, Array], orientation: Orientation) -> str | None:
-    """Say what is wrong with the places of two pistons' shafts; None where nothing is."""
+def _lead(pair: Sequence[PlacedMechanism]) -> float:
+    """By how much the crank of one of two pistons is ahead of the other's. [rad]"""
+    return float(np.mod(pair[0].phase - pair[1].phase, TURN))
+
+
+def _wrong(
+    pair: Sequence[PlacedMechanism], centres: Mapping[str, Array], orientation: Orientation
+) -> tuple[str | None, bool]:
+    """Say what is wrong with the places of two pistons' shafts, if anything; and whether there is room to spare."""
     frames = [frame_of(place, orientation) for place in pair]
     along = np.array(in_machine_axes(single(1.0), single(0.0), frames[0]))
     lines = [
@@ -67,12 +90,12 @@ def _wrong(pair: Sequence[PlacedMechanism], centres: Mapping[str, Array], orient
     beside = float(np.hypot(*(apart - distance * along)))
     if beside > _IN_LINE * abs(distance):
         allowed = _("must be such that both pistons of {cylinder} lie in one line, of which this is {beside} beside")
-        return allowed.format(cylinder=pair[0].cylinder, beside=precise(beside))
+        return allowed.format(cylinder=pair[0].cylinder, beside=precise(beside)), False
     phi = turn_grid()
     with np.errstate(all="ignore"):
         motions = [place.kind.motion(phi + place.phase, place.geometry) for place in pair]
     reach = float(np.nanmax(sum(motion.slider.value for motion in motions)))
     if distance < reach:
         allowed = _("must be more than {reach} from the other shaft of {cylinder}, or its pistons meet")
-        return allowed.format(cylinder=pair[0].cylinder, reach=precise(reach))
-    return None
+        return allowed.format(cylinder=pair[0].cylinder, reach=precise(reach)), False
+    return None, distance - reach > _CLEAR * distance

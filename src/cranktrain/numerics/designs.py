@@ -15,6 +15,9 @@ from cranktrain.numerics.nested import Nested, filled, leaves, mapped
 
 Numbers = TypeVar("Numbers", bound=tuple[object, ...])
 
+_SINGLE = frozenset({float, np.float64})
+"""Types of what is one number, whatever design it is of."""
+
 
 @overload
 def by_design(numbers: Sequence[Array | float], n_designs: int) -> Array: ...
@@ -42,8 +45,20 @@ def by_design(numbers: Sequence[Any], n_designs: int) -> Any:
     """
     if numbers and isinstance(numbers[0], tuple):
         members = cast("Sequence[tuple[object, ...]]", numbers)
-        columns = zip(*map(leaves, members), strict=True)
-        return filled(members[0], (by_design(column, n_designs)[..., np.newaxis] for column in columns))
+        # Members that are alike are often one object.
+        different = {id(member): member for member in members}
+        listed = {key: leaves(member) for key, member in different.items()}
+        columns = zip(*(listed[id(member)] for member in members), strict=True)
+        return filled(members[0], (_columns(column, n_designs)[..., np.newaxis] for column in columns))
+    return _columns(numbers, n_designs)
+
+
+def _columns(numbers: Sequence[Any], n_designs: int) -> Any:
+    """Put single numbers, or arrays of shape (design,), side by side."""
+    if {*map(type, numbers)} <= _SINGLE:
+        found = np.empty((n_designs, len(numbers)))
+        found[:] = numbers
+        return found
     is_number = all(np.asarray(number).dtype.kind in "biuf" for number in numbers)
     found = np.empty((n_designs, len(numbers)), dtype=np.float64 if is_number else np.object_)
     for member, number in enumerate(numbers):

@@ -4,6 +4,7 @@ import operator
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any, Literal, TypeAlias, cast, get_args
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -11,7 +12,7 @@ from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, core_schema
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.motion import Array, single
 from cranktrain.one_line import short
 from cranktrain.quantities.conversion import shown
@@ -130,7 +131,7 @@ class Quantity:
             if not holds(read.si, limit):
                 name = read.unit.name if read.unit else ""
                 size = shown(limit, name) if name else limit
-                raise QuantityError(read.text, allowed.format(limit=f"{size:.6g} {name}".strip()))
+                raise QuantityError(read.text, _(allowed).format(limit=f"{size:.6g} {name}".strip()))
         return read
 
     def _reading(self, data: object) -> Reading:
@@ -142,7 +143,7 @@ class Quantity:
             allowed = problem.allowed.replace(expected(self.dimension), self.expected)
             raise QuantityError(problem.given, allowed, problem.repair) from None
 
-    @property
+    @cached_property
     def _usual_unit(self) -> str:
         """Unit of the example; none without one."""
         parts = measured(self.example or "")
@@ -151,10 +152,10 @@ class Quantity:
     def _limits(self) -> Iterator[tuple[float, Callable[[float, float], bool], str]]:
         """Limits that are set, what must hold between a value and each, and how to say so."""
         for limit, holds, allowed in (
-            (self.above, operator.gt, _("must be more than {limit}")),
-            (self.at_least, operator.ge, _("must be at least {limit}")),
-            (self.below, operator.lt, _("must be less than {limit}")),
-            (self.at_most, operator.le, _("must be at most {limit}")),
+            (self.above, operator.gt, N_("must be more than {limit}")),
+            (self.at_least, operator.ge, N_("must be at least {limit}")),
+            (self.below, operator.lt, N_("must be less than {limit}")),
+            (self.at_most, operator.le, N_("must be at most {limit}")),
         ):
             if limit is not None:
                 yield limit, holds, allowed
@@ -187,7 +188,7 @@ class Quantity:
             "required": ["value"],
             "additionalProperties": False,
         }
-        limits = [allowed.format(limit=f"{limit:g} (SI)") for limit, _holds, allowed in self._limits()]
+        limits = [_(allowed).format(limit=f"{limit:g} (SI)") for limit, _holds, allowed in self._limits()]
         sentence = "; ".join([self.expected, *limits])
         # not anyOf: a slip would then be one of every alternative
         return {"description": sentence, "if": {"type": "object"}, "then": table, "else": value, "examples": example}

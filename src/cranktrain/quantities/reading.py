@@ -1,6 +1,7 @@
 """From the text of a quantity to its SI value, or to an error that says what to write."""
 
 import re
+from functools import lru_cache
 from itertools import zip_longest
 from math import trunc
 from typing import NamedTuple
@@ -27,6 +28,9 @@ _METRES = 10
 
 _MANY_TURNS = TURN / 360 * 10**5
 """Directions of so much and more count no turns. [rad]"""
+
+_KEPT = 1024
+"""Texts whose reading is kept: a machine has some hundred."""
 
 
 class Reading(NamedTuple):
@@ -71,7 +75,12 @@ def reading(given: object, dimension: Dimension, *, is_direction: bool = False, 
     To a number without a unit the usual one is proposed; that of the dimension, unless given.
     """
     usual = usual or dimension.units[0].name
-    text = _text(given, dimension, usual)
+    return _reading(_text(given, dimension, usual), dimension, is_direction, usual)
+
+
+@lru_cache(maxsize=_KEPT)
+def _reading(text: str, dimension: Dimension, is_direction: bool, usual: str) -> Reading:
+    """Read a text: once, as who changes one number of a machine gives all others again."""
     try:
         parts = measured(text)
         if parts is None:

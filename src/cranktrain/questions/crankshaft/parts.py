@@ -12,8 +12,8 @@ from cranktrain.motion import ONE, ZERO, Array
 from cranktrain.quantities import Given
 from cranktrain.questions.crankshaft.metal.pieces_of_throws import WEB_RULES, WebRule
 from cranktrain.questions.crankshaft.metal.sections import Material
-from cranktrain.questions.crankshaft.shaft_line import LineBearing, line_pins, shaft_line, table_of
-from cranktrain.questions.crankshaft.spec import STEEL, CrankshaftSpec, CrankshaftTable
+from cranktrain.questions.crankshaft.shaft_line import LineBearing, ShaftLine, ShaftLines
+from cranktrain.questions.crankshaft.spec import STEEL, CrankshaftTable
 from cranktrain.record import record
 
 
@@ -138,26 +138,17 @@ class DeclaredCrankshafts:
 
 def declared_crankshafts(designs: Designs) -> DeclaredCrankshafts | None:
     """Put the table to the throws; None where there is none, or nothing says where the throws stand."""
-    spec = designs.together.table(CrankshaftSpec)
-    if spec is None:
-        return None
-    shafts = designs.together.shafts
-    tables = {name: table_of(spec, name) for name in shafts}
+    lines = designs.together.once(ShaftLines)
     found = [
-        _declared(designs, number, name, table)
-        for number, (name, table) in enumerate(tables.items())
-        if table is not None
+        _declared(designs, number, name, table, line)
+        for number, (name, table) in enumerate(lines.tables.items())
+        if table is not None and (line := lines.line(name)) is not None
     ]
-    each = tuple(one for one in found if one is not None)
-    return DeclaredCrankshafts(each) if each else None
+    return DeclaredCrankshafts(tuple(found)) if found else None
 
 
-def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable) -> DeclaredCrankshaft | None:
-    pins = line_pins(table, designs.together, name)
-    if pins is None:
-        return None
-    line, by_design = shaft_line(table, pins), designs.by_design
-    bearings = line.bearings
+def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable, line: ShaftLine) -> DeclaredCrankshaft:
+    by_design, pins, bearings = designs.by_design, line.pins, line.bearings
     prefix = "" if len(designs.together.shafts) == 1 else f"{name}."
 
     def pairs(ends: Sequence[tuple[Array, Array]]) -> Array:
@@ -172,7 +163,7 @@ def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable) 
         journals=line.journals,
         bearing_names=tuple(f"{prefix}{bearing.name}" for bearing in bearings),
         bearings=places,
-        standing_on=np.array([int(np.sum(planes[0, :, 0] < place)) for place in places[0].tolist()], dtype=np.intp),
+        standing_on=np.sum(planes[0, :, :1] < places[0], axis=0),
         journal=pairs(list(zip(line.journal_diameter, line.journal_bore, strict=True))),
         pin=pairs(list(zip(line.pin_diameter, line.pin_bore, strict=True))),
         pin_length=by_design(line.pin_length),

@@ -14,11 +14,10 @@ from cranktrain.quantities import Given, one_of
 from cranktrain.questions.crankshaft.shaft_line import (
     LinePin,
     ShaftLine,
+    ShaftLines,
     line_pins,
     path_of,
     resting,
-    shaft_line,
-    table_of,
 )
 from cranktrain.questions.crankshaft.spec import NEEDED, CrankshaftSpec, CrankshaftTable, GearSpec
 from cranktrain.record import record
@@ -34,7 +33,7 @@ def crankshaft_problems(spec: CrankshaftSpec, design: Design) -> Iterator[Proble
         if name not in design.shafts:
             yield Problem(f"crankshaft.{name}", None, one_of(design.shafts))
     yield from _spacing_of_some(design)
-    tables = {name: table_of(spec, name) for name in design.shafts}
+    tables = dict(design.once(ShaftLines).tables)
     if not any(tables.values()) and not spec.overrides:
         tables[MAIN] = spec
     for name, table in tables.items():
@@ -79,7 +78,9 @@ class _OneShaft:
         found = [*self._counts(len(pins)), *self._numbers(len(pins))]
         yield from found
         if not found and not missing:
-            yield from self._in_line(shaft_line(self.table, pins))
+            line = self.design.once(ShaftLines).line(self.name)
+            assert line is not None
+            yield from self._in_line(line)
 
     @property
     def _has_side_rods(self) -> bool:
@@ -218,7 +219,7 @@ class _OneShaft:
         """Find rods for which there is no place on their pin; of those as far aside the first."""
         found = set[tuple[float, float]]()
         for place in self.design.places:
-            if place.shaft != self.name or place.is_far or hasattr(place.spec, "master"):
+            if place.shaft != self.name or place.is_far or place.kind.is_slave:
                 continue
             number = next(i for i, pin in enumerate(line.pins) if pin.throw == place.throw)
             aside, length = abs(float(place.stagger)), float(line.pin_length[number])

@@ -89,6 +89,25 @@ def _either(of_shaft: Any, common: Any) -> Any:
     return common if of_shaft is None else of_shaft
 
 
+class ShaftLines:
+    """The crankshafts of a design, each put in line when somebody asks for it, and once."""
+
+    def __init__(self, design: Design) -> None:
+        spec = design.table(CrankshaftSpec)
+        self._design, self._lines = design, dict[str, ShaftLine | None]()
+        self.tables: Mapping[str, CrankshaftTable | None] = {
+            name: None if spec is None else table_of(spec, name) for name in design.shafts
+        }
+
+    def line(self, shaft: str) -> ShaftLine | None:
+        """Give a shaft in line, of whose table all is there; None where nothing says where its throws stand."""
+        if shaft not in self._lines:
+            table = self.tables[shaft]
+            pins = None if table is None else line_pins(table, self._design, shaft)
+            self._lines[shaft] = None if table is None or pins is None else shaft_line(table, pins)
+        return self._lines[shaft]
+
+
 def path_of(spec: CrankshaftSpec, shaft: str, key: str) -> str:
     """Path of a key in the file: of the shaft's own table where that gives it."""
     of_shaft = spec.overrides.get(shaft)
@@ -163,22 +182,26 @@ def _bearings(table: CrankshaftTable, pins: Sequence[LinePin], has: NDArray[np.b
     places = [pins[0].z - away, *middles, pins[-1].z + away]
     numbers = {str(number): places[number - 1] for number in resting(table, len(pins)) if has[number - 1]}
     more = {name: ZERO for name in table.bearing if name not in numbers}
-    bearings = [LineBearing(name, *_with_common(table, name, place)) for name, place in (numbers | more).items()]
+    common = _with_common(table, BearingSpec())
+    tables = {name: _with_common(table, bearing) for name, bearing in table.bearing.items()}
+    bearings = [_bearing(name, place, tables.get(name, common)) for name, place in (numbers | more).items()]
     return tuple(sorted(bearings, key=lambda bearing: _first(bearing.z)))
 
 
-def _with_common(table: CrankshaftTable, name: str, place: Array) -> tuple[Array, BearingSpec]:
-    """Place of a bearing, and its table filled up by what holds for all."""
-    bearing = table.bearing.get(name, BearingSpec())
+def _bearing(name: str, place: Array, table: BearingSpec) -> LineBearing:
+    """Put a bearing where its table says, or else the journal on which it stands."""
+    return LineBearing(name, place if table.z is None else table.z.array, table)
+
+
+def _with_common(table: CrankshaftTable, bearing: BearingSpec) -> BearingSpec:
+    """Fill up the table of a bearing by what holds for all."""
     common = {
         "stiffness": table.bearing_stiffness,
         "clearance": table.bearing_clearance,
         "width": table.bearing_width,
     }
-    filled = {
-        key: getattr(bearing, key) if getattr(bearing, key) is not None else value for key, value in common.items()
-    }
-    return (place if bearing.z is None else bearing.z.array), bearing.model_copy(update=filled)
+    given = {key: getattr(bearing, key) for key in common}
+    return bearing.model_copy(update={key: common[key] if own is None else own for key, own in given.items()})
 
 
 def _first(value: Array) -> float:

@@ -1,7 +1,7 @@
 """Cylinders: bores, compression ratios and firing order of the file, put to the pistons of a layout."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from cranktrain.errors import Problem
 from cranktrain.grouping import grouped
@@ -59,25 +59,58 @@ class Cylinder:
 def cylinders_of(common: CylindersSpec, pistons: Sequence[PlacedMechanism]) -> tuple[Cylinder, ...]:
     """Give every cylinder its pistons and its dimensions; a valve has none."""
     members = grouped((place.cylinder, i) for i, place in enumerate(pistons) if place.kind.output.has_chambers)
-    return tuple(_cylinder(common, pistons, tuple(index)) for index in members.values())
+    on_throws = grouped(((place.bank, place.shaft, place.throw), i) for i, place in enumerate(pistons))
+    # Most cylinders have no table of their own: what holds for all of a bank is found once.
+    tables: dict[tuple[str, ...], _Given] = {}
+
+    def given(*names: str) -> _Given:
+        own = tuple(name for name in names if name in common.overrides)
+        if own not in tables:
+            tables[own] = _given(common, own)
+        return tables[own]
+
+    return tuple(
+        _cylinder(pistons, tuple(index), given(pistons[index[0]].bank, name), on_throws)
+        for name, index in members.items()
+    )
 
 
-def _cylinder(common: CylindersSpec, pistons: Sequence[PlacedMechanism], index: tuple[int, ...]) -> Cylinder:
-    """Take each field from the nearest table that gives it."""
-    places = [pistons[i] for i in index]
-    name, bank = places[0].cylinder, places[0].bank
-    own = [(f"cylinder.{key}", common.overrides[key]) for key in (bank, name) if key in common.overrides]
-    # The nearer a table is, the later it comes: what it gives takes the place of what others gave.
+class _Given(NamedTuple):
+    """Fields of a cylinder, each as the nearest table gives it, and where that stands in the file."""
+
+    values: Mapping[str, Any]
+    paths: Mapping[str, str]
+
+
+def _given(common: CylindersSpec, own: Sequence[str]) -> _Given:
+    """Take each field from the nearest table that gives it: the nearer it is, the later it comes."""
     given: dict[str, tuple[str, Any]] = {}
-    for path, table in (("cylinder", common), *own):
+    for path, table in (("cylinder", common), *((f"cylinder.{name}", common.overrides[name]) for name in own)):
         fields = {name: (f"{path}.{name}", getattr(table, name)) for name in CylinderSpec.model_fields}
         if (ratio := ratio_of(table)) is not None:
             fields["compression_ratio"] = (f"{path}.{ratio[0]}", ratio[1])
         given |= {name: found for name, found in fields.items() if found[1] is not None}
-    values: dict[str, Any] = {field: value for field, (_path, value) in given.items()}
+    return _Given(
+        {field: value for field, (_path, value) in given.items()},
+        {field: path for field, (path, _value) in given.items()},
+    )
+
+
+def _cylinder(
+    pistons: Sequence[PlacedMechanism],
+    index: tuple[int, ...],
+    given: _Given,
+    on_throws: Mapping[tuple[str, str, int], Sequence[int]],
+) -> Cylinder:
+    """Put together what is known of one cylinder; `on_throws` has the pistons of each bank on each throw."""
+    places = [pistons[i] for i in index]
+    leading, values = places[0], given.values
+    # A slave hangs on the first piston, on its throw, of the bank that it names.
+    master = getattr(leading.spec, "master", "") if leading.kind.is_slave else None
+    carriers = () if master is None else on_throws.get((master, leading.shaft, leading.throw), ())
     return Cylinder(
-        name=name,
-        bank=bank,
+        name=leading.cylinder,
+        bank=leading.bank,
         pistons=index,
         signs=tuple(-1.0 if place.is_far else 1.0 for place in places),
         bore=values.get("bore"),
@@ -86,16 +119,10 @@ def _cylinder(common: CylindersSpec, pistons: Sequence[PlacedMechanism], index: 
         exhaust_port=values.get("exhaust_port"),
         scavenge_port=values.get("scavenge_port"),
         chambers=values.get("chambers", ("head",)),
-        paths={field: path for field, (path, _value) in given.items()},
+        paths=given.paths,
         is_master=all(place.kind.is_direct for place in places),
-        carrier=next((i for i, other in enumerate(pistons) if _carries(other, places[0])), -1),
+        carrier=next(iter(carriers), -1),
     )
-
-
-def _carries(other: PlacedMechanism, slave: PlacedMechanism) -> bool:
-    """Whether a slave hangs on a mechanism's rod."""
-    is_named = other.bank == getattr(slave.spec, "master", None)
-    return is_named and (other.shaft, other.throw) == (slave.shaft, slave.throw)
 
 
 def cylinder_problems(

@@ -26,7 +26,8 @@ def cylinders(design: Design) -> tuple[Cylinder, ...]:
 
 def firing_order(design: Design) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
     """In which order the cylinders of a machine fire, and what is wrong with that."""
-    leading = [design.pistons[cylinder.pistons[0]] for cylinder in design.once(cylinders)]
+    pistons = design.pistons
+    leading = [pistons[cylinder.pistons[0]] for cylinder in design.once(cylinders)]
     return firing_order_of(_table(design), leading, zero=design.zero, astern=design.orientation.is_astern)
 
 
@@ -98,8 +99,9 @@ def chambers_of(cylinders: Sequence[Cylinder], n_pistons: int, n_designs: int) -
     signed = np.where(is_head, full[:, cylinder], -(full - rods)[:, cylinder])
     areas = np.zeros((n_designs, n_pistons, len(cylinder)))
     of: list[Cylinder] = [cylinders[i] for i in cylinder.tolist()]
-    for column, own in enumerate(of):
-        areas[:, list(own.pistons), column] = signed[:, [column]] * np.array(own.signs)
+    pistons = [(k, *own) for k, one in enumerate(of) for own in zip(one.pistons, one.signs, strict=True)]
+    column, piston, sign = zip(*pistons, strict=True)
+    areas[:, piston, column] = signed[:, column] * np.array(sign)
     return Chambers(
         names=tuple(chamber_names(cylinders)),
         banks=tuple(own.bank for own in of),

@@ -41,6 +41,7 @@ def carriers_of(places: Sequence[PlacedMechanism]) -> Carriers:
         for i, place in reversed(list(enumerate(places)))
         if place.kind.is_direct
     }
-    master = [masters.get((place.shaft, place.throw, getattr(place.spec, "master", None)), -1) for place in places]
+    named = [getattr(place.spec, "master", None) if place.kind.is_slave else None for place in places]
+    master = [masters.get((place.shaft, place.throw, name), -1) for place, name in zip(places, named, strict=True)]
     is_piston = np.array([place.kind.output.is_slider for place in places])
     return Carriers(np.array(master, dtype=np.intp), np.where(is_piston, np.cumsum(is_piston) - 1, -1))
