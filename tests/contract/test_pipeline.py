@@ -2,7 +2,8 @@
 
 import inspect
 import re
-from functools import cache
+from dataclasses import replace
+from functools import cache, wraps
 
 import numpy as np
 import pytest
@@ -11,7 +12,8 @@ from tests.contract.test_columns import MACHINES, STEP, is_same, numbers_of, wit
 import cranktrain as ct
 from cranktrain.analysis import every_stage
 from cranktrain.analysis.behind import behind
-from cranktrain.analysis.outcomes import run_stages
+from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.outcomes import read_only, run_stages
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import lacking
 from cranktrain.catalogue import entries
@@ -135,3 +137,26 @@ def test_citations_are_read_as_they_are_written():
             assert set(re.findall(r"\(\d+\.\d+\)", " ".join(found.sources))) <= set(
                 re.findall(r"\(\d+\.\d+\)", docstring)
             )
+
+
+@pytest.mark.parametrize("name", ct.example_names())
+def test_no_stage_changes_what_another_gave(name):
+    """Results are made read-only when somebody reads them; here all is, as soon as it is there."""
+    parts = parts_of((ct.load(name),), step=FACTS_STEP)
+
+    def giving_read_only(stage):
+        if isinstance(stage.function, type):  # of what is read-only already
+            return stage
+
+        @wraps(stage.function)
+        def function(**needs):
+            outcome = stage.function(**needs)
+            read_only(outcome)
+            return outcome
+
+        return replace(stage, function=function)
+
+    for part in parts.values():
+        read_only(part)
+    stages = [giving_read_only(stage) for stage in every_stage()]
+    run_stages(stages, parts, lacking(every_stage(), parts))

@@ -31,11 +31,9 @@ class StageRun:
         self._order = ordered(tuple(stages))
         self._stages = {one.gives: one for one in self._order}
         self._known: dict[type, Any] = dict(parts)
-        self._frozen: set[int] = set()
         self.labels: dict[str, tuple[str, ...]] = {}
         """Names along the dimensions of all that is known."""
         for part in parts.values():
-            _freeze(part, self._frozen)
             self.labels |= getattr(part, "labels", {})
 
     @property
@@ -70,7 +68,7 @@ class StageRun:
     def as_now(self) -> Self:
         """Give a run that knows what this one knows now, whatever this one finds later."""
         other = copy(self)
-        vars(other).update(_known=dict(self._known), _frozen=set(self._frozen))
+        vars(other).update(_known=dict(self._known))
         return other
 
     def _way(self, kinds: Iterable[type]) -> list[Stage]:
@@ -89,11 +87,9 @@ class StageRun:
         try:
             # NaN stands for links that cannot close, and is no news.
             with np.errstate(all="ignore"):
-                outcome = stage.function(**{name: self._known.get(need) for name, need in stage.needs.items()})
+                return stage.function(**{name: self._known.get(need) for name, need in stage.needs.items()})
         except AttributeError as error:  # which would say of a result that it has no such quantity
             raise RuntimeError(f"{stage.outcome} could not be computed: {error}") from error
-        _freeze(outcome, self._frozen)
-        return outcome
 
 
 def run_stages(stages: Sequence[Stage], parts: Parts, absent: Iterable[str]) -> dict[type, object]:
@@ -171,13 +167,16 @@ class Outcomes:
         self.labels, self._designs = FoundLabels(self, labels), labels["design"]
         self._shown: dict[type, Any] = dict(given)
         self._finding, self._coarse = finding, coarse
+        self._frozen: set[type] = set()
         self._units = units_now()
         self._lock = RLock()
 
     def __getitem__(self, kind: type) -> Any:
         """Give an outcome, found now if nobody asked for it before."""
-        if kind not in self._shown:
+        if kind not in self._frozen:
             self.find((kind,))
+            read_only(self._shown[kind])
+            self._frozen.add(kind)
         return self._shown[kind]
 
     def find(self, kinds: Iterable[type]) -> None:
@@ -225,7 +224,8 @@ class Outcomes:
                 facts, curves = (self._finding.facts.as_now(), self._finding.curves.as_now())
                 is_one = self._finding.curves is self._finding.facts
                 state["_finding"] = self._finding._replace(facts=facts, curves=facts if is_one else curves)
-        return {name: held for name, held in state.items() if name != "_lock"}
+        # Arrays that were sent can be written to again.
+        return {**{name: held for name, held in state.items() if name != "_lock"}, "_frozen": set()}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Take all, and a lock of one's own."""
@@ -266,9 +266,13 @@ def _how_far(place: int, n_stages: int, outcome: type) -> str:
     return _("{place} of {n}, {name}").format(place=place, n=n_stages, name=spoken(outcome))
 
 
-def _freeze(outcome: object, seen: set[int]) -> None:
-    """Make all arrays of an outcome read-only: stages and users share them. `seen` holds what has been gone through."""
+def read_only(outcome: object) -> None:
+    """Make all arrays of an outcome read-only, before anybody has it: what other stages are still to ask is the same.
+
+    Stages change nothing that others gave, which is tested.
+    """
     open_ends: list[Iterable[object]] = [(outcome,)]
+    seen = set[int]()
     while open_ends:
         for value in open_ends.pop():
             if isinstance(value, np.ndarray):

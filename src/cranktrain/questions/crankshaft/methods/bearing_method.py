@@ -1,6 +1,7 @@
 """What a method for the loads of main bearings is, and what it takes the bearings for."""
 
 from collections.abc import Callable
+from operator import attrgetter
 
 import numpy as np
 
@@ -45,15 +46,15 @@ class TakenBearings:
     is_linear: bool = True
 
 
-RIGID = TakenBearings(N_("on rigid bearings"), "", lambda _declared: True)
-ELASTIC = TakenBearings(
-    N_("on elastic bearings"), N_("[crankshaft] bearing_stiffness"), lambda declared: declared.is_elastic
-)
+def _always(_declared: DeclaredCrankshafts) -> bool:
+    """Of bearings of which nothing need be known."""
+    return True
+
+
+RIGID = TakenBearings(N_("on rigid bearings"), "", _always)
+ELASTIC = TakenBearings(N_("on elastic bearings"), N_("[crankshaft] bearing_stiffness"), attrgetter("is_elastic"))
 LOOSE = TakenBearings(
-    N_("with clearance"),
-    N_("[crankshaft] bearing_clearance"),
-    lambda declared: declared.has_clearance,
-    is_linear=False,
+    N_("with clearance"), N_("[crankshaft] bearing_clearance"), attrgetter("has_clearance"), is_linear=False
 )
 
 
