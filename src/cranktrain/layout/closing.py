@@ -9,17 +9,9 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
-from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, named_part
 from cranktrain.motion import Array
-from cranktrain.numerics import turn_grid
 from cranktrain.quantities import Given
 from cranktrain.wording import around_turn, number
-
-_FAR = 8
-"""Links that close by so many times as much as their gap bends, close between the points at which it is known."""
-
-_NEAR = 1e-9
-"""Links that close by less, in parts of all their lengths, may be locked."""
 
 
 def closing_problems(places: Sequence[PlacedMechanism], zero: Array) -> tuple[Problem, ...]:
@@ -37,11 +29,7 @@ def closing_problems(places: Sequence[PlacedMechanism], zero: Array) -> tuple[Pr
     """
     alike = grouped(((place.path, place.geometry), place) for place in places)
     with np.errstate(all="ignore"):
-        closes = {
-            geometry: _clearly_closes(place.kind, geometry) for (_path, geometry), (place, *_like) in alike.items()
-        }
-        unclear = (place for place, *_like in alike.values() if not closes[place.geometry])
-        open_places = [place for place in unclear if open_ranges(place.kind, place.geometry)]
+        open_places = [place for place, *_like in alike.values() if open_ranges(place.kind, place.geometry)]
         stuck = {place.geometry for place in open_places}
         return tuple(
             problem
@@ -50,14 +38,6 @@ def closing_problems(places: Sequence[PlacedMechanism], zero: Array) -> tuple[Pr
             if getattr(place.geometry, "master", None) not in stuck
             for problem in _closing_problems(place, zero)
         )
-
-
-def _clearly_closes(kind: AnyKind, geometry: AnyGeometry) -> bool:
-    """Whether links close by far more than their gap bends from one degree to the next, and so between them too."""
-    lengths = sum(abs(named_part(geometry, name)) for name in kind.lengths)
-    gaps = kind.gap(turn_grid(), geometry)
-    bend = np.max(np.abs(np.diff(gaps, 2, append=gaps[:2])))
-    return bool(np.min(gaps) > _FAR * bend and np.min(gaps) > _NEAR * lengths)
 
 
 def _closing_problems(place: PlacedMechanism, zero: Array) -> Iterator[Problem]:

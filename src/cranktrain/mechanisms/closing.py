@@ -20,6 +20,9 @@ _CELLS = 4
 """Cells below that bound, at whose ends all changes are tried."""
 _ROUNDING = 16 * np.finfo(float).eps
 """Links that close by less, in parts of all their lengths, stand at a change point or cannot close at all."""
+_FAR, _NEAR = 8, 1e-9
+"""Links that close by so many times as much as their gap bends, close between the points at which it is known; if they
+close by less than the other, in parts of all their lengths, they may be locked."""
 
 
 class ClosingMargin(NamedTuple):
@@ -66,7 +69,12 @@ def closing_margin(kind: Kind[Motion, Geometry], geometry: Geometry) -> ClosingM
     margin, angle = np.full((2, np.prod(shape), 1), np.nan)
     length = np.full(margin.shape, -1, dtype=np.intp)
     with np.errstate(all="ignore"):
-        able = np.flatnonzero(_least_gap(kind, flat).value > _rounding(kind, flat))
+        closes = _close_by_far(kind, flat, _GRID)
+        unclear = np.flatnonzero(~closes)
+        if len(unclear) > 0:
+            own = rows(flat, unclear)
+            closes[unclear] = (_least_gap(kind, own).value > _rounding(kind, own))[..., 0]
+        able = np.flatnonzero(closes)
         if len(able) > 0:
             found = (kind.openings or partial(_openings, kind))(rows(flat, able))
             order = np.lexsort((found.change, found.row))
@@ -74,6 +82,15 @@ def closing_margin(kind: Kind[Motion, Geometry], geometry: Geometry) -> ClosingM
             best, at = order[first], able[row]
             margin[at, 0], angle[at, 0], length[at, 0] = found.change[best], found.angle[best], found.length[best]
     return ClosingMargin(margin.reshape(shape), length.reshape(shape), angle.reshape(shape))
+
+
+def _close_by_far(kind: Kind[Motion, Geometry], geometry: Geometry, grid: Array) -> NDArray[np.bool_]:
+    """Whether links close by far more than their gap bends from point to point of a turn, and so between them too."""
+    lengths = np.sum([np.abs(named_part(geometry, name)) for name in kind.lengths], axis=0)
+    gaps = kind.gap(grid, geometry)
+    bend = np.max(np.abs(np.diff(gaps, 2, append=gaps[..., :2])), axis=-1, keepdims=True)
+    least = np.min(gaps, axis=-1, keepdims=True)
+    return ((least > _FAR * bend) & (least > _NEAR * lengths))[..., 0]
 
 
 def _of_longest(kind: Kind[Motion, Geometry], geometry: Geometry, least: Extreme) -> ClosingMargin:
@@ -211,6 +228,8 @@ def open_ranges(
         return (kind.gap(phi, geometry) if gap is None else gap(phi)) - rounding
 
     with np.errstate(all="ignore"):
+        if gap is None and _close_by_far(kind, geometry, turn_grid()):
+            return ()
         deepest = smallest(curve)
         if deepest.value[0] > 0:
             return ()
