@@ -129,4 +129,4 @@ def flagged(limit: Limit, values: Array, named: Array | None = None, whose: Sequ
         worst = first_largest(beyond)
         told = float(np.ravel(values if named is None else named)[worst])
         written = f"{shown(told, limit.unit):.4g} {limit.unit}" if limit.unit else f"{told:.4g}"
-        yield _(limit.sentence).format(value=written, whose=whose[worst % len(whose)])
+        yield _(limit.sentence, value=written, whose=whose[worst % len(whose)])

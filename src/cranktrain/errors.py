@@ -76,7 +76,7 @@ class InputError(ValueError):
         self.problems: Sequence[Problem] = tuple(problems)
         lines = [str(problem) for problem in self.problems[:MOST_TOLD]]
         if len(self.problems) > MOST_TOLD:
-            lines.append(_("and {n} more").format(n=len(self.problems) - MOST_TOLD))
+            lines.append(_("and {n} more", n=len(self.problems) - MOST_TOLD))
         super().__init__("\n".join(lines))
 
 

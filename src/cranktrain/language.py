@@ -1,14 +1,43 @@
-"""Words for people, in their language: every string that a user reads passes through here."""
+"""Words for people, in the language of whoever reads them: every string that a user reads passes through here."""
 
 import gettext
+from collections.abc import Generator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache
 from pathlib import Path
 
-_catalogue = gettext.translation("cranktrain", Path(__file__).parent / "locale", fallback=True)
+_chosen: ContextVar[str | None] = ContextVar("chosen language", default=None)
+"""None for that of the surroundings, `LANGUAGE` or `LANG`."""
 
 
-def _(message: str) -> str:
-    """Give a message in the user's language (from `LANGUAGE` or `LANG`), or as it stands."""
-    return _catalogue.gettext(message) if message else ""
+@contextmanager
+def in_language(language: str) -> Generator[None]:
+    """Say words in a language for a while, such as `ru`: here, and not in other threads."""
+    token = _chosen.set(language)
+    try:
+        yield
+    finally:
+        _chosen.reset(token)
+
+
+@cache
+def _catalogue(language: str | None) -> gettext.NullTranslations:
+    """Words of a language; those of the code where there are none."""
+    languages = None if language is None else [language]
+    return gettext.translation("cranktrain", Path(__file__).parent / "locale", languages, fallback=True)
+
+
+def _(message: str, /, **pieces: object) -> str:
+    """Say a message in the reader's language, `{name}` in it standing for a piece.
+
+    Examples
+    --------
+    >>> _("{first} and {last}", first="1L", last="6L")
+    '1L and 6L'
+    """
+    said = _catalogue(_chosen.get()).gettext(message) if message else ""
+    return said.format(**pieces) if pieces else said
 
 
 def N_(message: str) -> str:  # noqa: N802 - the name that gettext's tools look for

@@ -226,7 +226,7 @@ class Machine(Spec, frozen=True):
         if update:
             given = ", ".join(update)
             allowed = _("cannot be changed in a copy, where nothing checks it")
-            repair = _("write machine.with_({example})").format(example='{"mechanism.rod_length": "140 mm"}')
+            repair = _("write machine.with_({example})", example='{"mechanism.rod_length": "140 mm"}')
             raise InputError([Problem("model_copy", given, allowed, repair)])
         return super().model_copy(deep=deep)
 

@@ -110,7 +110,7 @@ def _refuse_many(text: str, name: str) -> None:
     n_lines = max(text.count("\n"), text.count("\r"))
     if n_lines > _MOST_LINES:
         allowed = _("has {n} lines; {most} at most are read, and a cycle of 720° in steps of 0.02° has 36 000")
-        repair = _("keep one row of {n}, or the mean of so many").format(n=-(-n_lines // _MOST_LINES))
+        repair = _("keep one row of {n}, or the mean of so many", n=-(-n_lines // _MOST_LINES))
         raise InputError([Problem("file", name, allowed.format(n=n_lines, most=_MOST_LINES), repair)])
 
 
@@ -199,8 +199,8 @@ def _problems(body: Sequence[tuple[int, str]], separator: str, name: str) -> Ite
     for number, line in body:
         row = _cells(line, separator)
         if len(row) != expected:
-            allowed = _("must have {expected} values, as the first line of numbers has").format(expected=expected)
-            yield Problem("", _("{n} values").format(n=len(row)), allowed, None, Position(name, number))
+            allowed = _("must have {expected} values, as the first line of numbers has", expected=expected)
+            yield Problem("", _("{n} values", n=len(row)), allowed, None, Position(name, number))
         else:
             for cell, column in zip(row, _starts(line, separator), strict=True):
                 text = _plain(cell, separator)
@@ -212,4 +212,4 @@ def _problems(body: Sequence[tuple[int, str]], separator: str, name: str) -> Ite
 
 def _few_of(problems: Iterator[Problem], name: str) -> Iterator[Problem]:
     """Keep the first problems, and count the others."""
-    return first_of(problems, lambda n: Problem("file", name, _("{n} more lines or values like these").format(n=n)))
+    return first_of(problems, lambda n: Problem("file", name, _("{n} more lines or values like these", n=n)))

@@ -72,7 +72,7 @@ def parts_of(path: str) -> PathParts:
 
 def too_many_parts() -> str:
     """Say that a path leads deeper than any machine's."""
-    return _("has more than {limit} parts with dots between").format(limit=DEEPEST_NESTING)
+    return _("has more than {limit} parts with dots between", limit=DEEPEST_NESTING)
 
 
 def unquoted(key: str) -> str | None:
@@ -206,8 +206,8 @@ def with_values(data: object, values: Mapping[str, object]) -> tuple[Any, tuple[
 def _no_way(data: object, here: str) -> str:
     """Say why a path does not go on."""
     if isinstance(data, Mapping):
-        return _("{path} is a table, whose keys are names").format(path=here)
+        return _("{path} is a table, whose keys are names", path=here)
     if isinstance(data, list | tuple):
         n_items = len(cast("Sequence[object]", data))
-        return _("{path} is a list of {n}, whose items are [0], [1], …").format(path=here, n=n_items)
-    return _("{path} is no table or list; set it whole").format(path=here)
+        return _("{path} is a list of {n}, whose items are [0], [1], …", path=here, n=n_items)
+    return _("{path} is no table or list; set it whole", path=here)

@@ -160,12 +160,12 @@ def compare(
     values = values_of(set)
     if second is None and not values:
         allowed = _("is missing: name a second machine, or what is to be another value")
-        raise InputError([Problem("second", None, allowed, _("write set={example}").format(example=_EXAMPLE))])
+        raise InputError([Problem("second", None, allowed, _("write set={example}", example=_EXAMPLE))])
     said = ", ".join(f"{path} = {value}" for path, value in values.items())
     named = first if second is None else second
     names = [_name_of(first), _name_of(named)]
     if second is None:
-        names[1] = _("{name} with {values}").format(name=names[0], values=said)
+        names[1] = _("{name} with {values}", name=names[0], values=said)
     asked = (quantities,) if isinstance(quantities, str) else None if quantities is None else tuple(quantities)
     one = _result(first, {} if second is None else values, asked)
     return compared((one, _result(named, values, asked)), (names[0], names[1]), asked)

@@ -329,7 +329,7 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
     elif kind in get_args(core_schema.ErrorType):
         if kind in ("int_type", "float_type", "bool_type") and isinstance(detail["input"], str):
             given = f'"{given}"'  # the quotes are what is wrong with "5"
-        allowed = _(ALLOWED.get(kind, OTHERWISE)).format(**context)
+        allowed = _(ALLOWED.get(kind, OTHERWISE), **context)
         yield Problem(where.path, given, allowed + _example_of_list(where) if kind == "tuple_type" else allowed)
     else:  # a validator's own PydanticCustomError
         yield Problem(where.path, given, detail["msg"])
@@ -343,7 +343,7 @@ def _example_of_list(where: _Location) -> str:
         return ""
     key = where.path.rpartition(".")[2].partition("[")[0]
     example = quantity.of_field(key).example or quantity.dimension.example
-    return _(', such as ["{example}", …]').format(example=example)
+    return _(', such as ["{example}", …]', example=example)
 
 
 def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:
@@ -355,8 +355,8 @@ def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:
     if detail["type"] == "union_tag_invalid":
         return unlisted(path, value_at(detail["input"], tag), kinds)
     meant = nearest(tag, map(str, cast("Mapping[object, object]", detail["input"])))
-    repair = _("write {key} instead of {given}").format(key=tag, given=meant) if meant else None
-    return Problem(path, None, _("is missing; {expected}").format(expected=one_of(kinds)), repair)
+    repair = _("write {key} instead of {given}", key=tag, given=meant) if meant else None
+    return Problem(path, None, _("is missing; {expected}", expected=one_of(kinds)), repair)
 
 
 def missing(annotation: object, key: str | None = None) -> str:
@@ -365,14 +365,14 @@ def missing(annotation: object, key: str | None = None) -> str:
     if quantity is None and not words:
         return _("is missing")
     wanted = quantity.of_field(key).expected if quantity else one_of(words)
-    return _("is missing; {expected}").format(expected=wanted)
+    return _("is missing; {expected}", expected=wanted)
 
 
 def _either(one: Problem, other: Problem) -> Problem:
     """Join what two alternatives say of the same value."""
     if one.allowed == other.allowed:
         return one
-    allowed = _("{one}, or {other}").format(one=one.allowed, other=other.allowed)
+    allowed = _("{one}, or {other}", one=one.allowed, other=other.allowed)
     return replace(one, allowed=allowed, repair=one.repair or other.repair)
 
 

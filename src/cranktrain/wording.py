@@ -180,4 +180,4 @@ def ranged(names: Sequence[str], members: Sequence[int]) -> str:
 def in_words(names: Sequence[str]) -> str:
     """Give names as a list in words: `a, b and c`."""
     *first, last = names
-    return _("{first} and {last}").format(first=", ".join(first), last=last) if first else last
+    return _("{first} and {last}", first=", ".join(first), last=last) if first else last

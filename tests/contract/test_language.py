@@ -1,7 +1,13 @@
 """Every sentence for people can be translated."""
 
 import ast
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from string import Formatter
+from threading import Barrier
+from types import SimpleNamespace
+
+from cranktrain import language
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "src/cranktrain"
@@ -13,5 +19,34 @@ def test_no_message_is_put_together_before_it_is_translated():
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ("_", "N_"):
                 assert not isinstance(node.args[0], ast.JoinedStr | ast.BinOp), (
-                    f'{path}:{node.lineno}: write _("… {{x}} …").format(x=…), so that a translator sees the sentence'
+                    f'{path}:{node.lineno}: write _("… {{x}} …", x=…), so that a translator sees the sentence'
                 )
+
+
+def test_the_pieces_of_a_message_are_those_that_stand_in_it():
+    for path in PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "_" and node.keywords:
+                (message,) = node.args
+                given = {keyword.arg for keyword in node.keywords}
+                if isinstance(message, ast.Constant) and None not in given:
+                    wanted = {name for _text, name, _format, _sign in Formatter().parse(message.value) if name}
+                    assert given == wanted, f"{path}:{node.lineno}"
+
+
+def test_each_thread_has_its_own_language(monkeypatch):
+    """Of a server two readers ask at once: neither sees a word of the other."""
+    said_in = {"a": "Spitze {x}", "b": "{x} au plus", None: "Peak {x}"}
+    monkeypatch.setattr(language, "_catalogue", lambda of: SimpleNamespace(gettext=lambda _message: said_in[of]))
+    ready = Barrier(2)
+
+    def said(of):
+        with language.in_language(of):
+            ready.wait()
+            return [language._("Peak {x}", x="3 kN") for _time in range(1000)]
+
+    with ThreadPoolExecutor() as threads:
+        first, second = threads.map(said, ["a", "b"])
+    assert set(first) == {"Spitze 3 kN"}
+    assert set(second) == {"3 kN au plus"}
+    assert language._("Peak {x}", x="3 kN") == "Peak 3 kN"

@@ -81,7 +81,7 @@ def _needs(way: Sequence[Stage]) -> Iterator[type]:
 def _lacks(needs: Sequence[str]) -> str:
     """Say why a machine has no such quantity."""
     if needs:
-        return _("is no result of this machine; it needs {needs}").format(needs=", ".join(needs))
+        return _("is no result of this machine; it needs {needs}", needs=", ".join(needs))
     return _("is a result of other machines")
 
 

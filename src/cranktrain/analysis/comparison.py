@@ -175,8 +175,8 @@ class Comparison:
         """Say in one line what it is."""
         first, second = (short(name) for name in self.names)
         n_rows = len(self._rows)
-        rows = _("1 row") if n_rows == 1 else _("{n} rows").format(n=n_rows)
-        return _("<Comparison of {first} and {second}: {rows}>").format(first=first, second=second, rows=rows)
+        rows = _("1 row") if n_rows == 1 else _("{n} rows", n=n_rows)
+        return _("<Comparison of {first} and {second}: {rows}>", first=first, second=second, rows=rows)
 
     def __str__(self) -> str:
         """Write it as a table."""
@@ -206,7 +206,7 @@ def _absence(name: str, results: tuple[Result, Result]) -> Problem:
     needs = next((needs for result in results if (needs := result.needs_of(name))), ())
     allowed = _("is a result of neither machine")
     if needs:
-        allowed = _("is a result of neither machine; it needs {needs}").format(needs=", ".join(needs))
+        allowed = _("is a result of neither machine; it needs {needs}", needs=", ".join(needs))
     return Problem("quantities", name, allowed)
 
 

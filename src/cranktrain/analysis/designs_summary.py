@@ -37,11 +37,7 @@ def summary_of_designs(result: Result) -> Iterator[str]:
     """
     machine = one_line(result.machines[0].name)
     n_designs = len(result.machines)
-    yield (
-        _("{n} designs of {name}").format(n=n_designs, name=machine)
-        if machine
-        else _("{n} designs").format(n=n_designs)
-    )
+    yield _("{n} designs of {name}", n=n_designs, name=machine) if machine else _("{n} designs", n=n_designs)
     asked = {name: fact for name, fact in result.facts.items() if name in (result.asked or ())}
     for fact in (asked or result.headline).values():
         yield from _lines(fact, result.labels_of(fact.entry), n_designs)
@@ -71,13 +67,14 @@ def _between(values: Array, entry: Entry, members: Sequence[str]) -> str:
     shown = shown_in(entry.shown, values)
     least, most = float(values[finite].min()), float(values[finite].max())
     without = np.flatnonzero(~np.any(finite, axis=1))
-    but = _("; none in {designs}").format(designs=_named(without, len(values))) if without.size else ""
+    but = _("; none in {designs}", designs=_named(without, len(values))) if without.size else ""
     if _number(least, shown) == _number(most, shown):
         return _number(most, shown) + but
     spread = np.ptp(np.where(finite, values, 0.0), axis=0)
     if not without.size and np.all(spread <= _ALIKE * max(abs(least), abs(most))):
-        return _("{least} to {most} in each").format(least=_number(least, shown), most=_number(most, shown))
-    said = _("{least} ({least_of}) to {most} ({most_of})").format(
+        return _("{least} to {most} in each", least=_number(least, shown), most=_number(most, shown))
+    said = _(
+        "{least} ({least_of}) to {most} ({most_of})",
         least=_number(least, shown),
         least_of=_who(values, least, members),
         most=_number(most, shown),

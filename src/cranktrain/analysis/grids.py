@@ -81,7 +81,7 @@ def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], s
     if not worst:
         return ()
     named = ", ".join(f"{name} ({100 * missed[name]:.0f} %)" for name in worst[:_NAMED])
-    more = _(" and {n} more").format(n=len(worst) - _NAMED) if len(worst) > _NAMED else ""
+    more = _(" and {n} more", n=len(worst) - _NAMED) if len(worst) > _NAMED else ""
     said = _(
         "A step of {step:g} deg is coarse for curves, though not for facts: straight lines between points miss up to"
         " this much of the range of {curves}{more}."

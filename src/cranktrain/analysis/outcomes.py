@@ -263,7 +263,7 @@ class FoundLabels(Mapping[str, tuple[str, ...]]):
 
 def _how_far(place: int, n_stages: int, outcome: type) -> str:
     """Which result is worked on."""
-    return _("{place} of {n}, {name}").format(place=place, n=n_stages, name=spoken(outcome))
+    return _("{place} of {n}, {name}", place=place, n=n_stages, name=spoken(outcome))
 
 
 def read_only(outcome: object) -> None:

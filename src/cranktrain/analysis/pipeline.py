@@ -106,7 +106,7 @@ class Pipeline:
         yield from ("", _("Stages, in the order in which they run"))
         for number, stage in enumerate(self.stages, start=1):
             yield from _titled(f"{number:3} ", stage.name, stage.place, width)
-            gives = _("gives {name}, a {word}").format(name=stage.gives, word=_(stage.word))
+            gives = _("gives {name}, a {word}", name=stage.gives, word=_(stage.word))
             told = (*_naming(_("takes {names}"), stage.takes), *_naming(_("reads {names}"), stage.tables))
             yield from _indented((stage.sentence, gives, *told, *stage.sources), width)
 

@@ -32,11 +32,11 @@ def result_line(result: Result) -> str:
     """Say in one line whose result it is, and how much it has."""
     name = short(result.machines[0].name, _LONGEST_NAME) or _("a machine without a name")
     if result.has_designs:
-        name = _("{n} designs of {name}").format(n=len(result.machines), name=name)
+        name = _("{n} designs of {name}", n=len(result.machines), name=name)
     n_quantities = len(result.catalogue)
-    held = _("1 quantity") if n_quantities == 1 else _("{n} quantities").format(n=n_quantities)
+    held = _("1 quantity") if n_quantities == 1 else _("{n} quantities", n=n_quantities)
     if result.asked is not None:
-        held = ", ".join(result.asked) if len(result.asked) <= _FEW else _("{n} quantities").format(n=len(result.asked))
+        held = ", ".join(result.asked) if len(result.asked) <= _FEW else _("{n} quantities", n=len(result.asked))
     words = [held, *_trust(result)]
     return f"<Result of {name}: {', '.join(words)}>"
 
@@ -47,7 +47,7 @@ def result_html(result: Result) -> str:
     parts = [f"<b>{_name(machine)}</b>", _paragraph(_about(machine))]
     parts += [_paragraph(f"! {sentence}") for sentence in sentences(result.unused)]
     if result.flags:
-        flagged = _("! 1 flag") if len(result.flags) == 1 else _("! {n} flags").format(n=len(result.flags))
+        flagged = _("! 1 flag") if len(result.flags) == 1 else _("! {n} flags", n=len(result.flags))
         parts.append(_folded(flagged, result.flags))
     if result.has_designs:
         parts.append(f"<ul>{''.join(f'<li>{escape(line)}</li>' for line in summary_of_designs(result))}</ul>")
@@ -57,7 +57,7 @@ def result_html(result: Result) -> str:
         parts.append(_folded(_("In words"), result.answers()))
         if worth_asking := result.worth_asking:
             lacking = (
-                _("{needs}: gives {results}").format(needs=_(" and ").join(one.needs), results=", ".join(one.results))
+                _("{needs}: gives {results}", needs=_(" and ").join(one.needs), results=", ".join(one.results))
                 for one in worth_asking
             )
             parts.append(_folded(_("To learn more"), lacking))

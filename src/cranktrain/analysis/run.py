@@ -146,7 +146,7 @@ def _steps(
 
 def _designs(first: int, last: int, n_designs: int) -> str:
     """Which of many designs are worked on."""
-    return _("designs {first} to {last} of {n}").format(first=first, last=last, n=n_designs)
+    return _("designs {first} to {last} of {n}", first=first, last=last, n=n_designs)
 
 
 def _run(

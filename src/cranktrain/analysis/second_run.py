@@ -86,7 +86,7 @@ def _found(parts: Parts, stages: Sequence[Stage]) -> SteadySpeed:
     needed = leading_to(stages, [SteadySpeed])
     absent = lacking(needed, parts)
     if SteadySpeed.__name__ in absent:
-        allowed = _("needs {needs} in the file").format(needs=", ".join(absent[SteadySpeed.__name__]))
+        allowed = _("needs {needs} in the file", needs=", ".join(absent[SteadySpeed.__name__]))
         raise InputError([Problem("speed", "running", allowed)])
     found: Any = run_stages(needed, parts, absent)[SteadySpeed]
     if np.all(np.isnan(found.speed)):

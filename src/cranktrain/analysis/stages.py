@@ -74,7 +74,7 @@ def _unknown(name: str, known: Iterable[str], path: str) -> Problem:
 
     allowed = _("is not a quantity of the catalogue; `cranktrain list results` names them")
     close = nearest(name, known)
-    return Problem(path, name, allowed, _("did you mean {name}?").format(name=close) if close else None)
+    return Problem(path, name, allowed, _("did you mean {name}?", name=close) if close else None)
 
 
 @cache

@@ -38,9 +38,9 @@ def _sentence(tables: Sequence[str], needs: Sequence[str], consequence: str) -> 
     """Say that some tables are not used, what they all lack, and what the results are without them."""
     one, more = N_("{tables} is not used: {missing}"), N_("{tables} are not used: {missing}")
     is_one, are_more = N_("{needs} is missing"), N_("{needs} are missing")
-    missing = _(is_one if len(needs) == 1 else are_more).format(needs=in_words(needs))
-    said = _(one if len(tables) == 1 else more).format(tables=in_words(tables), missing=missing)
-    return _("{said}; {consequence}.").format(said=said, consequence=consequence) if consequence else f"{said}."
+    missing = _(is_one if len(needs) == 1 else are_more, needs=in_words(needs))
+    said = _(one if len(tables) == 1 else more, tables=in_words(tables), missing=missing)
+    return _("{said}; {consequence}.", said=said, consequence=consequence) if consequence else f"{said}."
 
 
 def unused(machine: Machine, lacking: Mapping[str, tuple[str, ...]]) -> tuple[Unused, ...]:

@@ -70,9 +70,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _said(_("the memory of this computer does not suffice; a coarser --step needs less"), _BAD_INPUT)
     except OSError as error:
         _discard_output()
-        return _said(
-            _("standard output  cannot be written: {reason}").format(reason=error.strerror or error), _BAD_INPUT
-        )
+        return _said(_("standard output  cannot be written: {reason}", reason=error.strerror or error), _BAD_INPUT)
     except Exception:  # whatever is left is a bug, and no traceback ever reaches a user
         if os.environ.get("CRANKTRAIN_TRACEBACK") == "1":
             traceback.print_exc()
@@ -110,8 +108,9 @@ def _bug_report(arguments: Sequence[str]) -> str:
 
     return _(
         "This is a bug of cranktrain. Please report it with the machine file and this command: {command}\n"
-        "(CRANKTRAIN_TRACEBACK=1 shows where it happened.)"
-    ).format(command=shlex.join(["cranktrain", *arguments]))
+        "(CRANKTRAIN_TRACEBACK=1 shows where it happened.)",
+        command=shlex.join(["cranktrain", *arguments]),
+    )
 
 
 def _look_at_streams() -> None:

@@ -20,14 +20,16 @@ def show_check(source: str) -> None:
     file = read_machine(source)
     with says_how_far():
         result = computed(file)
-    print(_("{file}: nothing wrong").format(file=one_line(file.document.name)))
+    print(_("{file}: nothing wrong", file=one_line(file.document.name)))
     for sentence in (*sentences(result.unused), *result.unlikely):
         print(f"! {one_line(sentence)}")
     groups = ", ".join(spoken(kind) for kind in result.computed.kinds if entries(kind))
-    print(_("can compute {n} results: {groups}").format(n=len(result.catalogue), groups=groups))
+    print(_("can compute {n} results: {groups}", n=len(result.catalogue), groups=groups))
     for missing in result.worth_asking:
         print(
-            _("missing for {results}: {needs}").format(
-                results=", ".join(missing.results), needs=_(" and ").join(missing.needs)
+            _(
+                "missing for {results}: {needs}",
+                results=", ".join(missing.results),
+                needs=_(" and ").join(missing.needs),
             )
         )

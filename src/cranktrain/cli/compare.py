@@ -52,11 +52,11 @@ def _show(files: tuple[MachineFile, MachineFile], request: CompareRequest) -> No
         from cranktrain.viz import save
 
         save(comparison.plot, request.output, force=request.force)
-        print(_("written: {name}").format(name=one_line(request.output)))
+        print(_("written: {name}", name=one_line(request.output)))
         return
     heads = [f"{one_line(name)}: {title(file.machine)}" for name, file in zip(comparison.names, files, strict=True)]
     if request.second is None:
-        heads[1] = _("changed: {values}").format(values=one_line(", ".join(request.settings)))
+        heads[1] = _("changed: {values}", values=one_line(", ".join(request.settings)))
     with page(heads[0]) as console:
         console.print(Text(heads[1], style="bold"))
         console.print()
@@ -71,12 +71,16 @@ def _minded(comparison: Comparison) -> Iterator[str]:
         yield from (f"! {one_line(name)}: {sentence}" for sentence in said)
         n_failed = sum(bool((check.judged & ~check.passed).any()) for check in result.checks)
         if n_failed:
-            yield _("! {name}: checks that do not hold: {n}").format(name=one_line(name), n=n_failed)
+            yield _("! {name}: checks that do not hold: {n}", name=one_line(name), n=n_failed)
     flagged = [len(result.flags) for result in comparison.results]
     if any(flagged):
         first, second = (one_line(name) for name in comparison.names)
-        yield _("Flags: {n_first} of {first}, {n_second} of {second}; `cranktrain run` says them.").format(
-            n_first=flagged[0], first=first, n_second=flagged[1], second=second
+        yield _(
+            "Flags: {n_first} of {first}, {n_second} of {second}; `cranktrain run` says them.",
+            n_first=flagged[0],
+            first=first,
+            n_second=flagged[1],
+            second=second,
         )
 
 
@@ -86,16 +90,14 @@ def _check(request: CompareRequest) -> None:
         from cranktrain.viz.output import FORMATS
 
         if PurePath(request.output).suffix.lower() not in FORMATS:
-            allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(FORMATS))
+            allowed = _("must end in one of: {suffixes}", suffixes=", ".join(FORMATS))
             raise InputError([Problem("-o", request.output, allowed)])
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
         raise InputError([Problem("--quantities", '""', allowed)])
     if request.second is None and not request.settings:
         allowed = _("must be compared with something: another machine, or itself with --set PATH=VALUE")
-        repair = _("write cranktrain compare {first} kamaz_740, or --set shaft.main.speed=1500rpm").format(
-            first=request.file
-        )
+        repair = _("write cranktrain compare {first} kamaz_740, or --set shaft.main.speed=1500rpm", first=request.file)
         raise InputError([Problem("compare", request.file, allowed, repair)])
     if request.second is not None and _is_same(request.file, request.second):
         allowed = _("is named twice, and differs in nothing from itself")
@@ -140,5 +142,5 @@ def _names(request: CompareRequest) -> tuple[str, str]:
     """Name both machines as they were typed; of one with other values, these."""
     if request.second is None:
         values = ", ".join(setting.replace("=", " = ", 1) for setting in request.settings)
-        return request.file, _("{name} with {values}").format(name=request.file, values=values)
+        return request.file, _("{name} with {values}", name=request.file, values=values)
     return request.file, request.second

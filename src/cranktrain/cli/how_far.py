@@ -66,7 +66,7 @@ def _tell(latest: list[tuple[Words, ...]], done: "Event") -> None:
         if taken < next_at:
             continue
         said = ": ".join(words() for words in latest[0]) or _("at work")
-        line = _("{seconds:.0f} s  {said}").format(seconds=taken, said=said)
+        line = _("{seconds:.0f} s  {said}", seconds=taken, said=said)
         with suppress(OSError):  # nobody has to hear it
             if is_terminal:
                 print(f"\r{line[:_WIDTH]:<{_WIDTH}}", end="", file=sys.stderr, flush=True)

@@ -37,7 +37,7 @@ def _out_of_place(options: Mapping[str, str | None]) -> Iterator[Problem]:
     """Refuse options that only go with a result."""
     for option, given in options.items():
         if given is not None:
-            allowed = _("goes with {example}").format(example="list results --behind NAME")
+            allowed = _("goes with {example}", example="list results --behind NAME")
             yield Problem(option, given, allowed)
 
 

@@ -90,5 +90,5 @@ def degrees(text: str | float) -> float:
     except ValueError:
         number = math.nan
     if not math.isfinite(number):
-        raise typer.BadParameter(_("{text} must be a number of degrees, such as 0.5").format(text=text))
+        raise typer.BadParameter(_("{text} must be a number of degrees, such as 0.5", text=text))
     return number

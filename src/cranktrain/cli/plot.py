@@ -97,7 +97,7 @@ def write_picture(request: PlotRequest) -> None:
             with problems_as(lambda problem: replace(problem, path="--mechanism")):
                 place_called(file.machine, request.mechanism)
         _draw(file, choice, request)
-    print(_("written: {name}").format(name=one_line(request.output or "")))
+    print(_("written: {name}", name=one_line(request.output or "")))
 
 
 def understood(request: PlotRequest) -> Choice:
@@ -172,10 +172,10 @@ def _output_problems(request: PlotRequest, suffix: str) -> Iterator[Problem]:
         name = one_line(PurePath(request.file).stem) or "3d12"
         example = f"cranktrain plot {one_line(request.file) or name} -o {name}.png"
         allowed = _("is missing: the name of the picture, which ends in one of: {suffixes}")
-        repair = _("such as: {example}").format(example=example)
+        repair = _("such as: {example}", example=example)
         yield Problem("-o", None, allowed.format(suffixes=", ".join(SUFFIXES)), repair)
     elif suffix not in SUFFIXES:
-        allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(SUFFIXES))
+        allowed = _("must end in one of: {suffixes}", suffixes=", ".join(SUFFIXES))
         yield Problem("-o", request.output, allowed)
 
 
@@ -196,7 +196,7 @@ def _refused(request: PlotRequest, picture: Picture) -> Iterator[Problem]:
     for option, about, given in (("--scale", "scale", request.scale), ("--letters", "letters", request.letters)):
         if given is not None and about not in picture.takes:
             others = ", ".join(f"{one.kind} {one.name}" for one in PICTURES if about in one.takes)
-            yield Problem(option, given, _("must be left out: only for {pictures}").format(pictures=others))
+            yield Problem(option, given, _("must be left out: only for {pictures}", pictures=others))
 
 
 def _angles(request: PlotRequest, picture: Picture | None) -> tuple[Angles | None, float | None]:

@@ -73,7 +73,7 @@ def _show(file: MachineFile, request: RunRequest, shown: Shown | None, form: "Fo
     else:
         _show_answer(file, result, request)
     if request.output is not None:
-        print(_("written: {name}").format(name=one_line(request.output)))
+        print(_("written: {name}", name=one_line(request.output)))
 
 
 def _show_parts(file: MachineFile, result: Result, request: RunRequest, shown: Shown) -> None:
@@ -126,12 +126,12 @@ def _form(request: RunRequest) -> "Form | None":
         raise InputError([unlisted("--decimal", request.decimal, DECIMALS)])
     if request.output is None:
         given = {"--decimal": request.decimal != "point", "--facts": request.facts}
-        needs = _("is for a file: name one with -o, such as -o {name}").format(name="facts.csv")
+        needs = _("is for a file: name one with -o, such as -o {name}", name="facts.csv")
         refuse(Problem(option, None, needs) for option, is_given in given.items() if is_given)
         return None
     form = Form(PurePath(request.output).suffix.lower(), request.decimal, request.facts)
     if form.suffix not in SUFFIXES:
-        allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(SUFFIXES))
+        allowed = _("must end in one of: {suffixes}", suffixes=", ".join(SUFFIXES))
         raise InputError([Problem("-o", request.output, allowed)])
     refuse(form.problems())
     return form
@@ -149,9 +149,9 @@ def _computed(file: MachineFile, request: RunRequest, *, is_answer: bool = False
 
 def _absence(name: str, result: Result, file: str) -> Problem:
     """Say what a quantity needs that the file does not give."""
-    allowed = _("is no result of this machine; `cranktrain check {file}` names what is").format(file=file)
+    allowed = _("is no result of this machine; `cranktrain check {file}` names what is", file=file)
     if needs := result.needs_of(name):
-        allowed = _("needs {needs} in the file").format(needs=", ".join(needs))
+        allowed = _("needs {needs} in the file", needs=", ".join(needs))
     return Problem("quantities", name, allowed)
 
 

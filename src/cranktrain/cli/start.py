@@ -48,7 +48,7 @@ def show_start(request: StartRequest) -> None:
             found = start(file.machine, progress=_progress)
         if request.output is not None:
             _write(found, file, request, suffix)
-            print(_("written: {name}").format(name=one_line(request.output)))
+            print(_("written: {name}", name=one_line(request.output)))
             return
         with page(title(file.machine)) as console:
             show_lines(console, group_lines([RowGroup(_("Start"), found.rows())], console.width))
@@ -63,7 +63,7 @@ def _suffix(request: StartRequest) -> str:
         return ""
     suffix = PurePath(request.output).suffix.lower()
     if suffix not in (*SUFFIXES, *_PICTURES):
-        allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join((*SUFFIXES, *_PICTURES)))
+        allowed = _("must end in one of: {suffixes}", suffixes=", ".join((*SUFFIXES, *_PICTURES)))
         raise InputError([Problem("-o", request.output, allowed)])
     return suffix
 
@@ -92,14 +92,15 @@ def _event_lines(found: Start, request: StartRequest) -> Iterator[str]:
         yield ""
         yield _("Events")
     for event in shown:
-        yield _("  {time}  {name}, at {angle}, {speed}").format(
+        yield _(
+            "  {time}  {name}, at {angle}, {speed}",
             time=f"{event.time:10.6f} s",
             name=event.name,
             angle=number(float(np.mod(event.angle, 2 * np.pi)), "deg"),
             speed=number(event.speed, "rpm"),
         )
     if len(shown) < len(events):
-        yield _("  and {n} more: --full shows all").format(n=len(events) - len(shown))
+        yield _("  and {n} more: --full shows all", n=len(events) - len(shown))
 
 
 def _progress(now: float, angle: float, speed: float) -> None:

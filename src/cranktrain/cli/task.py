@@ -83,4 +83,4 @@ def _usage_problem(error: Exception) -> Problem:
     command = context.command_path if context is not None else "cranktrain"
     message = getattr(error, "format_message", error.__str__)().strip().rstrip(".")
     message = message[:1].lower() + message[1:]
-    return Problem("", None, message, _("see `{command} --help`").format(command=command), Position(command))
+    return Problem("", None, message, _("see `{command} --help`", command=command), Position(command))

@@ -107,7 +107,7 @@ def values_of(values: Mapping[str, object] | None) -> Mapping[str, object]:
     if values is None or isinstance(cast("object", values), Mapping):
         return values or {}
     allowed = _("must be a mapping of paths to values")
-    repair = _("write set={example}").format(example='{"mechanism.rod_length": "140 mm"}')
+    repair = _("write set={example}", example='{"mechanism.rod_length": "140 mm"}')
     raise InputError([Problem("set", str(values), allowed, repair)])
 
 

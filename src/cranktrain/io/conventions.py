@@ -61,11 +61,9 @@ def _crank_angle(machine: Machine) -> str:
     elif len(machine.bank) == 1:
         start = _("0 where the crank of throw 1 points along the first cylinder's axis")
     else:
-        start = _("0 where the crank of throw 1 points along the axis of bank {bank}").format(
-            bank=next(iter(machine.bank))
-        )
+        start = _("0 where the crank of throw 1 points along the axis of bank {bank}", bank=next(iter(machine.bank)))
     if machine.crank_zero == "Y":
         return _("0 where the crank of throw 1 points up, along Y")
     if machine.crank_zero.si == 0.0:
         return start
-    return _("{zero} of it is shown as 0; it is {start}").format(zero=machine.crank_zero.text, start=start)
+    return _("{zero} of it is shown as 0; it is {start}", zero=machine.crank_zero.text, start=start)

@@ -43,16 +43,14 @@ def curve_text(path: Path, name: str, noun: str) -> str:
         If there is no such file, it cannot be read, or is no text.
     """
     if path.exists() and not (path.is_file() or path.is_dir()):  # one would wait for what nobody writes
-        raise refusal(name, _("is a pipe or a device, not {noun}").format(noun=_(noun)), _("save it as a file"))
+        raise refusal(name, _("is a pipe or a device, not {noun}", noun=_(noun)), _("save it as a file"))
     content = content_of(
         path,
         name,
         LARGEST_FILE,
         suffix=".csv",
-        too_large=_("is larger than {limit} MiB, too large for {noun}").format(
-            limit=LARGEST_FILE // 2**20, noun=_(noun)
-        ),
-        folder=_("is a folder, not {noun}").format(noun=_(noun)),
+        too_large=_("is larger than {limit} MiB, too large for {noun}", limit=LARGEST_FILE // 2**20, noun=_(noun)),
+        folder=_("is a folder, not {noun}", noun=_(noun)),
         says_where=True,
     )
     encoding = _WIDE.get(content[:2])

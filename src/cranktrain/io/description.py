@@ -31,7 +31,7 @@ def counted_parts(machine: Machine) -> list[str]:
     in_order = sorted(outputs, key=lambda output: output.rank)
     counts = [(outputs[output], output.counted) for output in in_order]
     counts.append((len(machine.main_shaft.throws), (N_("1 throw"), N_("{n} throws"))))
-    return [_(one) if n == 1 else _(many).format(n=n) for n, (one, many) in counts]
+    return [_(one) if n == 1 else _(many, n=n) for n, (one, many) in counts]
 
 
 def counted_by_status(numbers: Iterable[Given]) -> str:

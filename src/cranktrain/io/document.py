@@ -61,7 +61,7 @@ class Document:
             name,
             LARGEST_FILE,
             suffix=".toml",
-            too_large=_("is larger than {limit} KiB, and no machine file is").format(limit=LARGEST_FILE // 1024),
+            too_large=_("is larger than {limit} KiB, and no machine file is", limit=LARGEST_FILE // 1024),
             folder=_("is a folder, not a machine file"),
         )
         return cls(_text(content, name), name)
@@ -184,7 +184,7 @@ def _text(content: bytes, name: str) -> str:
     content = content.removeprefix(codecs.BOM_UTF8)
     wide = _wide_encoding(content)
     if wide:
-        raise refusal(name, _("is written in {encoding}").format(encoding=wide), _("save it as UTF-8"))
+        raise refusal(name, _("is written in {encoding}", encoding=wide), _("save it as UTF-8"))
     if b"\0" in content:
         allowed = _("is no text: it has NUL bytes")
         raise refusal(name, allowed, _("a machine file is TOML: see `cranktrain new slider_crank`"))
@@ -194,7 +194,7 @@ def _text(content: bytes, name: str) -> str:
         byte = f"0x{content[error.start]:02X}"
         position = text_position(name, content[: error.start].decode())
         raise refusal(
-            name, _("the byte {byte} here is not UTF-8").format(byte=byte), _("save it as UTF-8"), position
+            name, _("the byte {byte} here is not UTF-8", byte=byte), _("save it as UTF-8"), position
         ) from None
 
 

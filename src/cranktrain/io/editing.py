@@ -90,24 +90,24 @@ def _refuse(found: TextSpans, place: TextSpan, parts: PathParts) -> NoReturn:
     rest = parts[len(place.path) :]
     repair = None
     if place.kind == "scalar":
-        allowed = _("{path} is a plain value, with nothing under it").format(path=here)
-        repair = _('set it whole: {path}={{ value = "…", status = "…", note = "…" }}').format(path=here)
+        allowed = _("{path} is a plain value, with nothing under it", path=here)
+        repair = _('set it whole: {path}={{ value = "…", status = "…", note = "…" }}', path=here)
     elif place.kind in ("list", "sections"):
         last = place.n_items - 1
         items = _("only {path}[0] to {path}[{last}]") if last else _("only {path}[0]")
-        allowed = _("{path} is a list: ").format(path=here) + items.format(path=here, last=last)
+        allowed = _("{path} is a list: ", path=here) + items.format(path=here, last=last)
         if not place.n_items:
-            allowed = _("{path} is an empty list").format(path=here)
+            allowed = _("{path} is an empty list", path=here)
         if place.kind == "list":
-            repair = _("or set the whole list: {path}=[…]").format(path=here)
+            repair = _("or set the whole list: {path}=[…]", path=here)
     elif not rest or isinstance(rest[0], int):
-        allowed = _("{path} is a table: set one of the keys in it").format(path=here)
+        allowed = _("{path} is a table: set one of the keys in it", path=here)
         repair = ", ".join(path_text(path) for path in found.by_path if path and path[:-1] == place.path) or None
     else:
         n_names = next(i for i, part in enumerate(rest) if isinstance(part, int))
         missing = path_text((*place.path, *rest[:n_names]))
-        allowed = _("there is no list {path}").format(path=missing)
-        repair = _("set the whole list: {path}=[…]").format(path=missing)
+        allowed = _("there is no list {path}", path=missing)
+        repair = _("set the whole list: {path}=[…]", path=missing)
     raise InputError([Problem(path_text(parts), None, allowed, repair)])
 
 

@@ -27,7 +27,7 @@ def example_names() -> tuple[str, ...]:
 def example_document(name: str) -> Document:
     """Read the example of that very name."""
     text = (EXAMPLES_FOLDER / f"{name}.toml").read_text(encoding="utf-8")
-    return Document.from_text(text, _("example {name}").format(name=name))
+    return Document.from_text(text, _("example {name}", name=name))
 
 
 def example_called(name: str) -> str | None:

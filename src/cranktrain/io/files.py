@@ -96,11 +96,11 @@ def _unreadable(path: Path, name: str, error: OSError, *, suffix: str, says_wher
     """Say why a file could not be read."""
     if error.errno == errno.ENOENT:
         if not path.parent.is_dir():
-            return refusal(name, _("there is no folder {folder}").format(folder=path.parent))
+            return refusal(name, _("there is no folder {folder}", folder=path.parent))
         return refusal(name, _("there is no such file"), _meant(path, suffix, says_where=says_where))
     if error.errno in (errno.EACCES, errno.EPERM):
         return refusal(name, _("may not be read"), _("change its permissions (or its folder's), or copy it"))
-    return refusal(name, _("cannot be read: {reason}").format(reason=error.strerror))
+    return refusal(name, _("cannot be read: {reason}", reason=error.strerror))
 
 
 def _meant(path: Path, suffix: str, *, says_where: bool) -> str | None:
@@ -109,7 +109,7 @@ def _meant(path: Path, suffix: str, *, says_where: bool) -> str | None:
     beside = [name for name in _files(path.parent) if Path(name).suffix.casefold() in kinds]
     near = next(iter(difflib.get_close_matches(path.name, beside, n=1)), None)
     if not says_where:
-        return _("is it {name}?").format(name=near) if near else None
+        return _("is it {name}?", name=near) if near else None
     said = _("is it {name}? It was looked for in {folder}") if near else _("it was looked for in {folder}")
     return said.format(name=near, folder=path.parent.resolve())
 
@@ -125,4 +125,4 @@ def _files(folder: Path) -> list[str]:
 def _first_file(folder: Path, suffix: str) -> str | None:
     """Say which file of a folder may have been meant."""
     first = next((name for name in _files(folder) if name.endswith(suffix)), None)
-    return _("name a file in it, such as {name}").format(name=folder / first) if first else None
+    return _("name a file in it, such as {name}", name=folder / first) if first else None

@@ -152,7 +152,7 @@ def _checked(data: Mapping[str, object], folder: Path, origin: Origin, *, partia
     if origin.paths and not any(problem.position == origin.position for problem in problems):
         allowed = _("was set for this run; the file alone may be right")
         meant = next((near for path in origin.paths if (near := _deeper(origin.typed.data, path)) is not None), None)
-        repair = None if meant is None else _("did you mean {path}?").format(path=meant)
+        repair = None if meant is None else _("did you mean {path}?", path=meant)
         problems = (*problems, Problem("", origin.words, allowed, repair, origin.position))
     raise InputError(problems)
 
@@ -175,13 +175,11 @@ def document_of(source: "str | os.PathLike[str]") -> Document:
         kind = name.casefold().replace("-", "_")
         close = example_near(name)
         if kind in KINDS.names:
-            repair = _("a file of that kind is written by: {command}").format(
-                command=f"cranktrain new {kind} -o mine.toml"
-            )
+            repair = _("a file of that kind is written by: {command}", command=f"cranktrain new {kind} -o mine.toml")
         elif close is None:
             raise
         else:
-            repair = _("is it the example {name}? `cranktrain list` names all").format(name=close)
+            repair = _("is it the example {name}? `cranktrain list` names all", name=close)
         raise InputError(replace(problem, repair=problem.repair or repair) for problem in error.problems) from None
 
 

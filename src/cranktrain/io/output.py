@@ -35,8 +35,8 @@ def write_machine_file(path: str, text: str, *, force: bool) -> None:
     """Write a machine file as `write_whole` does; refuse a name by which it would be taken for something else."""
     stem, suffix = os.path.splitext(path)  # noqa: PTH122 - takes a NUL byte
     if suffix and suffix.lower() != _MACHINE_FILE and path not in STANDARD_OUTPUT:
-        allowed = _("must end in {suffix}: it is a machine file").format(suffix=_MACHINE_FILE)
-        repair = _('write "{text}"').format(text=one_line(stem + _MACHINE_FILE))
+        allowed = _("must end in {suffix}: it is a machine file", suffix=_MACHINE_FILE)
+        repair = _('write "{text}"', text=one_line(stem + _MACHINE_FILE))
         raise InputError([Problem("-o", one_line(path), allowed, repair)])
     write_whole(path, text, force=force)
 
@@ -92,7 +92,7 @@ def _write_file(name: str, pieces: Iterable[bytes], *, force: bool) -> None:
         raise
     except OSError as error:
         allowed, repair = _FAILURES.get(error.errno or 0, (N_("cannot be written: {reason}"), None))
-        raise refusal(name, _(allowed).format(reason=error.strerror), repair and _(repair)) from None
+        raise refusal(name, _(allowed, reason=error.strerror), repair and _(repair)) from None
 
 
 def _check(name: str, target: Path, old: os.stat_result | None, *, force: bool) -> None:

@@ -109,7 +109,7 @@ def parsed(text: str, name: str) -> dict[str, object]:
 
 
 def _nested_too_deep() -> str:
-    return _("lists and tables stand more than {limit} deep in one another").format(limit=DEEPEST_NESTING)
+    return _("lists and tables stand more than {limit} deep in one another", limit=DEEPEST_NESTING)
 
 
 def _contents(value: object) -> Iterable[object]:
@@ -139,7 +139,7 @@ def _syntax_problem(text: str, name: str, message: str) -> Problem:
                 if '"' in repair
                 else _("this is no number and no true or false of TOML")
             )
-            return Problem("", given, allowed, _("write {line}").format(line=repair), position)
+            return Problem("", given, allowed, _("write {line}", line=repair), position)
     for pattern, allowed, repair in _SYNTAX:
         if re.match(pattern, said):
             return Problem("", given, _(allowed), _(repair) or None, position)
@@ -158,7 +158,7 @@ def _repeated_problem(text: str, name: str, path: PathParts, first: int, again: 
     """Say where a key or table stands for the first time and where again."""
     source = text.encode()
     line = text_position(name, source[:first].decode()).line
-    allowed = _("is given twice, first in line {line}").format(line=line)
+    allowed = _("is given twice, first in line {line}", line=line)
     position = text_position(name, source[:again].decode())
     return Problem(path_text(path), None, allowed, _("keep one of the two"), position)
 

@@ -40,7 +40,7 @@ class Form:
             said = _("is for a .csv; {suffix} has numbers, which each program shows as its user has them")
             yield Problem("--decimal", self.decimal, said.format(suffix=self.suffix))
         if self.suffix != ".csv" and self.facts:
-            allowed = _("is for a .csv; {suffix} has facts and curves").format(suffix=self.suffix)
+            allowed = _("is for a .csv; {suffix} has facts and curves", suffix=self.suffix)
             yield Problem("--facts", None, allowed, _("leave --facts out"))
 
 

@@ -83,4 +83,4 @@ def _closing_problem(
 def _span(start: Array, end: Array) -> str:
     """Say from where to where the crank angle runs; one angle where both are alike."""
     first, last = (number(float(angle), "deg") for angle in around_turn(np.array([start, end])))
-    return first if first == last else _("{start} to {end}").format(start=first, end=last)
+    return first if first == last else _("{start} to {end}", start=first, end=last)

@@ -141,13 +141,13 @@ def _columns(spec: CycleFileSpec, table: NumberTable) -> tuple[int, int]:
             raise InputError([Problem("columns", None, allowed.format(n=n_columns, value=_(words.value)), repair)])
         return 0, 1
     if max(spec.columns) > n_columns:
-        raise InputError([Problem("columns", None, _("must be columns of the file, 1 to {n}").format(n=n_columns))])
+        raise InputError([Problem("columns", None, _("must be columns of the file, 1 to {n}", n=n_columns))])
     return spec.columns[0] - 1, spec.columns[1] - 1
 
 
 def _few_of(problems: Iterator[Problem], name: str) -> Iterator[Problem]:
     """Keep the first problems, and count the others."""
-    return first_of(problems, lambda n: Problem("file", name, _("{n} more angles like these").format(n=n)))
+    return first_of(problems, lambda n: Problem("file", name, _("{n} more angles like these", n=n)))
 
 
 def _order_problems(table: NumberTable, where: int) -> Iterator[Problem]:
@@ -155,8 +155,8 @@ def _order_problems(table: NumberTable, where: int) -> Iterator[Problem]:
     angles = table.rows[:, where]
     for row in (np.flatnonzero(np.diff(angles) <= 0) + 1).tolist():
         before, own = float(angles[row - 1]), float(angles[row])
-        allowed = _("must be more than the angle in line {line}, {before:g}").format(
-            line=int(table.lines[row - 1]), before=before
+        allowed = _(
+            "must be more than the angle in line {line}, {before:g}", line=int(table.lines[row - 1]), before=before
         )
         repair = _("for a jump, give two angles a little apart") if own == before else None
         yield Problem("", f"{own:g}", allowed, repair, table.position(row, where))
@@ -171,7 +171,7 @@ def _span_problems(
     if period is None:
         first, last = (f"{np.degrees(float(end)):.7g}°" for end in (angles[0], angles[-1]))
         allowed = _("reaches from {first} to {last}; it must go on over one turn, 360°, or over two, 720°")
-        repair = _("give the {value} at both ends, or in equal steps all round").format(value=_(spec.words.value))
+        repair = _("give the {value} at both ends, or in equal steps all round", value=_(spec.words.value))
         if abs(float(angles[-1] - angles[0]) - np.radians(TURN)) < np.radians(TURN) / len(angles):
             repair = _("if these are radians, write so in the header: angle [rad]")
         yield Problem("file", spec.file, allowed.format(first=first, last=last), repair, position)

@@ -142,7 +142,7 @@ def _allowed(
 ) -> str:
     """Say which lead would close the ring of shafts: here alone, or everywhere where all leads are alike."""
     here = precise(float(around_zero(pair.lead - excess)), "deg")
-    allowed = _("must be {lead}, as the other phases and leads already place both of its shafts").format(lead=here)
+    allowed = _("must be {lead}, as the other phases and leads already place both of its shafts", lead=here)
     step = 1e-3
     moved = [one._replace(lead=one.lead + step) for one in pairs]
     shifted = dict(_propagated(tuple(shafts), {MAIN: ZERO, **given}, moved)[1])[pair._replace(lead=pair.lead + step)]
@@ -150,8 +150,8 @@ def _allowed(
     if turns < 2 or len({float(one.lead) for one in pairs}) > 1:
         return allowed
     everywhere = precise(float(around_zero(pair.lead - excess / turns)), "deg")
-    return _("{allowed}; or {lead} for each of the {n} banks round these shafts").format(
-        allowed=allowed, lead=everywhere, n=turns
+    return _(
+        "{allowed}; or {lead} for each of the {n} banks round these shafts", allowed=allowed, lead=everywhere, n=turns
     )
 
 
@@ -181,8 +181,9 @@ def lead_problems(shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec]
         more = around_zero(exhaust - scavenge)
         if np.any(np.abs(more) > _ALIKE):
             cylinders = [str(i) for i in range(1, more.size + 1)]
-            allowed = _("is that of its first cylinder alone: as the throws stand, the leads are {leads}").format(
-                leads=shared(cylinders, around_zero(bank.lead.si + more), "deg")
+            allowed = _(
+                "is that of its first cylinder alone: as the throws stand, the leads are {leads}",
+                leads=shared(cylinders, around_zero(bank.lead.si + more), "deg"),
             )
             yield Problem(f"bank.{name}.lead", bank.lead.text, allowed, _repair(shafts, bank))
 
@@ -203,9 +204,7 @@ def _repair(shafts: Mapping[str, ShaftSpec], bank: BankSpec) -> str:
     own = [throw - 1 for throw in throws_of(bank.opposed[end], shafts)]
     angles[own] = np.mod(np.round(angles[own[:1]] + shaft.ratio * wanted, 12), 2 * np.pi)
     listed = ", ".join(f'"{precise(angle, "deg")}"' for angle in angles.tolist())
-    repair = _("all have it with shaft.{name}.throws = [{angles}]").format(name=name, angles=listed)
+    repair = _("all have it with shaft.{name}.throws = [{angles}]", name=name, angles=listed)
     if np.all(np.abs(around_zero(wanted + _turned(shafts, bank, end))) <= _ALIKE):
-        repair = _("{repair}, or with shaft.{name}.ratio = {ratio}").format(
-            repair=repair, name=name, ratio=-shaft.ratio
-        )
+        repair = _("{repair}, or with shaft.{name}.ratio = {ratio}", repair=repair, name=name, ratio=-shaft.ratio)
     return repair

@@ -82,12 +82,12 @@ def _columns(table: NumberTable, columns: Sequence[int] | None) -> Sequence[int]
         raise InputError([Problem("", None, allowed, None, Position(table.name, int(table.lines[0])))])
     if columns is None:
         if n_columns > _BOTH_WAYS:
-            allowed = _("must say which of the {n} columns are place and size").format(n=n_columns)
+            allowed = _("must say which of the {n} columns are place and size", n=n_columns)
             repair = _("write columns = [1, 2], or [1, 2, 3] with the size on the way back")
             raise InputError([Problem("columns", None, allowed, repair)])
         return range(n_columns)
     if max(columns) > n_columns or len(set(columns)) < len(columns):
-        allowed = _("must be columns of the file, 1 to {n}, each once").format(n=n_columns)
+        allowed = _("must be columns of the file, 1 to {n}, each once", n=n_columns)
         raise InputError([Problem("columns", None, allowed)])
     return [column - 1 for column in columns]
 
@@ -112,10 +112,10 @@ def _size(head: str) -> tuple[Sort, str] | None:
 
 def _without_unit(table: NumberTable, noun: str, head: str, example: str) -> Problem:
     """Say that a head names no unit of what is meant."""
-    said = _("names no unit of {noun}{where}").format(
-        noun=noun, where=_(", in the head “{head}”").format(head=short(head)) if head else ""
+    said = _(
+        "names no unit of {noun}{where}", noun=noun, where=_(", in the head “{head}”", head=short(head)) if head else ""
     )
-    return Problem("file", table.name, said, _("write it in the head: {example}").format(example=example))
+    return Problem("file", table.name, said, _("write it in the head: {example}", example=example))
 
 
 def _unfit(table: NumberTable, over: Over, sorts: Sequence[Sort]) -> Iterator[Problem]:

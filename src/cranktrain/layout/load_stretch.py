@@ -83,4 +83,4 @@ def stretch_flags(stretches: Mapping[str, Stretch]) -> Iterator[str]:
             text = said.format(card=own, whole=whole, percent=100 * float(off[design, 0]))
             told.setdefault(text, []).append(name)
     for text, names in told.items():
-        yield _("The card of {names} {said}.").format(names=", ".join(names), said=text)
+        yield _("The card of {names} {said}.", names=", ".join(names), said=text)

@@ -242,7 +242,7 @@ class LoadSpec(Spec, frozen=True):
         """Find what belongs to the other sort, and arms that are none."""
         other = "force" if sort == "torque" else "torque"
         foreign = _OF_FORCES if sort == "torque" else _OF_TORQUES
-        allowed = _("is for a {sort}").format(sort=_(other))
+        allowed = _("is for a {sort}", sort=_(other))
         yield from (Problem(name, None, allowed) for name in foreign if getattr(self, name) is not None)
         if self.radius is not None:
             beside = _("must not stand beside radius, which says where the force acts")
@@ -268,7 +268,7 @@ class LoadSpec(Spec, frozen=True):
         listed = {sort: self.sizes, f"{sort}_back": self.back or ()}
         given = [name for name in (*_OVER, "at_speed", "at_turning") if getattr(self, name) is not None]
         if len(given) > 1:
-            yield Problem(given[1], None, _("must not stand beside {other}: one law at a time").format(other=given[0]))
+            yield Problem(given[1], None, _("must not stand beside {other}: one law at a time", other=given[0]))
         if self.exponent is not None and not self.is_balanced and self.at_speed is None and self.at_turning is None:
             yield Problem("exponent", self.exponent.text, _("needs at_speed, or of a torque at_turning"))
         if self.travel is None and self.swing is None:
@@ -277,10 +277,10 @@ class LoadSpec(Spec, frozen=True):
             if self.counts != "with":
                 yield Problem("counts", self.counts, _("is for sizes over the travel"))
         n_places = 1 if self.over is None else len(self.over[1])
-        allowed = _("must be as many as the places that they are for: {n}").format(n=n_places)
+        allowed = _("must be as many as the places that they are for: {n}", n=n_places)
         for name, sizes in listed.items():
             if sizes and len(sizes) != n_places:
-                yield Problem(name, _("a list of {n}").format(n=len(sizes)), allowed)
+                yield Problem(name, _("a list of {n}", n=len(sizes)), allowed)
         if self.over is not None:
             name, places = self.over
             rises = all(one.si < other.si for one, other in pairwise(places))

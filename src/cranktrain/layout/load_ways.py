@@ -59,16 +59,17 @@ def _open(table: NumberTable, heads: LoadHeads, travel: Array, sizes: Array) -> 
     position = table.position(len(travel) - 1, heads.where)
     steps = np.diff(travel)
     if np.all(steps >= 0) or np.all(steps <= 0):
-        allowed = _("goes one way only, and a load over its {over} has a way out and a way back").format(
-            over=_("swing") if heads.over == "swing" else _("travel")
+        allowed = _(
+            "goes one way only, and a load over its {over} has a way out and a way back",
+            over=_("swing") if heads.over == "swing" else _("travel"),
         )
         repair = _("give the way back in further rows, or as a third column")
         yield Problem("file", table.name, allowed, repair, position)
     elif travel[-1] != travel[0]:
-        allowed = _("must come back to where it began, {first:g}").format(first=travel[0])
+        allowed = _("must come back to where it began, {first:g}", first=travel[0])
         yield Problem("", f"{travel[-1]:g}", allowed, _("give the first row again as the last"), position)
     elif sizes[-1] != sizes[0] and np.min(travel) < travel[0] < np.max(travel):
-        allowed = _("must be as in the first row, {first:g}, as the loop closes there").format(first=sizes[0])
+        allowed = _("must be as in the first row, {first:g}, as the loop closes there", first=sizes[0])
         yield Problem("", f"{sizes[-1]:g}", allowed, None, table.position(len(travel) - 1, heads.levels[0]))
 
 
@@ -98,4 +99,4 @@ def _against(table: NumberTable, where: int, rows: NDArray[np.intp], sign: float
 
 def _few_of(problems: Iterable[Problem], name: str) -> Iterator[Problem]:
     """Keep the first problems, and count the others."""
-    return first_of(problems, lambda n: Problem("file", name, _("{n} more places like these").format(n=n)))
+    return first_of(problems, lambda n: Problem("file", name, _("{n} more places like these", n=n)))

@@ -286,12 +286,12 @@ def _no_part(
         return Problem(f"{where}.on", spec.on, allowed.format(parts=", ".join(parts)))
     points = dict.fromkeys(name for place in own for name in place.spec.points)
     close = nearest(spec.on, (*parts, *points, *shafts))
-    said = [_("must be a part that moves: {parts}").format(parts=", ".join(parts))]
+    said = [_("must be a part that moves: {parts}", parts=", ".join(parts))]
     if points:
-        said.append(_("or a point on one: {points}").format(points=", ".join(points)))
+        said.append(_("or a point on one: {points}", points=", ".join(points)))
     if shafts:
-        said.append(_("or of a torque a shaft: {shafts}").format(shafts=", ".join(shafts)))
-    repair = None if close is None else _("did you mean {name}?").format(name=close)
+        said.append(_("or of a torque a shaft: {shafts}", shafts=", ".join(shafts)))
+    repair = None if close is None else _("did you mean {name}?", name=close)
     return Problem(f"{where}.on", spec.on, "; ".join(said), repair)
 
 

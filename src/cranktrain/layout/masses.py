@@ -93,7 +93,7 @@ class Masses:
             if not has_gas:
                 return _("No masses are given: forces and torque are of the loads alone.")
             return _("No masses are given: forces and torque are of gas and loads alone.")
-        return _("Without mass: {parts}.").format(parts=", ".join(self.weightless)) if self.weightless else None
+        return _("Without mass: {parts}.", parts=", ".join(self.weightless)) if self.weightless else None
 
 
 def bodies_given(masses: Masses | None) -> bool | str:
@@ -161,14 +161,18 @@ def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[Place
         yield Problem(f"{where}.big_end", body.big_end.text, _("is for a rod, whose length is known"))
     for length in lengths:
         if body.along is not None and not -length <= body.along.si <= 2 * length:
-            allowed = _("must lie on the link or not far from it: {least} to {most} from its first pin").format(
-                least=precise(-length), most=precise(2 * length)
+            allowed = _(
+                "must lie on the link or not far from it: {least} to {most} from its first pin",
+                least=precise(-length),
+                most=precise(2 * length),
             )
             yield Problem(f"{where}.along", body.along.text, allowed)
         if abs(body.across.si) > length:
             allowed = _(
-                "must lie on the link or not far from it: {least} to {most} beside the line of its pins"
-            ).format(least=precise(-length), most=precise(length))
+                "must lie on the link or not far from it: {least} to {most} beside the line of its pins",
+                least=precise(-length),
+                most=precise(length),
+            )
             yield Problem(f"{where}.across", body.across.text, allowed)
 
 

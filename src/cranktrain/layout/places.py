@@ -231,11 +231,11 @@ def _throws(
 ) -> tuple[Sequence[int], list[Problem]]:
     """Throws on which pistons work, counted from 1: those given, or all of the shaft."""
     if side.shaft not in shafts:
-        allowed = _("must be one of the shafts: {shafts}").format(shafts=", ".join(shafts))
+        allowed = _("must be one of the shafts: {shafts}", shafts=", ".join(shafts))
         return (), [Problem(f"{path}shaft", side.shaft, allowed)]
     n_throws = len(shafts[side.shaft].throws)
     throws = throws_of(side, shafts)
-    allowed = _("must be one of the shaft's throws, 1 to {n}, each once").format(n=n_throws)
+    allowed = _("must be one of the shaft's throws, 1 to {n}, each once", n=n_throws)
     return throws, [
         Problem(f"{path}throws[{i}]", str(throw), allowed)
         for i, throw in enumerate(throws)
@@ -271,7 +271,7 @@ def _master_of(slot: _Slot, slots: Sequence[_Slot], metal: _Metal) -> _Slot | Pr
     if not in_bank:
         banks = ", ".join(dict.fromkeys(other.bank for other in slots if other.bank != slot.bank and other.bank))
         allowed = (
-            _("must be the name of a bank of slider-cranks; the other banks are: {banks}").format(banks=banks)
+            _("must be the name of a bank of slider-cranks; the other banks are: {banks}", banks=banks)
             if banks
             else _("must be the name of a bank of slider-cranks, but there is no other bank")
         )

@@ -103,7 +103,7 @@ def shaft_load_problems(design: Design) -> Iterator[Problem]:
         given = {"swing": spec.swing, "torque_back": spec.torque_back, "counts": spec.counts == "against" or None}
         yield from (Problem(f"{where}.{key}", None, allowed) for key, one in given.items() if one is not None)
         if spec.is_balanced and balanced:
-            allowed = _("must not stand beside [load.{other}], which balances the machine").format(other=balanced)
+            allowed = _("must not stand beside [load.{other}], which balances the machine", other=balanced)
             yield Problem(f"{where}.scale", spec.scale, allowed)
         if spec.is_balanced and spec.crank_angles is not None and _mean(spec) <= 0:
             allowed = _('must have a mean of more than 0, or no factor makes them a load; or write scale = "given"')

@@ -237,9 +237,9 @@ class BankSpec(Spec, frozen=True):
         lists = {
             name: items for name, value in fields.items() if name not in LISTS and (items := _items(value)) is not None
         }
-        allowed = _("must be one value, or a list with one for each angle of the bank: {n}").format(n=n_angles)
+        allowed = _("must be one value, or a list with one for each angle of the bank: {n}", n=n_angles)
         refuse(
-            Problem(f"mechanism.{name}", _("a list of {n}").format(n=len(items)), allowed)
+            Problem(f"mechanism.{name}", _("a list of {n}", n=len(items)), allowed)
             for name, items in lists.items()
             if len(items) != n_angles
         )

@@ -47,7 +47,7 @@ class SpeedCurveSpec(CycleFileSpec, frozen=True):
         steps = np.diff(curve.angles, append=curve.angles[0] + curve.period)
         between = curve.angles[:, np.newaxis] + steps[:, np.newaxis] * np.arange(_LOOKED_AT) / _LOOKED_AT
         if len(curve.angles) < _FEWEST:
-            yield Problem("file", self.file, _("must have at least {n} angles of a turn").format(n=_FEWEST))
+            yield Problem("file", self.file, _("must have at least {n} angles of a turn", n=_FEWEST))
         elif not np.all(curve.values > 0):
             yield Problem("file", self.file, _("must have speeds of more than 0 all round"))
         elif not np.all(_square(curve, len(curve.angles), curve.period).value(between.ravel()) > 0):

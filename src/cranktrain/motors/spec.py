@@ -165,7 +165,7 @@ def points(listed: tuple[Given, ...]) -> Array:
 def curve_problems(speeds: tuple[Given, ...], torques: tuple[Given, ...], path: str = "") -> Iterator[Problem]:
     """Find speeds that do not rise, torques that are not as many, and a motor that never drives."""
     if len(torques) != len(speeds):
-        allowed = _("must be as many as speeds, {n}").format(n=len(speeds))
+        allowed = _("must be as many as speeds, {n}", n=len(speeds))
         yield Problem(f"{path}torques", None, allowed)
     if all(torque.si <= 0 for torque in torques):
         yield Problem(f"{path}torques", None, _("must be more than 0 at one speed or more, or it never drives"))

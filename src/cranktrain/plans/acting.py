@@ -104,9 +104,7 @@ def refuse_absent(result: Result, quantities: Iterable[str]) -> None:
     absent = [name for name in quantities if name not in result.catalogue]
     if absent:
         needs = ", ".join(result.needs_of(*absent))
-        raise InputError(
-            [Problem("", None, _("nothing acts on the links yet: forces need {needs}").format(needs=needs))]
-        )
+        raise InputError([Problem("", None, _("nothing acts on the links yet: forces need {needs}", needs=needs))])
 
 
 def idle_problems(machine: Machine) -> Iterator[Problem]:

@@ -109,7 +109,7 @@ def force_polygons(
             after = max((number for group in groups for number in group.numbers), default=after)
             found += [(place.name, angle, group) for group in groups]
     if not found:
-        allowed = _("no force acts on the links of {name} there").format(name=together_name(places))
+        allowed = _("no force acts on the links of {name} there", name=together_name(places))
         raise InputError([Problem("", ", ".join(f"φ = {angle:g}°" for angle in shown), allowed)])
     scale = fitting([_corners(group.forces) for _name, _angle, group in found], room, one=scale_for("N", 0.0).one)
     return tuple(

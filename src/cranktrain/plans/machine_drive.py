@@ -70,7 +70,7 @@ def machine_drive(
         if problem.path in data or problem.path not in _SAID:
             return problem
         path, allowed, value = _SAID[problem.path]
-        repair = _("or {example}").format(example=as_set(problem.path, value))
+        repair = _("or {example}", example=as_set(problem.path, value))
         return replace(problem, path=path, allowed=_(allowed), repair=repair)
 
     with problems_as(said):

@@ -140,12 +140,12 @@ class ThrownMachine:
     def _problems(self, name: str, degrees: Array, masses: str) -> Iterator[Problem]:
         """Refuse a throw that there is not, no angle, and other masses than those of which there are."""
         if name not in self.throws:
-            allowed = _("must be the number of a throw: {names}").format(names=", ".join(self.throws))
+            allowed = _("must be the number of a throw: {names}", names=", ".join(self.throws))
             yield Problem("throw_number", name, allowed)
         if not np.all(np.isfinite(degrees)):
             yield Problem("at", str(degrees[~np.isfinite(degrees)][0]), _("must be a crank angle in degrees"))
         if masses not in (known := get_args(CrankMasses)):
-            yield Problem("crank_masses", masses, _("must be one of: {names}").format(names=", ".join(known)))
+            yield Problem("crank_masses", masses, _("must be one of: {names}", names=", ".join(known)))
 
 
 def _lacking(machine: Machine, result: Result) -> Iterator[Problem]:

@@ -165,7 +165,7 @@ def _of_kinds(machine: Machine, name: str | None, kinds: Sequence[str], allowed:
         raise InputError([Problem("mechanism", None, allowed)])
     place = place_called(machine, name or first)
     if place.kind.name not in kinds:
-        raise InputError([Problem("--mechanism", place.name, allowed, _("such as: {example}").format(example=first))])
+        raise InputError([Problem("--mechanism", place.name, allowed, _("such as: {example}", example=first))])
     return place
 
 

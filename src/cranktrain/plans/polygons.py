@@ -161,7 +161,7 @@ def _refuse_boundless(name: str, shown: Array, found: Sequence[tuple[PolygonVect
     bounded = np.array([np.all(np.isfinite([vector.value for vector in vectors])) for vectors in found])
     if not np.all(bounded):
         there = ", ".join(f"φ = {angle:g}°" for angle in shown[~bounded])
-        allowed = _("there the links of {name} only just close, and velocities have no bound").format(name=name)
+        allowed = _("there the links of {name} only just close, and velocities have no bound", name=name)
         raise InputError([Problem("", there, allowed)])
 
 

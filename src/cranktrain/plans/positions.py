@@ -136,9 +136,7 @@ def closed_angles(machine: Machine, places: Sequence[PlacedMechanism], angles: i
     if np.all(closed) or (isinstance(angles, int) and np.any(closed)):
         return shown[closed]
     there = ", ".join(f"φ = {angle:g}°" for angle in shown[~closed])
-    raise InputError(
-        [Problem("", there, _("the links of {name} cannot close there").format(name=together_name(places)))]
-    )
+    raise InputError([Problem("", there, _("the links of {name} cannot close there", name=together_name(places)))])
 
 
 def rescaled(plan: PositionPlan, scale: float) -> PositionPlan:
@@ -151,7 +149,7 @@ def plan_angles(angles: int | Sequence[float]) -> Array:
     n = angles if isinstance(angles, int) else len(angles)
     if n < 1:
         allowed = _("there must be at least one")
-        raise InputError([Problem("", _("{n} crank angles").format(n=n), allowed)])
+        raise InputError([Problem("", _("{n} crank angles", n=n), allowed)])
     return (
         np.arange(n, dtype=np.float64) * (360.0 / n)
         if isinstance(angles, int)
@@ -227,7 +225,7 @@ def chosen_scale(least: float, asked: float | None) -> float:
     if asked is None:
         return least
     if 1e-3 * asked < least * (1 - 1e-9):
-        allowed = _("is too large for the paper: at most {scale}").format(scale=scale_words(1e3 * least))
+        allowed = _("is too large for the paper: at most {scale}", scale=scale_words(1e3 * least))
         raise InputError([Problem("scale", scale_words(asked), allowed)])
     return 1e-3 * asked
 

@@ -177,7 +177,7 @@ def _figure(sort: str, letters: str | None, name: str) -> "tuple[str, str, Calla
     known = {figure[0] for figures in _FIGURES.values() for figure in figures}
     asked = None if letters is None else letters.strip().casefold()
     if asked is not None and asked not in known:
-        allowed = _("must be one of: {sources}").format(sources=", ".join(sorted(known)))
+        allowed = _("must be one of: {sources}", sources=", ".join(sorted(known)))
         raise InputError([Problem("letters", letters, allowed)])
     found = [figure for figure in _FIGURES.get(sort, ()) if asked in (None, figure[0])]
     if not found:

@@ -77,8 +77,11 @@ class ThrowSpan:
         elif throws.size > 1:
             allowed = _(
                 "is one of {n} between bearings {left} and {right}, and (44) to (53) are written in one throw's axes; "
-                "the split shaft of `run` has them all"
-            ).format(n=throws.size, left=declared.bearing_names[span - 1], right=declared.bearing_names[span])
+                "the split shaft of `run` has them all",
+                n=throws.size,
+                left=declared.bearing_names[span - 1],
+                right=declared.bearing_names[span],
+            )
         if allowed:
             raise InputError([Problem("throw_number", str(int(declared.throw[own[0]]) + 1), allowed)])
         return span
@@ -120,7 +123,7 @@ class ThrowSpan:
         mechanism = int(self.one.rods.number[number_of])
         name = self.loaded.mechanisms.names[mechanism]
         if int(self.loads.piece[load]) != self.piece:
-            yield self._load(load, _("rod of {name}, on a pin that hangs over").format(name=name))
+            yield self._load(load, _("rod of {name}, on a pin that hangs over", name=name))
             return
         turning, weight = self._turning_rod(mechanism)
         yield self._load(load, name, "turning", turning)
@@ -195,11 +198,11 @@ class ThrowSpan:
 
     def _pull(self, load: int, number_of: int) -> Iterator[ThrowLoad]:
         """A belt's pull, a flywheel's weight."""
-        yield self._load(load, _("pull {name}").format(name=self.one.layout.declared.pulls.names[number_of]))
+        yield self._load(load, _("pull {name}", name=self.one.layout.declared.pulls.names[number_of]))
 
     def _gear(self, load: int, number_of: int) -> Iterator[ThrowLoad]:
         """What the teeth of a gear do, with its thrust."""
-        yield self._load(load, _("gear {name}").format(name=self.one.meshes[number_of][1].name))
+        yield self._load(load, _("gear {name}", name=self.one.meshes[number_of][1].name))
 
 
 def of_member(values: Array, member: int) -> float:

@@ -150,12 +150,12 @@ def units_by_dimension(names: Sequence[str], path: str = "--units") -> UnitChoic
         twice = next((found[dimension] for dimension in own if dimension in found), None)
         if not own:
             close = nearest(name, [unit for dimension in SHOWN for unit in unit_names(dimension)])
-            repair = _("did you mean {name}?").format(name=close) if close else None
+            repair = _("did you mean {name}?", name=close) if close else None
             problems.append(Problem(path, name, _("must be units with commas between, such as bar,kW,in"), repair))
         elif counted_from(name) is not None:
             problems.append(gauge_problem(path, name))
         elif twice is not None:
-            allowed = _("must not stand beside {other}, of the same").format(other=twice)
+            allowed = _("must not stand beside {other}, of the same", other=twice)
             problems.append(Problem(path, name, allowed))
         found |= own
     refuse(problems)
@@ -177,7 +177,7 @@ def counted_from(unit: str) -> str | None:
 def gauge_problem(path: str, unit: str) -> Problem:
     """Refuse to show all pressures in a gauge unit: mean pressures, and rises, count from nothing."""
     allowed = _("counts from the atmosphere, which mean pressures do not")
-    return Problem(path, unit, allowed, _("write {unit}").format(unit=counted_from(unit)))
+    return Problem(path, unit, allowed, _("write {unit}", unit=counted_from(unit)))
 
 
 def own_units(texts: Iterable[str]) -> UnitChoice:

@@ -76,4 +76,4 @@ def _unit_called(name: str) -> Unit:
         if key in spellings(dimension):
             return spellings(dimension)[key][0]
     every = dict.fromkeys(unit.name for dimension in Dimension for unit in dimension.units)
-    raise QuantityError(name, _("must be one of the units {units}").format(units=", ".join(every)))
+    raise QuantityError(name, _("must be one of the units {units}", units=", ".join(every)))

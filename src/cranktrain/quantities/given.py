@@ -102,7 +102,7 @@ class Quantity:
         """
         if isinstance(data, Given):
             if self._in_range(data.text).si != data.si:
-                allowed = _("must be the value of its text, but {si} in SI units is not").format(si=data.si)
+                allowed = _("must be the value of its text, but {si} in SI units is not", si=data.si)
                 raise QuantityError(data.text, allowed)
             return data
         if isinstance(data, Mapping):
@@ -114,7 +114,7 @@ class Quantity:
         read, problems = None, list(_table_problems(table))
         try:
             if "value" not in table:
-                raise QuantityError(None, _("is missing; {expected}").format(expected=self.expected))
+                raise QuantityError(None, _("is missing; {expected}", expected=self.expected))
             read = self._in_range(table["value"])
         except QuantityError as error:
             problems.insert(0, replace(error.problems[0], path="value"))
@@ -131,7 +131,7 @@ class Quantity:
             if not holds(read.si, limit):
                 name = read.unit.name if read.unit else ""
                 size = shown(limit, name) if name else limit
-                raise QuantityError(read.text, _(allowed).format(limit=f"{size:.6g} {name}".strip()))
+                raise QuantityError(read.text, _(allowed, limit=f"{size:.6g} {name}".strip()))
         return read
 
     def _reading(self, data: object) -> Reading:
@@ -188,7 +188,7 @@ class Quantity:
             "required": ["value"],
             "additionalProperties": False,
         }
-        limits = [_(allowed).format(limit=f"{limit:g} (SI)") for limit, _holds, allowed in self._limits()]
+        limits = [_(allowed, limit=f"{limit:g} (SI)") for limit, _holds, allowed in self._limits()]
         sentence = "; ".join([self.expected, *limits])
         # not anyOf: a slip would then be one of every alternative
         return {"description": sentence, "if": {"type": "object"}, "then": table, "else": value, "examples": example}

@@ -126,13 +126,13 @@ def _no_unit(text: str, dimension: Dimension, usual: str) -> QuantityError:
         return _no_number(text, dimension)
     repair = _write(f"{text} {usual}")
     if dimension is Dimension.LENGTH and abs(parts.number) < _METRES:
-        repair = _('write "{one}" or "{other}"').format(one=f"{text} m", other=f"{text} mm")
+        repair = _('write "{one}" or "{other}"', one=f"{text} m", other=f"{text} mm")
     return QuantityError(text, expected(dimension), repair)
 
 
 def _no_number(text: str, dimension: Dimension) -> QuantityError:
     if re.match(r"[+-]?(?:nan|inf(?:inity)?)\b", text, re.IGNORECASE):
-        return QuantityError(text, _("must be finite; {expected}").format(expected=expected(dimension)))
+        return QuantityError(text, _("must be finite; {expected}", expected=expected(dimension)))
     return QuantityError(written(text), expected(dimension), _other_habit(text, dimension))
 
 
@@ -176,10 +176,10 @@ def _other_habit(text: str, dimension: Dimension) -> str | None:
     except QuantityError as error:
         return error.problems[0].repair
     if _THOUSANDS.match(text):
-        repair = _('write "{one}" or "{other}"').format(one=ours, other=text.replace(",", ""))
+        repair = _('write "{one}" or "{other}"', one=ours, other=text.replace(",", ""))
     return repair
 
 
 def _write(text: str) -> str:
     """Give the text to write."""
-    return _('write "{text}"').format(text=text)
+    return _('write "{text}"', text=text)

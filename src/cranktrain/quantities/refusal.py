@@ -42,13 +42,13 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
 
 def one_of(listed: Iterable[object]) -> str:
     """Say which words are allowed."""
-    return _("must be one of: {values}").format(values=", ".join(str(written(value)) for value in listed))
+    return _("must be one of: {values}", values=", ".join(str(written(value)) for value in listed))
 
 
 def unlisted(path: str, given: object, listed: Sequence[object]) -> Problem:
     """Refuse a value that is not of a list."""
     meant = nearest(given, [str(value) for value in listed]) if isinstance(given, str) else None
-    return Problem(path, written(given), one_of(listed), _('write "{text}"').format(text=meant) if meant else None)
+    return Problem(path, written(given), one_of(listed), _('write "{text}"', text=meant) if meant else None)
 
 
 def unknown_key(path: str, key: str, given: object, known: Sequence[str]) -> Problem:
@@ -56,5 +56,5 @@ def unknown_key(path: str, key: str, given: object, known: Sequence[str]) -> Pro
     meant = nearest(key, known)
     allowed = _("is not a key of this table")
     if 0 < len(known) <= 16:
-        allowed = _("is not a key of this table, whose keys are: {keys}").format(keys=", ".join(known))
-    return Problem(path, written(given), allowed, _("did you mean {key}?").format(key=meant) if meant else None)
+        allowed = _("is not a key of this table, whose keys are: {keys}", keys=", ".join(known))
+    return Problem(path, written(given), allowed, _("did you mean {key}?", key=meant) if meant else None)

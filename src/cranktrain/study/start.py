@@ -141,7 +141,7 @@ def parts_and_stages(machine: Machine) -> tuple[Mapping[type, Any], Mapping[type
     absent = lacking(stages, parts)
     if ReducedMachines.__name__ in absent:
         lacks = ", ".join(dict.fromkeys(absent[ReducedMachines.__name__]))
-        raise InputError([Problem("drive", None, _("needs what the machine moves: {lacks}").format(lacks=lacks))])
+        raise InputError([Problem("drive", None, _("needs what the machine moves: {lacks}", lacks=lacks))])
     wanted = [kind for kind in (ReducedMachines, SteadyDrive, PressStrokes) if kind.__name__ not in absent]
     return parts, run_stages(leading_to(stages, wanted), parts, absent)
 

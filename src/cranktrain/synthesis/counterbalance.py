@@ -70,13 +70,13 @@ def counterbalance(
         raise InputError([Problem(path.removesuffix(".force"), None, allowed)])
     other = next(name for name in forces if name != aim)
     after, beside = (machine.with_({path: quantity_text(forces[name], unit)}) for name in (aim, other))
-    text = found(forces[aim], unit, _("for {aim} under the card").format(aim=_(_AIMS[aim])))
+    text = found(forces[aim], unit, _("for {aim} under the card", aim=_(_AIMS[aim])))
     return MachineProposal(
         title=_title(machine, aim),
         numbers=tuple(_numbers(after)),
         alternatives=(
             Alternative(_("as the file has it"), tuple(_numbers(machine))),
-            Alternative(_("for {aim}").format(aim=_(_AIMS[other])), tuple(_numbers(beside))),
+            Alternative(_("for {aim}", aim=_(_AIMS[other])), tuple(_numbers(beside))),
         ),
         remarks=tuple(_torques(after).flags),
         tables=(),
@@ -121,8 +121,8 @@ def _torques(machine: Machine) -> GearboxTorque:
 def _title(machine: Machine, aim: str) -> str:
     """Whose counterbalance, and for what."""
     if machine.name:
-        return _("{machine}: counterbalance for {aim}").format(machine=machine.name, aim=_(_AIMS[aim]))
-    return _("Counterbalance for {aim}").format(aim=_(_AIMS[aim]))
+        return _("{machine}: counterbalance for {aim}", machine=machine.name, aim=_(_AIMS[aim]))
+    return _("Counterbalance for {aim}", aim=_(_AIMS[aim]))
 
 
 def _numbers(machine: Machine) -> Iterator[Number]:

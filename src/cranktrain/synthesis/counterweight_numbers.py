@@ -65,7 +65,7 @@ class Aimed(NamedTuple):
             if self.aim == "largest"
             else N_("least mean load of bearing {name}")
         )
-        return _(words).format(name=self.names[self.bearings[0]])
+        return _(words, name=self.names[self.bearings[0]])
 
     def state(self, machine: Machine) -> State:
         """Run a machine for what its bearings carry, and what shakes its frame."""
@@ -133,8 +133,8 @@ def compared_numbers(aimed: Aimed, state: State, share: float) -> tuple[Number, 
     if not aimed.is_all:
         name = aimed.names[aimed.bearings[0]]
         of_any, of_all = (
-            _("Largest load of bearing {name}").format(name=name),
-            _("Mean load of bearing {name}").format(name=name),
+            _("Largest load of bearing {name}", name=name),
+            _("Mean load of bearing {name}", name=name),
         )
     each = (
         Number("load", "Q_max", aimed.largest(state), "kN", of_any),
@@ -178,13 +178,13 @@ def _of_bearings(aimed: Aimed, before: State, after: State) -> Iterator[Number]:
 
 def relief_remarks(aimed: Aimed, weighed: FoundWeights, least: Least, kept: Kept) -> Iterator[str]:
     """What is to be minded."""
-    yield _("By {method}: {aim}.").format(method=title_of(aimed.method), aim=aimed.title)
+    yield _("By {method}: {aim}.", method=title_of(aimed.method), aim=aimed.title)
     at_limit = [
         str(place.throw if place.z is None else i + 1)
         for i, place in enumerate(weighed.places)
         if abs(weighed.moment[i]) > (1 - _AT_LIMIT) * weighed.most[i]
     ]
-    yield _("No such weights within the limits leave less than {bound}.").format(bound=number(least.bound, "kN"))
+    yield _("No such weights within the limits leave less than {bound}.", bound=number(least.bound, "kN"))
     if not np.any(weighed.moment):
         yield _("No counterweight there makes it less.")
     if at_limit:
@@ -193,4 +193,4 @@ def relief_remarks(aimed: Aimed, weighed: FoundWeights, least: Least, kept: Kept
     if kept.weights:
         yield _("Weights that the file has on throws stay; these come to them.")
     if kept.taken_out:
-        yield _("In their place go: {paths}.").format(paths=", ".join(kept.taken_out))
+        yield _("In their place go: {paths}.", paths=", ".join(kept.taken_out))

@@ -232,8 +232,8 @@ def _turned(unknown: Array, *, turns: bool) -> ComplexArray:
 def _title(machine: Machine, aimed: Aimed) -> str:
     """Whose counterweights, and for what."""
     if machine.name:
-        return _("{machine}: counterweights for the {aim}").format(machine=machine.name, aim=aimed.title)
-    return _("Counterweights for the {aim}").format(aim=aimed.title)
+        return _("{machine}: counterweights for the {aim}", machine=machine.name, aim=aimed.title)
+    return _("Counterweights for the {aim}", aim=aimed.title)
 
 
 def _alternatives(aimed: Aimed, added: AddedWeights, weighed: FoundWeights, *, before: State) -> Iterator[Alternative]:

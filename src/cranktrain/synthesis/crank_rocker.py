@@ -110,7 +110,7 @@ def crank_rocker_from_swing(
     bars = four_bar(requirement, single(parameter), side)
     reached = float(judged(requirement, bars).transmission_angle)
     if transmission_angle is not None and reached < transmission_angle:
-        allowed = _("must be at most {angle} with this swing and time ratio").format(angle=number(reached, "deg"))
+        allowed = _("must be at most {angle} with this swing and time ratio", angle=number(reached, "deg"))
         raise InputError([Problem("transmission_angle", number(transmission_angle, "deg"), allowed)])
     return _proposal(
         requirement,
@@ -119,8 +119,10 @@ def crank_rocker_from_swing(
         parameter=parameter,
         alternatives=_alternatives(requirement, side),
         remarks=(
-            _("One parameter is free; ξ = {angle} gives the largest smallest transmission angle, {best}.").format(
-                angle=number(parameter, "deg"), best=number(reached, "deg")
+            _(
+                "One parameter is free; ξ = {angle} gives the largest smallest transmission angle, {best}.",
+                angle=number(parameter, "deg"),
+                best=number(reached, "deg"),
             ),
         ),
     )
@@ -152,10 +154,10 @@ def _refuse_unreachable(swing: float, time_ratio: float, slow_swing: Swing) -> N
     most = largest_time_ratio(swing, _SIDES[slow_swing])
     if time_ratio < most:
         return
-    allowed = _("must be less than {most:.3f} for a swing of {swing}").format(most=most, swing=number(swing, "deg"))
+    allowed = _("must be less than {most:.3f} for a swing of {swing}", most=most, swing=number(swing, "deg"))
     repair = None
     if time_ratio < (forward := largest_time_ratio(swing, -1)):
-        repair = _("with the slow swing in the sense of rotation it can be up to {most:.3f}").format(most=forward)
+        repair = _("with the slow swing in the sense of rotation it can be up to {most:.3f}", most=forward)
     raise InputError([Problem("time_ratio", plain(time_ratio), allowed, repair)])
 
 
@@ -172,7 +174,7 @@ def _of_equal_swings(
             allowed = _("must not stand beside transmission_angle; give one of them")
         raise InputError([Problem("rod_length", None if rod_length is None else precise(rod_length), allowed)])
     if rod_length is not None and rod_length <= radius:
-        allowed = _("must be more than the crank radius, {least}").format(least=precise(radius))
+        allowed = _("must be more than the crank radius, {least}", least=precise(radius))
         raise InputError([Problem("rod_length", precise(rod_length), allowed)])
     if transmission_angle is not None and transmission_angle >= limit:
         allowed = _("must be less than {limit} for this swing, which only an endless rod would reach")
@@ -196,7 +198,7 @@ def _of_equal_swings(
         alternatives=_with_other_rods(requirement, rod),
         remarks=(
             _("With equal swings the crank follows from the swing and the rod is free."),
-            _("A longer rod transmits better, but never quite at {limit}.").format(limit=number(limit, "deg")),
+            _("A longer rod transmits better, but never quite at {limit}.", limit=number(limit, "deg")),
         ),
     )
 
@@ -204,9 +206,7 @@ def _of_equal_swings(
 def _with_other_rods(requirement: FourBarRequirements, rod: float) -> tuple[Alternative, ...]:
     """Four-bars of time ratio 1 with rods shorter and longer."""
     return tuple(
-        _alternative(
-            _("rod × {factor:g}").format(factor=factor), requirement, with_equal_swings(requirement, factor * rod)
-        )
+        _alternative(_("rod × {factor:g}", factor=factor), requirement, with_equal_swings(requirement, factor * rod))
         for factor in (0.5, 0.75, 1.5, 2.0, 4.0)
         if factor * rod > requirement.rocker_length * sin(requirement.swing / 2)
     )
@@ -217,7 +217,7 @@ def _alternatives(requirement: FourBarRequirements, side: int) -> tuple[Alternat
     values = np.linspace(requirement.excess / 2, pi / 2, _SHOWN + 2)[1:-1].tolist()
     chosen = [
         _alternative(
-            _("ξ = {angle:.2f} deg").format(angle=degrees(value)),
+            _("ξ = {angle:.2f} deg", angle=degrees(value)),
             requirement,
             four_bar(requirement, single(value), side),
         )
@@ -239,9 +239,9 @@ def _alternative(label: str, requirement: FourBarRequirements, bars: CrankRocker
     verdict = judged(requirement, bars)
     kind = int(verdict.grashof_class)
     if kind != 0:
-        label = _("{label}: no crank-rocker; {kind}").format(label=label, kind=_(CLASSES[kind]))
+        label = _("{label}: no crank-rocker; {kind}", label=label, kind=_(CLASSES[kind]))
     elif not verdict.is_one_branch:
-        label = _("{label}: its dead positions lie on different branches").format(label=label)
+        label = _("{label}: its dead positions lie on different branches", label=label)
     return Alternative(label, _numbers(bars, float(verdict.transmission_angle)))
 
 
@@ -274,8 +274,10 @@ def _proposal(
         remarks += (_("The transmission angle falls below the usual 40 deg: expect large bearing forces there."),)
     free = () if parameter is None else (Number("parameter", "ξ", parameter, "deg", _("Free parameter")),)
     return Proposal(
-        title=_("Crank-rocker with a swing of {swing}, time ratio {ratio:.4g}").format(
-            swing=number(requirement.swing, "deg"), ratio=ratio
+        title=_(
+            "Crank-rocker with a swing of {swing}, time ratio {ratio:.4g}",
+            swing=number(requirement.swing, "deg"),
+            ratio=ratio,
         ),
         numbers=(
             *_numbers(bars, reached),

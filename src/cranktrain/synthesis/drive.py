@@ -120,7 +120,7 @@ def _proposal(bench: Bench, values: dict[str, str]) -> MachineProposal:
     ratios = [with_ratio(bench, chosen.place, one) for one in beside]
     values |= _values(asked, chosen)
     return MachineProposal(
-        title=_("{machine}: drive").format(machine=asked.machine.name) if asked.machine.name else _("Drive"),
+        title=_("{machine}: drive", machine=asked.machine.name) if asked.machine.name else _("Drive"),
         numbers=tuple(numbers(asked, chosen, chosen)),
         alternatives=tuple(alternatives(asked, chosen, sizes, ratios)),
         remarks=tuple(remarks(bench, chosen, sizes)),
@@ -218,14 +218,14 @@ def _driven(asked: AskedDrive, chosen: Trial) -> Machine:
 def _values(asked: AskedDrive, chosen: Trial) -> dict[str, str]:
     """What the machine's file says otherwise."""
     motor = motor_values(chosen.place, asked.kept, _("the smallest typical motor that is enough"))
-    note = _("keeps {speed} at the crank").format(speed=number(asked.speed, "rpm"))
+    note = _("keeps {speed} at the crank", speed=number(asked.speed, "rpm"))
     values = {f"drive.motor.{key}": text for key, text in motor.items()}
     values[f"drive.stage[{asked.stage}].ratio"] = found_ratio(chosen.ratio, note)
     if asked.flywheel is not None:
         power = number(float(four_pole_motors().power[chosen.place]), "kW")
         on = part_named(asked.machine, asked.flywheel.name).on
         path = f"drive.part.{asked.flywheel.name}"
-        said = _("the least with which {power} is enough").format(power=power)
+        said = _("the least with which {power} is enough", power=power)
         values[f"{path}.on"] = f'"{on}"' if isinstance(on, str) else str(on)
         values[f"{path}.inertia"] = found(chosen.flywheel, "kg·m²", said)
     return values

@@ -190,9 +190,7 @@ def _behind(asked: AskedDrive, ratio: float) -> Behind:
         changed = changed.with_({f"drive.part.{asked.flywheel.name}": {"on": on, "inertia": "0 kg·m²"}})
     result = run(changed, quantities=_QUANTITIES)
     if needs := result.needs_of(*_QUANTITIES):
-        raise InputError(
-            [Problem("drive", None, _("cannot be sized: needs {needs}").format(needs=_(" and ").join(needs)))]
-        )
+        raise InputError([Problem("drive", None, _("cannot be sized: needs {needs}", needs=_(" and ").join(needs)))])
     parts: Any = parts_of((changed,), step=FACTS_STEP)
     drive, clutch = parts[DeclaredDrive], parts.get(DeclaredClutch)
     motor, duty = parts[DeclaredMotor], parts[DeclaredDuty]

@@ -22,12 +22,12 @@ def numbers(asked: AskedDrive, one: Trial, chosen: Trial) -> Iterator[Number]:
     """Motor, ratio and flywheel, and the shares of the checks that are asked for of the chosen one."""
     yield Number("power", "P_n", one.power, "kW", _("Rated power of a typical four-pole motor"))
     yield Number("slip", "s_n", one.slip, "%", _("Its slip at the rated torque"))
-    yield Number("ratio", "i", one.ratio, "1", _("Ratio of stage {n}").format(n=asked.stage + 1))
+    yield Number("ratio", "i", one.ratio, "1", _("Ratio of stage {n}", n=asked.stage + 1))
     yield Number("overall_ratio", "i_Σ", one.overall, "1", _("Ratio of all stages"))
     yield Number("speed", "n", one.speed, "rpm", _("Mean speed of the crank in steady running"))
     yield Number("off", "Δn", one.speed / asked.speed - 1, "%", _("Off the speed that it shall have"))
     if asked.flywheel is not None:
-        said = _("Inertia of {part}").format(part=asked.flywheel.name)
+        said = _("Inertia of {part}", part=asked.flywheel.name)
         yield Number("flywheel", "J_F", one.flywheel, "kg·m²", said)
         yield Number("fluctuation", "δ", one.fluctuation, "%", _("Coefficient of fluctuation of the crank's speed"))
         if np.isfinite(chosen.checked.start_time):
@@ -35,7 +35,7 @@ def numbers(asked: AskedDrive, one: Trial, chosen: Trial) -> Iterator[Number]:
             yield Number("time_of_start", "t_st", one.checked.start_time, "s", said)
     for name, symbol, check, share, own in zip(_NAMES, _SYMBOLS, one.checks, one.shares, chosen.shares, strict=True):
         if not np.isnan(own):
-            yield Number(name, symbol, share, "%", _("Used: {check}").format(check=check))
+            yield Number(name, symbol, share, "%", _("Used: {check}", check=check))
 
 
 def alternatives(
@@ -56,7 +56,7 @@ def _missed(one: Trial) -> str:
         return _("enough")
     if not np.isfinite(one.largest):
         return _("gets stuck")
-    return _("misses by {by}").format(by=number(one.largest - 1, "%"))
+    return _("misses by {by}", by=number(one.largest - 1, "%"))
 
 
 def _beside(asked: AskedDrive, one: Trial, chosen: Trial) -> Iterator[Number]:
@@ -70,16 +70,16 @@ def remarks(bench: Bench, chosen: Trial, sizes: Sequence[Trial]) -> Iterator[str
     """Say what governs, how far the next smaller motor misses, how it was chosen, and what typical values are."""
     asked = bench.asked
     words = {"power": number(chosen.power, "kW"), "share": number(chosen.largest, "%")}
-    yield _("What governs {power} is: {check}, {share}.").format(check=chosen.governing, **words)
+    yield _("What governs {power} is: {check}, {share}.", check=chosen.governing, **words)
     smaller = next((one for one in reversed(sizes) if one.place < chosen.place), None)
     if smaller is not None and np.isfinite(smaller.largest):
         by = number(smaller.largest - 1, "%")
         said = _("{power} misses by {by}: {check}.")
         yield said.format(power=number(smaller.power, "kW"), by=by, check=smaller.governing)
     elif smaller is not None and np.isfinite(smaller.speed):
-        yield _("{power} cannot: {check}.").format(power=number(smaller.power, "kW"), check=smaller.governing)
+        yield _("{power} cannot: {check}.", power=number(smaller.power, "kW"), check=smaller.governing)
     elif smaller is not None:
-        yield _("{power} does not carry the machine through its cycle.").format(power=number(smaller.power, "kW"))
+        yield _("{power} does not carry the machine through its cycle.", power=number(smaller.power, "kW"))
     elif chosen.place > 0:
         yield _("Smaller motors do not bear the mean torque of the load for long.")
     yield from _of_flywheel(bench, chosen)
@@ -132,7 +132,7 @@ def _of_slip(asked: AskedDrive, chosen: Trial) -> Iterator[str]:
     motor = None if spec is None else spec.motor
     own, ordinary = declared_slip(asked.machine), number(typical_slip(chosen.place), "%")
     if motor is not None and motor.slip_at_rating is None:
-        yield _('The declared motor, kind = "{kind}", is replaced by an ordinary cage motor.').format(kind=motor.kind)
+        yield _('The declared motor, kind = "{kind}", is replaced by an ordinary cage motor.', kind=motor.kind)
     elif own.slip is not None and asked.kept != own:
         said = _("The slip at the rated torque is {slip}; the declared motor has {own}.")
         yield said.format(slip=number(chosen.slip, "%"), own=number(own.slip or 0.0, "%"))

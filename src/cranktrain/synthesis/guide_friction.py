@@ -88,8 +88,10 @@ def locking_problems(pressure_angle: float, friction: float) -> Iterator[Problem
         yield Problem(
             "friction",
             plain(friction),
-            _("locks the slider at a pressure angle of {locking}, and this slider-crank has {angle}").format(
-                locking=precise(locking, "deg"), angle=precise(pressure_angle, "deg")
+            _(
+                "locks the slider at a pressure angle of {locking}, and this slider-crank has {angle}",
+                locking=precise(locking, "deg"),
+                angle=precise(pressure_angle, "deg"),
             ),
             _("give smaller pressure angles, or a longer rod_length"),
         )

@@ -112,7 +112,7 @@ def knuckle_from_requirements(
     rods = _solutions(master, bank_angle, requirements, known)
     rod = rods[0]
     return Proposal(
-        title=_("Articulated rod {angle} after its master").format(angle=number(bank_angle, "deg")),
+        title=_("Articulated rod {angle} after its master", angle=number(bank_angle, "deg")),
         numbers=slave_numbers(rod, same_ratio),
         alternatives=(
             *(Alternative(_("another solution"), slave_numbers(one, same_ratio)) for one in rods[1:]),
@@ -146,7 +146,7 @@ def _impossible(
         yield Problem("bank_angle", number(bank_angle, "deg"), _("must lie between -360 and 360 deg"))
     least = float(master.crank_radius + abs(master.offset))
     if not master.rod_length > least:
-        allowed = _("must be more than {least}, or the crank cannot turn").format(least=precise(least))
+        allowed = _("must be more than {least}, or the crank cannot turn", least=precise(least))
         yield Problem("master_rod_length", precise(float(master.rod_length)), allowed)
     if requirements.same_ratio is not None and not requirements.same_ratio > 1:
         yield Problem("same_ratio", plain(requirements.same_ratio), _("must be more than 1"))
@@ -160,11 +160,13 @@ def _count_problems(requirements: KnuckleRequirements, free: list[Free]) -> Iter
         yield Problem("stroke", None, allowed)
     elif requirements.decided != len(free):
         allowed = _(
-            "each requirement decides one dimension; requirements: {requirements}, free dimensions: {free}"
-        ).format(requirements=requirements.decided, free=len(free))
-        repair = _("give more of {names}").format(names=", ".join(free))
+            "each requirement decides one dimension; requirements: {requirements}, free dimensions: {free}",
+            requirements=requirements.decided,
+            free=len(free),
+        )
+        repair = _("give more of {names}", names=", ".join(free))
         if requirements.decided > len(free):
-            repair = _("leave out more of {names}").format(names=", ".join(name for name in _FREE if name not in free))
+            repair = _("leave out more of {names}", names=", ".join(name for name in _FREE if name not in free))
         yield Problem("", None, allowed, repair)
     elif requirements.unshifted is not None and "articulation_angle" not in free:
         allowed = _("must be left out: an unshifted dead centre decides it")
@@ -204,8 +206,11 @@ def _unreachable(
         return Problem("rod_length", precise(float(rod.rod_length)), _("is too short: the slave cannot close"))
     names = ", ".join(free)
     if requirements.stroke is not None and search.least <= search.most:
-        allowed = _("must lie between {least} and {most}, all that {names} can give here").format(
-            least=precise(search.least), most=precise(search.most), names=names
+        allowed = _(
+            "must lie between {least} and {most}, all that {names} can give here",
+            least=precise(search.least),
+            most=precise(search.most),
+            names=names,
         )
         return Problem("stroke", precise(requirements.stroke), allowed)
     path = (
@@ -226,8 +231,10 @@ def _with_other_dimensions(
                 best = _solutions(rod.master, float(rod.bank_angle), requirements, {**known, name: other})[0]
             except InputError:
                 continue
-            label = _("the same requirements with {symbol} = {value}").format(
-                symbol=_SYMBOLS[name], value=number(other, _UNITS[name])
+            label = _(
+                "the same requirements with {symbol} = {value}",
+                symbol=_SYMBOLS[name],
+                value=number(other, _UNITS[name]),
             )
             yield Alternative(label, slave_numbers(best, requirements.same_ratio))
 
@@ -256,14 +263,18 @@ def _remarks(rod: ArticulatedRod, requirements: KnuckleRequirements, known: dict
     if requirements.stroke is not None:
         yield _(
             "A stroke fixes little more than r(1 + r/l) sin(ζ − γ), here {product}; not r, l and ζ each. "
-            "The alternatives with other dimensions have the same stroke."
-        ).format(product=product)
+            "The alternatives with other dimensions have the same stroke.",
+            product=product,
+        )
     if requirements.stroke is not None or requirements.same_height or requirements.same_ratio is not None:
         yield _("Dimensions found in this way are fitted: they are no data of any engine.")
     if requirements.unshifted is not None:
         stays, moves = (_("top"), _("bottom")) if requirements.unshifted == "top" else (_("bottom"), _("top"))
-        yield _("The {stays} dead centre stays, so the {moves} one must shift, unless sin γ = 0; and {sum}.").format(
-            stays=stays, moves=moves, sum="H = R + r + l" if requirements.unshifted == "top" else "h = r + l − R"
+        yield _(
+            "The {stays} dead centre stays, so the {moves} one must shift, unless sin γ = 0; and {sum}.",
+            stays=stays,
+            moves=moves,
+            sum="H = R + r + l" if requirements.unshifted == "top" else "h = r + l − R",
         )
     if not known:
         yield _("All three dimensions follow from the requirements; none was given.")
@@ -285,7 +296,7 @@ def _tables(
         if name in known:
             return wanted(value, _UNITS[name])
         if name == "articulation_angle" and requirements.unshifted is not None:
-            return found(value, "deg", _("no shift of the dead centre: {which}").format(which=requirements.unshifted))
+            return found(value, "deg", _("no shift of the dead centre: {which}", which=requirements.unshifted))
         return found(value, _UNITS[name], how, "fitted")
 
     master_keys = {

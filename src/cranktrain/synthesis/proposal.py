@@ -123,8 +123,11 @@ class Proposal:
 
     def __repr__(self) -> str:
         """Show what it is of, and how much there is, in a line."""
-        return _("<Proposal: {title}: {n} numbers, alternatives: {others}>").format(
-            title=self.title, n=len(self.numbers), others=len(self.alternatives)
+        return _(
+            "<Proposal: {title}: {n} numbers, alternatives: {others}>",
+            title=self.title,
+            n=len(self.numbers),
+            others=len(self.alternatives),
         )
 
     def value(self, name: str) -> float:

@@ -154,8 +154,10 @@ def quick_return(
     how = _("stroke and time ratio")
     best = _("stroke, time ratio, least pressure angle")
     return Proposal(
-        title=_("Offset slider-crank of {stroke} stroke with a quick return, time ratio {ratio:.4g}").format(
-            stroke=number(stroke, "mm"), ratio=time_ratio
+        title=_(
+            "Offset slider-crank of {stroke} stroke with a quick return, time ratio {ratio:.4g}",
+            stroke=number(stroke, "mm"),
+            ratio=time_ratio,
         ),
         numbers=slider_crank_numbers(lengths, slow_stroke, speed),
         alternatives=_alternatives(stroke, time_ratio),
@@ -186,8 +188,9 @@ def _impossible(stroke: float, ratio: float, speed: float | None) -> Iterator[Pr
         repair = None
         if ratio >= 3:
             repair = _(
-                "a slotted lever can, with a crank of {share:.4f} of the distance between shaft and pivot"
-            ).format(share=slotted_share(ratio))
+                "a slotted lever can, with a crank of {share:.4f} of the distance between shaft and pivot",
+                share=slotted_share(ratio),
+            )
         allowed = _("must lie between 1 and 3 for an offset slider-crank")
         yield Problem("time_ratio", plain(ratio), allowed, repair)
 

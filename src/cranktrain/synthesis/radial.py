@@ -108,8 +108,10 @@ def radial(
     ]
     chosen = [_chosen(rod, strategy, compression_ratio) for rod in start]
     return Proposal(
-        title=_("Radial engine of {n} cylinders, {stroke} master stroke").format(
-            n=n_cylinders, stroke=number(2 * crank_radius, "mm")
+        title=_(
+            "Radial engine of {n} cylinders, {stroke} master stroke",
+            n=n_cylinders,
+            stroke=number(2 * crank_radius, "mm"),
         ),
         numbers=tuple(
             one._replace(member=str(i))
@@ -118,7 +120,7 @@ def radial(
         ),
         alternatives=tuple(_alternatives(start, compression_ratio)),
         remarks=(
-            _("Chosen: {strategy}.").format(strategy=_(STRATEGIES[strategy])),
+            _("Chosen: {strategy}.", strategy=_(STRATEGIES[strategy])),
             _("Equal strokes and unshifted top dead centres exclude one another; one of them has to be borne."),
         ),
         tables=_tables(chosen, strategy, compression_ratio, bore, speed),
@@ -164,12 +166,15 @@ def _unreachable(rod: ArticulatedRod, strategy: Strategy, search: Search) -> Pro
     """Say which slave defeats a strategy, and how near it comes."""
     angle = number(float(rod.bank_angle), "deg")
     if not _FREE[strategy]:
-        allowed = _("too short: the slave at {angle} cannot close").format(angle=angle)
+        allowed = _("too short: the slave at {angle} cannot close", angle=angle)
         return Problem("slave_rod_length", precise(float(rod.rod_length)), allowed)
-    allowed = _("cannot be had for the slave at {angle} with this knuckle radius and rod").format(angle=angle)
+    allowed = _("cannot be had for the slave at {angle} with this knuckle radius and rod", angle=angle)
     if strategy == "equal_stroke" and search.least <= search.most:
-        allowed = _("cannot be had: the slave at {angle} can have strokes from {least} to {most}").format(
-            angle=angle, least=precise(search.least), most=precise(search.most)
+        allowed = _(
+            "cannot be had: the slave at {angle} can have strokes from {least} to {most}",
+            angle=angle,
+            least=precise(search.least),
+            most=precise(search.most),
         )
     return Problem("strategy", strategy, allowed, _("choose another strategy, or other common sizes"))
 
@@ -205,7 +210,7 @@ def _tables(
 ) -> tuple[ProposedTable, ...]:
     """Tables of the machine file: the master's bank, the slaves', and the cylinders."""
     master = rods[0].master
-    how = _("strategy {name}").format(name=strategy)
+    how = _("strategy {name}", name=strategy)
 
     def each(name: Free, unit: str) -> str:
         values = [float(getattr(rod, name)) for rod in rods]

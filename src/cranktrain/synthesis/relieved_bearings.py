@@ -49,7 +49,7 @@ def sought_bearings(machine: Machine, bearing: str, method: str | None) -> Sough
     absent = lacking(every_stage(), parts)
     if LoadedShafts.__name__ in absent:
         needs = _(" and ").join(absent[LoadedShafts.__name__]) or _("[crankshaft]")
-        raise InputError([Problem("", None, _("loads of main bearings need {needs} in the file").format(needs=needs))])
+        raise InputError([Problem("", None, _("loads of main bearings need {needs} in the file", needs=needs))])
     found: dict[type, Any] = run_stages(leading_to(every_stage(), [LoadedShafts]), parts, absent)
     loaded: LoadedShafts = found[LoadedShafts]
     shafts: Any = parts[Shafts]
@@ -77,9 +77,9 @@ def _no_method(method: str, linear: Sequence[str]) -> Problem:
     if known is None:
         return unlisted("method", method, linear)
     if known.bearings.is_linear:
-        return Problem("method", method, _("needs {needs} in the file").format(needs=_(known.bearings.needs)))
+        return Problem("method", method, _("needs {needs} in the file", needs=_(known.bearings.needs)))
     allowed = _("is not linear: {bearings} no weights can be proved to be the best; relieve by another, and run")
-    repair = _("choose one of: {names}").format(names=", ".join(linear))
+    repair = _("choose one of: {names}", names=", ".join(linear))
     return Problem("method", method, allowed.format(bearings=_(known.bearings.title)), repair)
 
 

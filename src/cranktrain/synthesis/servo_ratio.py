@@ -105,7 +105,7 @@ def servo_ratio(machine: Machine, ratio: str) -> MachineProposal:
     chosen = smallest_of(passing, lambda one: one.rms)
     note = _("the least effective torque of the motor")
     return MachineProposal(
-        title=_("{machine}: drive").format(machine=machine.name) if machine.name else _("Drive"),
+        title=_("{machine}: drive", machine=machine.name) if machine.name else _("Drive"),
         numbers=tuple(_numbers(case, chosen, best)),
         alternatives=tuple(_alternatives(case, chosen, near, own)),
         remarks=tuple(_remarks(case, chosen, best, near)),
@@ -145,7 +145,7 @@ def _demand(machine: Machine) -> ServoDemand:
     if rocking is not None:
         return rocking.demands[0]
     needs = _(" and ").join(result.needs_of(*_QUANTITIES))
-    raise InputError([Problem("drive", None, _("cannot be sized: needs {needs}").format(needs=needs))])
+    raise InputError([Problem("drive", None, _("cannot be sized: needs {needs}", needs=needs))])
 
 
 def _at(case: _Servo, ratio: float) -> _Behind:
@@ -201,7 +201,7 @@ def _not_enough(best: _Behind) -> str:
 
 def _numbers(case: _Servo, one: _Behind, best: _Behind | None = None) -> Iterator[Number]:
     """Ratio and what the motor does behind it."""
-    yield Number("ratio", "i", one.ratio, "1", _("Ratio of stage {n}").format(n=case.stage + 1))
+    yield Number("ratio", "i", one.ratio, "1", _("Ratio of stage {n}", n=case.stage + 1))
     if best is not None:
         yield Number("best_ratio", "i_opt", best.ratio, "1", _("That of the least effective torque"))
         yield Number("overall_ratio", "i_Σ", one.overall, "1", _("Ratio of all stages"))
@@ -211,7 +211,7 @@ def _numbers(case: _Servo, one: _Behind, best: _Behind | None = None) -> Iterato
     yield Number("peak_power", "P_max", one.power, "kW", _("Largest power of the motor, driving or braking"))
     for (name, symbol), check, share in zip(_NAMES, _CHECKS, one.shares, strict=True):
         if not math.isnan(share):
-            yield Number(name, symbol, share, "%", _("Used: {check}").format(check=_(check)))
+            yield Number(name, symbol, share, "%", _("Used: {check}", check=_(check)))
 
 
 def _alternatives(case: _Servo, chosen: _Behind, near: list[_Behind], own: float) -> Iterator[Alternative]:
@@ -219,7 +219,7 @@ def _alternatives(case: _Servo, chosen: _Behind, near: list[_Behind], own: float
     place = first_smallest([abs(math.log(one.ratio / chosen.ratio)) for one in near])
     for one in near[max(place - _BESIDE, 0) : place + _BESIDE + 1]:
         if one.ratio != chosen.ratio:
-            label = _("enough") if one.largest <= 1 else _("misses by {by}").format(by=number(one.largest - 1, "%"))
+            label = _("enough") if one.largest <= 1 else _("misses by {by}", by=number(one.largest - 1, "%"))
             yield Alternative(_("ratio beside") if case.motor is None else label, tuple(_numbers(case, one)))
     yield Alternative(_("as the file has it"), tuple(_numbers(case, _at(case, own))))
 
@@ -227,15 +227,17 @@ def _alternatives(case: _Servo, chosen: _Behind, near: list[_Behind], own: float
 def _remarks(case: _Servo, chosen: _Behind, best: _Behind, near: list[_Behind]) -> Iterator[str]:
     """Say what the ratio costs, and what governs."""
     more = number(chosen.rms / best.rms - 1, "%")
-    yield _("The least effective torque is {rms}, behind {ratio}; behind {chosen} it is more by {more}.").format(
-        rms=number(best.rms, "N·m"), ratio=number(best.ratio, "1"), chosen=number(chosen.ratio, "1"), more=more
+    yield _(
+        "The least effective torque is {rms}, behind {ratio}; behind {chosen} it is more by {more}.",
+        rms=number(best.rms, "N·m"),
+        ratio=number(best.ratio, "1"),
+        chosen=number(chosen.ratio, "1"),
+        more=more,
     )
     if case.motor is None:
         yield _('Without [drive.motor] kind = "servo" its limits are not known: the effective torque alone decides.')
         return
-    yield _("What governs the motor is: {check}, {share}.").format(
-        check=chosen.governing, share=number(chosen.largest, "%")
-    )
+    yield _("What governs the motor is: {check}, {share}.", check=chosen.governing, share=number(chosen.largest, "%"))
     better = [one for one in near if one.rms < chosen.rms and one.largest > 1]
     if better:
         one = smallest_of(better, lambda each: each.rms)

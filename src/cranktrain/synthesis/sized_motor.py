@@ -74,7 +74,7 @@ def motor_table(place: int, kept: KeptSlip) -> dict[str, str | float]:
 
 def motor_values(place: int, kept: KeptSlip, note: str) -> dict[str, str]:
     """The same as TOML by key, each number with its status; a note says what the size is."""
-    of_slip = _("for a slip of {slip} at the rated torque").format(slip=number(slip_of_size(place, kept), "%"))
+    of_slip = _("for a slip of {slip} at the rated torque", slip=number(slip_of_size(place, kept), "%"))
     return {entry.key: _toml(entry, of_slip if entry.is_of_slip else note) for entry in _entries(place, kept)}
 
 

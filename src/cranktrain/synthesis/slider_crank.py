@@ -101,7 +101,7 @@ def slider_crank_from_stroke(
     """
     refuse(_impossible(stroke, pressure_angle, return_pressure_angle, rod_length, mean_speed, speed))
     if rod_length is not None and rod_length <= (least := least_rod(stroke, offset or 0.0)):
-        allowed = _("must be more than {least} for this stroke, or the crank cannot turn").format(least=precise(least))
+        allowed = _("must be more than {least} for this stroke, or the crank cannot turn", least=precise(least))
         raise InputError([Problem("rod_length", precise(rod_length), allowed)])
     working = pi / 2 if pressure_angle is None else pressure_angle
     back = working if return_pressure_angle is None else return_pressure_angle
@@ -112,7 +112,7 @@ def slider_crank_from_stroke(
         refuse(locking_problems(max(pressure_angles_of(lengths)), friction))
     omega = mean_speed * pi / stroke if mean_speed is not None else speed
     return Proposal(
-        title=_("Slider-crank of {stroke} stroke").format(stroke=number(stroke, "mm")),
+        title=_("Slider-crank of {stroke} stroke", stroke=number(stroke, "mm")),
         numbers=(
             *slider_crank_numbers(lengths, working_stroke, omega),
             *friction_numbers(_by_stroke(lengths, working_stroke)[0], friction),
@@ -190,8 +190,11 @@ def _refuse_over_limits(lengths: Lengths, working_stroke: Stroke, working: float
         Problem(
             name,
             number(limit, "deg"),
-            _("must be at least {angle} with a rod of {rod} and an offset of {offset}").format(
-                angle=number(angle, "deg"), rod=number(lengths.rod_length, "mm"), offset=number(lengths.offset, "mm")
+            _(
+                "must be at least {angle} with a rod of {rod} and an offset of {offset}",
+                angle=number(angle, "deg"),
+                rod=number(lengths.rod_length, "mm"),
+                offset=number(lengths.offset, "mm"),
             ),
             _("give a longer rod, or leave rod_length out"),
         )
@@ -283,10 +286,14 @@ def _remarks(lengths: Lengths, working_stroke: Stroke) -> tuple[str, ...]:
     slow = _("toward the shaft") if lengths.offset > 0 else _("away from the shaft")
     return (
         _(
-            "The stroke with the smaller pressure angle is always the slow one: here {slow}, {share} of the turn."
-        ).format(slow=slow, share=number(pi + excess_angle_of(lengths), "deg")),
-        _("Pressure angle up to {working} on the working stroke, {back} on the return, dead centres included.").format(
-            working=number(working, "deg"), back=number(back, "deg")
+            "The stroke with the smaller pressure angle is always the slow one: here {slow}, {share} of the turn.",
+            slow=slow,
+            share=number(pi + excess_angle_of(lengths), "deg"),
+        ),
+        _(
+            "Pressure angle up to {working} on the working stroke, {back} on the return, dead centres included.",
+            working=number(working, "deg"),
+            back=number(back, "deg"),
         ),
     )
 

@@ -115,14 +115,12 @@ def full_moments(machine: Machine) -> Array:
     weights = solved.get(BalanceWeights)
     if weights is None:
         needs = _(" and ").join(solved.needs_of("balance_weight_moment"))
-        raise InputError(
-            [Problem("", None, _("what rotates is not known without {needs} in the file").format(needs=needs))]
-        )
+        raise InputError([Problem("", None, _("what rotates is not known without {needs} in the file", needs=needs))])
     names = solved.labels["weight"]
     directions = _directions(machine)
     full = np.zeros(directions.size)
     for n, direction in enumerate(directions):
-        name = _("throw {throw}").format(throw=n + 1)
+        name = _("throw {throw}", throw=n + 1)
         if name in names:
             own = names.index(name)
             ahead = weights.balance_weight_angle[0, own] - direction - np.pi

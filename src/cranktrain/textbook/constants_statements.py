@@ -113,7 +113,7 @@ def constants_statements(slaves: Sequence[AlikeSlaves]) -> Statements:
         As `constants` has them.
     """
     return Statements(
-        _("Constants of {equation} [{source}]").format(equation=EQUATION, source=SOURCE),
+        _("Constants of {equation} [{source}]", equation=EQUATION, source=SOURCE),
         tuple(found for one in slaves for found in _of_slaves(one)),
         np.zeros(0),
         (),
@@ -163,4 +163,4 @@ def _explained(slaves: Sequence[AlikeSlaves]) -> Iterator[str]:
     )
     offset = [one.of for one in slaves if not one.is_central]
     if offset:
-        yield _("The formula knows no offset, which {pistons} have.").format(pistons=", ".join(offset))
+        yield _("The formula knows no offset, which {pistons} have.", pistons=", ".join(offset))

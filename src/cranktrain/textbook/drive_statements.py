@@ -117,7 +117,7 @@ def drive_statements(drive: CrankRockerDrive, angle: float = USUAL_ANGLE) -> Sta
     right = {one: _right_of(one, curves) for one in curves}
     over = np.arange(361.0)
     return Statements(
-        _("Drive of a crank-rocker, (1) to (21) [{source}]").format(source=SOURCE),
+        _("Drive of a crank-rocker, (1) to (21) [{source}]", source=SOURCE),
         (
             *_at_angle(drive, angle),
             *(one for curve in curves for one in _of_curve(drive, curve, right[curve], facts, angle)),
@@ -243,8 +243,7 @@ def _of_linkage(drive: CrankRockerDrive) -> Iterator[str]:
     dead = dead_positions(drive.geometry)
     yield _(
         "Dead positions at {extended:.4f}° (extended) and {folded:.4f}° (folded), where the load has no torque. Swing "
-        "{swing:.4f}°, advance during {advance:.2f}°, back during {back:.2f}°."
-    ).format(
+        "{swing:.4f}°, advance during {advance:.2f}°, back during {back:.2f}°.",
         extended=np.degrees(dead.extended),
         folded=np.degrees(dead.folded),
         swing=np.degrees(swing(drive)),
@@ -258,8 +257,7 @@ def _of_numbers(drive: CrankRockerDrive) -> Iterator[str]:
     train = drive.train
     yield _(
         "i = {ratio:g}, η_p = {gear:.4g}, η_ш = {linkage:.4g}; Q = {load}, M_xx = {idle}; (GD²)₀ = {own}, of what is "
-        "driven GD² = {driven}."
-    ).format(
+        "driven GD² = {driven}.",
         ratio=train.ratio,
         gear=float(train.gear_efficiency),
         linkage=float(train.linkage_efficiency),
@@ -285,20 +283,20 @@ def _absurd(drive: CrankRockerDrive) -> Iterator[str]:
     yield _(
         "Kunitsky and Popov: a turn with an active load and no losses takes {work}, which must be 0; their GD² falls "
         "below (GD²)₀ over {below:.2f}° of a turn, to {least}; their Q′ put into (1) needs sin²(α₁ − β) = 1, and it is "
-        "down to {square:.4f}; their idle torque is a flat line."
-    ).format(
+        "down to {square:.4f}; their idle torque is a flat line.",
         work=number(found.refuted_work, "J"),
         below=np.degrees(found.below),
         least=number(found.least_moment, "kg*m^2"),
         square=found.least_square,
     )
-    yield _("(13) prints r₁ for r: {times:g} times the torque of (12).").format(times=found.too_long)
+    yield _("(13) prints r₁ for r: {times:g} times the torque of (12).", times=found.too_long)
     yield _(
         "(14) divides by η whether the load resists or drives: over a turn of an active load it loses nothing, where "
-        "{lost} are lost."
-    ).format(lost=number(found.lost, "J"))
-    yield _("(20) prints i for i², and η: the crank-rocker's part is {times:.4g} times too large.").format(
-        times=found.too_large
+        "{lost} are lost.",
+        lost=number(found.lost, "J"),
+    )
+    yield _(
+        "(20) prints i for i², and η: the crank-rocker's part is {times:.4g} times too large.", times=found.too_large
     )
     yield _(
         "(21) changes its sign with a weight or a spring alone: friction reverses with the rocker and never drives."
@@ -327,8 +325,7 @@ def _of_friction(drive: CrankRockerDrive) -> Iterator[str]:
     yield _(
         "Mean efficiency {driving:.6f} while an active load resists and {driven:.6f} while it drives. Torque from "
         "{smallest} to {largest}; at the dead positions {extended} and {folded}, not 0. The load cannot drive "
-        "in {parts}."
-    ).format(
+        "in {parts}.",
         driving=found.driving,
         driven=found.driven,
         smallest=number(found.smallest, "N*m"),

@@ -145,14 +145,14 @@ def form_heading(one: Range) -> str:
 
 def form_notes(machine: Machine, one: Range) -> Iterator[str]:
     """Say a method's range, and which pistons and valves are inside; outside, for what."""
-    yield _("range: {condition}").format(condition=_(one.condition))
+    yield _("range: {condition}", condition=_(one.condition))
     if one.most_ratio is not None:
         yield _inside_of(one, [place for place in machine.places if place.kind.name in FORMS[one.method]])
 
 
 def root_notes(places: Sequence[PlacedMechanism]) -> Iterator[str]:
     """Say what the exact root is, its range, and which pistons and valves are inside."""
-    yield _("range: {condition}").format(condition=_(EXACT_ROOT.condition))
+    yield _("range: {condition}", condition=_(EXACT_ROOT.condition))
     yield _inside_of(EXACT_ROOT, [place for place in places if place.kind.name in PLAIN])
     yield _("S = R(1 − cos φ) + L(1 − √(1 − λ² sin² φ)), and its derivatives")
 
@@ -167,8 +167,8 @@ def _inside_of(one: Range, places: Sequence[PlacedMechanism]) -> str:
 def _inside(one: Range, place: PlacedMechanism) -> str:
     radius, rod, offset = plain_crank(getattr(place.geometry, "master", place.geometry))
     if reasons := list(one.reasons(float(radius / rod), float(offset))):
-        return _("outside, as {reasons}").format(reasons=_(" and ").join(reasons))
-    return _("inside, λ = {ratio:.4g}").format(ratio=float(radius / rod))
+        return _("outside, as {reasons}", reasons=_(" and ").join(reasons))
+    return _("inside, λ = {ratio:.4g}", ratio=float(radius / rod))
 
 
 def form_statements(machine: Machine, result: Result, one: Range) -> Iterator[Statement]:

@@ -167,7 +167,7 @@ def opposed_statements(cylinders: Sequence[OpposedCylinders], result: Result) ->
     """
     over = np.arange(361.0)
     return Statements(
-        _("Opposed pistons, (I.11) and (I.12) [{source}]").format(source=SOURCE),
+        _("Opposed pistons, (I.11) and (I.12) [{source}]", source=SOURCE),
         tuple(found for one in cylinders for found in _of_cylinders(one, result)),
         over,
         tuple(curve for one in cylinders for curve in _curves(one, np.deg2rad(over))),
@@ -185,11 +185,11 @@ def opposed_statements(cylinders: Sequence[OpposedCylinders], result: Result) ->
 
 def subjects(one: OpposedCylinders, *, several: bool) -> tuple[str, str, str]:
     """What the notes are about: the formulas, the volumetric dead centres, the lead."""
-    whose = _(" of cylinders {cylinders}").format(cylinders=one.of[2]) if several else ""
+    whose = _(" of cylinders {cylinders}", cylinders=one.of[2]) if several else ""
     return (
-        _("(I.11), (I.12) for cylinders {cylinders} [{source}]").format(cylinders=one.of[2], source=SOURCE),
-        _("Volumetric dead centres{whose} [{source}]").format(whose=whose, source=SOURCE),
-        _("Lead of the exhaust crank{whose} [{source}]").format(whose=whose, source=SOURCE),
+        _("(I.11), (I.12) for cylinders {cylinders} [{source}]", cylinders=one.of[2], source=SOURCE),
+        _("Volumetric dead centres{whose} [{source}]", whose=whose, source=SOURCE),
+        _("Lead of the exhaust crank{whose} [{source}]", whose=whose, source=SOURCE),
     )
 
 
@@ -200,7 +200,7 @@ def _of_cylinders(one: OpposedCylinders, result: Result) -> Iterator[Statement]:
     yield _number(one, "", "Δ", _("lead of the exhaust crank"), "", one.pair.lead, "rad", suits, one.pair.lead)
     yield from _errors(one, opposed_errors(one.pair), _names())
     if one.pair.far:
-        printed = tuple(_("{part}, λ as printed").format(part=name) for name in _names())
+        printed = tuple(_("{part}, λ as printed", part=name) for name in _names())
         for found in _errors(one, opposed_errors(one.pair, as_printed=True), printed, "out of range"):
             if found.of != one.of[1 - ENDS.index(one.pair.far)]:
                 yield found
@@ -304,8 +304,11 @@ def _on_the_form(one: OpposedCylinders) -> Iterator[str]:
         yield _(
             "The {far} piston is the far one, on side rods: where it is innermost its crank points away from the "
             "cylinder, so that its λ has a minus sign, as (333) from the crank's side. The text prints plus, for two "
-            "shafts; with that its {equation} is {error} % of the stroke off."
-        ).format(far=_names()[part], equation=_EQUATIONS[part], error=percent(error))
+            "shafts; with that its {equation} is {error} % of the stroke off.",
+            far=_names()[part],
+            equation=_EQUATIONS[part],
+            error=percent(error),
+        )
     if not one.pair.is_central:
         yield _("Both formulas are of lines of stroke through the shafts' centres; here one is offset.")
 
@@ -338,24 +341,25 @@ def _on_dead_centres(one: OpposedCylinders, result: Result) -> Iterator[str]:
         own = number(float(combined_stroke(pair.exhaust.crank_radius, np.array(pair.lead))), "mm")
         nominal = number(4.0 * float(pair.exhaust.crank_radius), "mm")
         yield _(
-            "Cranks and rods are equal: half the lead is exact, and so is 4R cos(Δ/2) = {own}, not {nominal}."
-        ).format(own=own, nominal=nominal)
+            "Cranks and rods are equal: half the lead is exact, and so is 4R cos(Δ/2) = {own}, not {nominal}.",
+            own=own,
+            nominal=nominal,
+        )
     elif pair.far:
         yield _(
-            "One piston is on side rods, and has −λ in its w: half the lead is no dead centre. Both part by {stroke}."
-        ).format(stroke=stroke)
-    elif not pair.is_central:
-        yield _("A line of stroke is offset: half the lead is no dead centre. Both part by {stroke}.").format(
-            stroke=stroke
+            "One piston is on side rods, and has −λ in its w: half the lead is no dead centre. Both part by {stroke}.",
+            stroke=stroke,
         )
+    elif not pair.is_central:
+        yield _("A line of stroke is offset: half the lead is no dead centre. Both part by {stroke}.", stroke=stroke)
     else:
-        yield _("Cranks or rods differ: half the lead is no dead centre. Both part by {stroke}.").format(stroke=stroke)
+        yield _("Cranks or rods differ: half the lead is no dead centre. Both part by {stroke}.", stroke=stroke)
 
 
 def _on_the_lead(one: OpposedCylinders, result: Result) -> Iterator[str]:
     """Say which engines the lead suits, and what it does to this machine's ports."""
     lead, place = one.pair.lead, _place(one, result)
-    yield _("{lead}: {verdict}").format(lead=number(lead, "deg"), verdict=verdict(lead))
+    yield _("{lead}: {verdict}", lead=number(lead, "deg"), verdict=verdict(lead))
     gaps = (
         np.deg2rad(float(getattr(result, name)[place])) if name in result.catalogue else np.nan
         for name in ("exhaust_opens_before", "exhaust_closes_before")

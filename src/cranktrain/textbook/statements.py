@@ -144,7 +144,7 @@ class Statements:
         found = tuple(one for one in self.each if asked in numbers_in(one.equation))
         if not found:
             there = ", ".join(dict.fromkeys(one.equation for one in self.each if one.equation))
-            allowed = _("must be one of the numbers that there are: {numbers}").format(numbers=there or _("none"))
+            allowed = _("must be one of the numbers that there are: {numbers}", numbers=there or _("none"))
             raise InputError([Problem("equation", str(equation), allowed)])
         return found
 

@@ -130,7 +130,7 @@ def synthesis_statements(wanted: SliderCrankRequirements, rod: float | None = No
     own = _OWN if is_own else _mechanism(wanted, rod)
     over = np.arange(361.0)
     return Statements(
-        _("Slider-crank from stroke and pressure angle [{source}]").format(source=SOURCE),
+        _("Slider-crank from stroke and pressure angle [{source}]", source=SOURCE),
         (
             *_requirements(wanted),
             *_sizes(wanted, rod, is_own=is_own),
@@ -225,8 +225,10 @@ def _words(*, is_own: bool, has_rod: bool) -> str:
     if is_own:
         return _(
             "Its formula and the exact law have its own numbers, rω = {speed} m/s and l = {rod} m. "
-            "Positive is toward the shaft."
-        ).format(speed=PIN_SPEED, rod=ROD_LENGTH)
+            "Positive is toward the shaft.",
+            speed=PIN_SPEED,
+            rod=ROD_LENGTH,
+        )
     if has_rod:
         return _("Its formula and the exact law have the rod that is given. Positive is toward the shaft.")
     return _("Its formula and the exact law have the right rod, l = r/sin [α]. Positive is toward the shaft.")

@@ -119,7 +119,7 @@ def throw(
 
 def throw_statements(of: Throw) -> Statements:
     """Give fig. 35 and (44) to (53) for a throw's own table."""
-    title = _("Reactions of the supports of a throw, (44) to (53) [{source}]").format(source=SOURCE)
+    title = _("Reactions of the supports of a throw, (44) to (53) [{source}]", source=SOURCE)
     each = [*_lengths(of, ""), *_forces(of, "", np.nan), *_reactions(of, _All(), "", np.nan), *_conditions(of, "")]
     return Statements(title, tuple(each), np.zeros(0), notes=_notes(of, ()))
 
@@ -144,7 +144,8 @@ def machine_statements(of: ThrownMachine, name: str, at: float | None, masses: C
         *_reactions(one.throw, one, name, at),
         *_conditions(one.throw, name),
     ]
-    title = _("Throw {name} of {machine} at {at}°, bearings {left} (L) and {right} (P) [{source}]").format(
+    title = _(
+        "Throw {name} of {machine} at {at}°, bearings {left} (L) and {right} (P) [{source}]",
         name=name,
         machine=of.machine.name,
         at=f"{at:g}".replace("-", "−"),
@@ -247,7 +248,7 @@ def _curves(over: MachineThrow) -> Iterator[StatementCurve]:
 def _of_machine(one: MachineThrow, masses: CrankMasses) -> Iterator[str]:
     """Say whose rods are on the pin, and of whose masses C2, C4 and C6 are."""
     forces = [f"K{i}, T{i}: {names}" for i, names in enumerate(one.rods, 1)]
-    yield _("Rods on the pin: {rods}").format(rods="; ".join(forces))
+    yield _("Rods on the pin: {rods}", rods="; ".join(forces))
     if masses == "sizes":
         yield _("C2, C4, C6 are what pins and webs of [crankshaft] weigh; in `run` a crank is what [masses.crank] says")
     elif one.has_mass:

@@ -119,7 +119,8 @@ class TextbookMotion(Flagged):
         """Say how far the forms that textbooks use most are off."""
         methods = names["motion_method"]
         said = [
-            _("{form} is off by up to {x} of the stroke, {v} in velocity, {j} in acceleration").format(
+            _(
+                "{form} is off by up to {x} of the stroke, {v} in velocity, {j} in acceleration",
                 form=form,
                 x=_in_percent(self.displacement_error.value[design, index]),
                 v=_in_percent(self.velocity_error.value[design, index]),
@@ -131,7 +132,7 @@ class TextbookMotion(Flagged):
             )
             if np.any(np.isfinite(self.displacement_error.value[design, (index := methods.index(method))]))
         ]
-        return _("Textbook: {forms}.").format(forms="; ".join(said)) if said else None
+        return _("Textbook: {forms}.", forms="; ".join(said)) if said else None
 
 
 def _in_percent(errors: Array) -> str:
@@ -223,12 +224,11 @@ def _flags(pistons: Pistons) -> Iterator[str]:
             reasons = _reasons(one, batch)
             if reasons:
                 outside = (
-                    _("{pistons}, as {reason}").format(pistons=ranged(batch.members.names, alike), reason=reason)
+                    _("{pistons}, as {reason}", pistons=ranged(batch.members.names, alike), reason=reason)
                     for reason, alike in reasons.items()
                 )
                 yield _(
-                    "{method} {equations} is outside its source's range ({condition}) for {pistons} [{source}]"
-                ).format(
+                    "{method} {equations} is outside its source's range ({condition}) for {pistons} [{source}]",
                     method=_(one.name),
                     equations=", ".join(one.equations),
                     condition=_(one.condition),

@@ -56,7 +56,7 @@ def verdict(lead: float) -> str:
     suits engines that turn one way (10–15°), too much for engines that reverse (5–10°)
     """
     said = ", ".join(_one_verdict(one, abs(lead)) for one in _ranges(lead))
-    return _("behind, as only astern: {verdict}").format(verdict=said) if lead < 0 else said
+    return _("behind, as only astern: {verdict}", verdict=said) if lead < 0 else said
 
 
 def reasons(lead: float, opens_before: float = nan, closes_before: float = nan) -> Iterator[str]:
@@ -86,15 +86,18 @@ def reasons(lead: float, opens_before: float = nan, closes_before: float = nan) 
     if not isfinite(opens_before + closes_before):
         yield from _without_ports(lead)
         return
-    yield _("As it turns, the exhaust ports open {gap}.").format(gap=_gap(opens_before, _("the scavenge ports")))
-    yield _("With the same metal turning the other way the lead is {lead}, and they open {gap}.").format(
-        lead=number(0.0 - lead, "deg"), gap=_gap(-closes_before, _("them"))
+    yield _("As it turns, the exhaust ports open {gap}.", gap=_gap(opens_before, _("the scavenge ports")))
+    yield _(
+        "With the same metal turning the other way the lead is {lead}, and they open {gap}.",
+        lead=number(0.0 - lead, "deg"),
+        gap=_gap(-closes_before, _("them")),
     )
     by_height = lead - closes_before if lead >= 0 else opens_before - lead
     if by_height > 0:
         yield _(
-            "The ports' heights alone give the exhaust ports {head}: a lead of more than that blows back astern."
-        ).format(head=number(by_height, "deg"))
+            "The ports' heights alone give the exhaust ports {head}: a lead of more than that blows back astern.",
+            head=number(by_height, "deg"),
+        )
     else:
         yield _("The ports' heights alone do not open the exhaust ports sooner: any lead blows back astern.")
 
@@ -103,8 +106,8 @@ def _gap(opens_before: float, others: str) -> str:
     """Say by how much the exhaust ports open before others, and what follows if they open after them."""
     size = number(abs(opens_before), "deg")
     if opens_before >= 0:
-        return _("{angle} before {others}").format(angle=size, others=others)
-    return _("{angle} after {others}: gas blows back into the receiver").format(angle=size, others=others)
+        return _("{angle} before {others}", angle=size, others=others)
+    return _("{angle} after {others}: gas blows back into the receiver", angle=size, others=others)
 
 
 def _without_ports(lead: float) -> Iterator[str]:
@@ -114,8 +117,9 @@ def _without_ports(lead: float) -> Iterator[str]:
         yield _(
             "With the same metal turning the other way the lead is {lead}: it opens them by as much later. If the "
             "ports' heights do not make up for that, the scavenge ports open first, and gas blows back into the "
-            "receiver."
-        ).format(lead=number(-lead, "deg"))
+            "receiver.",
+            lead=number(-lead, "deg"),
+        )
     yield _("With exhaust_port and scavenge_port this is computed.")
 
 
@@ -149,6 +153,10 @@ def lead_flags(cylinders: Sequence[str], leads: Array) -> Iterator[str]:
         ("", "") if lead is None else (number(lead, "deg"), verdict(lead)) for lead in firsts
     ).items():
         if said:
-            yield _("the lead of {cylinders}, {lead}, is outside its source's range: {reason} [{source}]").format(
-                cylinders=ranged(cylinders, members), lead=lead, reason=said, source=SOURCE
+            yield _(
+                "the lead of {cylinders}, {lead}, is outside its source's range: {reason} [{source}]",
+                cylinders=ranged(cylinders, members),
+                lead=lead,
+                reason=said,
+                source=SOURCE,
             )

@@ -63,7 +63,7 @@ class Range:
         if self._is_beyond(single(ratio)):
             yield f"λ = {ratio:.4g}"
         if self._is_offset(single(offset)):
-            yield _("the line of stroke is offset by {offset}").format(offset=number(abs(offset), "mm"))
+            yield _("the line of stroke is offset by {offset}", offset=number(abs(offset), "mm"))
 
     def _is_beyond(self, ratio: Array) -> Flags:
         """Whether λ is too large."""

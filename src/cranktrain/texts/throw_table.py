@@ -74,7 +74,7 @@ class ThrowTable(Spec, frozen=True):
                 allowed = _("is missing: from the support to the external counterweight of {forces}")
                 yield Problem(length, None, allowed.format(forces=forces))
         if not float(throw_length(self.lengths)) > 0.0:
-            yield Problem("", None, _("must have a length: l = {chain} is 0").format(chain=" + ".join(CHAIN)))
+            yield Problem("", None, _("must have a length: l = {chain} is 0", chain=" + ".join(CHAIN)))
 
     def _of_rods(self) -> Iterator[Problem]:
         """Refuse what a throw with so many rods cannot have, and ask for what it must."""
@@ -155,9 +155,7 @@ _NO_INPUTS = ("l", "l7")
 def _no_inputs(data: Mapping[str, object]) -> Iterable[Problem]:
     """Refuse lengths of the figure that are no inputs."""
     if "l" in data:
-        yield Problem(
-            "l", written(data["l"]), _("is no input: it is {chain}").format(chain=" + ".join(CHAIN)), _("delete it")
-        )
+        yield Problem("l", written(data["l"]), _("is no input: it is {chain}", chain=" + ".join(CHAIN)), _("delete it"))
     if "l7" in data:
         yield Problem("l7", written(data["l7"]), _("occurs in none of (44) to (53)"), _("delete it"))
 

@@ -76,7 +76,7 @@ def plot_result(result: Result, *quantities: str, design: int = 0, **members: "s
     machine = result.machines[design]
     title = short(machine.name, 100) or _("Machine without a name")
     if result.has_designs:
-        title = _("{name}, design {design}").format(name=title, design=design + 1)
+        title = _("{name}, design {design}", name=title, design=design + 1)
     return drawn_panels(panels, title)
 
 
@@ -172,7 +172,7 @@ def _curve_called(name: str, results: Sequence[Result]) -> Entry:
     if entry is None:
         needs = next((needs for one in results if (needs := one.needs_of(name))), ())
         if needs:
-            raise InputError([Problem("plot", name, _("needs {needs}").format(needs=", ".join(needs)))])
+            raise InputError([Problem("plot", name, _("needs {needs}", needs=", ".join(needs)))])
         curves = [curve for one in results for curve, held in one.catalogue.items() if not held.is_fact]
         raise InputError([_unknown("plot", name, curves)])
     if entry.is_fact:
@@ -181,11 +181,11 @@ def _curve_called(name: str, results: Sequence[Result]) -> Entry:
 
 
 def _unknown(path: str, name: str, known: "Sequence[str] | Mapping[str, object]") -> Problem:
-    allowed = _("must be one of: {names}").format(names=", ".join(known))
+    allowed = _("must be one of: {names}", names=", ".join(known))
     if len(known) > 16:
         allowed = _("is no curve of this result")
     meant = nearest(name, known)
-    return Problem(path, name, allowed, _("did you mean {name}?").format(name=meant) if meant else None)
+    return Problem(path, name, allowed, _("did you mean {name}?", name=meant) if meant else None)
 
 
 def _refuse_members(members: Mapping[str, object], dimensions: Sequence[str]) -> None:

@@ -46,7 +46,7 @@ def save(figure: "Figure | Callable[[], Figure]", path: "str | os.PathLike[str]"
     """
     suffix = PurePath(path).suffix.lower()
     if suffix not in _UNDATED:
-        allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(FORMATS))
+        allowed = _("must end in one of: {suffixes}", suffixes=", ".join(FORMATS))
         raise InputError([Problem("", os.fspath(path), allowed, position=Position("-o"))])
     write_whole(path, _pieces(figure, suffix), force=force)
 

@@ -69,7 +69,7 @@ class Picture:
             for quantity, sentence in self.needs.items():
                 if quantity not in of.catalogue:
                     needs = ", ".join(of.needs_of(quantity))
-                    raise InputError([Problem("", None, _(sentence).format(needs=needs))])
+                    raise InputError([Problem("", None, _(sentence, needs=needs))])
             with shown_as_in(units_of(machine)):
                 return draw(of, *arguments, **options)
 

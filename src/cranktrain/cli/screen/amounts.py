@@ -107,14 +107,14 @@ def _piece(piece: Piece, beside: Mapping[str, float]) -> str:
     if not is_span or (found.texts[0] == found.texts[-1] and piece.positions is None):
         return last
     if piece.positions is None:
-        return _("{least} to {most}").format(least=found.texts[0], most=last)
+        return _("{least} to {most}", least=found.texts[0], most=last)
     at = written(np.array(piece.positions), "position")
     ends = (found.texts[0], last)
     placed = [
-        _("{value} at {angle}").format(value=end, angle=at.whole(text)) if np.isfinite(angle) else end
+        _("{value} at {angle}", value=end, angle=at.whole(text)) if np.isfinite(angle) else end
         for end, text, angle in zip(ends, at.texts, piece.positions, strict=True)
     ]
-    return _("{least} to {most}").format(least=placed[0], most=placed[1])
+    return _("{least} to {most}", least=placed[0], most=placed[1])
 
 
 def _text(value: float, decimals: int, sign: str) -> str:

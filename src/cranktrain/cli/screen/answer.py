@@ -66,7 +66,7 @@ def minded(result: Result) -> list[str]:
     book = result.get(TextbookMotion)
     of_books = () if book is None else book.flags
     failed = [
-        _("A check does not hold: {sentence}").format(sentence=check.sentence)
+        _("A check does not hold: {sentence}", sentence=check.sentence)
         for check in result.checks
         if check.judged[0] and not check.passed[0]
     ]
@@ -87,7 +87,7 @@ def joined(flags: Sequence[str]) -> Iterator[str]:
 
 def _of_several(said: str) -> str:
     """What flags of several have in common, before their list."""
-    return _("{said} … (--full)").format(said=said.partition(": ")[0])
+    return _("{said} … (--full)", said=said.partition(": ")[0])
 
 
 def minded_lines(result: Result, width: int) -> Iterator[str]:

@@ -79,7 +79,7 @@ def _textbook(result: Result) -> str:
         own = errors[result.labels["motion_method"].index(method)]
         if np.any(np.isfinite(own)):
             said.append(filled(words, {"off": Amount(float(np.nanmax(own)), "error")}))
-    return _("Textbook forms: {forms}").format(forms=", ".join(said)) if said else ""
+    return _("Textbook forms: {forms}", forms=", ".join(said)) if said else ""
 
 
 def _checks(result: Result) -> str:
@@ -88,12 +88,12 @@ def _checks(result: Result) -> str:
     failed = sum(not check.passed[0] for check in judged)
     left = len(result.checks) - len(judged)
     if failed:
-        said = _("✗ {failed} of {n} checks do not hold").format(failed=failed, n=len(judged))
+        said = _("✗ {failed} of {n} checks do not hold", failed=failed, n=len(judged))
     elif len(judged) == 1:
         said = _("✓ 1 check holds")
     else:
-        said = _("✓ {n} checks hold").format(n=len(judged)) if judged else _("– no check")
-    return _("{said}, {left} not judged").format(said=said, left=left) if left else said
+        said = _("✓ {n} checks hold", n=len(judged)) if judged else _("– no check")
+    return _("{said}, {left} not judged", said=said, left=left) if left else said
 
 
 def _inputs(file: MachineFile) -> str:
@@ -101,10 +101,10 @@ def _inputs(file: MachineFile) -> str:
     inputs = inputs_of(file)
     soft = [one.given for one in inputs if one.given.status in ("assumed", "fitted")]
     if len({one.given.status for one in inputs}) == 1:
-        return _(_ALL[inputs[0].given.status]).format(n=len(inputs))
+        return _(_ALL[inputs[0].given.status], n=len(inputs))
     if soft:
-        return _("{n} inputs, of which {counted}").format(n=len(inputs), counted=counted_by_status(soft))
-    return _("{n} inputs: {counted}").format(n=len(inputs), counted=counted_by_status(one.given for one in inputs))
+        return _("{n} inputs, of which {counted}", n=len(inputs), counted=counted_by_status(soft))
+    return _("{n} inputs: {counted}", n=len(inputs), counted=counted_by_status(one.given for one in inputs))
 
 
 def _offers(file: MachineFile, missing: Sequence[Missing]) -> Iterator[str]:

@@ -183,7 +183,7 @@ def _by_name(row: AnswerLine, found: Written) -> str:
     """Say who has what, or from what to what they go."""
     alike = _holders(row, found)
     each = ", ".join(
-        _("{value} ({who})").format(value=found.whole(text), who=name_of(members, row.members))
+        _("{value} ({who})", value=found.whole(text), who=name_of(members, row.members))
         for text, members in alike.items()
         if text != ABSENT
     )
@@ -191,8 +191,8 @@ def _by_name(row: AnswerLine, found: Written) -> str:
         return each
     least, most = (row.members[pick(row.values)] for pick in (first_smallest, first_largest))
     texts = dict(zip(row.members, found.texts, strict=True))
-    return _("{least} ({one}) to {most} ({other})").format(
-        least=texts[least], one=least, most=found.whole(texts[most]), other=most
+    return _(
+        "{least} ({one}) to {most} ({other})", least=texts[least], one=least, most=found.whole(texts[most]), other=most
     )
 
 

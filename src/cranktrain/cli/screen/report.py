@@ -64,7 +64,7 @@ def show_numbers(console: Console, result: Result, names: Sequence[str], *, is_a
     peaks = list(_peaks(result, names))
     if peaks:
         step = f"{result.crank_angle[1]:g}°"
-        heading = _("Largest values of the curves, in steps of {step}").format(step=step)
+        heading = _("Largest values of the curves, in steps of {step}", step=step)
         heads = ("", "", _("peak"), "", _("at °"), _("of"))
         section(console, heading, table(heads, peaks, right=(2, 4), fold=width))
     if deep:
@@ -132,7 +132,8 @@ def _checks(console: Console, result: Result) -> Iterator[Text]:
             yield from paragraph(console, f"– {check.verdict()}: {check.sentence}", "")
             continue
         mark, style = ("✓", "") if check.passed[0] else ("✗", "red")
-        said = _("{mark} {verdict} (residual {residual}, limit {limit:.0e}): {sentence}").format(
+        said = _(
+            "{mark} {verdict} (residual {residual}, limit {limit:.0e}): {sentence}",
             mark=mark,
             verdict=check.verdict(),
             residual=f"{residual:.1e}" if residual else "0",
@@ -147,15 +148,15 @@ def _missing(missing: Missing) -> str:
     results = ", ".join(missing.results[:_NAMED])
     more = len(missing.results) - _NAMED
     if more > 0:
-        results = _("{results} and {n} more").format(results=results, n=more)
-    return _("{needs}: gives {results}").format(needs=_(" and ").join(missing.needs), results=results)
+        results = _("{results} and {n} more", results=results, n=more)
+    return _("{needs}: gives {results}", needs=_(" and ").join(missing.needs), results=results)
 
 
 def _provenance(file: MachineFile, width: int) -> Iterator[str | Text]:
     """Count the numbers of a file by status, and name those that are assumed or fitted, in a width of columns."""
     inputs = inputs_of(file)
     counted = counted_by_status(one.given for one in inputs)
-    yield _("{n} numbers of the file: {counted}").format(n=len(inputs), counted=counted)
+    yield _("{n} numbers of the file: {counted}", n=len(inputs), counted=counted)
     listed = [one for status in _LISTED for one in inputs if one.given.status == status]
     if listed:
         yield from _input_table(listed, width)

@@ -38,8 +38,8 @@ def _shafts(machine: Machine) -> str:
     places = machine.places
     names = [place.name for place in places]
     on = places_of_equal([place.shaft for place in places])
-    said = (_("{shaft} ({mechanisms})").format(shaft=shaft, mechanisms=ranged(names, few)) for shaft, few in on.items())
-    return _("shafts {shafts}").format(shafts=", ".join(said))
+    said = (_("{shaft} ({mechanisms})", shaft=shaft, mechanisms=ranged(names, few)) for shaft, few in on.items())
+    return _("shafts {shafts}", shafts=", ".join(said))
 
 
 def title_lines(result: Result, width: int) -> list[str]:
@@ -56,9 +56,9 @@ def _made_of(machine: Machine) -> str:
         return words
     said = counted_parts(machine)
     if len(machine.bank) > 1:
-        said.append(_("banks {banks}").format(banks=in_words([*machine.bank])))
+        said.append(_("banks {banks}", banks=in_words([*machine.bank])))
     if len(machine.shafts) > 1:
-        said.append(_("shafts {shafts}").format(shafts=in_words([*dict.fromkeys(one.shaft for one in machine.places)])))
+        said.append(_("shafts {shafts}", shafts=in_words([*dict.fromkeys(one.shaft for one in machine.places)])))
     return ", ".join(said)
 
 

@@ -102,10 +102,10 @@ def _give_proposal(
         if output is None:
             said = _("-o FILE.toml writes it as a machine file, for: cranktrain run FILE.toml")
         elif is_plan:
-            said = _("written: {name}").format(name=one_line(output))
+            said = _("written: {name}", name=one_line(output))
         else:
             command = shlex.join(["cranktrain", "run", one_line(output)])
-            said = _("written: {name}; go on with: {command}").format(name=one_line(output), command=command)
+            said = _("written: {name}; go on with: {command}", name=one_line(output), command=command)
         console.print(said, soft_wrap=True)
 
 

@@ -132,7 +132,7 @@ def _value(requirement: Parameter, given: str | bool) -> object:
     value = quantity.of_field(requirement.name).given(given).si
     if int in parts_of(requirement.annotation):
         if value != round(value) or value > _MOST_CYLINDERS:
-            raise QuantityError(given, _("must be a whole number up to {most}").format(most=_MOST_CYLINDERS))
+            raise QuantityError(given, _("must be a whole number up to {most}", most=_MOST_CYLINDERS))
         return round(value)
     return value
 

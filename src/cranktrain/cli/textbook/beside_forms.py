@@ -54,7 +54,7 @@ def show_exact_root(console: Console, pistons: Sequence[AlikePistons], places: S
     rounding = max((one.value for one in found if one.verdict == "right"), default=None)
     said = [*root_notes(places)]
     if rounding is not None:
-        said += [_("exact: off by 0, in numbers by up to {off:.0e} from rounding").format(off=rounding)]
+        said += [_("exact: off by 0, in numbers by up to {off:.0e} from rounding", off=rounding)]
     section(console, form_heading(EXACT_ROOT), [*said, *stated_error_columns(found, console.width - INDENT)])
 
 
@@ -82,7 +82,7 @@ def show_from_crank_side(console: Console, pistons: Sequence[AlikePistons], *, w
 def _show_crank_side(console: Console, one: AlikePistons) -> None:
     """Show S, v and j by (333), (336), (337) with the minus sign, beside the exact ones."""
     curves = crank_side_curves(one, np.deg2rad(ROUND_ANGLES))
-    heading = _("S, v/ω and j/ω² of {piston} from the crank-side dead centre").format(piston=_called(one.first))
+    heading = _("S, v/ω and j/ω² of {piston} from the crank-side dead centre", piston=_called(one.first))
     show_curves(console, heading, ROUND_ANGLES, ((curve.equation, curve) for curve in curves), _("exact"))
 
 
@@ -117,7 +117,7 @@ def _show_backwards(console: Console, machine: Machine, first: PlacedMechanism) 
         Column(head, "deg", tuple(f"{np.rad2deg(value):.2f}" for value in values))
         for head, values in zip(("brix", "exact", "Δφ"), angles, strict=True)
     ]
-    heading = _("φ of {piston} by the displacement S, on the way to the shaft").format(piston=_called(first))
+    heading = _("φ of {piston} by the displacement S, on the way to the shaft", piston=_called(first))
     section_of_columns(console, heading, columns, labels)
 
 
@@ -131,8 +131,11 @@ def show_constants(console: Console, places: Sequence[PlacedMechanism]) -> None:
     sets = [{one.symbol: one for one in members} for members in rows.values()]
     columns = [_column(symbol, [each.get(symbol) for each in sets]) for symbol in _DECIMALS]
     names = [place.name for place in places if place.kind.is_slave]
-    heading = _("Constants of {equation} for {pistons} [{source}]").format(
-        equation=EQUATION, pistons=ranged(names, range(len(names))), source=SOURCE
+    heading = _(
+        "Constants of {equation} for {pistons} [{source}]",
+        equation=EQUATION,
+        pistons=ranged(names, range(len(names))),
+        source=SOURCE,
     )
     section(console, heading, column_tables(columns, list(rows), console.width - INDENT))
     for subject, sentences in found.notes.items():
@@ -168,14 +171,14 @@ def show_opposed(console: Console, cylinders: Sequence[OpposedCylinders], result
 def _scheme(one: OpposedCylinders) -> str:
     """Say what draws fig. 1.3 of a cylinder."""
     command = f"cranktrain plot FILE --plan scheme --mechanism {one.places[0][0].cylinder} -o scheme.svg"
-    return _("fig. 1.3: {command}").format(command=command)
+    return _("fig. 1.3: {command}", command=command)
 
 
 def _show_motion(console: Console, one: OpposedCylinders, found: Statements) -> None:
     """Show travel, velocity and acceleration of each piston and of both together by the source and exact."""
     curves = grouped((curve.symbol, curve) for curve in found.curves if curve.of in one.of)
     headings = (
-        _("Travel S of the pistons of {cylinders} by the exhaust crank's angle").format(cylinders=one.of[2]),
+        _("Travel S of the pistons of {cylinders} by the exhaust crank's angle", cylinders=one.of[2]),
         _("Their v/ω"),
         _("Their j/ω²"),
     )
@@ -198,4 +201,4 @@ def _dead_centres(own: Sequence[Statement], notes: Sequence[str], width: int) ->
 
 def _called(place: PlacedMechanism) -> str:
     """Name a mechanism's slider: a piston, or the valve that an eccentric drives."""
-    return _(place.kind.output.called).format(name=place.name)
+    return _(place.kind.output.called, name=place.name)

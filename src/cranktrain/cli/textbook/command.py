@@ -85,7 +85,7 @@ def show_textbook(
     else:
         if text_named(file) and not os.path.exists(file):  # noqa: PTH110 - takes a NUL byte
             allowed = _("is a text, and no machine file is called so")
-            repair = _("such as: {example}").format(example=f"cranktrain textbook --source {file}")
+            repair = _("such as: {example}", example=f"cranktrain textbook --source {file}")
             raise InputError([Problem("", None, allowed, repair, Position(file))])
         _refuse_misspelt(file)
         _show_machine(file, settings, text, full=full, with_table=with_table, with_errata=with_errata)
@@ -94,7 +94,7 @@ def show_textbook(
 def _refuse_misspelt(file: str) -> None:
     """Refuse what is no file, and nearly the word for the errors."""
     if not os.path.exists(file) and nearest(file, [_ERRATA, *example_names()]) == _ERRATA:  # noqa: PTH110 - NUL bytes
-        allowed, repair = _("there is no such file"), _("did you mean {name}?").format(name=_ERRATA)
+        allowed, repair = _("there is no such file"), _("did you mean {name}?", name=_ERRATA)
         raise InputError([Problem("", None, allowed, repair, Position(one_line(file)))])
 
 
@@ -113,7 +113,7 @@ def _text(name: str) -> Text:
         return text_called(name)
     except InputError as error:
         if os.path.isfile(name) or name in example_names():  # noqa: PTH113 - takes a NUL byte
-            repair = _("a machine stands before it: cranktrain textbook {file}").format(file=one_line(name))
+            repair = _("a machine stands before it: cranktrain textbook {file}", file=one_line(name))
             raise InputError([replace(one, repair=repair) for one in error.problems]) from None
         raise
 
@@ -156,14 +156,17 @@ def _unspoken(machine: Machine, file: str, settings: Sequence[str], text: Text |
     """Say that no text, or not this one, has anything for a machine."""
     kinds = ", ".join(dict.fromkeys(place.kind.name for place in machine.places))
     if text is None:
-        yield _("None of the texts has a form of its own for the motion of: {kinds}.").format(kinds=kinds)
+        yield _("None of the texts has a form of its own for the motion of: {kinds}.", kinds=kinds)
         return
-    yield _("[{name}] speaks of {subject}; the mechanisms of this machine are: {kinds}.").format(
-        name=text.name, subject=_(text.said_of), kinds=kinds
+    yield _(
+        "[{name}] speaks of {subject}; the mechanisms of this machine are: {kinds}.",
+        name=text.name,
+        subject=_(text.said_of),
+        kinds=kinds,
     )
-    yield _("`{list}`: what this text holds").format(list=f"cranktrain textbook --source {text.name}")
+    yield _("`{list}`: what this text holds", list=f"cranktrain textbook --source {text.name}")
     for command in speaking(machine, file, settings):
-        yield _("`{command}` has something for this machine").format(command=command)
+        yield _("`{command}` has something for this machine", command=command)
 
 
 def _steam(console: Console, machine: Machine, result: Result, *, with_table: bool) -> bool:

@@ -25,7 +25,7 @@ def show_crank_rockers(console: Console, places: Sequence[PlacedMechanism], *, w
     """Show v_A/v_B and what follows from it for every distinct crank-rocker; whether there is one."""
     rockers = alike_rockers(places)
     for one in rockers:
-        heading = _("Velocities of the pins: (4), (7), (10) for {rockers} [gandzha]").format(rockers=one.of)
+        heading = _("Velocities of the pins: (4), (7), (10) for {rockers} [gandzha]", rockers=one.of)
         section(console, heading, _said(one))
         if with_table:
             _show_table(console, one)
@@ -37,16 +37,22 @@ def _said(one: AlikeRockers) -> Iterator[str]:
     low, high, rounding, product, length = crank_rocker_statements(one)
     yield _(
         "AC/BC = sin(α − β)/sin(α₁ − β) is v_A/v_B and, times Q, T by (4), without losses: exact, off by {error:.0e} "
-        "at most, from rounding. The product of both sines, which the text refutes, is off by up to {refuted:.4f}."
-    ).format(error=rounding.value, refuted=product.value)
+        "at most, from rounding. The product of both sines, which the text refutes, is off by up to {refuted:.4f}.",
+        error=rounding.value,
+        refuted=product.value,
+    )
     yield ""
     yield _(
         "By (21) the torque of a constant Q is M_xx times it: from {low} to {high}, where the line that the text "
-        "refutes is flat. So it is of a weight or spring; friction reverses with the rocker and never drives."
-    ).format(low=f"{low.exact:.4f}", high=f"{high.exact:.4f}")
+        "refutes is flat. So it is of a weight or spring; friction reverses with the rocker and never drives.",
+        low=f"{low.exact:.4f}",
+        high=f"{high.exact:.4f}",
+    )
     yield ""
-    yield _("(13) prints r₁ = {rocker} where by (12) and (4) it must be r = {radius}: M/Q is r times that.").format(
-        radius=number(length.exact, "mm"), rocker=number(length.value, "mm")
+    yield _(
+        "(13) prints r₁ = {rocker} where by (12) and (4) it must be r = {radius}: M/Q is r times that.",
+        radius=number(length.exact, "mm"),
+        rocker=number(length.value, "mm"),
     )
 
 

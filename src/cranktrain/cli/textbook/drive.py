@@ -89,14 +89,14 @@ def show_drive(
     if output is not None:
         write_drive(file.drive, file.text, one_line(PurePath(source).name), output, angle=at, force=force)
         return
-    with page(_("Drive of a crank-rocker, (1) to (21) [{source}]").format(source=SOURCE)) as console:
+    with page(_("Drive of a crank-rocker, (1) to (21) [{source}]", source=SOURCE)) as console:
         _show(console, drive_statements(file.drive, at), at, first_of=None if full else (source, angle, settings))
 
 
 def read_drive_file(source: str, settings: Sequence[str]) -> _DriveFile:
     """Read a drive's table, or a machine; some values set anew. What is wrong stands at its line, or at `--set`."""
     if not source.strip():
-        allowed = _("must be a file with a drive's table, a machine file, or `{example}`").format(example=EXAMPLE)
+        allowed = _("must be a file with a drive's table, a machine file, or `{example}`", example=EXAMPLE)
         raise InputError([Problem("--drive", '""', allowed)])
     own = [one for one in settings if one.partition("=")[0].strip() in DRIVE_KEYS]
     others = [one for one in settings if one not in own]
@@ -131,7 +131,7 @@ def _show(console: Console, found: Statements, angle: float, *, first_of: _Asked
     (linkage, of_linkage), *others = found.notes.items()
     shown = _first(found) if first_of else found
     section(console, linkage, of_linkage)
-    heading = _("At α = {angle:g}° from the line of the pivots").format(angle=angle)
+    heading = _("At α = {angle:g}° from the line of the pivots", angle=angle)
     section(console, heading, _force_lines(shown, width))
     section(console, _("Over a turn"), _curve_lines(shown, width))
     if first_of:
@@ -160,7 +160,7 @@ def _go_on(width: int, source: str, angle: float | None, settings: Sequence[str]
         (["-o", "fig2.svg"], _("fig. 2, redrawn; as .csv its curves")),
     ):
         command = f"`{textbook_command('--drive', source, *at, *added, settings=settings)}`"
-        shown = command if cell_len(command) < width else _("the same with {option}").format(option=" ".join(added))
+        shown = command if cell_len(command) < width else _("the same with {option}", option=" ".join(added))
         yield f"{shown}: {said}"
 
 

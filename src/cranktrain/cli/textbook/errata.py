@@ -56,7 +56,7 @@ def show_errors_of(console: Console, name: str) -> None:
     width = console.width - INDENT
     about = [REFERENCES[name].text]
     if name == SYNTHESIS:
-        about.append(_("Its example: {requirements}.").format(requirements=_requirements()))
+        about.append(_("Its example: {requirements}.", requirements=_requirements()))
     section(console, f"[{name}]", about)
     found = errata(name)
     for place, one in enumerate(found, start=1):
@@ -68,7 +68,7 @@ def show_errors_of(console: Console, name: str) -> None:
 def _list_errors_of(console: Console, text: Text, most: int | None) -> None:
     """Show a text's errors one in a line, or so many of them; of the synthesis all with its table of velocities."""
     each = list(errata(text.name))
-    heading = _("[{name}] {n} wrong steps").format(name=text.name, n=len(each))
+    heading = _("[{name}] {n} wrong steps", name=text.name, n=len(each))
     lines = list(_listed(each[:most], console.width - INDENT))
     if most is not None and len(each) > most:
         lines.append(Line(f"… `cranktrain textbook errata --source {text.letter}`"))
@@ -90,15 +90,16 @@ def _listed(each: Sequence[Statement], width: int) -> list[Line]:
 
 
 def _go_on(asked: str) -> Iterator[str]:
-    yield _("`{command}`: each as printed, and why it is wrong").format(
-        command=f"cranktrain textbook errata{asked} --full"
-    )
+    yield _("`{command}`: each as printed, and why it is wrong", command=f"cranktrain textbook errata{asked} --full")
 
 
 def _requirements() -> str:
     """What the synthesis's example wants."""
-    return _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
-        stroke=SOURCE_EXAMPLE["stroke"], speed=SOURCE_EXAMPLE["mean_speed"], angle=SOURCE_EXAMPLE["pressure_angle"]
+    return _(
+        "stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}",
+        stroke=SOURCE_EXAMPLE["stroke"],
+        speed=SOURCE_EXAMPLE["mean_speed"],
+        angle=SOURCE_EXAMPLE["pressure_angle"],
     )
 
 

@@ -71,7 +71,7 @@ def show_force_tables(
             options = [] if step == STEP else ["--step", f"{step:g}"]
             options += [] if piston is None else ["--piston", piston]
             whole = textbook_command(source, "--forces", unit, *options, "--full", settings=settings)
-            section(console, _("To go on"), [_("`{command}`: at every angle").format(command=whole)])
+            section(console, _("To go on"), [_("`{command}`: at every angle", command=whole)])
 
 
 def refuse_without_forces(given: Mapping[str, str | None]) -> None:
@@ -90,14 +90,14 @@ def _show(console: Console, table: ForceTable, *, full: bool) -> None:
     """Show forces by the reactions, and what the textbook makes of them: all, or how far that is off at most."""
     labels = [f"{angle:g}°" for angle in table.angle]
     exact = [Column(one.symbol, one.unit, _written(one.exact, one.exact)) for one in table.columns]
-    heading = _("Forces of piston {piston} by the reactions in the joints").format(piston=table.piston)
+    heading = _("Forces of piston {piston} by the reactions in the joints", piston=table.piston)
     if table.area is not None:
-        heading = _("{heading}, over its area of {area:.2f} cm²").format(heading=heading, area=1e4 * table.area)
+        heading = _("{heading}, over its area of {area:.2f} cm²", heading=heading, area=1e4 * table.area)
     section_of_columns(console, heading, exact, labels)
     methods = _methods(table)
     if full:
         for method, columns in methods.items():
-            _show_method(console, _("The same by {method}").format(method=method), columns, labels)
+            _show_method(console, _("The same by {method}", method=method), columns, labels)
     elif methods:
         _show_largest(console, methods)
     section(console, _("What they are"), _explained(table))

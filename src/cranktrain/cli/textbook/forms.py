@@ -59,7 +59,10 @@ def show_motion(console: Console, machine: Machine, sources: Collection[str]) ->
 
 def show_form(console: Console, curves: Sequence[StatementCurve]) -> None:
     """Show displacement, velocity and acceleration of a form at round angles from where the own crank points."""
-    heading = _("{symbols} of {pistons} by {form}").format(
-        symbols=", ".join(one.symbol for one in curves), pistons=curves[0].of, form=curves[0].name
+    heading = _(
+        "{symbols} of {pistons} by {form}",
+        symbols=", ".join(one.symbol for one in curves),
+        pistons=curves[0].of,
+        form=curves[0].name,
     )
     show_curves(console, heading, ROUND_ANGLES, ((one.equation, one) for one in curves), _("exact"))

@@ -72,7 +72,7 @@ def show_harmonics(
             return
         for own, members in ratios.items():
             pistons = ranged([place.name for place in places], members)
-            _show(console, _("{pistons}, λ = {ratio:.4g}").format(pistons=pistons, ratio=own), own)
+            _show(console, _("{pistons}, λ = {ratio:.4g}", pistons=pistons, ratio=own), own)
         _explain(console)
 
 

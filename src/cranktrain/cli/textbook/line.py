@@ -50,7 +50,8 @@ def textbook_line(result: Result, file: str, design: int = 0) -> str | None:
     known = np.flatnonzero(~np.all(np.isnan(every), axis=(0, 1))).tolist()
     if not known:
         return None
-    return _("Textbook forms are off by up to {errors}: {command}").format(
+    return _(
+        "Textbook forms are off by up to {errors}: {command}",
         errors=_by_piston(names, known, np.nanmax(every[..., known], axis=(0, 1))),
         command=f"cranktrain textbook {one_line(file)}",
     )
@@ -64,9 +65,7 @@ def _by_piston(names: Sequence[str], known: Sequence[int], errors: Array) -> str
     if len(written) == 1:
         return f"{next(iter(written))} %"
     if len(written) > _FEW:
-        return _("{least} to {most} %").format(
-            least=percent(float(np.min(errors))), most=percent(float(np.max(errors)))
-        )
+        return _("{least} to {most} %", least=percent(float(np.min(errors))), most=percent(float(np.max(errors))))
     return ", ".join(f"{text} % ({_whose(names, members)})" for text, members in written.items())
 
 

@@ -25,7 +25,7 @@ def output_problems(output: str | None, *kinds: str, force: bool) -> Iterator[Pr
         yield Problem("--force", None, _("is for a file that is written: ask for -o FILE, too"))
     known = (*kinds, *FORMATS)
     if output is not None and PurePath(output).suffix.lower() not in known:
-        yield Problem("-o", output, _("must end in one of: {suffixes}").format(suffixes=", ".join(known)))
+        yield Problem("-o", output, _("must end in one of: {suffixes}", suffixes=", ".join(known)))
 
 
 def write_drive(
@@ -43,7 +43,7 @@ def write_drive(
         from cranktrain.viz.plans.drive_figure import drive_figure
 
         save_quietly(lambda: drive_figure(drive, name, angle), output, force=force)
-    print(_("written: {name}").format(name=one_line(output)))
+    print(_("written: {name}", name=one_line(output)))
 
 
 def refuse_without_throw(
@@ -66,7 +66,7 @@ def write_throw(throw: Throw, text: str, name: str, output: str, *, force: bool)
         from cranktrain.viz.plans.throw_scheme import throw_figure
 
         save_quietly(lambda: throw_figure(throw, name), output, force=force)
-    print(_("written: {name}").format(name=one_line(output)))
+    print(_("written: {name}", name=one_line(output)))
 
 
 def write_machine_throw(
@@ -79,4 +79,4 @@ def write_machine_throw(
         from cranktrain.viz.plans.throw_scheme import machine_throw_figure
 
         save_quietly(lambda: machine_throw_figure(of, *asked), output, force=force)
-    print(_("written: {name}").format(name=one_line(output)))
+    print(_("written: {name}", name=one_line(output)))

@@ -28,7 +28,7 @@ def machine_file(source: str, settings: Sequence[str], example: str) -> MachineF
 
 def file_missing(example: str) -> Problem:
     """Say that no machine is named, and what could be typed."""
-    repair = _("such as: {example}").format(example=example)
+    repair = _("such as: {example}", example=example)
     return Problem("", None, _("FILE is missing"), repair, Position("cranktrain textbook"))
 
 
@@ -77,7 +77,7 @@ def _document(kind: Literal["drive", "throw"], source: str, nothing: str) -> Doc
     is_file = os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
     if source.strip().casefold() == EXAMPLE and not is_file:
         return Document.from_text(example_table(kind), EXAMPLE)
-    repair = _("start with: {command}").format(command=f"cranktrain textbook --{kind} example -o {kind}.toml")
+    repair = _("start with: {command}", command=f"cranktrain textbook --{kind} example -o {kind}.toml")
     with problems_as(lambda problem: replace(problem, repair=problem.repair or repair)):
         document = Document.read(source)
     if not parsed(document.text, document.name):

@@ -55,4 +55,4 @@ def instead(machine: Machine, file: str, settings: Sequence[str]) -> str:
     commands = [f"`{command}`" for command in speaking(machine, file, settings)]
     if not commands:
         return _("none of the texts speaks of this machine")
-    return _("the texts speak of this machine in {commands}").format(commands=", ".join(commands))
+    return _("the texts speak of this machine in {commands}", commands=", ".join(commands))

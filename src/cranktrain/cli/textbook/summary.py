@@ -61,13 +61,13 @@ def go_on(
     own = textbook_command(file, *source, settings=settings)
     if with_table:
         whole = textbook_command(file, *source, "--table", "--full", settings=settings)
-        yield _("`{command}`: every method, and all else that the texts have over the turn").format(command=whole)
-        yield _("`{command}`: how far the forms are off").format(command=own)
+        yield _("`{command}`: every method, and all else that the texts have over the turn", command=whole)
+        yield _("`{command}`: how far the forms are off", command=own)
     else:
         whole = textbook_command(file, *source, "--full", settings=settings)
-        yield _("`{command}`: ranges, where the errors are largest, constructions, constants").format(command=whole)
+        yield _("`{command}`: ranges, where the errors are largest, constructions, constants", command=whole)
         table = textbook_command(file, *source, "--table", settings=settings)
-        yield _("`{command}`: the motion over the turn").format(command=table)
+        yield _("`{command}`: the motion over the turn", command=table)
 
 
 def _go_on_to_drive(machine: Machine, file: str, settings: Sequence[str]) -> Iterator[str]:
@@ -80,11 +80,13 @@ def _go_on_to_drive(machine: Machine, file: str, settings: Sequence[str]) -> Ite
     own = [f"{symbol}={value}" for symbol, value in lacking.items()]
     command = textbook_command("--drive", file, settings=(*settings, *own))
     if not lacking:
-        yield _("`{command}`: (1) to (21), its drive with them").format(command=command)
+        yield _("`{command}`: (1) to (21), its drive with them", command=command)
         return
     yield _(
-        "`{command}`: (1) to (21), its drive with them; the machine does not say {symbols}: put in your own"
-    ).format(command=command, symbols=", ".join(lacking))
+        "`{command}`: (1) to (21), its drive with them; the machine does not say {symbols}: put in your own",
+        command=command,
+        symbols=", ".join(lacking),
+    )
 
 
 def _ranges(places: Sequence[PlacedMechanism], text: Text | None) -> list[Range]:
@@ -116,7 +118,7 @@ def _inside(one: Range, piston: AlikePistons) -> str:
     if one.most_ratio is None:
         return _("the text gives no range")
     outside = list(one.reasons(piston.ratio, piston.offset))
-    return _("outside, as {reasons}").format(reasons=_(" and ").join(outside)) if outside else _("inside its range")
+    return _("outside, as {reasons}", reasons=_(" and ").join(outside)) if outside else _("inside its range")
 
 
 def _of_opposed(cylinders: Sequence[OpposedCylinders], result: Result) -> Iterator[_Row]:
@@ -154,5 +156,5 @@ def _show_travel(console: Console, cylinders: Sequence[OpposedCylinders], result
     for one in cylinders[:1]:
         found = opposed_statements(cylinders[:1], result)
         curves = ((curve.equation, curve) for curve in found.curves if curve.symbol == "S")
-        heading = _("Travel S of the pistons of {cylinders} by the exhaust crank's angle").format(cylinders=one.of[2])
+        heading = _("Travel S of the pistons of {cylinders} by the exhaust crank's angle", cylinders=one.of[2])
         show_curves(console, heading, found.crank_angle, curves, _("exact"))

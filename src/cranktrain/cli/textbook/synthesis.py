@@ -21,7 +21,7 @@ _SHOWN = {"m": "mm", "rad": "deg"}
 
 def show_steps(console: Console, typed: Mapping[str, str | bool | None]) -> None:
     """Show the text's steps with the requirements that are typed, or say why they are not its own."""
-    heading = _("Its steps with these requirements [{source}]").format(source=SOURCE)
+    heading = _("Its steps with these requirements [{source}]", source=SOURCE)
     given = {name: value for name in (*NEEDED, "rod_length") if isinstance(value := typed.get(name), str)}
     if unlike := [*_unlike(typed, given)]:
         section(console, heading, unlike)
@@ -34,12 +34,14 @@ def show_steps(console: Console, typed: Mapping[str, str | bool | None]) -> None
 def _unlike(typed: Mapping[str, str | bool | None], given: Mapping[str, str]) -> Iterator[str]:
     """Say of what the text does not speak, and what it needs besides."""
     if lacking := [option_of(name) for name in NEEDED if name not in given]:
-        yield _("It starts from a stroke, a mean speed and a pressure angle; {options}: not given.").format(
-            options=", ".join(lacking)
+        yield _(
+            "It starts from a stroke, a mean speed and a pressure angle; {options}: not given.",
+            options=", ".join(lacking),
         )
     if others := [option_of(name) for name in _NOT_ITS_OWN if typed.get(name)]:
-        yield _("It has a central slider-crank with one pressure angle both ways, and nothing of {options}.").format(
-            options=", ".join(others)
+        yield _(
+            "It has a central slider-crank with one pressure angle both ways, and nothing of {options}.",
+            options=", ".join(others),
         )
 
 
@@ -59,7 +61,7 @@ def _over_the_turn(found: Statements, width: int) -> Iterator[str | Line]:
     by_symbol = grouped((one.symbol, one) for one in found if one.equation and one.at == "at")
     columns: list[Column] = []
     for symbol, name in (("x", _("x as printed")), ("v", _("v by its formula"))):
-        unit, right = by_symbol[symbol][0].unit, _("{symbol} exact").format(symbol=symbol)
+        unit, right = by_symbol[symbol][0].unit, _("{symbol} exact", symbol=symbol)
         for head, values in (
             (name, [one.value for one in by_symbol[symbol]]),
             (right, [one.exact for one in by_symbol[symbol]]),
@@ -67,5 +69,5 @@ def _over_the_turn(found: Statements, width: int) -> Iterator[str | Line]:
             columns.append(Column(head, unit, tuple(f"{value + 0.0:.4f}" for value in values)))
     yield from column_tables(columns, [f"{one.crank_angle:.0f}°" for one in by_symbol["x"]], width)
     yield ""
-    yield _("{equation} prints no root: an area in numbers of m² is added to a length.").format(equation=PLACE)
+    yield _("{equation} prints no root: an area in numbers of m² is added to a length.", equation=PLACE)
     yield from found.notes[_("Its velocities")]

@@ -37,8 +37,10 @@ def show_texts() -> None:
 def _counted(text: Source) -> str:
     """Say how many formulas and figures a text has, by verdict."""
     by_verdict = Counter(one.said_verdict for one in text.formulas)
-    return _("{n} formulas and figures: {verdicts}").format(
-        n=len(text.formulas), verdicts="; ".join(f"{n} {verdict}" for verdict, n in by_verdict.items())
+    return _(
+        "{n} formulas and figures: {verdicts}",
+        n=len(text.formulas),
+        verdicts="; ".join(f"{n} {verdict}" for verdict, n in by_verdict.items()),
     )
 
 
@@ -99,12 +101,13 @@ def show_equation(number: str, source: str | None, *, others: Mapping[str, str |
         repair = None
         if elsewhere:
             letters = ", ".join(dict.fromkeys(f"{text.letter} {text.name}" for text, _one in elsewhere))
-            repair = _("that number is in {texts}").format(texts=letters)
-        missing = _("must be the number of a formula, figure or page: {numbers}").format(
-            numbers="; ".join(f"{text.letter} {', '.join(text.number_ranges)}" for text in texts)
+            repair = _("that number is in {texts}", texts=letters)
+        missing = _(
+            "must be the number of a formula, figure or page: {numbers}",
+            numbers="; ".join(f"{text.letter} {', '.join(text.number_ranges)}" for text in texts),
         )
         raise InputError([Problem("--equation", number, missing, repair)])
-    with page(_("By the number {number}").format(number=number)) as console:
+    with page(_("By the number {number}", number=number)) as console:
         for text, one in found:
             heading = f"{one.number}  {_(one.subject)}  [{text.name}]"
             section(console, heading, _lines(one, console.width - INDENT))
@@ -125,8 +128,8 @@ def _go_on(text: Source, *, has_forms: bool, full: bool) -> Iterator[str]:
     if not full:
         number = plain_number(next(one.number for one in text.formulas if one.verdict != "right"))
         asked = shlex.join(["cranktrain", "textbook", "--source", text.letter, "--equation", number])
-        yield _("`{one}`: one, with its range and the command that shows it").format(one=asked)
-        yield _("`{all}`: all of them so").format(all=f"cranktrain textbook --source {text.letter} --full")
+        yield _("`{one}`: one, with its range and the command that shows it", one=asked)
+        yield _("`{all}`: all of them so", all=f"cranktrain textbook --source {text.letter} --full")
     if has_forms:
-        yield _("`cranktrain textbook FILE --source {name}`: its forms for a machine of yours").format(name=text.letter)
-    yield _("`cranktrain textbook errata --source {name}`: its errors").format(name=text.letter)
+        yield _("`cranktrain textbook FILE --source {name}`: its forms for a machine of yours", name=text.letter)
+    yield _("`cranktrain textbook errata --source {name}`: its errors", name=text.letter)

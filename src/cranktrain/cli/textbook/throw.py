@@ -109,7 +109,7 @@ def show_throw(
     allowed = _("must be left out beside --throw")
     found = [Problem(name, value or None, allowed) for name, value in others.items() if value is not None]
     if not source.strip():
-        missing = _("must be a file with a throw's table, a machine file, or `{example}`").format(example=EXAMPLE)
+        missing = _("must be a file with a throw's table, a machine file, or `{example}`", example=EXAMPLE)
         found.append(Problem("--throw", '""', missing))
     refuse(found)
     of_machine = is_machine(source)
@@ -223,14 +223,14 @@ def _reaction_lines(found: Statements, width: int) -> Iterator[str | Text]:
     yield from column_tables(columns, labels, width)
     yield ""
     right, left = (next(one for one in found if one.symbol == symbol) for symbol in ("R_P", "R_L"))
-    yield _("Resultants: R_P = {right}, R_L = {left}.").format(
-        right=number(right.value, "N"), left=number(left.value, "N")
-    )
+    yield _("Resultants: R_P = {right}, R_L = {left}.", right=number(right.value, "N"), left=number(left.value, "N"))
     if any(one.verdict == "beyond" for one in each):
         yield _(
             "Rows without a number are loads for which the text has no letter. With them, as the split shaft has it: "
-            "R_P = {right}, R_L = {left}."
-        ).format(right=number(right.exact, "N"), left=number(left.exact, "N"))
+            "R_P = {right}, R_L = {left}.",
+            right=number(right.exact, "N"),
+            left=number(left.exact, "N"),
+        )
 
 
 def _cycle_lines(found: Statements, width: int) -> Iterator[Text]:

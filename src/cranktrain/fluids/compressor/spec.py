@@ -85,9 +85,7 @@ def stage_problems(tables: Mapping[str, CompressorSpec]) -> Iterator[Problem]:
             said = allowed.format(known=", ".join(known) or _("there is none"))
             yield Problem(f"{path}.takes_from", spec.takes_from, said)
         elif before in after:
-            allowed = _("is the stage before {other} already; a stage delivers to one other").format(
-                other=after[before]
-            )
+            allowed = _("is the stage before {other} already; a stage delivers to one other", other=after[before])
             yield Problem(f"{path}.takes_from", spec.takes_from, allowed)
         else:
             after[before] = path
@@ -104,16 +102,14 @@ def _last_problems(tables: Mapping[str, CompressorSpec], after: Mapping[str, str
     for path, spec in tables.items():
         if path in after:
             if spec.discharge_pressure is not None:
-                allowed = _("is found from the flow that it shares with {other}; leave it out").format(
-                    other=after[path]
-                )
+                allowed = _("is found from the flow that it shares with {other}; leave it out", other=after[path])
                 yield Problem(f"{path}.discharge_pressure", spec.discharge_pressure.text, allowed)
         elif spec.discharge_pressure is None:
             yield Problem(f"{path}.discharge_pressure", None, missing(PositivePressure))
         else:
             suction = tables[chain_to(path, before)[0]].suction_pressure
             if suction is not None and suction.si >= spec.discharge_pressure.si:
-                allowed = _("must be more than suction_pressure, {suction}").format(suction=suction.text)
+                allowed = _("must be more than suction_pressure, {suction}", suction=suction.text)
                 yield Problem(f"{path}.discharge_pressure", spec.discharge_pressure.text, allowed)
     reached = {path for end in tables if end not in after for path in chain_to(end, before)}
     going = next((path for path in after if path not in reached), None)

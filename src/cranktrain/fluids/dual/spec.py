@@ -47,7 +47,7 @@ def cycle_flags(spec: IdealCycleSpec) -> tuple[str, ...]:
     """Flag pressures that are so low that gauge pressures may be meant, and exponents that no gas has."""
     exponents = {name: getattr(spec, name) for name in ("compression_exponent", "expansion_exponent")}
     unusual = tuple(
-        _("{name} = {given} is no polytrope of an engine; 1.2 to 1.4 are usual.").format(name=name, given=exponent.text)
+        _("{name} = {given} is no polytrope of an engine; 1.2 to 1.4 are usual.", name=name, given=exponent.text)
         for name, exponent in exponents.items()
         if not _LEAST_EXPONENT <= exponent.si <= _MOST_EXPONENT
     )
@@ -55,8 +55,11 @@ def cycle_flags(spec: IdealCycleSpec) -> tuple[str, ...]:
     given = [(name, pressure) for name in names if (pressure := getattr(spec, name)) is not None]
     gauge = tuple(
         _(
-            "{name} = {given} is {pressure} kPa absolute: if it is a gauge pressure, write it in barg, ati or psig."
-        ).format(name=name, given=pressure.text, pressure=f"{shown(pressure.si, 'kPa'):.4g}")
+            "{name} = {given} is {pressure} kPa absolute: if it is a gauge pressure, write it in barg, ati or psig.",
+            name=name,
+            given=pressure.text,
+            pressure=f"{shown(pressure.si, 'kPa'):.4g}",
+        )
         for name, pressure in given
         if pressure.si < _LOWEST_USUAL
     )

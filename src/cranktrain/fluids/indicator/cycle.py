@@ -134,7 +134,7 @@ def _each_once(
         allowed = allowed.format(angle=_degrees(float(angles[jumps[0]])), line=first, n=jumps.size)
         raise trace.refused(allowed, again, repair.format(most=_MOST_JUMPS))
     n_left_out = len(samples.angles) - len(kept)
-    sentences = (_("{n} samples that were given twice are left out.").format(n=n_left_out),) if n_left_out else ()
+    sentences = (_("{n} samples that were given twice are left out.", n=n_left_out),) if n_left_out else ()
     return Samples(angles, samples.pressures[kept], sentences, ()), lines[kept]
 
 

@@ -63,8 +63,9 @@ def compression_flags(samples: Samples, chamber: Chamber) -> Iterator[str]:
     if not _LOWEST <= exponent <= _HIGHEST:
         yield _(
             "Compression from 80° to 40° before firing has the exponent {exponent:.2f}; 1.25 to 1.4 are usual: are the"
-            " level of the pressures (absolute or gauge), the zero of the angles and the compression ratio right?"
-        ).format(exponent=exponent)
+            " level of the pressures (absolute or gauge), the zero of the angles and the compression ratio right?",
+            exponent=exponent,
+        )
 
 
 def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[str]:
@@ -99,7 +100,7 @@ def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[str]:
             " beside it{more}: if it jumps, give the jump as two rows of one angle (or place), before and after; else"
             " give more rows there. A jump lost between rows takes from the mean pressure, 2 % in steps of 10°."
         )
-        more = _(", and so in {n} other steps").format(n=found.size - 1) if found.size > 1 else ""
+        more = _(", and so in {n} other steps", n=found.size - 1) if found.size > 1 else ""
         start, end = places[largest], places[largest] + lengths[largest]
         before, after = (f"{shown(float(pressure[largest]), 'bar'):.4g}" for pressure in (starts, ends))
         start, end = (f"{shown(float(angle), 'deg') + 0.0:.6g}°" for angle in (start, end))
@@ -171,14 +172,13 @@ def level_flags(pressures: Array) -> Iterator[str]:
     low, high = (f"{shown(pressure, 'bar'):.4g}" for pressure in (lowest, highest))
     if lowest < _LOWEST_USUAL:
         yield _(
-            "The lowest pressure is {low} bar absolute, too low for an engine: gauge pressures, or another unit?"
-        ).format(low=low)
-    if lowest > _HIGHEST_LOWEST or highest > _HIGHEST_USUAL:
-        yield _("Pressures of {low} to {high} bar are too high for an engine: is the unit right?").format(
-            low=low, high=high
+            "The lowest pressure is {low} bar absolute, too low for an engine: gauge pressures, or another unit?",
+            low=low,
         )
+    if lowest > _HIGHEST_LOWEST or highest > _HIGHEST_USUAL:
+        yield _("Pressures of {low} to {high} bar are too high for an engine: is the unit right?", low=low, high=high)
     elif highest < _LOWEST_PEAK:
-        yield _("The peak of {high} bar is too low for an engine: is the unit right?").format(high=high)
+        yield _("The peak of {high} bar is too low for an engine: is the unit right?", high=high)
 
 
 def curve_findings(curve: CubicCurve, samples: Samples, highest: int, dead_centre: float) -> Iterator[str]:
@@ -210,14 +210,17 @@ def curve_findings(curve: CubicCurve, samples: Samples, highest: int, dead_centr
     )
     befores = np.roll(curve.ends, 1)
     jumps = [
-        _("at {angle} from {before} to {after} bar").format(
-            angle=_from_firing(place - dead_centre, curve.period), before=_bar(before), after=_bar(after)
+        _(
+            "at {angle} from {before} to {after} bar",
+            angle=_from_firing(place - dead_centre, curve.period),
+            before=_bar(before),
+            after=_bar(after),
         )
         for place, before, after in zip(curve.places.tolist(), befores.tolist(), curve.starts.tolist(), strict=True)
         if before != after
     ]
     if jumps:
-        yield _("The pressure jumps where the file gives two, from firing: {jumps}.").format(jumps=", ".join(jumps))
+        yield _("The pressure jumps where the file gives two, from firing: {jumps}.", jumps=", ".join(jumps))
 
 
 def _bar(pressure: float) -> str:

@@ -92,7 +92,7 @@ def _flags(samples: Samples, diagram: Diagram, chamber: Chamber, card: Card) -> 
 
 def _refuse_angles(card: Card, axis: str) -> None:
     """Refuse what only a file over the crank angle can have: strokes over a volume are told by their pressures."""
-    allowed = _("is for a file over the crank angle; this one is over {axis}").format(axis=axis)
+    allowed = _("is for a file over the crank angle; this one is over {axis}", axis=axis)
     given = {"firing_angle": card.firing_angle is not None, "sense": card.sense != "forward"}
     wrong = [Problem(name, None, allowed) for name, is_given in given.items() if is_given]
     if wrong:

@@ -87,8 +87,9 @@ def noise_flags(samples: Samples) -> Iterator[str]:
     if noise > _NOISY * peak:
         yield _(
             "The pressures scatter by {percent:.2g} % of the peak from sample to sample: write smoothing, such as"
-            ' smoothing = "1 deg", or forces and torque will have that noise.'
-        ).format(percent=100 * noise / peak)
+            ' smoothing = "1 deg", or forces and torque will have that noise.',
+            percent=100 * noise / peak,
+        )
 
 
 def eaten_flags(raw: Diagram, own: Diagram, width: float, interpolation: Interpolation) -> Iterator[str]:

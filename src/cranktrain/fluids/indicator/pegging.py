@@ -62,7 +62,7 @@ def pegged(samples: Samples, diagram: Diagram, peg: Peg, chamber: Chamber, smoot
         level = _by_compression(samples, peg, peg.exponent, chamber, noise)
     known = _("the level that is known")
     if peg.pressure is not None:
-        known = _("the pressure that is known at {angle}").format(angle=f"{shown(peg.angle, 'deg'):g}°")
+        known = _("the pressure that is known at {angle}", angle=f"{shown(peg.angle, 'deg'):g}°")
     sentence = _("All pressures are moved by {offset} kPa, to {known}.")
     if level.uncertain > _TOLD:
         sentence = _("All pressures are moved by {offset} kPa, to {known}; noise leaves ±{doubt} kPa.")

@@ -109,7 +109,7 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
     unit = said.pressure_unit or unit_in(labels[level], Dimension.PRESSURE)
     if unit is None:
         repair = _('write pressure_unit = "bar" (or {units})')
-        said_of = _("the file names no unit of pressure{where}").format(where=_in_head(labels[level]))
+        said_of = _("the file names no unit of pressure{where}", where=_in_head(labels[level]))
         raise _without_unit("pressure_unit", said_of, repair, Dimension.PRESSURE)
     pressures, sentences, is_gauge_known = _absolute(table.rows[:, level], unit, labels[level], said)
     if not said.is_raw:
@@ -132,7 +132,7 @@ def _columns(table: NumberTable, said: Columns, name: str) -> tuple[Axis, int, i
         raise InputError([Problem("", None, allowed, None, Position(name, int(table.lines[0])))])
     if said.columns is not None:
         if max(said.columns) > n_columns or min(said.columns) < 1:
-            allowed = _("must be columns of the file, 1 to {n}").format(n=n_columns)
+            allowed = _("must be columns of the file, 1 to {n}", n=n_columns)
             raise InputError([Problem("columns", None, allowed)])
         where, level = (column - 1 for column in said.columns)
         if where == level:
@@ -181,7 +181,7 @@ def _place_scale(
         return 1.0, ()
     if axis == "volume":
         repair = _('write axis_unit = "cm³" (or {units})')
-        said_of = _("the file names no unit of volume{where}").format(where=_in_head(label))
+        said_of = _("the file names no unit of volume{where}", where=_in_head(label))
         raise _without_unit("axis_unit", said_of, repair, Dimension.VOLUME)
     farthest = float(np.ptp(table.rows[:, column]))
     unit = "deg" if farthest > _DEGREES_BEYOND else "rad"
@@ -191,7 +191,7 @@ def _place_scale(
 
 def _in_head(label: str) -> str:
     """Say which head was read, where there is one."""
-    return _(", in the head “{head}”").format(head=short(label)) if label else ""
+    return _(", in the head “{head}”", head=short(label)) if label else ""
 
 
 def _without_unit(key: str, allowed: str, repair: str, dimension: Dimension) -> InputError:
@@ -208,7 +208,7 @@ def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Arr
     else:
         gauge = said.is_gauge if said.is_gauge is not None else is_gauge(label)
     if gauge:
-        sentence = _("Gauge pressures: {ambient} kPa added.").format(ambient=f"{shown(said.ambient, 'kPa'):.6g}")
+        sentence = _("Gauge pressures: {ambient} kPa added.", ambient=f"{shown(said.ambient, 'kPa'):.6g}")
         return numbers * scale + said.ambient, (sentence,), True
     if gauge is None:
         taken = _("The file does not say absolute or gauge; its pressures are taken as absolute.")
@@ -221,7 +221,7 @@ def _refuse_negative(pressures: Array, table: NumberTable, level: int, *, is_gau
     wrong = np.flatnonzero(pressures <= 0)
     if wrong.size:
         first = int(wrong[0])
-        allowed = _("an absolute pressure must be more than 0 ({n} values are not)").format(n=wrong.size)
+        allowed = _("an absolute pressure must be more than 0 ({n} values are not)", n=wrong.size)
         repair = peg_advice()
         if not is_gauge:
             repair += _('; if these are gauge pressures, write pressure = "gauge"')

@@ -117,7 +117,7 @@ def unrolled(
         2 * np.pi * (stroke // 2) + _angles(branch.travelled, stroke % 2 == 0, chamber, ends, outward)
         for stroke, branch in enumerate(in_order)
     ]
-    sentence = _("Pressures over the stroke are unrolled over the crank angle: {n} strokes.").format(n=n_strokes)
+    sentence = _("Pressures over the stroke are unrolled over the crank angle: {n} strokes.", n=n_strokes)
     angles, pressures = _joined(strokes, in_order, chamber.cycle)
     flags = tuple(lost_jump_flags(Samples(angles, pressures, (), ()), chamber.cycle))
     return Samples(*_filled(angles, pressures, chamber, curve_through), (*findings, sentence), flags)
@@ -144,7 +144,7 @@ def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
         own = (f"{shown(float(volume), 'cm³'):.6g}" for volume in (low, high, smallest, largest))
         raise trace.refused(allowed.format(**dict(zip(("low", "high", "smallest", "largest"), own, strict=True))))
     is_beyond = (part < -_SAME_PLACE) | (part > 1 + _SAME_PLACE)
-    moved = _("{n} volumes a little beyond the machine's are moved to its dead centres.").format(n=np.sum(is_beyond))
+    moved = _("{n} volumes a little beyond the machine's are moved to its dead centres.", n=np.sum(is_beyond))
     return np.clip(part, 0.0, 1.0), (moved,) if np.any(is_beyond) else ()
 
 

@@ -54,7 +54,7 @@ class DeclaredDrive:
 
 def shaft_names(n_stages: int) -> tuple[str, ...]:
     """Names of the shafts of a drive; a motor on the crank has its shaft in common with it."""
-    return (_("motor"), *(_("shaft {n}").format(n=n) for n in range(1, n_stages)), _("crank"))[0 if n_stages else 1 :]
+    return (_("motor"), *(_("shaft {n}", n=n) for n in range(1, n_stages)), _("crank"))[0 if n_stages else 1 :]
 
 
 def declared_drive(spec: DriveSpec, motor: DeclaredMotor | None, designs: Designs) -> DeclaredDrive:

@@ -50,7 +50,7 @@ class GripSpec(Spec, frozen=True):
     def _problems(self) -> Iterator[Problem]:
         """Find a grip that holds less than it gives while it slips."""
         if self.static_torque is not None and self.static_torque.si < self.torque.si:
-            allowed = _("must not be less than the torque while it slips, {torque}").format(torque=self.torque.text)
+            allowed = _("must not be less than the torque while it slips, {torque}", torque=self.torque.text)
             yield Problem("static_torque", self.static_torque.text, allowed, _("leave it out if it is not known"))
 
 
@@ -113,7 +113,7 @@ def press_problems(
     if stroke is not None:
         for key, table in (("clutch", clutch), ("brake", brake)):
             if table is None:
-                yield Problem("stroke", None, _("needs [drive.{key}] as well").format(key=key))
+                yield Problem("stroke", None, _("needs [drive.{key}] as well", key=key))
     if clutch is None and brake is not None and brake.on == "clutch":
         yield Problem("brake.on", '"clutch"', _("needs [drive.clutch] as well"), _('write "motor" or "crank"'))
     elif clutch is not None and brake is not None and brake.on == "motor":

@@ -31,5 +31,5 @@ def shaft_number(on: OnShaft) -> int:
 def absent_shaft(path: str, on: OnShaft, n_stages: int) -> Iterator[Problem]:
     """Find a shaft that is not there."""
     if shaft_number(on) > n_stages:
-        allowed = _('must be "motor" or the number of a stage, of which there are {n}').format(n=n_stages)
+        allowed = _('must be "motor" or the number of a stage, of which there are {n}', n=n_stages)
         yield Problem(path, str(on), allowed)

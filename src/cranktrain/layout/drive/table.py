@@ -206,7 +206,7 @@ class DriveSpec(Spec, frozen=True):
             allowed = _("must be before motor_off = {off}: a motor that is off cannot brake")
             yield Problem("start.motor_reversed", back.text, allowed.format(off=off.text))
         if self.stroke is not None and self.motor is None:
-            yield Problem("stroke", None, _("needs [drive.{key}] as well").format(key="motor"))
+            yield Problem("stroke", None, _("needs [drive.{key}] as well", key="motor"))
         if self.stroke is not None:
             allowed = _("must not stand beside [drive.stroke]: a start is a stroke then")
             for name in sorted(self.start.model_fields_set - _OF_STROKES):

@@ -75,7 +75,7 @@ def refuse_outside(output: Output, wanted: WantedMotion, way: WishWay) -> None:
         allowed = _(
             "must stay within the stroke, {low} to {high}, where no dead centre is: the crank swings between two"
         )
-        said = _("{low} to {high}").format(low=way.said(lowest), high=way.said(highest))
+        said = _("{low} to {high}", low=way.said(lowest), high=way.said(highest))
         found.append(Problem(way.path, said, allowed.format(**_ends(output, way))))
     _refuse(found)
 
@@ -172,7 +172,7 @@ def _dead_problems(
         "asks for an infinite acceleration of the crank in the dead centre at {place}: there the way must begin and end"
         " like t⁴ or slower, and this one goes like {way}"
     )
-    repair = _('the nearest law: "{law}"').format(law=NEAREST)
+    repair = _('the nearest law: "{law}"', law=NEAREST)
     for piece, order in zip((coming, leaving), orders, strict=True):
         # A way like t² keeps the crank turning, if nothing stands before or after.
         if order < FROM_DEAD_CENTRE and (order != _SLOW or rests or orders[0] != orders[1]):

@@ -37,7 +37,8 @@ class Articulation(Checked):
         if np.all(np.isnan(self.articulation_angle_without_top_shift[design])):
             return None
         rods = names["articulated_rod"]
-        return _("No shift of the slaves' top dead centre would need ζ = {top}; of the bottom one {bottom}.").format(
+        return _(
+            "No shift of the slaves' top dead centre would need ζ = {top}; of the bottom one {bottom}.",
             top=shared(rods, self.articulation_angle_without_top_shift[design], "deg"),
             bottom=shared(rods, self.articulation_angle_without_bottom_shift[design], "deg"),
         )

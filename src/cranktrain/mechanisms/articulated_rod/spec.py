@@ -47,4 +47,4 @@ def articulated_rod_geometry(spec: ArticulatedRodSpec, master: Master | None) ->
 def articulated_rod_advice(geometry: ArticulatedRod) -> str:
     """Say how long the slave rod must be; its master closes."""
     farthest = largest(lambda phi: np.abs(articulated_rod(phi, geometry).knuckle.y.value - geometry.offset))
-    return _("rod_length must be more than {least}").format(least=precise(float(farthest.value[0])))
+    return _("rod_length must be more than {least}", least=precise(float(farthest.value[0])))

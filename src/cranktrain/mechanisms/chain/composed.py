@@ -171,10 +171,11 @@ def _advice(structure: Structure, size: ChainSize, place: int) -> str:
     step = structure.steps[place]
     groups = step.legs if isinstance(step, TriadStep) else (step,)
     named = [getattr(group, field) for group in groups for field in _HUNG_ON if hasattr(group, field)]
-    said = _("it is the part that makes {made} on {on}").format(
+    said = _(
+        "it is the part that makes {made} on {on}",
         made=", ".join(name for name in anatomy(step).made if "." not in name),
         on=", ".join(dict.fromkeys(name for name in named if name != SHAFT)) or SHAFT,
     )
     if isinstance(step, TriadStep) and np.any(triad_branch(structure, place, size).apart > 0):
-        said = _("{part}; on each turn its link goes over to another assembly mode").format(part=said)
+        said = _("{part}; on each turn its link goes over to another assembly mode", part=said)
     return said

@@ -97,8 +97,8 @@ def _naming_problems(spec: ChainTable) -> Iterator[Problem]:
         yield Problem(
             "output",
             spec.output,
-            _("must be a slider or a link of this chain: {names}").format(names=", ".join(outputs)),
-            _("did you mean {name}?").format(name=meant) if meant else None,
+            _("must be a slider or a link of this chain: {names}", names=", ".join(outputs)),
+            _("did you mean {name}?", name=meant) if meant else None,
         )
 
 
@@ -118,13 +118,13 @@ def _wrong_use(use: Name, known: dict[str, str], later: set[str]) -> Iterator[Pr
     fitting = [name for name, sort in known.items() if sort in sorts]
     if use.name in fitting:
         return
-    allowed = _("must be {sort} that stands above: {names}").format(
-        sort=_(_SORTS[use.mark.sort]), names=", ".join(fitting) or "–"
+    allowed = _(
+        "must be {sort} that stands above: {names}", sort=_(_SORTS[use.mark.sort]), names=", ".join(fitting) or "–"
     )
     if use.name in later and use.name not in known:
-        allowed = _("is made only here or further down; {allowed}").format(allowed=allowed)
+        allowed = _("is made only here or further down; {allowed}", allowed=allowed)
     meant = pin_of(use.name) if pin_of(use.name) in fitting else nearest(use.name, fitting)
-    repair = _("did you mean {name}?").format(name=meant) if meant else None
+    repair = _("did you mean {name}?", name=meant) if meant else None
     yield Problem(use.path, use.name, allowed, repair)
 
 

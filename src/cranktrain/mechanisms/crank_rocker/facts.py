@@ -58,7 +58,8 @@ class Transmission(Checked):
         linkages = names["crank_rocker"]
         kinds = sorted({int(value) for value in self.grashof_class[design]})
         classes = "; ".join(_(CLASSES[kind]) for kind in kinds)
-        return _("{classes}. Transmission angle from {least} to {most}.").format(
+        return _(
+            "{classes}. Transmission angle from {least} to {most}.",
             classes=classes[:1].upper() + classes[1:],
             least=shared(linkages, self.smallest_transmission_angle[design], "deg"),
             most=shared(linkages, self.largest_transmission_angle[design], "deg"),

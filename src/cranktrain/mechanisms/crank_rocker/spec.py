@@ -66,6 +66,4 @@ def crank_rocker_advice(geometry: CrankRocker) -> str:
     most = geometry.rocker_length + nearest
     if least >= most:
         return _("no rod_length lets the crank turn: the crank or the ground must be the shortest link")
-    return _("rod_length must lie between {least} and {most}").format(
-        least=precise(float(least)), most=precise(float(most))
-    )
+    return _("rod_length must lie between {least} and {most}", least=precise(float(least)), most=precise(float(most)))

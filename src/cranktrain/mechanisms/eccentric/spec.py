@@ -59,4 +59,4 @@ def eccentric_geometry(spec: EccentricSpec, _master: Master | None = None) -> Ec
 def eccentric_advice(geometry: Eccentric) -> str:
     """Say how long the rod must be for the shaft to turn."""
     least = geometry.crank_radius + abs(geometry.offset)
-    return _("rod_length must be more than eccentricity + |offset| = {least}").format(least=precise(float(least)))
+    return _("rod_length must be more than eccentricity + |offset| = {least}", least=precise(float(least)))

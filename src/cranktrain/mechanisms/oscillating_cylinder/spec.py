@@ -27,4 +27,4 @@ class OscillatingCylinderSpec(RockingGuideSpec, frozen=True):
 def oscillating_cylinder_advice(geometry: CrankAndPivot) -> str:
     """Say how far the trunnion must be for the crank to turn."""
     radius, offset = float(geometry.crank_radius), abs(float(geometry.offset))
-    return _("ground_length must be more than crank_radius + |offset| = {least}").format(least=precise(radius + offset))
+    return _("ground_length must be more than crank_radius + |offset| = {least}", least=precise(radius + offset))

@@ -77,16 +77,16 @@ def _stroke_limit(spec: SliderCrankSpec) -> str:
     if offset >= rod:
         return _("no crank makes a stroke with this offset, which must be less than the rod's length")
     most = precise(2 * sqrt(rod * (rod - offset)))
-    return _("must be at most 2√(L(L − |e|)) = {most} with this rod and offset").format(most=most)
+    return _("must be at most 2√(L(L − |e|)) = {most} with this rod and offset", most=most)
 
 
 def _not_once(spec: SliderCrankSpec, names: tuple[str, ...]) -> Iterator[Problem]:
     """Refuse fields of which not exactly one is given."""
     given = [name for name in names if getattr(spec, name) is not None]
     if not given:
-        yield Problem(names[0], None, _("is missing; give one of {names}").format(names=", ".join(names)))
+        yield Problem(names[0], None, _("is missing; give one of {names}", names=", ".join(names)))
     if len(given) > 1:
-        yield Problem(given[1], None, _("must not stand beside {other}; give one of them").format(other=given[0]))
+        yield Problem(given[1], None, _("must not stand beside {other}; give one of them", other=given[0]))
 
 
 def slider_crank_geometry(spec: SliderCrankSpec, _master: Master | None = None) -> SliderCrank:
@@ -126,7 +126,7 @@ def _radius_from_stroke(spec: SliderCrankSpec) -> Array:
 def slider_crank_advice(geometry: SliderCrank) -> str:
     """Say how long the rod must be for the crank to turn."""
     least = geometry.crank_radius + abs(geometry.offset)
-    return _("rod_length must be more than crank_radius + |offset| = {least}").format(least=precise(float(least)))
+    return _("rod_length must be more than crank_radius + |offset| = {least}", least=precise(float(least)))
 
 
 def slider_crank_ratio(geometry: SliderCrank) -> Array:

@@ -28,9 +28,9 @@ def slotted_lever_advice(geometry: CrankAndPivot) -> str:
     """Say how far the pivot must be for the crank to turn."""
     radius, offset = float(geometry.crank_radius), abs(float(geometry.offset))
     if radius <= offset:
-        return _("ground_length must be more than crank_radius + |offset| = {least}").format(
-            least=precise(radius + offset)
-        )
-    return _("ground_length must be more than {least}, or less than {most} for a lever that turns all round").format(
-        least=precise(radius + offset), most=precise(radius - offset)
+        return _("ground_length must be more than crank_radius + |offset| = {least}", least=precise(radius + offset))
+    return _(
+        "ground_length must be more than {least}, or less than {most} for a lever that turns all round",
+        least=precise(radius + offset),
+        most=precise(radius - offset),
     )

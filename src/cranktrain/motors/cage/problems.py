@@ -47,8 +47,8 @@ def _plate_problems(spec: CageKeys) -> Iterator[Problem]:
         power = powers[place_of(spec.size)]
         if abs(power / spec.size.si - 1) > _ROUNDING:
             listed = ", ".join(f"{shown(float(one), 'kW'):g}" for one in powers)
-            nearest = _('write "{size} kW"').format(size=f"{shown(float(power), 'kW'):g}")
-            yield Problem("size", spec.size.text, _("must be one of {listed} kW").format(listed=listed), nearest)
+            nearest = _('write "{size} kW"', size=f"{shown(float(power), 'kW'):g}")
+            yield Problem("size", spec.size.text, _("must be one of {listed} kW", listed=listed), nearest)
     elif spec.has_no_plate and not _is_by_formula(spec):
         allowed = _('is missing; give power and speed of the plate, or size = "7.5 kW" of a typical motor')
         yield Problem("power", None, allowed)
@@ -85,7 +85,7 @@ def _ratio_problems(spec: CageKeys) -> Iterator[Problem]:
     breakdown, start = first(breakdown_over_rated(spec)), first(ratio_of(spec, "starting_ratio"))
     if spec.breakdown_torque is not None and breakdown <= 1:
         rated = precise(first(rating_of(spec).torque), "N·m")
-        allowed = _("must be above the rated torque, {rated}").format(rated=rated)
+        allowed = _("must be above the rated torque, {rated}", rated=rated)
         yield Problem("breakdown_torque", spec.breakdown_torque.text, allowed)
     if start > breakdown:
         yield Problem("starting_ratio", *_beyond(spec.starting_ratio, start, "breakdown_ratio", breakdown))
@@ -96,7 +96,7 @@ def _ratio_problems(spec: CageKeys) -> Iterator[Problem]:
 
 def _beyond(given: Given | None, size: float, key: str, limit: float) -> tuple[str, str]:
     """What was given, and that it must not be above another one."""
-    allowed = _("must be at most {key} = {limit}").format(key=key, limit=f"{limit:g}")
+    allowed = _("must be at most {key} = {limit}", key=key, limit=f"{limit:g}")
     return f"{size:g}" if given is None else given.text, allowed
 
 

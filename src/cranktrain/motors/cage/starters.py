@@ -61,7 +61,7 @@ class SoftStartSpec(StarterSpec, frozen=True):
         """Find half a ramp, and a soft starter that does nothing."""
         if (self.first_voltage is None) != (self.ramp_time is None):
             key, other = ("ramp_time", "first_voltage")[:: 1 if self.ramp_time is None else -1]
-            yield Problem(key, None, _("is missing; {other} needs it").format(other=other))
+            yield Problem(key, None, _("is missing; {other} needs it", other=other))
         if self.first_voltage is None and self.ramp_time is None and self.current_limit is None:
             yield Problem("current_limit", None, _("is missing; give it, or first_voltage and ramp_time"))
 

@@ -87,7 +87,7 @@ class InductionSpec(RatedSpec, frozen=True):
         """Say which synchronous speed was taken, where the table does not."""
         if self.synchronous_speed is None and self.poles is None:
             speed = f"{shown(first(self.field_speed), 'rpm'):.6g} rpm"
-            yield _("The synchronous speed is {speed}, the nearest above the rated one.").format(speed=speed)
+            yield _("The synchronous speed is {speed}, the nearest above the rated one.", speed=speed)
 
 
 class StarterSpec(Spec, frozen=True):

@@ -43,7 +43,7 @@ def _by_order(
             named = [one for one in left if one[1] > _LITTLE * left[0][1]]
             said = {f"amount{i}": Amount(size, unit) for i, (_order, size) in enumerate(named)}
             words = ", ".join(
-                _("order {order}: {amount}").format(order=labels["order"][order], amount=f"{{amount{i}}}")
+                _("order {order}: {amount}", order=labels["order"][order], amount=f"{{amount{i}}}")
                 for i, (order, _size) in enumerate(named)
             )
             yield worded(name, words or _("none"), **said)

@@ -234,7 +234,5 @@ def orders_in_words(names: Sequence[str], largest: Array, gross: float, unit: st
     left = _largest_first(largest, gross)
     if not left:
         return _("none")
-    said = [
-        _("order {order}, {size}").format(order=names[i], size=_size(float(largest[i]), unit)) for i in left[:_NAMED]
-    ]
+    said = [_("order {order}, {size}", order=names[i], size=_size(float(largest[i]), unit)) for i in left[:_NAMED]]
     return "; ".join([*said, _("and less of others")] if len(left) > _NAMED else said)

@@ -64,8 +64,8 @@ class ShakingForces(Shaken):
         """Say which orders of force shake the frame, and what the balance weights leave of them."""
         force, *left = self.said(self.shaking_force_largest, labels, design, "N")
         if not left:
-            return _("Shaking force: {force}.").format(force=force)
-        return _("Shaking force: {force}; left with [balance]: {left}.").format(force=force, left=left[0])
+            return _("Shaking force: {force}.", force=force)
+        return _("Shaking force: {force}; left with [balance]: {left}.", force=force, left=left[0])
 
 
 @record
@@ -112,8 +112,8 @@ class ShakingCouples(Shaken):
         """Say which orders of couple shake the frame, and what the balance weights leave of them."""
         couple, *left = self.said(self.shaking_couple_largest, labels, design, "N*m")
         if not left:
-            return _("Shaking couple: {couple}.").format(couple=couple)
-        return _("Shaking couple: {couple}; left with [balance]: {left}.").format(couple=couple, left=left[0])
+            return _("Shaking couple: {couple}.", couple=couple)
+        return _("Shaking couple: {couple}; left with [balance]: {left}.", couple=couple, left=left[0])
 
 
 def shaking_forces(

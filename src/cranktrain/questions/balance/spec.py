@@ -63,7 +63,7 @@ class SectorSpec(Spec, frozen=True):
     def _problems(self) -> Iterator[Problem]:
         """Find a sector that begins beyond its rim."""
         if self.inner_radius.si >= self.outer_radius.si:
-            allowed = _("must be less than outer_radius = {radius}").format(radius=self.outer_radius.text)
+            allowed = _("must be less than outer_radius = {radius}", radius=self.outer_radius.text)
             yield Problem("inner_radius", self.inner_radius.text, allowed)
 
 

@@ -122,7 +122,7 @@ def declared_balance(designs: Designs) -> DeclaredBalance | None:
 def balance_problems(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
     """Find weights on throws that there are not, and couples where nothing says how far throws are apart."""
     n_throws = len(main.throws)
-    allowed = _("must be one of the throws of the shaft `main`, 1 to {n}").format(n=n_throws)
+    allowed = _("must be one of the throws of the shaft `main`, 1 to {n}", n=n_throws)
     yield from (
         Problem(f"balance.weight[{i}].throw", str(weight.throw), allowed)
         for i, weight in enumerate(spec.weight)
@@ -251,7 +251,7 @@ def _without_noise(weights: RotatingWeights, frame: FrameForces) -> RotatingWeig
 def _given(weights: GivenWeights, frames: Frames) -> _Named:
     """Weights of the file."""
     return _Named(
-        tuple(_("given {n}").format(n=i + 1) for i in range(weights.ratio.shape[1])),
+        tuple(_("given {n}", n=i + 1) for i in range(weights.ratio.shape[1])),
         RotatingWeights(
             ratio=weights.ratio,
             moment=weights.moment,
@@ -287,7 +287,7 @@ def _counterweights(
         if planes is None:
             part = _part(declared, rotating, swinging, shaking_own, share[:, np.newaxis])
             lot = on_crank(-part, z[:, own])
-            names = [_("throw {throw}").format(throw=throws.names[i]) for i in own]
+            names = [_("throw {throw}", throw=throws.names[i]) for i in own]
         else:
             arm = z[:, own] - middle[:, np.newaxis]
             total = shaking(shaking_own, z[:, own], middle)
@@ -333,7 +333,5 @@ def _shafts(pair: ShaftsWanted, left: Shaking, middle: Array, frames: Frames) ->
     if pair.against == "force":
         return _Named((f"+{order}", f"−{order}"), lanchester_shafts(left.force, order, planes[:, 0], places))
     against = couple_of(left) if pair.against == "couple" else left
-    names = tuple(
-        _("{turns}, plane {n}").format(turns=turns, n=n) for turns in (f"+{order}", f"−{order}") for n in (1, 2)
-    )
+    names = tuple(_("{turns}, plane {n}", turns=turns, n=n) for turns in (f"+{order}", f"−{order}") for n in (1, 2))
     return _Named(names, two_plane_shafts(against, order, planes, places, middle))

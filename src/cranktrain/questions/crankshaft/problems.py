@@ -110,7 +110,7 @@ class _OneShaft:
             if values is not None and len(values) not in allowed:
                 counts = ", ".join(map(str, sorted(set(allowed))))
                 said = _("must be one value, or a list of as many as there are: {counts}")
-                yield self.problem(key, _("a list of {n}").format(n=len(values)), said.format(counts=counts))
+                yield self.problem(key, _("a list of {n}", n=len(values)), said.format(counts=counts))
 
     def _numbers(self, n: int) -> Iterator[Problem]:
         """Find journals and bearings that are not there, and a shaft that floats."""
@@ -118,7 +118,7 @@ class _OneShaft:
         for key in ("journals", "bearings"):
             for number in getattr(table, key) or ():
                 if number not in there:
-                    allowed = _("must be journals, 1 to {n}").format(n=n + 1)
+                    allowed = _("must be journals, 1 to {n}", n=n + 1)
                     yield self.problem(key, str(number), allowed)
         if table.journals is not None and table.bearings is not None:
             for number in table.bearings:

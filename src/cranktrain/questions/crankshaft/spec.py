@@ -227,7 +227,7 @@ class GearSpec(Spec, frozen=True):
         for name in ("z", "direction"):
             values = getattr(self, name)
             if values is not None and len(values) not in (1, n):
-                yield Problem(name, None, _("must be one, or one for each of the shafts: {n}").format(n=n))
+                yield Problem(name, None, _("must be one, or one for each of the shafts: {n}", n=n))
         if n == 1 and self.direction is None:
             yield Problem(
                 "direction", None, _("is missing: only between two shafts is it on the line of their centres")

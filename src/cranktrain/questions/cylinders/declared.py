@@ -143,13 +143,15 @@ def cylinder_problems(
     without = [cylinder.name for cylinder in cylinders if cylinder.bore is None]
     if without and len(without) < len(cylinders):
         allowed = _(
-            "is missing for {cylinders}, while others have one; give it in [cylinder], or in [cylinder.{first}]"
-        ).format(cylinders=", ".join(without), first=without[0])
+            "is missing for {cylinders}, while others have one; give it in [cylinder], or in [cylinder.{first}]",
+            cylinders=", ".join(without),
+            first=without[0],
+        )
         problems.append(Problem("cylinder.bore", None, allowed))
     for cylinder in cylinders:
         bore, rod = cylinder.bore, cylinder.piston_rod
         if bore is not None and rod is not None and rod.si >= bore.si:
-            allowed = _("must be less than the bore, {bore}").format(bore=bore.text)
+            allowed = _("must be less than the bore, {bore}", bore=bore.text)
             problems.append(Problem(cylinder.paths["piston_rod"], rod.text, allowed))
         if len(cylinder.pistons) > 1 and cylinder.chambers != ("head",):
             allowed = _("must be left out for opposed pistons, which have one chamber between them")

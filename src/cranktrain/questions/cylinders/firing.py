@@ -112,10 +112,10 @@ class Firing:
         intervals = self.firing_interval[design]
         if np.ptp(intervals) < _SAME:
             even = shared(("",), intervals[:1], "deg")
-            said = _("Firing order {order}, evenly every {interval}.").format(order=order, interval=even)
+            said = _("Firing order {order}, evenly every {interval}.", order=order, interval=even)
         else:
             written = shared([cylinders[i] for i in self.order], intervals[list(self.order)], "deg")
-            said = _("Firing order {order}, unevenly: {intervals} to the next.").format(order=order, intervals=written)
+            said = _("Firing order {order}, unevenly: {intervals} to the next.", order=order, intervals=written)
         if self.n_choices[design] == 1:
             return said
         chosen = _(

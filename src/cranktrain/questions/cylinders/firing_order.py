@@ -40,7 +40,7 @@ class _Asked:
         names = [place.cylinder for place in self.leading]
         divided = self._divided(names)
         if len(order) == 1 and divided is not None:
-            return _("write {orders}").format(orders=f'"{divided}"')
+            return _("write {orders}", orders=f'"{divided}"')
         if length is None or 2 * sum(name in names for name in order) < len(order):
             return None
         running = _backwards(order) if self.astern else order
@@ -48,7 +48,7 @@ class _Asked:
         found = [[names[i] for i in one] for one in likest_orders(_tops(self.leading), length, wanted)]
         ahead = list(map(_backwards, found)) if self.astern else found
         said = [f'"{"-".join(self.common.makers_numbers(one) or one)}"' for one in ahead]
-        return _("write {orders}").format(orders=_(" or ").join(said)) if said else None
+        return _("write {orders}", orders=_(" or ").join(said)) if said else None
 
     def _divided(self, names: Sequence[str]) -> str | None:
         """Write with hyphens an order that has none, but dots or nothing between; None for another."""
@@ -109,10 +109,10 @@ def _number_problems(common: CylindersSpec, names: Sequence[str]) -> Iterator[Pr
     for word, name in common.numbers.items():
         first = numbered.setdefault(name, word)
         if name not in names:
-            allowed = _("must be a cylinder of this machine: {cylinders}").format(cylinders=", ".join(names))
+            allowed = _("must be a cylinder of this machine: {cylinders}", cylinders=", ".join(names))
             yield Problem(f"cylinder.numbers.{word}", name, allowed)
         elif first != word:
-            allowed = _("must be another cylinder: this one is number {number}").format(number=first)
+            allowed = _("must be another cylinder: this one is number {number}", number=first)
             yield Problem(f"cylinder.numbers.{word}", name, allowed)
 
 
@@ -132,8 +132,8 @@ def _order_problems(asked: _Asked, order: Sequence[str], names: Sequence[str]) -
     ]
     if not wrong:
         return ()
-    allowed = _("must name each cylinder once ({cylinders}); {wrong}").format(
-        cylinders=", ".join(names), wrong="; ".join(wrong)
+    allowed = _(
+        "must name each cylinder once ({cylinders}); {wrong}", cylinders=", ".join(names), wrong="; ".join(wrong)
     )
     if not asked.common.numbers and _are_makers_numbers(order, names):
         line = numbers_line(order, asked.leading, _tops(asked.leading), asked.common.cycle_length)
@@ -217,10 +217,10 @@ def _by_cylinder(common: CylindersSpec, names: Sequence[str]) -> tuple[list[tupl
     if not isinstance(angles, Mapping):
         if len(angles) == len(names):
             return [(f"[{i}]", angle) for i, angle in enumerate(angles)], ()
-        allowed = _("must be one angle for each cylinder: {cylinders}").format(cylinders=", ".join(names))
-        return [], (Problem(_PATH, _("a list of {n}").format(n=len(angles)), allowed),)
+        allowed = _("must be one angle for each cylinder: {cylinders}", cylinders=", ".join(names))
+        return [], (Problem(_PATH, _("a list of {n}", n=len(angles)), allowed),)
     meant = [(common.numbers.get(key, key), key, angle) for key, angle in angles.items()]
-    allowed = _("must be a cylinder of this machine, each once: {cylinders}").format(cylinders=", ".join(names))
+    allowed = _("must be a cylinder of this machine, each once: {cylinders}", cylinders=", ".join(names))
     named = [name for name, _key, _angle in meant]
     wrong = [
         Problem(f"{_PATH}.{key}", angle.text, allowed)
@@ -229,7 +229,7 @@ def _by_cylinder(common: CylindersSpec, names: Sequence[str]) -> tuple[list[tupl
     ]
     left_out = [name for name in names if name not in named]
     if left_out and not wrong:
-        missing = _("must have an angle for each cylinder; left out: {names}").format(names=", ".join(left_out))
+        missing = _("must have an angle for each cylinder; left out: {names}", names=", ".join(left_out))
         wrong = [Problem(_PATH, None, missing)]
     found = {name: (f".{key}", angle) for name, key, angle in meant}
     return [found[name] for name in names if name in found], tuple(wrong)
@@ -258,7 +258,7 @@ def numbers_line(order: Sequence[str], leading: Sequence[PlacedMechanism], tops:
 
     numbers = smallest_of(ways, unevenness)
     pairs = ", ".join(f'{word} = "{name}"' for word, name in numbers.items())
-    return _("where these are the maker's numbers, write in [cylinder]: {line}").format(line=f"numbers = {{ {pairs} }}")
+    return _("where these are the maker's numbers, write in [cylinder]: {line}", line=f"numbers = {{ {pairs} }}")
 
 
 def _ways_to_count(leading: Sequence[PlacedMechanism]) -> Iterator[list[str]]:

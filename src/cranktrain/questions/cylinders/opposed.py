@@ -72,8 +72,7 @@ class VolumetricDeadCentres:
         first = _("Exhaust crank ahead by {lead}.") if np.nanmax(lead) >= 0 else _("Exhaust crank behind by {lead}.")
         said = _(
             "{lead} Both pistons together part by {stroke} (their strokes add up to {nominal});"
-            " volumetric dead centres {inner} and {outer} after the exhaust crank's own"
-        ).format(
+            " volumetric dead centres {inner} and {outer} after the exhaust crank's own",
             lead=first.format(lead=shared(cylinders, lead if np.nanmax(lead) >= 0 else -lead, "deg")),
             stroke=shared(cylinders, self.combined_stroke[design], "mm"),
             nominal=shared(cylinders, self.nominal_stroke[design], "mm"),
@@ -84,9 +83,9 @@ class VolumetricDeadCentres:
         found = np.stack([self.inner_volumetric_shift[design], self.outer_volumetric_shift[design]])
         error = float(np.nanmax(np.abs(found - half)))
         if number(error, "deg") == number(0.0, "deg"):
-            return _("{said}, half the lead.").format(said=said)
-        return _("{said}; half the lead, as the texts have it, is up to {error} off.").format(
-            said=said, error=number(error, "deg")
+            return _("{said}, half the lead.", said=said)
+        return _(
+            "{said}; half the lead, as the texts have it, is up to {error} off.", said=said, error=number(error, "deg")
         )
 
 

@@ -81,7 +81,8 @@ class PortTiming(Flagged):
         opens, closes = self.exhaust_opens_before, self.exhaust_closes_before
         first = _("{much} after") if np.all(opens[design] < 0) else _("{much} before")
         last = _("{much} after") if np.all(closes[design] < 0) else _("{much} before")
-        return _("Exhaust ports open {first} the scavenge ports and close {last} them.").format(
+        return _(
+            "Exhaust ports open {first} the scavenge ports and close {last} them.",
             first=first.format(much=said(np.where(np.all(opens < 0), -opens, opens))),
             last=last.format(much=said(np.where(np.all(closes < 0), -closes, closes))),
         )
@@ -150,13 +151,13 @@ def _flags(names: tuple[str, ...], before: Array, opens: Array) -> Iterator[str]
     if late:
         most = number(float(-np.nanmin(before)), "deg")
         yield _(
-            "Scavenge ports of {cylinders} open up to {most} before the exhaust's: gas blows back into the receiver."
-        ).format(cylinders=ranged(names, late), most=most)
+            "Scavenge ports of {cylinders} open up to {most} before the exhaust's: gas blows back into the receiver.",
+            cylinders=ranged(names, late),
+            most=most,
+        )
     never = np.flatnonzero(np.any(np.isnan(opens), axis=(0, 2))).tolist()
     if never:
-        yield _("A port of {cylinders} is higher than the stroke and never shut.").format(
-            cylinders=ranged(names, never)
-        )
+        yield _("A port of {cylinders} is higher than the stroke and never shut.", cylinders=ranged(names, never))
 
 
 @record
@@ -169,8 +170,9 @@ class EffectiveCompression:
 
     def answer(self, names: Names, design: int) -> str:
         """Say the effective compression ratio."""
-        return _("Effective compression ratio {ratio}, from where the last port closes.").format(
-            ratio=shared(names["chamber"], self.effective_compression_ratio[design], "1")
+        return _(
+            "Effective compression ratio {ratio}, from where the last port closes.",
+            ratio=shared(names["chamber"], self.effective_compression_ratio[design], "1"),
         )
 
 

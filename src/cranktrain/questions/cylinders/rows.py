@@ -94,7 +94,7 @@ def firing_rows(labels: Names, design: int, found: Firing) -> Iterator[AnswerLin
         turns = dict.fromkeys(_degrees(float(intervals[i])) for i in found.order)
         said, pieces = _("{order}, by turns after {intervals}"), {"intervals": ", ".join(turns)}
     if found.n_choices[design] > 1:
-        said = _("{said}; the most even of {n} choices").format(said=said, n=found.n_choices[design])
+        said = _("{said}; the most even of {n} choices", said=said, n=found.n_choices[design])
     yield worded(_("firing order"), said, order=order, **pieces)
 
 

@@ -130,7 +130,7 @@ class CylindersSpec(CylinderSpec, OverriddenSpec, frozen=True):
         if self.firing_angles is not None and self.firing_order is not None:
             yield Problem("firing_order", None, _("must not stand beside firing_angles, which say it"))
         if self.firing_angles is not None and self.cycle is None:
-            allowed = _("is missing; firing_angles count over a cycle: {expected}").format(expected=one_of(CYCLES))
+            allowed = _("is missing; firing_angles count over a cycle: {expected}", expected=one_of(CYCLES))
             yield Problem("cycle", None, allowed)
         if self.friction_pressure is not None and self.mechanical_efficiency is not None:
             yield Problem("friction_pressure", None, _("must not stand beside mechanical_efficiency, which says it"))

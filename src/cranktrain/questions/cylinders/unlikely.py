@@ -103,7 +103,7 @@ def _even_order(
     running = [first, *others] if frames.running > 0 else [first, *reversed(others)]
     called = dict(zip(order.order.tolist(), order.numbers, strict=True)) if order.numbers else {}
     written = "-".join(called.get(i, cylinders.names[i]) for i in running)
-    return _("the same throws fire evenly in the order {order}").format(order=written)
+    return _("the same throws fire evenly in the order {order}", order=written)
 
 
 def _even_angle(tops: Array, cycle: Cycle, cylinders: CylinderPistons, pistons: Pistons, frames: Frames) -> str | None:

@@ -151,9 +151,9 @@ class SweptVolumes:
         """Say displacement, in all and by bank."""
         total = shared(("",), self.displacement[design : design + 1], "L")
         if len(names["bank"]) == 1:
-            return _("Displacement {total}.").format(total=total)
+            return _("Displacement {total}.", total=total)
         banks = shared(names["bank"], self.bank_swept_volume[design], "L")
-        return _("Displacement {total}; by bank: {banks}.").format(total=total, banks=banks)
+        return _("Displacement {total}; by bank: {banks}.", total=total, banks=banks)
 
 
 def swept_volumes(chambers: Chambers, travel: CylinderTravel) -> SweptVolumes:
@@ -192,10 +192,8 @@ class ChamberVolumes(Flagged):
     def answer(self, names: Names, design: int) -> str:
         """Say the compression ratios, or the clearances."""
         if self.is_clearance:
-            return _("Clearance {clearances}.").format(clearances=shared(names["chamber"], self.clearance[design], "%"))
-        return _("Compression ratio {ratios}.").format(
-            ratios=shared(names["chamber"], self.compression_ratio[design], "1")
-        )
+            return _("Clearance {clearances}.", clearances=shared(names["chamber"], self.clearance[design], "%"))
+        return _("Compression ratio {ratios}.", ratios=shared(names["chamber"], self.compression_ratio[design], "1"))
 
 
 def chamber_volumes(

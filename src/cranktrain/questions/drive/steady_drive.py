@@ -76,8 +76,7 @@ class SteadyDrive(Checked, Flagged):
         if np.isnan(self.cycle_time[design]):
             return ""
         return _(
-            "The motor runs at {speed}, torque {least} to {most}, effective {rms}; it gives {power} at its shaft."
-        ).format(
+            "The motor runs at {speed}, torque {least} to {most}, effective {rms}; it gives {power} at its shaft.",
             speed=number(float(self.mean_motor_speed[design]), "rpm"),
             least=number(float(self.smallest_motor_torque[design]), "N*m"),
             most=number(float(self.largest_motor_torque[design]), "N*m"),
@@ -228,13 +227,15 @@ def _no_cycle(turning: DriveInTurn, cycle: float) -> str:
     if found.speed is not None:
         return _(
             "No steady running was found, though at a constant {speed} the motor gives on the mean what the machine"
-            " takes: more inertia, or a motor with more torque to spare, may carry it over the peaks."
-        ).format(speed=number(found.speed, "rpm"))
+            " takes: more inertia, or a motor with more torque to spare, may carry it over the peaks.",
+            speed=number(found.speed, "rpm"),
+        )
     if found.excess[-1] > 0:
         return _(
             "No steady running was found: at {speed} of the crank motor and loads still drive the machine, and nothing"
-            " holds it."
-        ).format(speed=number(float(found.speeds[-1]), "rpm"))
+            " holds it.",
+            speed=number(float(found.speeds[-1]), "rpm"),
+        )
     return _("No steady running was found: where motor and machine balance, the running is not stable.")
 
 

@@ -59,14 +59,14 @@ class FlywheelSize(Flagged):
         if size <= 0:
             return _(
                 "For a coefficient of fluctuation of {delta} no flywheel is needed:"
-                " the moving parts alone keep it below."
-            ).format(delta=delta)
+                " the moving parts alone keep it below.",
+                delta=delta,
+            )
         exact, mertsalov, textbook = (number(float(value), "kg*m^2") for value in self.flywheel_inertia[design])
         _zero, off, far = (f"{100 * float(error):+.2f} %" for error in self.flywheel_inertia_error[design])
         return _(
             "For a coefficient of fluctuation of {delta} the flywheel needs J = {exact}, GD² = {moment};"
-            " by Mertsalov {mertsalov} ({off}), by textbooks {textbook} ({far})."
-        ).format(
+            " by Mertsalov {mertsalov} ({off}), by textbooks {textbook} ({far}).",
             delta=delta,
             exact=exact,
             moment=number(4 * size, "kg*m^2"),
@@ -132,8 +132,7 @@ class RimSize(Flagged):
         if np.isnan(self.rim_height[design]):
             return ""
         return _(
-            "The rim is {height} high and {width} wide, outer diameter {diameter}, {mass}; it runs at {speed}."
-        ).format(
+            "The rim is {height} high and {width} wide, outer diameter {diameter}, {mass}; it runs at {speed}.",
             height=number(float(self.rim_height[design]), "mm"),
             width=number(float(self.rim_width[design]), "mm"),
             diameter=number(float(self.rim_outer_diameter[design]), "mm"),
@@ -181,7 +180,9 @@ def _rim_flags(inertia: Array, speed: Array, wanted: DeclaredRim, height: Array)
         worst = first_largest(np.where(too_fast, speed / wanted.largest_speed, 0.0))
         yield _(
             "The rim's outside runs too fast: at {speed}, and it bears {largest}"
-            " ([evenness.rim] largest_speed; of cast iron unless given)."
-        ).format(speed=number(float(speed[worst]), "m/s"), largest=number(float(wanted.largest_speed[worst]), "m/s"))
+            " ([evenness.rim] largest_speed; of cast iron unless given).",
+            speed=number(float(speed[worst]), "m/s"),
+            largest=number(float(wanted.largest_speed[worst]), "m/s"),
+        )
     if np.any((inertia > 0) & np.isnan(height)):
         yield _("The rim's section would reach the shaft's axis: its mean diameter is too small.")

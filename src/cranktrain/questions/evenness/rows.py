@@ -57,7 +57,7 @@ def balance_rows(labels: Names, design: int, balance: ShaftBalance) -> Iterator[
 def flywheel_rows(labels: Names, design: int, found: FlywheelSize, rim: RimSize | None) -> Iterator[AnswerLine]:
     """The flywheel for the evenness that is wanted, exact and as others reckon it, and its rim."""
     size = float(found.flywheel_inertia[design, 0])
-    name = _("flywheel for δ {wanted}").format(wanted=f"{float(found.wanted[design]):.4g}")
+    name = _("flywheel for δ {wanted}", wanted=f"{float(found.wanted[design]):.4g}")
     if size <= 0:
         yield worded(name, _("none: the moving parts alone suffice"))
     else:

@@ -82,8 +82,7 @@ class RunningSpeed(Checked, Flagged):
             return ""
         return _(
             "{load} the shaft runs at {least} to {most}, coefficient of fluctuation {delta};"
-            " mean {time} over time, {middle} of the extremes."
-        ).format(
+            " mean {time} over time, {middle} of the extremes.",
             load=self.load,
             least=_speed(self.smallest_crank_speed.value[design]),
             most=_speed(self.largest_crank_speed.value[design]),

@@ -132,10 +132,13 @@ class LoadTorque(Flagged):
         peak = number(largest, "N*m")
         mean = number(float(self.mean_torque[design]), "N*m")
         if self.is_scaled:
-            return _("The load times {factor} takes the machine's mean torque {mean}, at most {peak}.").format(
-                factor=f"{factor:.5g}", mean=mean, peak=peak
+            return _(
+                "The load times {factor} takes the machine's mean torque {mean}, at most {peak}.",
+                factor=f"{factor:.5g}",
+                mean=mean,
+                peak=peak,
             )
-        said = _("The load on the shaft takes {mean} on the mean, at most {peak}.").format(mean=mean, peak=peak)
+        said = _("The load on the shaft takes {mean} on the mean, at most {peak}.", mean=mean, peak=peak)
         rest = float(self.remaining_torque[design])
         if self.has_motor or self.shape is not None or abs(rest) <= _NOTHING * abs(largest):
             return said

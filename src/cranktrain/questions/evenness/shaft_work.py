@@ -50,8 +50,8 @@ class ShaftWork:
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the largest excess work."""
-        return _("Largest excess work {work} within a cycle.").format(
-            work=number(float(self.largest_excess_work[design]), "J")
+        return _(
+            "Largest excess work {work} within a cycle.", work=number(float(self.largest_excess_work[design]), "J")
         )
 
 

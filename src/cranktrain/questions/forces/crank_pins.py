@@ -94,7 +94,8 @@ class CrankPinLoads:
         if np.all(np.isnan(largest)):
             return None
         worst = first_largest(largest)
-        return _("Largest load of a crank pin {load}, by the rod of {mechanism} at {angle}.").format(
+        return _(
+            "Largest load of a crank pin {load}, by the rod of {mechanism} at {angle}.",
             load=number(float(largest[worst]), "kN"),
             mechanism=names["mechanism"][worst],
             angle=number(float(at[worst]), "deg"),

@@ -119,22 +119,24 @@ def _flags(loaded: LoadedMachine) -> Iterator[str]:
     if (said := loaded.without_mass()) is not None:
         yield said
     if masses.unused:
-        yield _("{tables} is used by none: every bank that has one gives its own.").format(
-            tables=", ".join(f"[{path}]" for path in masses.unused)
+        yield _(
+            "{tables} is used by none: every bank that has one gives its own.",
+            tables=", ".join(f"[{path}]" for path in masses.unused),
         )
     if masses.doubtful:
         yield _(
             "The inertia of {parts} is hardly that of a link of such mass and length:"
-            " is it in kg·m², about the centroid?"
-        ).format(parts=", ".join(masses.doubtful))
+            " is it in kg·m², about the centroid?",
+            parts=", ".join(masses.doubtful),
+        )
     if masses.assumed:
         rods = masses.assumed
         said = (
             _("{rods} has the inertia of two masses at its ends")
             if len(rods) == 1
             else _("{rods} have the inertia of two masses at their ends")
-        ).format(rods=", ".join(rods) if len(rods) <= _FEW else _("{n} rods").format(n=len(rods)))
-        yield _("{said}: of measured rods that is from 3 % too little to 22 % too much.").format(said=said)
+        ).format(rods=", ".join(rods) if len(rods) <= _FEW else _("{n} rods", n=len(rods)))
+        yield _("{said}: of measured rods that is from 3 % too little to 22 % too much.", said=said)
 
 
 def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
@@ -153,8 +155,9 @@ def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Itera
     if parts:
         yield _(
             "A moment acts where {parts} slides, and the guide's length is not given:"
-            " friction is counted on the normal force alone."
-        ).format(parts=", ".join(parts))
+            " friction is counted on the normal force alone.",
+            parts=", ".join(parts),
+        )
 
 
 def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
@@ -169,5 +172,6 @@ def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
             stuck += batch.index[np.any(found, axis=(0, 2))].tolist()
     if stuck:
         yield _(
-            "Friction wedges {mechanisms}: at some crank angles nothing can turn the shaft, and there are no forces."
-        ).format(mechanisms=ranged(loaded.mechanisms.names, sorted(set(stuck))))
+            "Friction wedges {mechanisms}: at some crank angles nothing can turn the shaft, and there are no forces.",
+            mechanisms=ranged(loaded.mechanisms.names, sorted(set(stuck))),
+        )

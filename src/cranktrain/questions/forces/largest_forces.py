@@ -86,8 +86,11 @@ class LargestForces(Flagged):
         if not all(np.any(size > 0) for size in sizes):
             return None
         piston, side, rod = (_largest_of(names["piston"], size) for size in sizes)
-        said = _("Largest forces: {piston} along the line of stroke, {side} across it, {rod} in the rod.").format(
-            piston=piston, side=side, rod=rod
+        said = _(
+            "Largest forces: {piston} along the line of stroke, {side} across it, {rod} in the rod.",
+            piston=piston,
+            side=side,
+            rod=rod,
         )
         masters = np.flatnonzero(self.is_master)
         errors = [
@@ -97,8 +100,7 @@ class LargestForces(Flagged):
         if not all(np.any(error > 0) for error in errors):
             return said
         off = _(
-            "P·f(β), which knows no slaves, is off by up to {side} in N and {tangential} in T of {masters}."
-        ).format(
+            "P·f(β), which knows no slaves, is off by up to {side} in N and {tangential} in T of {masters}.",
             side=number(float(np.nanmax(errors[0])), "%"),
             tangential=number(float(np.nanmax(errors[1])), "%"),
             masters=ranged(names["piston"], masters.tolist()),
@@ -203,5 +205,5 @@ def _largest_of(names: Sequence[str], size: Array) -> str:
         return said
     whose = ranged(names, alike)
     if ", " in whose and len(alike) > _NAMED:
-        whose = _("{name} and {n} more").format(name=names[alike[0]], n=len(alike) - 1)
+        whose = _("{name} and {n} more", name=names[alike[0]], n=len(alike) - 1)
     return f"{said} ({whose})"

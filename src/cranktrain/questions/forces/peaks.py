@@ -162,5 +162,5 @@ def one_sided(peaks: Sequence[tuple[str, Peak]], labels: Sequence[str] = ("",)) 
     if each:
         named = list(each)[:_NAMED]
         more = len(each) - len(named)
-        said = "; ".join([*named, *([_("and {n} more").format(n=more)] if more else [])])
-        yield _("Values at a jump are those of the side on which they are largest: {peaks}.").format(peaks=said)
+        said = "; ".join([*named, *([_("and {n} more", n=more)] if more else [])])
+        yield _("Values at a jump are those of the side on which they are largest: {peaks}.", peaks=said)

@@ -70,8 +70,10 @@ class RodMethods(StageResult):
         """Say what two masses lose; nothing where that is rounding."""
         if np.all(np.isnan(side)) or not np.nanmax(side) > _SAID:
             return ""
-        return _("A rod of two masses is off by up to {side} in the side force, {torque} in the torque.").format(
-            side=number(float(np.nanmax(side)), "%"), torque=number(float(np.nanmax(torque)), "%")
+        return _(
+            "A rod of two masses is off by up to {side} in the side force, {torque} in the torque.",
+            side=number(float(np.nanmax(side)), "%"),
+            torque=number(float(np.nanmax(torque)), "%"),
         )
 
 

@@ -56,7 +56,7 @@ def _largest(
         values[worst],
         "N",
         (),
-        _("at {angle}, {whose}").format(angle="{angle}", whose=whose) if len(members) > 1 else _("at {angle}"),
+        _("at {angle}, {whose}", angle="{angle}", whose=whose) if len(members) > 1 else _("at {angle}"),
         angle=Amount(float(angles[worst]), "position"),
         member=members[worst],
     )

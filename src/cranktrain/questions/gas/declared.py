@@ -110,7 +110,7 @@ def gas_problems(design: Design) -> Iterator[Problem]:
             yield Problem(path, None, _("fills nothing: every chamber that it names has a nearer table"))
     without = [name for name, path in zip(chamber_names(design.once(cylinders)), used, strict=True) if path is None]
     if without and len(without) < len(used):
-        allowed = _("has no table for {chambers}, while others have one").format(chambers=", ".join(without))
+        allowed = _("has no table for {chambers}, while others have one", chambers=", ".join(without))
         yield Problem(_GAS, None, allowed)
     by_kind = grouped((spec.kind, (path, spec)) for path, spec in tables.items())
     for name in filter(by_kind.__contains__, KINDS.names):

@@ -102,7 +102,7 @@ class CompressorFlow:
     def answer(self, names: Names, design: int) -> str:
         """Say the flow at the inlet of each stage."""
         flow = shared_known(names["chamber"], self.inlet_flow[design], "m³/h")
-        return _("Flow at its inlet's state {flow}.").format(flow=flow)
+        return _("Flow at its inlet's state {flow}.", flow=flow)
 
 
 def compressor_flow(gas: GasInChambers, capacities: CompressorCapacity, speed: Speed) -> CompressorFlow:

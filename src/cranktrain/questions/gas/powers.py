@@ -38,10 +38,10 @@ class IndicatedPowers:
         total = number(sense * power, "kW")
         mean = number(sense * float(self.mean_indicated_pressure[design]), "bar")
         if len(names["bank"]) == 1:
-            return _("{name} {total}, mean pressure {mean}.").format(name=name, total=total, mean=mean)
+            return _("{name} {total}, mean pressure {mean}.", name=name, total=total, mean=mean)
         banks = shared(names["bank"], sense * self.bank_indicated_power[design], "kW")
-        return _("{name} {total}, by bank {banks}; mean pressure {mean}.").format(
-            name=name, total=total, banks=banks, mean=mean
+        return _(
+            "{name} {total}, by bank {banks}; mean pressure {mean}.", name=name, total=total, banks=banks, mean=mean
         )
 
 

@@ -82,7 +82,7 @@ class LoadWork(Flagged):
         """Say the work of a cycle and the largest power."""
         works = shared(names["load"], self.load_work[design], "J")
         most = shared(names["load"], self.largest_load_power.value[design], "kW")
-        return _("Work of the loads in a cycle {works}; largest power {most}.").format(works=works, most=most)
+        return _("Work of the loads in a cycle {works}; largest power {most}.", works=works, most=most)
 
 
 def are_asked_for(loads: Loads | None, on_shafts: LoadsOnShafts | None, gas: DeclaredGas | None) -> bool | str:
@@ -154,8 +154,9 @@ def _acting_nowhere(links: Sequence[LinkLoad], largest: Peak) -> Iterator[str]:
         if is_listed and np.any(largest.value[:, place] == 0):
             yield _(
                 "{load} acts nowhere: over the travel of what it acts on its list has 0 alone. Are the unit of the"
-                " travel, and where it counts from, right?"
-            ).format(load=load.name)
+                " travel, and where it counts from, right?",
+                load=load.name,
+            )
 
 
 def _closes(loaded: LoadedMachine, solved: SolvedCycle) -> NDArray[np.bool_]:

@@ -80,12 +80,16 @@ def _of_design(load: str, size: Array, out: Array, place: Array, *, listed: floa
         if begins_late or np.max(gone) <= _END:  # a pump delivers on all of it
             yield _(
                 "{load} acts on the way back alone, with up to {most}: are force and force_back right? Of a machine"
-                ' that works as it comes back counts = "against" says so, and force and force_back change places.'
-            ).format(load=load, most=number(float(np.max(size)), "kN"))
+                ' that works as it comes back counts = "against" says so, and force and force_back change places.',
+                load=load,
+                most=number(float(np.max(size)), "kN"),
+            )
         return
     if begins_late or np.max(gone) > _END:
         return
     yield _(
         "{load} begins at the start of its stroke and acts on {share} % of it, with the way back free: does its travel,"
-        " or its crank angle, count from the right end?"
-    ).format(load=load, share=f"{100 * float(np.max(gone)):.3g}")
+        " or its crank angle, count from the right end?",
+        load=load,
+        share=f"{100 * float(np.max(gone)):.3g}",
+    )

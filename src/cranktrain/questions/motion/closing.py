@@ -49,7 +49,8 @@ class Closing(Flagged):
         if np.all(np.isnan(margins)):
             return None
         least = first_smallest(margins)
-        return _("Closing margin {margin} ({mechanism}: {length}, at {angle}).").format(
+        return _(
+            "Closing margin {margin} ({mechanism}: {length}, at {angle}).",
             margin=shared(("",), margins[least : least + 1], "%"),
             mechanism=names["mechanism"][least],
             length=self.length_names[design][least],

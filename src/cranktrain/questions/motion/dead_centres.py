@@ -152,7 +152,7 @@ class DeadCentres(Flagged):
     def answer(self, names: Names, design: int) -> str:
         """Say strokes and true dead centres of pistons, travels of what has no cylinder and where it is farthest."""
         return " ".join(
-            _(words.dead_centres).format(strokes=shared(own, strokes, "mm"), tops=shared(own, tops, "deg"))
+            _(words.dead_centres, strokes=shared(own, strokes, "mm"), tops=shared(own, tops, "deg"))
             for words, own, (strokes, tops) in by_output(
                 self.outputs, names, [self.stroke[design], self.top_shift[design]]
             )

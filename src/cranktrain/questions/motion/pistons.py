@@ -131,7 +131,8 @@ class PistonSpeeds(Flagged):
         of_either_sense = np.fmax(self.largest_piston_acceleration.value, -self.smallest_piston_acceleration.value)
         curves = (self.mean_piston_speed, self.largest_piston_speed.value, of_either_sense)
         return " ".join(
-            _(words.speeds).format(
+            _(
+                words.speeds,
                 mean=shared(own, mean, "m/s"),
                 largest=shared(own, largest, "m/s"),
                 acceleration=shared(own, acceleration, "m/s^2"),

@@ -40,7 +40,7 @@ def point_problems(design: Design) -> tuple[Problem, ...]:
         Problem(
             f"{place.path}.points.{name}.link",
             spec.link,
-            _("must be a link of this mechanism: {links}").format(links=", ".join(place.kind.links)),
+            _("must be a link of this mechanism: {links}", links=", ".join(place.kind.links)),
         )
         for place in {place.path: place for place in design.places}.values()
         for name, spec in place.spec.points.items()

@@ -67,7 +67,8 @@ class LoadMotion:
     def answer(self, names: Names, design: int) -> str:
         """Say the load's stroke and the torque factor's range."""
         rockers = names["rocker"]
-        return _("Stroke of the load {stroke}; torque factor from {least} to {most}.").format(
+        return _(
+            "Stroke of the load {stroke}; torque factor from {least} to {most}.",
             stroke=shared(rockers, self.load_stroke[design], "mm"),
             least=shared(rockers, self.smallest_torque_factor[design], "mm"),
             most=shared(rockers, self.largest_torque_factor[design], "mm"),

@@ -110,7 +110,8 @@ class DeadPositions(Flagged):
         if np.all(np.isnan(self.swing[design])):
             return None
         rockers = names["rocker"]
-        return _("The rocker swings {swing}, dead at crank angles {first} and {second}; time ratio {ratio}.").format(
+        return _(
+            "The rocker swings {swing}, dead at crank angles {first} and {second}; time ratio {ratio}.",
             swing=shared(rockers, self.swing[design], "deg"),
             first=shared(rockers, around_turn(self.smallest_rocker_angle.angle[design]), "deg"),
             second=shared(rockers, around_turn(self.largest_rocker_angle.angle[design]), "deg"),

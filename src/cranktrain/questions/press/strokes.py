@@ -84,8 +84,7 @@ class PressStrokes(Checked, Flagged):
             return ""
         return _(
             "A stroke takes {time}; the clutch slips for {slip} and takes {clutch}, the brake {brake}; the flywheel "
-            "slows by {drop}."
-        ).format(
+            "slows by {drop}.",
             time=number(float(self.stroke_time[design]), "s"),
             slip=number(float(self.clutch_slip_time[design]), "s"),
             clutch=number(float(self.clutch_heat[design]), "J"),
@@ -163,10 +162,10 @@ def _why_none(case: PressCase, settled: SettledStroke) -> str:
     reason = settled.stroke.run.reason
     if reason == TIME_IS_OVER and math.isfinite(case.period):
         pace = f"{MINUTE / case.period:.6g}"
-        return _("No strokes at {pace} a minute: one is not over when the next begins.").format(pace=pace)
+        return _("No strokes at {pace} a minute: one is not over when the next begins.", pace=pace)
     if reason == RESTS:
         return _overrun(case, settled)
-    return _("No stroke: {reason}.").format(reason=_(PRESS_REASONS[reason]))
+    return _("No stroke: {reason}.", reason=_(PRESS_REASONS[reason]))
 
 
 def _overrun(case: PressCase, settled: SettledStroke) -> str:
@@ -246,6 +245,9 @@ def _flags(found: _Found, parts: PressParts, design: int) -> Iterator[str]:
     )
     for name, power, allowed in each:
         if power > allowed[design]:
-            yield _("The {part} takes up {power} in the mean, more than its mean_power {allowed}.").format(
-                part=_(name), power=number(power, "W"), allowed=number(float(allowed[design]), "W")
+            yield _(
+                "The {part} takes up {power} in the mean, more than its mean_power {allowed}.",
+                part=_(name),
+                power=number(power, "W"),
+                allowed=number(float(allowed[design]), "W"),
             )

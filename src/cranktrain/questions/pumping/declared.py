@@ -94,7 +94,7 @@ def pumping_problems(design: Design) -> Iterator[Problem]:
     missing = [(key, name) for key, name in names if name not in loads]
     known = ", ".join(loads) or _("none")
     for key, name in missing:
-        allowed = _("must be the name of a load, [load.NAME]; there are: {known}").format(known=known)
+        allowed = _("must be the name of a load, [load.NAME]; there are: {known}", known=known)
         yield Problem(f"pumping.{key}", name, allowed)
     if missing:
         return

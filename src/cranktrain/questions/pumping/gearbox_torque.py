@@ -117,7 +117,8 @@ class GearboxTorque(Checked, Flagged):
     def answer(self, names: Names, design: int) -> str:
         """Say both peaks, and the least torque."""
         del names
-        return _("Peaks of the gearbox torque: {up} going up, {down} going down; least {least}.").format(
+        return _(
+            "Peaks of the gearbox torque: {up} going up, {down} going down; least {least}.",
             up=number(float(self.upstroke_peak.value[design]), "N·m"),
             down=number(float(self.downstroke_peak.value[design]), "N·m"),
             least=number(float(self.least_gearbox_torque.value[design]), "N·m"),
@@ -269,10 +270,10 @@ def _flags(found: GearboxTorque, declared: DeclaredPumping) -> Iterator[str]:
     """Flag ratings exceeded, torque that drives the gearbox, weights too heavy or light, and masses left out."""
     if np.any(found.torque_share > 1.0):
         share = number(float(np.nanmax(found.torque_share)), "%")
-        yield _("The gearbox is over its rated torque: {share}.").format(share=share)
+        yield _("The gearbox is over its rated torque: {share}.", share=share)
     if np.any(found.load_share > 1.0):
         share = number(float(np.nanmax(found.load_share)), "%")
-        yield _("The polished rod pulls more than it is rated for: {share}.").format(share=share)
+        yield _("The polished rod pulls more than it is rated for: {share}.", share=share)
     least = float(np.min(found.least_gearbox_torque.value))
     if least < 0:
         said = _("The net torque falls to {least}: the machine drives the gearbox there, and its teeth change sides.")

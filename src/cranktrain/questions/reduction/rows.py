@@ -17,7 +17,7 @@ def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[An
     """Range of the static torque at the first shaft, of the inertia there, and what it is of the drive alone."""
     most, least = found.largest_static_torque, found.smallest_static_torque
     yield worded(
-        _("static torque at {shaft}").format(shaft=labels["drive_shaft"][0]),
+        _("static torque at {shaft}", shaft=labels["drive_shaft"][0]),
         _("{range}; effective {rms}"),
         range=Extent(float(least.value[design, 0]), float(most.value[design, 0]), "N*m"),
         rms=Amount(float(found.rms_static_torque[design, 0]), "N*m"),
@@ -29,7 +29,7 @@ def static_rows(labels: Names, design: int, found: StaticTorques) -> Iterator[An
         yield worded(_("with η alike both ways"), "{range}", range=alike)
     inertia = found.driven_inertia[design, 0]
     yield worded(
-        _("J at {shaft}, GD² = 4 J").format(shaft=labels["drive_shaft"][0]),
+        _("J at {shaft}, GD² = 4 J", shaft=labels["drive_shaft"][0]),
         _("{range}, alone {own}"),
         range=Extent(float(np.min(inertia)), float(np.max(inertia)), "kg*m^2"),
         own=Amount(float(found.gear_flywheel_moment[design, 0]) / 4, "kg*m^2"),

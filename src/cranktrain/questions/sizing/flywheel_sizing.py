@@ -76,7 +76,7 @@ class DriveFlywheel(Flagged):
             return ""
         words, numbers = self.words_and_numbers(design)
         said = {name: number(one.value, one.unit) for name, one in numbers.items()}
-        return _("Flywheel of the drive: {said}.").format(said=words.format(**said))
+        return _("Flywheel of the drive: {said}.", said=words.format(**said))
 
 
 _N_FACTS = 7

@@ -79,7 +79,8 @@ class MotorSizing(Flagged):
         chosen, smaller = self.largest_share[design, 1:].tolist()
         if np.isnan(chosen):
             return ""
-        said = _("Of typical four-pole motors {power} is enough, governed by: {check}, {share}.").format(
+        said = _(
+            "Of typical four-pole motors {power} is enough, governed by: {check}, {share}.",
             power=number(float(self.sized_power[design, 1]), "kW"),
             check=self.governing(design, 1),
             share=number(chosen, "%"),

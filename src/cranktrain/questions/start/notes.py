@@ -65,7 +65,7 @@ def _not_reached(declared: DeclaredStart, run: StartRun) -> Iterator[str]:
     late = [key for key in _TIMES if key in texts and getattr(start, key) >= end]
     if "until_speed" in texts and float(np.max(np.abs(run.whole.crank_speed))) < start.until_speed:
         late.append("until_speed")
-    yield from (_(NOT_REACHED).format(key=key, given=texts[key]) for key in late)
+    yield from (_(NOT_REACHED, key=key, given=texts[key]) for key in late)
 
 
 def _is_starting(motor: DeclaredMotor, run: StartRun) -> bool:

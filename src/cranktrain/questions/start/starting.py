@@ -94,8 +94,10 @@ def asked_times(interval: float, text: str, end: float) -> Array:
         return np.linspace(0.0, end, _N_SAMPLES)
     n = end / interval + 1
     if n > MOST_SAMPLES:
-        allowed = _("must be at least {least}: more than {n} times are too many").format(
-            least=number(end / MOST_SAMPLES, "s"), n=MOST_SAMPLES
+        allowed = _(
+            "must be at least {least}: more than {n} times are too many",
+            least=number(end / MOST_SAMPLES, "s"),
+            n=MOST_SAMPLES,
         )
         raise InputError([Problem("drive.start.interval", text, allowed)])
     return np.arange(math.floor(n), dtype=np.float64) * interval

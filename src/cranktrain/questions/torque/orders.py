@@ -51,8 +51,11 @@ class TorqueOrders(StageResult):
         if not largest:
             return None
         amplitude = self.torque_order_amplitude[design]
-        return _("Largest orders of the torque: {orders}.").format(
-            orders=", ".join(f"{names['order'][place]} ({number(float(amplitude[place]), 'N*m')})" for place in largest)
+        return _(
+            "Largest orders of the torque: {orders}.",
+            orders=", ".join(
+                f"{names['order'][place]} ({number(float(amplitude[place]), 'N*m')})" for place in largest
+            ),
         )
 
     def largest(self, design: int) -> list[int]:
@@ -87,7 +90,7 @@ class PhaseStarSums(StageResult):
         major = [name for name, is_major in zip(names["order"], self.is_major[design], strict=True) if is_major]
         if not major or len(major) == len(names["order"]):
             return None
-        return _("Major orders, in which all cylinders add up: {orders}.").format(orders=", ".join(major))
+        return _("Major orders, in which all cylinders add up: {orders}.", orders=", ".join(major))
 
 
 def phase_star_sums(firing: Firing, cycle: Cycle) -> PhaseStarSums:

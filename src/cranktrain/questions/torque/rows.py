@@ -69,7 +69,7 @@ def gear_rows(labels: Names, design: int, gear: GearTorques) -> Iterator[AnswerL
     for first, *others in same.values():
         said = "{passed}" if np.isnan(shares[first]) else _("{passed}, {share} of the work")
         if reversals[first]:
-            said = _("{said}, reversing {n} times a cycle").format(said=said, n=f"{reversals[first]:.0f}")
+            said = _("{said}, reversing {n} times a cycle", said=said, n=f"{reversals[first]:.0f}")
         share = {} if np.isnan(shares[first]) else {"share": Amount(float(shares[first]), "%")}
-        name = _("gear from {shafts}").format(shafts=", ".join(shafts[i] for i in (first, *others)))
+        name = _("gear from {shafts}", shafts=", ".join(shafts[i] for i in (first, *others)))
         yield worded(name, said, passed=passed[first], **share)

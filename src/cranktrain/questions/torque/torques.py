@@ -78,7 +78,8 @@ class ShaftTorques(Flagged):
         most, least = self.largest_torque, self.smallest_torque
         if self.is_none[design]:
             return _("Torque on the shaft: none.")
-        return _("Torque on the shaft: mean {mean}, from {least} to {most}.").format(
+        return _(
+            "Torque on the shaft: mean {mean}, from {least} to {most}.",
             mean=number(float(self.mean_torque[design]), "N*m"),
             least=_placed(float(least.value[design]), float(least.angle[design])),
             most=_placed(float(most.value[design]), float(most.angle[design])),
@@ -88,7 +89,7 @@ class ShaftTorques(Flagged):
 def _placed(torque: float, angle: float) -> str:
     """Say a torque and where it stands; nothing stands nowhere."""
     said = number(torque, "N*m")
-    return said if np.isnan(angle) else _("{value} at {angle}").format(value=said, angle=number(angle, "deg"))
+    return said if np.isnan(angle) else _("{value} at {angle}", value=said, angle=number(angle, "deg"))
 
 
 def shaft_torques(
@@ -180,7 +181,8 @@ class GearTorques:
     def answer(self, names: Names, design: int) -> str:
         """Say what the gear passes, how often it reverses, and who does the work."""
         said = [
-            _("{shaft} passes {least} to {most} to the main shaft, reversing {n} times a cycle").format(
+            _(
+                "{shaft} passes {least} to {most} to the main shaft, reversing {n} times a cycle",
                 shaft=shaft,
                 least=number(float(np.min(self.gear_torque[design, i])), "N*m"),
                 most=number(float(np.max(self.gear_torque[design, i])), "N*m"),
@@ -191,8 +193,9 @@ class GearTorques:
         ]
         share = self.work_share[design]
         if np.any(np.isnan(share)):
-            return _("Gear: {shafts}.").format(shafts="; ".join(said))
-        return _("Gear: {shafts}. Shares of the work: {shares}.").format(
+            return _("Gear: {shafts}.", shafts="; ".join(said))
+        return _(
+            "Gear: {shafts}. Shares of the work: {shares}.",
             shafts="; ".join(said),
             shares=", ".join(
                 f"{number(float(part), '%')} ({name})" for part, name in zip(share, names["shaft"], strict=True)

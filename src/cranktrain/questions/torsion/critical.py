@@ -51,12 +51,10 @@ class ModeVectorSums(StageResult):
             return None
         alike = grouped((f"{float(of_mode[place]):.3g}", names["order"][place]) for place in falling(of_mode))
         said = [
-            _("{sum} of order {orders}").format(
-                sum=size, orders=", ".join([*own[:_NAMED], *["…"] * (len(own) > _NAMED)])
-            )
+            _("{sum} of order {orders}", sum=size, orders=", ".join([*own[:_NAMED], *["…"] * (len(own) > _NAMED)]))
             for size, own in [*alike.items()][:_NAMED]
         ]
-        return _("Largest vector sums of mode 1: {sums}.").format(sums="; ".join(said))
+        return _("Largest vector sums of mode 1: {sums}.", sums="; ".join(said))
 
 
 @record
@@ -95,9 +93,9 @@ class CriticalSpeeds(StageResult):
         """A critical speed of the first mode with its order, and the vector sum of that."""
         speed, order = number(float(self.critical_speed[design, 0, place]), "rpm"), names["order"][place]
         if self.sums is None:
-            return _("{speed} (order {order})").format(speed=speed, order=order)
+            return _("{speed} (order {order})", speed=speed, order=order)
         size = f"{float(self.sums[design, 0, place]):.4g}"
-        return _("{speed} (order {order}, vector sum {sum})").format(speed=speed, order=order, sum=size)
+        return _("{speed} (order {order}, vector sum {sum})", speed=speed, order=order, sum=size)
 
     def beside(self, design: int) -> list[int]:
         """Major orders whose critical speeds of the first mode are next to the machine's speed, the slower one first.

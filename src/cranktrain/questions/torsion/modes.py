@@ -155,10 +155,8 @@ class TorsionalModes(Checked, Flagged):
             return None
         said = ", ".join(number(float(speed), "Hz") for speed in speeds[:_NAMED])
         if len(speeds) <= _NAMED:
-            return _("Torsional natural frequencies: {frequencies}.").format(frequencies=said)
-        return _("Torsional natural frequencies: {frequencies} and {n} more.").format(
-            frequencies=said, n=len(speeds) - _NAMED
-        )
+            return _("Torsional natural frequencies: {frequencies}.", frequencies=said)
+        return _("Torsional natural frequencies: {frequencies} and {n} more.", frequencies=said, n=len(speeds) - _NAMED)
 
 
 def torsional_modes(declared: DeclaredTrain, discs: TorsionalTrain) -> TorsionalModes:
@@ -206,11 +204,15 @@ def _flags(declared: DeclaredTrain, discs: TorsionalTrain, unit: NDArray[np.intp
     without = np.flatnonzero(np.any(discs.disc_inertia <= 0, axis=0)).tolist()
     if without:
         yield _(
-            "Nothing vibrates, as these throws have no inertia: {throws}; give it in [masses] or [torsion]."
-        ).format(throws=", ".join(declared.names[disc] for disc in without))
+            "Nothing vibrates, as these throws have no inertia: {throws}; give it in [masses] or [torsion].",
+            throws=", ".join(declared.names[disc] for disc in without),
+        )
     design, mode = (found.tolist() for found in np.nonzero(unit != declared.free_end))
     for n in dict.fromkeys(mode):
         disc = int(unit[design[mode.index(n)], n])
-        yield _("In mode {mode} the free end {end} is a node: its amplitudes are 1 at {disc}.").format(
-            mode=n + 1, end=declared.names[declared.free_end], disc=declared.names[disc]
+        yield _(
+            "In mode {mode} the free end {end} is a node: its amplitudes are 1 at {disc}.",
+            mode=n + 1,
+            end=declared.names[declared.free_end],
+            disc=declared.names[disc],
         )

@@ -162,7 +162,7 @@ def torsion_problems(spec: TorsionSpec, design: Design) -> Iterator[Problem]:
         return
     yield from _counts(spec, n_throws)
     yield from _sizes(spec, n_throws, design)
-    allowed = _("must be one of the throws of the shaft `main`, 1 to {n}").format(n=n_throws)
+    allowed = _("must be one of the throws of the shaft `main`, 1 to {n}", n=n_throws)
     for name, disc in spec.disc.items():
         if isinstance(disc.beside, int) and disc.beside > n_throws:
             yield Problem(f"torsion.disc.{name}.beside", str(disc.beside), allowed)
@@ -182,11 +182,11 @@ def _counts(spec: TorsionSpec, n_throws: int) -> Iterator[Problem]:
     if n_given and n_gaps == 0:
         yield Problem("torsion.stiffness", None, _("is for the gaps between throws; this crankshaft has one throw"))
     elif n_given not in (0, 1, n_gaps):
-        allowed = _("must be one value, or one for each gap between throws: {gaps}").format(gaps=n_gaps)
-        yield Problem("torsion.stiffness", _("a list of {n}").format(n=n_given), allowed)
+        allowed = _("must be one value, or one for each gap between throws: {gaps}", gaps=n_gaps)
+        yield Problem("torsion.stiffness", _("a list of {n}", n=n_given), allowed)
     if spec.throw_inertia is not None and len(spec.throw_inertia) not in (1, n_throws):
-        allowed = _("must be one value, or one for each throw: {throws}").format(throws=n_throws)
-        yield Problem("torsion.throw_inertia", _("a list of {n}").format(n=len(spec.throw_inertia)), allowed)
+        allowed = _("must be one value, or one for each throw: {throws}", throws=n_throws)
+        yield Problem("torsion.throw_inertia", _("a list of {n}", n=len(spec.throw_inertia)), allowed)
 
 
 def _sizes(spec: TorsionSpec, n_throws: int, design: Design) -> Iterator[Problem]:

@@ -23,7 +23,7 @@ def frequency_rows(labels: Names, design: int, modes: TorsionalModes) -> Iterato
     words = ", ".join(f"{{mode{i}}}" for i in range(lowest.size))
     yield worded(
         _("natural frequencies"),
-        _("{first} and {n} more").format(first=words, n=more) if more else words,
+        _("{first} and {n} more", first=words, n=more) if more else words,
         **{f"mode{i}": Amount(float(one), "Hz") for i, one in enumerate(lowest)},
     )
 
@@ -32,7 +32,7 @@ def critical_rows(labels: Names, design: int, found: CriticalSpeeds) -> Iterator
     """The critical speeds of the first mode on both sides of the machine's, of orders that excite it much."""
     beside = found.beside(design)
     words = ", ".join(
-        _("{speed} (order {order})").format(speed=f"{{speed{place}}}", order=labels["order"][place]) for place in beside
+        _("{speed} (order {order})", speed=f"{{speed{place}}}", order=labels["order"][place]) for place in beside
     )
     speeds = {f"speed{place}": Amount(float(found.critical_speed[design, 0, place]), "rpm") for place in beside}
     yield worded(_("next critical speeds"), words, **speeds)

@@ -83,7 +83,7 @@ class TorsionSpec(Spec, frozen=True):
         yield from self._neighbours()
         if self.free_end is not None and (self.free_end not in self.disc or self.disc[self.free_end].stiffness is None):
             elastic = [name for name, disc in self.disc.items() if disc.stiffness is not None]
-            allowed = _("must be the name of a disc with a stiffness: {discs}").format(discs=", ".join(elastic) or "–")
+            allowed = _("must be the name of a disc with a stiffness: {discs}", discs=", ".join(elastic) or "–")
             yield Problem("free_end", self.free_end, allowed)
 
     def _neighbours(self) -> Iterator[Problem]:
@@ -93,7 +93,7 @@ class TorsionSpec(Spec, frozen=True):
                 others = [other for other in self.disc if other != name]
                 allowed = _("must be the number of a throw, or the name of another disc: {discs}")
                 meant = nearest(disc.beside, others)
-                repair = _('write "{text}"').format(text=meant) if meant else None
+                repair = _('write "{text}"', text=meant) if meant else None
                 yield Problem(path, f'"{disc.beside}"', allowed.format(discs=", ".join(others) or "–"), repair)
             elif self._leads_to_itself(name):
                 allowed = _("must lead to a throw; these discs stand in a ring, beside one another alone")

@@ -55,7 +55,8 @@ class ThrowStiffness(Flagged):
             return None
         own, every = self.chosen_stiffness[design, softest], self.throw_stiffness[design, :, softest]
         others = ", ".join(
-            _("{method} {stiffness} ({off} %)").format(
+            _(
+                "{method} {stiffness} ({off} %)",
                 method=title_of(name),
                 stiffness=number(float(one), "kN·m/rad"),
                 off=f"{100 * float(one / own - 1):+.1f}".replace("-", "−"),
@@ -63,7 +64,8 @@ class ThrowStiffness(Flagged):
             for place, (name, one) in enumerate(zip(names["throw_method"], every, strict=True))
             if place != self.chosen and np.isfinite(one)
         )
-        return _("The crankshaft vibrates with {stiffness} between throws {gap}, {method}; {others}.").format(
+        return _(
+            "The crankshaft vibrates with {stiffness} between throws {gap}, {method}; {others}.",
             gap=names["throw_gap"][softest],
             stiffness=number(float(own), "kN·m/rad"),
             method=title_of(names["throw_method"][self.chosen]),
@@ -134,13 +136,12 @@ def _flags(declared: DeclaredTrain, shaft: ShaftInTorsion, by_size: dict[str, Ar
         yield _("Ker Wilson's rule is out of its range: the crank radius is not more than a fifth of both diameters.")
     if declared.method is not None:
         if not np.all(np.isfinite(by_size[declared.method])):
-            yield _("{method} gives no stiffness between throws that one web joins.").format(
-                method=title_of(declared.method)
-            )
+            yield _("{method} gives no stiffness between throws that one web joins.", method=title_of(declared.method))
         return
     given, of_frame = declared.stiffness[:, declared.gaps], by_size[THROW_METHODS[0].name]
     ratio = given / of_frame
     if np.any(np.maximum(ratio, 1 / ratio) > _FAR):
-        yield _("The given stiffness between throws is {ratio} times what the crankshaft's sizes give.").format(
-            ratio=f"{float(ratio.ravel()[first_largest(np.abs(np.log(ratio)))]):.3g}"
+        yield _(
+            "The given stiffness between throws is {ratio} times what the crankshaft's sizes give.",
+            ratio=f"{float(ratio.ravel()[first_largest(np.abs(np.log(ratio)))]):.3g}",
         )

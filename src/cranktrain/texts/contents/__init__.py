@@ -97,10 +97,11 @@ def text_called(name: str, asked_as: str = "--source") -> Text:
         return found[0]
     names = [text.name for text in found or TEXTS]
     meant = nearest(asked, names)
-    allowed = _("must be the name of a text, its letter or its author: {names}").format(
-        names=", ".join(f"{text.letter} {text.name}" for text in found or TEXTS)
+    allowed = _(
+        "must be the name of a text, its letter or its author: {names}",
+        names=", ".join(f"{text.letter} {text.name}" for text in found or TEXTS),
     )
-    repair = _('write "{text}"').format(text=meant) if meant else None
+    repair = _('write "{text}"', text=meant) if meant else None
     raise InputError([Problem(asked_as, name, allowed, repair)])
 
 

@@ -89,9 +89,9 @@ def _zero_words(machine: Machine) -> str:
         (ahead < 0.0, _("φ = 0 where crank 1 is {angle} behind {axis}")),
         (True, _("φ = 0 where crank 1 is on {axis}")),
     ).format(angle=f"{shown(abs(ahead), 'deg'):.2f}°", axis=axis)
-    return _("{start}; counted in the sense of running; seen from the free end").format(start=start)
+    return _("{start}; counted in the sense of running; seen from the free end", start=start)
 
 
 def provenance_words(machine: Machine) -> str:
     """Count the numbers that a machine's file gives by where they are from."""
-    return _("Inputs: {counts}").format(counts=counted_by_status(given_numbers(machine)))
+    return _("Inputs: {counts}", counts=counted_by_status(given_numbers(machine)))

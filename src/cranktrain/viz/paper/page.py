@@ -147,7 +147,7 @@ class Page:
             self.paper.fill(
                 [start, stop, stop, start], [y, y, y + 1.1, y + 1.1], facecolor=colour, edgecolor=INK, linewidth=0.5
             )
-        words = _("{size} {unit}, scale {scale}").format(size=plain(size), unit=length.label, scale=scale_words(scale))
+        words = _("{size} {unit}, scale {scale}", size=plain(size), unit=length.label, scale=scale_words(scale))
         self.text(end + 2.0, y - 0.4, words)
         return end
 
@@ -220,7 +220,7 @@ def _artist_of(part: Line | Circle, layer: float) -> Artist:
 def paper(size: str) -> tuple[float, float]:
     """Width and height of a sheet. [mm]"""
     if size not in _SIZES:
-        allowed = _("must be one of: {sizes}").format(sizes=", ".join(_SIZES))
+        allowed = _("must be one of: {sizes}", sizes=", ".join(_SIZES))
         raise InputError([Problem("size", size, allowed)])
     return _SIZES[size]
 

@@ -67,7 +67,7 @@ def plan_centres(
     found = [instant_centres(machine, float(angle), mechanism=mechanism, is_lettered=True) for angle in chosen]
     n_bodies = len(found[0].bodies)
     if n_bodies > _MOST:
-        allowed = _("must be one for the instant centres of {n} bodies: their tables fill a sheet").format(n=n_bodies)
+        allowed = _("must be one for the instant centres of {n} bodies: their tables fill a sheet", n=n_bodies)
         refuse_more(1, len(found), allowed)
     page, box = plan_page(machine, angles, size, _("Instant centres"), found[0].mechanism)
     cells = cells_of(box, len(found))
@@ -143,8 +143,8 @@ def _body_words(body: TurningBody) -> str:
     words = {
         "frame": _("frame"),
         "link": body.name.replace("_", " "),
-        "slider": _("slider {name}").format(name=body.name),
-        "block": _("block {name}").format(name=body.name),
+        "slider": _("slider {name}", name=body.name),
+        "block": _("block {name}", name=body.name),
     }
     return words[body.sort]
 
@@ -177,13 +177,13 @@ def _notes(found: InstantCentres) -> Iterator[str]:
     for number, body in enumerate(found.bodies[1:], start=2):
         absolute = found.centre(1, number)
         if not absolute.is_joint and not np.all(np.isfinite(absolute.place)) and body.sort == "link":
-            yield _("The lines through the pins of {body} are parallel: it only").format(body=_body_words(body))
+            yield _("The lines through the pins of {body} are parallel: it only", body=_body_words(body))
             yield _("moves along, and all its points are equally fast.")
     if len(found.bodies) > _FEW:
         yield _("Drawn are the centres with the frame.")
     names = ", ".join(mathematics(one.name) for one in _drawn(found, is_near=False))
     if names:
-        yield _("too far away to be drawn: {centres}").format(centres=names)
+        yield _("too far away to be drawn: {centres}", centres=names)
     yield from _by_directions(found)
 
 
@@ -196,4 +196,4 @@ def _by_directions(found: InstantCentres) -> Iterator[str]:
     crank, rod, rocker = (np.arctan2(*(pins[end] - pins[start])[::-1]) for _name, (start, end) in links)
     ratio = abs(float(pin_velocity_ratio(crank, rod, rocker)))
     lines = formula("P_{13}B : P_{13}A") + " = sin(α − β) : sin(α₁ − β)"
-    yield _("{lines} = {ratio}, (7), (10) [gandzha]").format(lines=lines, ratio=figure(ratio))
+    yield _("{lines} = {ratio}, (7), (10) [gandzha]", lines=lines, ratio=figure(ratio))

@@ -128,7 +128,7 @@ def _sheet(
     mechanism_at = cache(partial(scheme_sketch, found, bore=bore))
     small = fitted_scale(mechanism_at, room, float(rod + radius))
     centre(page, mechanism_at(small), upper._replace(height=upper.height - 4.0))
-    words = _("The mechanism, scale {scale}").format(scale=scale_words(small))
+    words = _("The mechanism, scale {scale}", scale=scale_words(small))
     page.text(upper.left, upper.bottom + upper.height - 4.0, words, color=MUTED)
     room = lower.width - 8.0, lower.height - 8.0
     constructed_at = cache(partial(construction_sketch, found))
@@ -153,7 +153,7 @@ def _bore(machine: Machine, found: Construction) -> float | None:
 def _forward_table(found: Construction, scale: float) -> Iterator[tuple[str, ...]]:
     """Displacements as constructed and as they are."""
     length = scale_for("m", 0.0)
-    exact_head = _("exact, {unit}").format(unit=length.label)
+    exact_head = _("exact, {unit}", unit=length.label)
     yield (_("no."), "φ, °", _("paper, mm"), f"S, {length.label}", exact_head, "Δ, %")
     made, exact = found.displacement, found.exact_displacement
     paper, errors = (map(rounded, one.tolist()) for one in (made / scale, 100.0 * (made - exact) / found.stroke))
@@ -199,7 +199,7 @@ def _notes(found: Construction) -> Iterator[str]:
     else:
         yield _("φ from where the crank points along the cylinder, S from the top;")
         yield _("seen from the free end and turned, the cylinder at the right.")
-    yield _("M: dead positions; letters of [{source}].").format(source=_SOURCE)
+    yield _("M: dead positions; letters of [{source}].", source=_SOURCE)
 
 
 def _range(found: Construction) -> Iterator[str]:
@@ -208,13 +208,13 @@ def _range(found: Construction) -> Iterator[str]:
     if limits is None:
         return
     reasons = list(limits.reasons(found.ratio, float(found.geometry.offset)))
-    yield _("Range of the source: {condition} [{source}].").format(condition=_(limits.condition), source=limits.source)
+    yield _("Range of the source: {condition} [{source}].", condition=_(limits.condition), source=limits.source)
     for reason in reasons:
-        yield _("This mechanism is outside: {reason}.").format(reason=reason)
+        yield _("This mechanism is outside: {reason}.", reason=reason)
     if not reasons:
-        yield _("This mechanism is inside, λ = {ratio:.4g}.").format(ratio=found.ratio)
+        yield _("This mechanism is inside, λ = {ratio:.4g}.", ratio=found.ratio)
     if found.method == "brix" and found.geometry.offset == 0:
         errors = (errors_by_ratio(method, found.ratio).displacement.value for method in ("brix", "two_harmonics"))
         said = [f"{percent(float(error))} %" for error in errors]
-        yield _("Less exact than (333): off by {brix} of the stroke,").format(brix=said[0])
-        yield _("not {harmonics}; arcs are exact.").format(harmonics=said[1])
+        yield _("Less exact than (333): off by {brix} of the stroke,", brix=said[0])
+        yield _("not {harmonics}; arcs are exact.", harmonics=said[1])

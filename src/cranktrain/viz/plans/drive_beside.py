@@ -53,8 +53,8 @@ class DriveBeside:
         height = free / (len(self.rows) + n_others)
         if height < _LEAST_ROW:
             most = int(free / _LEAST_ROW) - n_others
-            allowed = _("must have at most {most} rows of the drive's table on this sheet").format(most=most)
-            raise InputError([Problem("", _("{n} rows").format(n=len(self.rows)), allowed, _("take size A3"))])
+            allowed = _("must have at most {most} rows of the drive's table on this sheet", most=most)
+            raise InputError([Problem("", _("{n} rows", n=len(self.rows)), allowed, _("take size A3"))])
         return min(ROW, height)
 
     def draw(self, page: Page, box: Box) -> None:

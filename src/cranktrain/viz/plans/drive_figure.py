@@ -94,7 +94,7 @@ def drive_figure(drive: CrankRockerDrive, name: str = "", angle: float = 60.0, s
     page.rule(top - 17.5)
     wide = _WIDE * (page.width - 2 * MARGIN)
     room = Box(MARGIN, MARGIN + _TABLE, wide, top - 24.0 - MARGIN - _TABLE)
-    page.heading(MARGIN, top - 23.0, _("At α = {angle}°").format(angle=f"{angle:g}".replace("-", "−")))
+    page.heading(MARGIN, top - 23.0, _("At α = {angle}°", angle=f"{angle:g}".replace("-", "−")))
     scale = _draw_mechanism(page, drive, np.deg2rad(angle), room)
     page.scale_bar(MARGIN, MARGIN, scale)
     _write_numbers(page, drive, np.deg2rad(angle), (MARGIN, MARGIN + _TABLE - 1.0, wide))

@@ -64,7 +64,7 @@ def _rows(chain: Sequence[DriveShaft], letter: str) -> Iterator[DriveRow]:
     for place, shaft in enumerate(chain, start=1):
         inertia = (_written(ChainFact("J", shaft.inertia, "kg*m^2")),) if shaft.inertia > 0 else ()
         speed = (f"{figure(shown(shaft.speed, 'rpm'))} rpm",) if np.isfinite(shaft.speed) else ()
-        yield DriveRow(_("Shaft {numeral}").format(numeral=roman(place)), (*speed, *inertia), is_shaft=True)
+        yield DriveRow(_("Shaft {numeral}", numeral=roman(place)), (*speed, *inertia), is_shaft=True)
         for one in shaft.elements:
             number += 1
             yield DriveRow(f"{number}  {_words(one, letter)}", tuple(map(_written, one.facts)))
@@ -74,7 +74,7 @@ def _words(one: DriveElement, letter: str) -> str:
     """What an element is; of the crank's shaft that it is the mechanism's."""
     if one.symbol != "crank" or not letter:
         return one.words
-    return _("{shaft} {letter}, the same as in the mechanism").format(shaft=one.words, letter=letter.replace("_", ""))
+    return _("{shaft} {letter}, the same as in the mechanism", shaft=one.words, letter=letter.replace("_", ""))
 
 
 def _written(fact: ChainFact) -> str:

@@ -73,7 +73,7 @@ def group_words(polygon: ForcePolygon) -> str:
     """Say what a polygon is of: numbers of the links, and the sort of their group."""
     sorts = {INITIAL: _("initial link"), "triad": _("triad")}
     numbers = ", ".join(map(str, polygon.numbers))
-    return f"{numbers}: {sorts.get(polygon.sort) or _('group {sort}').format(sort=polygon.sort)}"
+    return f"{numbers}: {sorts.get(polygon.sort) or _('group {sort}', sort=polygon.sort)}"
 
 
 def _rows(polygon: ForcePolygon, letters: Mapping[str, str], unit: Scale, *, has_names: bool) -> Iterator[Row]:
@@ -117,7 +117,7 @@ def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
         (force.cause == "load", _name(force.name)),
         (force.cause == "weight", _("weight")),
         (force.cause == "inertia", _("inertia")),
-        (bool(force.about), short(_("about {pin}").format(pin=in_words(pin)), _LETTERS)),
+        (bool(force.about), short(_("about {pin}", pin=in_words(pin)), _LETTERS)),
         (force.symbol.endswith("^n"), _("along the link")),
         (force.symbol.startswith("f_"), _("friction")),
         (True, short(spoken_name(force.joint.partition("/")[0]).replace("_", " "), _LETTERS)),

@@ -131,7 +131,7 @@ def _beside(
         centre(page, polygon_sketch(polygon), middle)
         rows, line = _fitting_rows(polygon, cell.height)
         left_out = len(polygon.vectors) + 1 - len(rows)
-        notes = [_("without {n} vectors between pins").format(n=left_out)] if left_out else []
+        notes = [_("without {n} vectors between pins", n=left_out)] if left_out else []
         start = middle.left + middle.width + 4.0
         write_beside(page, cell, start, rows, notes, shares=VECTOR_COLUMNS, line=line, gap=0.0)
     return length_scale(plans[0].scale)
@@ -239,7 +239,7 @@ def _klein_table(machine: Machine, construction: Klein) -> Iterator[tuple[str, .
     """What Klein's construction gives: lengths, and the velocities and accelerations that they are."""
     velocity, acceleration = _klein_rates(machine)
     drawn = scale_for("m", 0.0)
-    yield (_("line"), _("length, {unit}").format(unit=drawn.label), _("is"), _("size"), _("unit"))
+    yield (_("line"), _("length, {unit}", unit=drawn.label), _("is"), _("size"), _("unit"))
     lines = (
         ("OA", "v_A", velocity),
         ("AC", "v_BA", velocity),
@@ -262,4 +262,4 @@ def _klein_notes(construction: Klein) -> Iterator[str]:
     shown = scale_for("m", 0.0)
     x, y = map(figure, shown.of(construction.centre).tolist())
     if np.all(np.isfinite(construction.centre)):
-        yield _("Instant centre of the rod: X = {x}, Y = {y} {unit}").format(x=x, y=y, unit=shown.label)
+        yield _("Instant centre of the rod: X = {x}, Y = {y} {unit}", x=x, y=y, unit=shown.label)

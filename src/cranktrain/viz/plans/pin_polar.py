@@ -95,7 +95,7 @@ def plan_polar(
         page.notes(cell.left, top - 8.5, axes)
         outline = np.concatenate([*pair, np.zeros((2, 1))], axis=1)
         scale = fitting([outline], (width - 26.0, box.height - 42.0), _STEPS, unit.one)
-        rings = _("rings each {step} {unit}").format(step=plain(ring_step(pair[0], unit)), unit=unit.label)
+        rings = _("rings each {step} {unit}", step=plain(ring_step(pair[0], unit)), unit=unit.label)
         page.text(cell.left, top - 17.2, f"{scale_of('F', scale, unit)}, {rings}")
         centre(page, polar_sketch(loads, pair, scale, unit), cell._replace(height=cell.height - 19.0))
     start = box.left + 2 * width + 4.0
@@ -164,10 +164,12 @@ def _table(loads: CrankpinLoad, angles: Array, unit: Scale) -> Iterator[tuple[st
 
 def _notes(loads: CrankpinLoad, unit: Scale) -> Iterator[str]:
     """Say mean and largest load, and what the signs are."""
-    yield _("Mean load R: {mean}").format(mean=with_unit(loads.mean, unit))
-    yield _("Largest: {largest} at {angle:g}°, ringed").format(
-        largest=with_unit(loads.largest, unit), angle=round(loads.largest_at, 2)
+    yield _("Mean load R: {mean}", mean=with_unit(loads.mean, unit))
+    yield _(
+        "Largest: {largest} at {angle:g}°, ringed",
+        largest=with_unit(loads.largest, unit),
+        angle=round(loads.largest_at, 2),
     )
-    yield _("Largest over mean: {ratio}").format(ratio=figure(loads.largest / loads.mean))
+    yield _("Largest over mean: {ratio}", ratio=figure(loads.largest / loads.mean))
     yield _("K toward the shaft, T with rotation")
     yield _("Marks: crank angle, each 30°")

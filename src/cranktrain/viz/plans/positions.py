@@ -127,7 +127,7 @@ def _further_tables(
     for name, table in point_tables(machine, place, angles, curve):
         words = f"{letters[name]}, {spoken_name(name).replace('_', ' ')}" if name in letters else spoken_name(name)
         notes = (_("x, y in the mechanism's own axes; sizes of velocity and acceleration"),)
-        yield _Table(_("Point {name}").format(name=words), table, notes)
+        yield _Table(_("Point {name}", name=words), table, notes)
 
 
 def _write_tables(
@@ -171,8 +171,8 @@ def output_notes(machine: Machine, plan: PositionPlan, places: Sequence[PlacedMe
     has_speed = machine.main_shaft.speed is not None
     rates = _("s, v, a") if has_speed else _("s and its derivatives")
     if len(places) > 1:
-        return [_("{rates} from each piston's own top toward its shaft").format(rates=rates)]
-    return [_("x from the shaft along the line of stroke;"), _("{rates} from the top toward it").format(rates=rates)]
+        return [_("{rates} from each piston's own top toward its shaft", rates=rates)]
+    return [_("x from the shaft along the line of stroke;"), _("{rates} from the top toward it", rates=rates)]
 
 
 def draw_positions(

@@ -75,7 +75,7 @@ def plan_scheme(
     chosen = plan_angles(angles)
     refuse_more(1, len(chosen), _("must be one for a scheme"))
     found = scheme(machine, float(chosen[0]), mechanism=mechanism, letters=letters)
-    title = _("Scheme with the letters of fig. {figure} of [{source}]").format(figure=found.figure, source=found.source)
+    title = _("Scheme with the letters of fig. {figure} of [{source}]", figure=found.figure, source=found.source)
     page, box = plan_page(machine, [found.angle], size, title, mechanism, has_key=False)
     wide = 0.60 * box.width
     beside = box.left + wide + 8.0

@@ -49,7 +49,7 @@ def plan_page(
     curve: SpeedCurve | None = None,
 ) -> tuple[Page, Box]:
     """Begin a sheet, at the speed of a curve or a constant one, with a key where pins have letters; give the rest."""
-    refuse_more(MOST, len(plan_angles(angles)), _("must be at most {most} to a sheet").format(most=MOST))
+    refuse_more(MOST, len(plan_angles(angles)), _("must be at most {most} to a sheet", most=MOST))
     page = Page(*paper(size))
     places = places_called(machine, mechanism)
     words = _("{title}, mechanism {name}") if len(places) == 1 else _("{title}, cylinder {name}")
@@ -58,7 +58,7 @@ def plan_page(
     letters = pin_letters(placed_together(machine, places, np.zeros(1)))
     if letters and has_key:
         key = ", ".join(f"{letter} {spoken_name(pin).replace('_', ' ')}" for pin, letter in letters.items())
-        page.text(MARGIN, top - 4.5, _("Pins: {key}").format(key=key))
+        page.text(MARGIN, top - 4.5, _("Pins: {key}", key=key))
         top -= 6.0
     return page, Box(MARGIN, MARGIN, page.width - 2 * MARGIN, top - 4.0 - MARGIN)
 
@@ -66,14 +66,14 @@ def plan_page(
 def few_angles(angles: int | Sequence[float], what: str) -> Array:
     """Give the crank angles of what has room for only a few on a sheet. [deg]"""
     chosen = plan_angles(angles)
-    refuse_more(WITH_TABLE, len(chosen), _("must be at most {n} for {what}").format(n=WITH_TABLE, what=what))
+    refuse_more(WITH_TABLE, len(chosen), _("must be at most {n} for {what}", n=WITH_TABLE, what=what))
     return chosen
 
 
 def refuse_more(most: int, n: int, allowed: str) -> None:
     """Refuse more crank angles than there is room for, and say what is allowed."""
     if n > most:
-        raise InputError([Problem("", _("{n} crank angles").format(n=n), allowed)])
+        raise InputError([Problem("", _("{n} crank angles", n=n), allowed)])
 
 
 def cells_of(box: Box, n: int) -> list[Box]:

@@ -158,7 +158,7 @@ def _draw_cycle(page: Page, degrees: Array, over: MachineThrow, at: float) -> No
         cycle = float(degrees.size * (degrees[1] - degrees[0]))
         axes.set(xlim=(0.0, cycle), ylim=(limits[0] - margin, limits[1] + margin))
         axes.set_xticks(np.arange(0.0, cycle + 1.0, cycle / 8.0))
-        heading = _("Load on bearing {name} ({letter}), kN").format(name=bearing, letter=side.upper())
+        heading = _("Load on bearing {name} ({letter}), kN", name=bearing, letter=side.upper())
         page.heading(left, MARGIN + 12.0 + high + 6.4, heading)
         _write_legend(page, left, MARGIN + 12.0 + high + 2.0)
     page.text(page.width / 2, MARGIN, _("Crank angle, °; K inward, T with the rotation, at the crank pin"), ha="center")

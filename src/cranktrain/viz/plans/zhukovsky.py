@@ -216,4 +216,4 @@ def _notes(lever: ZhukovskyLever) -> Iterator[str]:
     yield _("Moments about p over the crank's speed.")
     yield _("Last: driving torque by the joints' reactions,")
     yield _("drawn as a force at the crank pin.")
-    yield _("Their sum: {residual} of the largest.").format(residual=power_of_ten(lever.residual))
+    yield _("Their sum: {residual} of the largest.", residual=power_of_ten(lever.residual))

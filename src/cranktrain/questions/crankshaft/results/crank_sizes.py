@@ -133,4 +133,4 @@ def _narrow(layouts: ShaftLayouts, names: tuple[str, ...]) -> tuple[str, ...]:
         np.any(layout.declared.web_width[0] < layout.declared.pin[0, :, :1], axis=-1) for layout in layouts.each
     ]
     pins = [name for name, narrow in zip(names, np.concatenate(is_narrow).tolist(), strict=True) if narrow]
-    return (_("A web is narrower than the pin that it holds: {pins}.").format(pins=", ".join(pins)),) if pins else ()
+    return (_("A web is narrower than the pin that it holds: {pins}.", pins=", ".join(pins)),) if pins else ()

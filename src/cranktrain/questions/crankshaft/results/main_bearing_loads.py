@@ -57,14 +57,15 @@ class MainBearingLoads(Checked, Flagged):
         if not np.all(np.isfinite(most)):
             return None
         found = (
-            _("{method} {load} in bearing {bearing}").format(
+            _(
+                "{method} {load} in bearing {bearing}",
                 method=title_of(method),
                 load=number(float(np.max(own)), "kN"),
                 bearing=names["bearing"][first_largest(own)],
             )
             for method, own in zip(names["bearing_method"], most, strict=True)
         )
-        return _("Largest load of a main bearing: {found}.").format(found=", ".join(found))
+        return _("Largest load of a main bearing: {found}.", found=", ".join(found))
 
 
 def main_bearing_loads(

@@ -43,8 +43,10 @@ class CrankPinPressures(StageResult):
         if np.all(np.isnan(pressures)):
             return None
         worst = first_largest(pressures)
-        return _("Largest specific pressure of a crank pin {pressure}, by the rod of {mechanism}.").format(
-            pressure=number(float(pressures[worst]), "bar"), mechanism=names["mechanism"][worst]
+        return _(
+            "Largest specific pressure of a crank pin {pressure}, by the rod of {mechanism}.",
+            pressure=number(float(pressures[worst]), "bar"),
+            mechanism=names["mechanism"][worst],
         )
 
 
@@ -65,8 +67,10 @@ class MainBearingPressures(StageResult):
         if np.all(np.isnan(pressures)):
             return None
         worst = first_largest(pressures)
-        return _("Largest specific pressure of a main bearing {pressure}, of bearing {bearing}.").format(
-            pressure=number(float(pressures[worst]), "bar"), bearing=names["bearing"][worst]
+        return _(
+            "Largest specific pressure of a main bearing {pressure}, of bearing {bearing}.",
+            pressure=number(float(pressures[worst]), "bar"),
+            bearing=names["bearing"][worst],
         )
 
 

@@ -73,10 +73,10 @@ class SectionTorques(Checked):
         if not np.all(np.isfinite(ranges)):
             return None
         said = (
-            _("{range} in {section}").format(range=number(float(ranges[i]), "N*m"), section=sections[i])
+            _("{range} in {section}", range=number(float(ranges[i]), "N*m"), section=sections[i])
             for i in widest_sections(ranges, sections)
         )
-        return _("Widest range of the shaft's torque: {found}.").format(found=", ".join(said))
+        return _("Widest range of the shaft's torque: {found}.", found=", ".join(said))
 
 
 SECTIONS = ("journal", "pin")

@@ -74,7 +74,7 @@ def _write_table(page: Page, shown: OneDesign, room: Box) -> None:
         *((room.left + _NAMES + width * (place + 1), "right") for place in range(len(bearings))),
     ]
     y = room.bottom + room.height - 9.0
-    page.heading(room.left, y, _("Largest load, {unit}").format(unit=unit.label))
+    page.heading(room.left, y, _("Largest load, {unit}", unit=unit.label))
     named = of_shafts(bearings)
     letters = int(width / _LETTER)
     for place, (shaft, name) in enumerate(named):

@@ -64,7 +64,7 @@ def bearing_diagrams(shown: OneDesign) -> tuple[PolarDiagram, ...]:
     return tuple(
         _diagram(
             shown,
-            _("Bearing {name}").format(name=name),
+            _("Bearing {name}", name=name),
             [(method, x[place, bearing], y[place, bearing]) for place, method in enumerate(methods)],
             float(at[bearing]),
         )

@@ -77,7 +77,7 @@ def _rows(shown: OneDesign, pins: Sequence[AlikePins]) -> Iterator[Sequence[str]
     if shown.has("largest_crankpin_pressure"):
         pressures = [shown(f"{kind}_crankpin_pressure")[members] for kind in ("largest", "mean")]
         bars = scale_for("Pa", float(np.nanmax(pressures[0])))
-        heads += [_("specific, {unit}").format(unit=bars.label), _("its mean, {unit}").format(unit=bars.label)]
+        heads += [_("specific, {unit}", unit=bars.label), _("its mean, {unit}", unit=bars.label)]
         columns += [column(one.tolist(), bars) for one in pressures]
     heads.append(_("oil hole, °"))
     columns.append(
@@ -96,4 +96,4 @@ def _notes(n_left_out: int) -> Iterator[str]:
     yield _("On the pin up is away from the shaft, right with rotation; on the rod's bearing up is along the rod.")
     yield _("Pins whose loads are alike are drawn once; the oil hole counts from the pin's outermost point.")
     if n_left_out > 0:
-        yield _("{n} more pins, which bear less, are in the result.").format(n=n_left_out)
+        yield _("{n} more pins, which bear less, are in the result.", n=n_left_out)

@@ -69,7 +69,7 @@ def _draw_ranges(page: Page, shown: OneDesign, room: Box) -> float:
     names, journals = shown.result.labels["section"], on_journals(shown)
     unit = scale_for("N*m", float(max(np.max(np.abs(largest)), np.max(np.abs(least)))))
     top, height = room.bottom + room.height, _BARS * room.height
-    page.heading(room.left, top - 3.0, _("Least to largest torque along the shaft, {unit}").format(unit=unit.label))
+    page.heading(room.left, top - 3.0, _("Least to largest torque along the shaft, {unit}", unit=unit.label))
     axes = axes_in(page, Box(room.left + 9.0, top - 7.0 - height, room.width - 9.0, height))
     places = np.arange(len(names))
     widest = first_largest(np.where(journals, largest - least, -1.0))
@@ -120,9 +120,9 @@ def _write_table(page: Page, shown: OneDesign, room: Box) -> None:
     top = room.bottom + room.height
     line = ROW if len(rows) * ROW < room.height - 12.0 else LEAST_ROW
     below = write_table(page, rows, (room.left, top, room.width), (0.36, 0.53, 0.68, 0.85, 1.0), line)
-    words = [_("In pins, by: {method}; in journals no method matters.").format(method=method)]
+    words = [_("In pins, by: {method}; in journals no method matters.", method=method)]
     if len(members) < len(names):
-        words.append(_("{n} more sections, of narrower ranges, are in the result.").format(n=len(names) - len(members)))
+        words.append(_("{n} more sections, of narrower ranges, are in the result.", n=len(names) - len(members)))
     page.notes(room.left, below - 0.5, words)
 
 

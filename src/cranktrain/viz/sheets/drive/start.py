@@ -84,7 +84,7 @@ def _event_rows(sorts: Sequence[EventSort]) -> Iterator[tuple[str, str]]:
             yield from ((f"{one.number}  {one.name}", _time(time)) for time in one.times)
         else:
             said = _("{name}, dotted: {n}") if len(one.times) <= _MOST else _("{name}, not drawn: {n}")
-            yield said.format(name=one.name, n=len(one.times)), _("first {time}").format(time=_time(one.times[0]))
+            yield said.format(name=one.name, n=len(one.times)), _("first {time}", time=_time(one.times[0]))
 
 
 def _time(time: float) -> str:
@@ -117,7 +117,7 @@ def start_picture(start: Start, *, size: str = "A4") -> Figure:
         time facts alone.
     """
     page = Page(*paper(size))
-    top = title_block(page, start.machine, _("Start: {reason}").format(reason=start.run.reason)) - 4.0
+    top = title_block(page, start.machine, _("Start: {reason}", reason=start.run.reason)) - 4.0
     box = Box(MARGIN, MARGIN, page.width - 2 * MARGIN, top - MARGIN)
     sorts = _event_sorts(start.events)
     left, right = box.columns(_LEFT, 14.0)
@@ -229,5 +229,5 @@ def _write_facts(page: Page, rows: Sequence[tuple[str, str]], place: tuple[float
     line = ROW if len(rows) * ROW <= free else LEAST_ROW
     most = int(free / line)
     if len(rows) > most:
-        rows = [*rows[: most - 1], (_("and {n} more").format(n=len(rows) - most + 1), "")]
+        rows = [*rows[: most - 1], (_("and {n} more", n=len(rows) - most + 1), "")]
     write_table(page, rows, place, (1.0,), line)

@@ -41,7 +41,7 @@ def draw_torque_speed(
     page.heading(
         room.left,
         room.bottom + room.height - 5.0,
-        _("Torque of the motor over its speed, {unit} over {speed}").format(unit=scale.label, speed=turning.label),
+        _("Torque of the motor over its speed, {unit} over {speed}", unit=scale.label, speed=turning.label),
     )
     axes = axes_in(page, Box(room.left + 13.0, room.bottom + 15.0, room.width - 15.0, room.height - 24.0))
     axes.axhline(0.0, color=MUTED, linewidth=0.6, zorder=1)

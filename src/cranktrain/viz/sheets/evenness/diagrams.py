@@ -66,8 +66,8 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
     rise, run = float(upper.slope) * float(np.ptp(inertia)), float(np.ptp(work)) / float(upper.slope)
     heights = np.append(work, np.mean(work[:-1]) + rise * np.array([-0.2, 0.2]))
     widths = np.append(inertia, np.mean(inertia[:-1]) + run * np.array([-0.05, 0.05]))
-    across = _("Inertia of the moving parts {symbol}, kg·m²").format(symbol=formula("J_v"))
-    axes = _axes(page, box, across, _("Excess work {symbol}, {unit}").format(symbol=formula("A"), unit=panel.unit))
+    across = _("Inertia of the moving parts {symbol}, kg·m²", symbol=formula("J_v"))
+    axes = _axes(page, box, across, _("Excess work {symbol}, {unit}", symbol=formula("A"), unit=panel.unit))
     axes.set(xlim=_wide(widths, 0.25), ylim=_wide(heights, 0.12))
     draw_curves(axes, panel)
     for dashes, tangent in tangents.items():
@@ -187,7 +187,7 @@ def _draw_whole(
     for dashes, tangent in tangents.items():
         _draw_tangent(axes, tangent, (origin[0], float(np.max(panel.across))), dashes)
     axes.plot(*origin, "o", ms=4.0, color=INK, zorder=6)
-    words = _("origin {symbols}").format(symbols=f"{formula('-J_f')}, {formula('-E_0')}")
+    words = _("origin {symbols}", symbols=f"{formula('-J_f')}, {formula('-E_0')}")
     _write(page, axes, page.place_of(axes, origin) + np.array([3.0, 0.0]), words, ha="left")
 
 
@@ -251,10 +251,10 @@ def _speeds(shown: OneDesign, tangents: Sequence[Tangent]) -> list[tuple[str, st
     return [
         (_("Wanted"), ""),
         (_("Coefficient of fluctuation δ"), plain(float(size.wanted[shown.design]))),
-        (_("Largest speed, {unit}").format(unit=speed.label), speeds[0]),
-        (_("Smallest speed, {unit}").format(unit=speed.label), speeds[1]),
-        (_("Largest excess work, {unit}").format(unit=excess[0]), excess[1]),
-        (_("Energy at φ = 0, E₀, {unit}").format(unit=start[0]), start[1]),
+        (_("Largest speed, {unit}", unit=speed.label), speeds[0]),
+        (_("Smallest speed, {unit}", unit=speed.label), speeds[1]),
+        (_("Largest excess work, {unit}", unit=excess[0]), excess[1]),
+        (_("Energy at φ = 0, E₀, {unit}", unit=start[0]), start[1]),
         *zip((_("Largest speed at φ, °"), _("Smallest speed at φ, °")), angles, strict=False),
     ]
 

@@ -120,7 +120,7 @@ def joint_diagrams(shown: OneDesign, joints: Sequence[JointForce]) -> list[Polar
     angle = shown.cycle
     return [
         PolarDiagram(
-            _("R{number} in {name}").format(number=joint.number, name=joint.names[0].replace("_", " ")),
+            _("R{number} in {name}", number=joint.number, name=joint.names[0].replace("_", " ")),
             (PolarCurve("", joint.force),),
             joint.force[:, joint.largest_at],
             float(angle[joint.largest_at]),
@@ -138,7 +138,7 @@ def force_scale(joints: Sequence[JointForce]) -> Scale:
 def joint_rows(shown: OneDesign, joints: Sequence[JointForce]) -> Iterator[tuple[str, ...]]:
     """Rows of the table: a head; which joint has which number, its largest reaction and where, its smallest."""
     unit = force_scale(joints)
-    yield _("Joint, {unit}").format(unit=unit.label), _("largest"), _("at"), _("smallest")
+    yield _("Joint, {unit}", unit=unit.label), _("largest"), _("at"), _("smallest")
     for joint in joints:
         most, least = (figure(float(unit.of(value))) for value in (np.max(joint.size), np.min(joint.size)))
         for name in joint.names:

@@ -76,7 +76,7 @@ def _at_piston(shown: OneDesign, piston: str) -> Panel:
         curves.append(Curve(_force(shown, piston, "side_force", _FORMULA), "formula", "N", "N_f"))
     words = next(one.kind.output.words for one in shown.result.machines[0].places if one.name == piston)
     assert words is not None  # of a slider
-    return Panel(_(words.forces).format(piston=piston), "N", shown.cycle, tuple(curves))
+    return Panel(_(words.forces, piston=piston), "N", shown.cycle, tuple(curves))
 
 
 def _at_pin(shown: OneDesign, piston: str) -> Panel:

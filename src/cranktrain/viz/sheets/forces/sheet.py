@@ -103,7 +103,7 @@ def _piston(result: Result, wanted: str | None) -> str | None:
     """Find the piston: one that is named, else the first that has forces of its own."""
     names = result.labels.get("piston", ())
     if wanted is not None and wanted not in names:
-        allowed = _("must be one of this machine's pistons: {names}").format(names=", ".join(names) or _("none"))
+        allowed = _("must be one of this machine's pistons: {names}", names=", ".join(names) or _("none"))
         raise InputError([Problem("--mechanism", wanted, allowed)])
     if wanted is not None or "piston_force" not in result.catalogue:
         return wanted or next(iter(names), None)
@@ -123,7 +123,7 @@ def _draw_joints(
     line = ROW if free - _POLAR * page.height >= (len(rows) + 1) * ROW else LEAST_ROW
     n_most = int((free - _LEAST_POLAR) / line) - 1
     if len(rows) > n_most:
-        left_out = _("and {n} that bear less").format(n=len(rows) - n_most + 1)
+        left_out = _("and {n} that bear less", n=len(rows) - n_most + 1)
         rows = [*rows[: n_most - 1], (left_out, "", "", "")]
     height = min(_POLAR * page.height, free - (len(rows) + 1) * line)
     room = Box(left, top - height, right - left, height)
@@ -211,12 +211,14 @@ def _on_joints(shown: OneDesign, joints: Sequence[JointForce], mechanism: str) -
     torques = zip(crank_torques(shown), (mathematics("M_st"), "½J′ω²"), strict=True)
     said = [symbol for torque, symbol in torques if np.any(torque)]
     if said:
-        yield _("{symbols}: into the crank; {torque}: out of it, with the opposite sign.").format(
-            symbols=", ".join(said), torque=mathematics("T_Σ")
+        yield _(
+            "{symbols}: into the crank; {torque}: out of it, with the opposite sign.",
+            symbols=", ".join(said),
+            torque=mathematics("T_Σ"),
         )
     yield from _on_shared_pins(list(pins_shared(shown, mechanism)))
     if len(joints) > MOST_CURVES:
-        yield _("Curves are of the {n} joints that bear most.").format(n=MOST_CURVES)
+        yield _("Curves are of the {n} joints that bear most.", n=MOST_CURVES)
 
 
 def _on_shared_pins(pins: Sequence[SharedPin]) -> Iterator[str]:
@@ -243,17 +245,23 @@ def _on_forces(shown: OneDesign, piston: str) -> Iterator[str]:
     master = _master_of(shown.result, piston)
     if master is not None:
         yield _(
-            "{piston} hangs on the rod of {master}: {radial}, {tangential} are what the crank pin bears of it."
-        ).format(piston=piston, master=master, radial=mathematics("K_i"), tangential=mathematics("T_i"))
+            "{piston} hangs on the rod of {master}: {radial}, {tangential} are what the crank pin bears of it.",
+            piston=piston,
+            master=master,
+            radial=mathematics("K_i"),
+            tangential=mathematics("T_i"),
+        )
         return
     yield _("P, S, N, K, T: by the reactions in the joints, K without the rod's rotating mass.")
     errors = {"N": "side_force_formula_error", "T": "tangential_force_formula_error"}
     said = [
-        _("{error} in {symbol}").format(
-            error=with_unit(formula_error(shown, piston, name), scale_for("%", 1.0)), symbol=symbol
+        _(
+            "{error} in {symbol}",
+            error=with_unit(formula_error(shown, piston, name), scale_for("%", 1.0)),
+            symbol=symbol,
         )
         for symbol, name in errors.items()
         if is_off(shown, piston, name)
     ]
     if said:
-        yield _("f: the textbook's P·f(β), off by up to {errors}.").format(errors=", ".join(said))
+        yield _("f: the textbook's P·f(β), off by up to {errors}.", errors=", ".join(said))

@@ -14,7 +14,7 @@ def pressure_panel(shown: OneDesign, piston: str) -> Panel:
         Curve(closed(shown("gas_pressure")[chamber]), "chamber" if later else "main", "p", symbol)
         for later, (chamber, symbol) in enumerate(_symbols(shown, piston).items())
     )
-    return Panel(_("Gas pressure at piston {piston}, absolute").format(piston=piston), "Pa", shown.cycle, curves)
+    return Panel(_("Gas pressure at piston {piston}, absolute", piston=piston), "Pa", shown.cycle, curves)
 
 
 def indicator_panel(shown: OneDesign, piston: str) -> Panel:

@@ -107,7 +107,7 @@ def _notes(curves: CurvesOfLoads) -> Iterator[str]:
     yield _("Work over the cycle, less than 0 where the machine works against the load;")
     yield _("largest power of either sign. Forces along their ways, torques in the crank's sense.")
     if len(curves.each) > _MOST:
-        yield _("{n} more loads are in the result.").format(n=len(curves.each) - _MOST)
+        yield _("{n} more loads are in the result.", n=len(curves.each) - _MOST)
 
 
 def _draw_cards(page: Page, curves: CurvesOfLoads, room: Box, top: float) -> float:
@@ -139,7 +139,7 @@ def _draw_machine(page: Page, shown: OneDesign, piston: str | None, room: Box) -
         (room.width - 2.0, room.height - 9.0),
     )
     low, high = (corner / found.scale for corner in labelled_bounds(found.sketch))
-    page.heading(room.left, room.bottom + room.height - 4.0, _("At φ = {angle:.1f}°").format(angle=at))
+    page.heading(room.left, room.bottom + room.height - 4.0, _("At φ = {angle:.1f}°", angle=at))
     below = room._replace(height=room.height - 7.0)
     page.draw(found.sketch, pair(below.middle - (low + high) / 2))
 

@@ -183,7 +183,7 @@ def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
     yield travel
     cylinder = next(p.cylinder for p in result.machines[design].places if p.name == names[0])
     both = turn.curve("combined_displacement", turn.shown.member("cylinder", cylinder))
-    title = _("Travel of both together, cylinder {cylinder}").format(cylinder=cylinder)
+    title = _("Travel of both together, cylinder {cylinder}", cylinder=cylinder)
     yield Panel(title, "m", turn.angle, (Curve(both, "first", "s", name=cylinder),), r"x_\Sigma")
     if turn.shown.has("chamber_volume") and cylinder in result.labels.get("chamber", ()):
         volume = turn.curve("chamber_volume", turn.shown.member("chamber", cylinder))
@@ -210,7 +210,7 @@ def _error_panel(turn: _Turn, piston: str, form: int) -> Panel:
     peaks = np.nanmax(np.abs(exact), axis=1, keepdims=True)
     errors = 100.0 * (turn.motion("textbook", form, member) - exact) / peaks
     curves = tuple(Curve(error, "error", letter, letter) for error, letter in zip(errors, _LETTERS, strict=True))
-    title = _("Textbook error, piston {piston}").format(piston=piston)
+    title = _("Textbook error, piston {piston}", piston=piston)
     return Panel(title, _("% of own maximum"), turn.angle, curves)
 
 

@@ -179,7 +179,7 @@ def _notes(scenes: Sequence[Scene], angle: float) -> Iterator[str]:
         yield _("dashed: side rods, which pass outside the cylinder")
     broken = [member.place.name for member in members if member.cut]
     if broken:
-        yield _("rod of {names} broken, its slider drawn nearer to the shaft").format(names=", ".join(broken))
+        yield _("rod of {names} broken, its slider drawn nearer to the shaft", names=", ".join(broken))
     shapes = _("pins to scale, shapes schematic")
     pistons = [member for member in sliders if member.place.kind.output.has_chambers]
     if pistons and all(member.bore is not None for member in pistons):
@@ -245,7 +245,7 @@ def _sample(page: Page, role: Role, start: float, end: float, y: float) -> None:
 def _legend(page: Page, ruler: Ruler, right: float, y: float) -> None:
     """Say what the habits of lines are that no ruler shows."""
     if ruler.textbook:
-        start, _end = page.ends(page.text(right, y, _("textbook: {forms}").format(forms=ruler.textbook), ha="right"))
+        start, _end = page.ends(page.text(right, y, _("textbook: {forms}", forms=ruler.textbook), ha="right"))
         page.sample(
             start - 9.0, start - 1.5, y + 0.9, color=INK, lw=PENS["textbook"].width, dashes=PENS["textbook"].dashes
         )

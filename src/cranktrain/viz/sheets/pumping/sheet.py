@@ -63,7 +63,7 @@ def _draw_card(page: Page, shown: OneDesign, room: Box) -> float:
     for (position, load), (colour, pattern) in zip((curves.up, curves.down), (_UP, _DOWN), strict=True):
         axes.plot(position, scale.of(load), color=colour, linewidth=1.1, linestyle=(0, pattern))
     axes.set(xlim=(-0.02, 1.02), ylim=(scale.of(curves.low), scale.of(curves.high)))
-    page.heading(room.left, top - 5.0, _("Load at the polished rod over its position, {unit}").format(unit=scale.label))
+    page.heading(room.left, top - 5.0, _("Load at the polished rod over its position, {unit}", unit=scale.label))
     x, y = room.left, top - height - 10.0
     page.sample(x, x + 8.0, y + 0.9, color=INK, linewidth=1.6)
     _begin, x = page.ends(page.text(x + 9.5, y, _("card")))

@@ -55,7 +55,7 @@ def draw_orders(page: Page, shown: OneDesign, left: float, right: float, top: fl
     axes.bar(order, scale.of(amplitude), width=width, color=colours, edgecolor=COLOURS["T"], linewidth=0.7)
     axes.set(xlim=(0.0, last + 0.5), xticks=np.arange(1.0, last + 0.5), ylim=(0.0, None))
     axes.grid(visible=False, axis="x")
-    heading = _("Amplitude of the torque's orders, {unit}, over the order").format(unit=scale.label)
+    heading = _("Amplitude of the torque's orders, {unit}, over the order", unit=scale.label)
     page.heading(left, top - 3.0, heading)
     return top - 5.0 - height - 7.0
 
@@ -78,7 +78,7 @@ def draw_stars(page: Page, shown: OneDesign, left: float, right: float, top: flo
     for number, (order, length) in enumerate(zip(stars.order.tolist(), stars.length.tolist(), strict=True)):
         centre = (left + (number + 0.5) * (right - left) / STARS, middle)
         _draw_star(page, stars.vectors[number], names, centre)
-        words = _("{order:g}: sum {sum:.2f} of {n}").format(order=order, sum=length, n=len(names))
+        words = _("{order:g}: sum {sum:.2f} of {n}", order=order, sum=length, n=len(names))
         page.text(centre[0], middle - _NAME - 5.5, words, ha="center")
     return middle - _NAME - 8.0
 

@@ -38,7 +38,7 @@ def torque_panel(shown: OneDesign) -> Panel:
     average = Curve(np.full_like(whole.values, mean), "mean", "F", "T_m")
     curves = (*(each if len(each) > 1 else ()), whole, average)
     scale = scale_for("N*m", float(np.nanmax([np.max(np.abs(curve.values)) for curve in curves])))
-    title = _("Torque on the shaft, mean {mean}").format(mean=figure(float(scale.of(mean))))
+    title = _("Torque on the shaft, mean {mean}", mean=figure(float(scale.of(mean))))
     return Panel(title, "N*m", shown.cycle, curves)
 
 

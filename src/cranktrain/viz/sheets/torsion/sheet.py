@@ -101,7 +101,8 @@ def draw_modes(page: Page, shapes: Sequence[ModeShape], discs: Sequence[str], bo
         bottom = top - _HEAD - place * height
         room = Box(box.left + _SCALE, bottom + 1.5, box.width - _SCALE, height - _WORDS)
         _draw_mode(axes_in(page, room), shape)
-        words = _("mode {n}, {frequency}; amplitude 1 at {disc}").format(
+        words = _(
+            "mode {n}, {frequency}; amplitude 1 at {disc}",
             n=shape.mode,
             frequency=with_unit(shape.frequency, scale_for("Hz", shape.frequency)),
             disc=_called(short(shape.unit, _LONGEST)),
@@ -125,7 +126,7 @@ def _draw_mode(axes: Axes, shape: ModeShape) -> None:
 
 def _called(disc: str) -> str:
     """Name a disc in a sentence."""
-    return _("throw {n}").format(n=disc) if disc.isdigit() else disc
+    return _("throw {n}", n=disc) if disc.isdigit() else disc
 
 
 def draw_campbell(page: Page, of: Campbell, n_cylinders: int, box: Box) -> None:
@@ -215,7 +216,7 @@ def _speed(of: Campbell) -> Scale:
 
 
 def _heading(of: Campbell) -> str:
-    return _("Campbell's diagram: frequency in Hz over speed in {unit}").format(unit=_speed(of).label)
+    return _("Campbell's diagram: frequency in Hz over speed in {unit}", unit=_speed(of).label)
 
 
 def _hertz(speed: float) -> float:
@@ -241,7 +242,7 @@ def _write_speeds(page: Page, of: Campbell, left: float, top: float, width: floa
     head = [
         _("mode"),
         _("order"),
-        _("speed, {unit}").format(unit=_speed(of).label),
+        _("speed, {unit}", unit=_speed(of).label),
         *([_("vector sum")] if has_sums else []),
     ]
     rows = [

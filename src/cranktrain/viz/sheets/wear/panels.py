@@ -29,8 +29,8 @@ def pin_wear(shown: OneDesign) -> Iterator[WearDiagram]:
     """Wear of crank pins, and of the rods' bearings on them; up is away from the shaft, and toward the piston."""
     for pin in alike_pins(shown):
         hole = float(shown("crankpin_oil_hole")[pin.first])
-        yield WearDiagram(_("Pin {names}").format(names=pin.names), shown("crankpin_wear")[pin.first], hole, 1.0)
-        title = _("Rod {names}").format(names=pin.names)
+        yield WearDiagram(_("Pin {names}", names=pin.names), shown("crankpin_wear")[pin.first], hole, 1.0)
+        title = _("Rod {names}", names=pin.names)
         yield WearDiagram(title, shown("rod_bearing_wear")[pin.first], np.nan, 1.0)
 
 

@@ -76,7 +76,7 @@ def sheet_wear(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
         _draw(page, one, room, radius, force)
     y = box.bottom + LINE * len(notes)
     page.sample(box.left, box.left + bar * unit.one / force, y + 0.9, color=INK, lw=2.0, solid_capstyle="butt")
-    words = _("{force} {unit}, mean over the cycle, inward from the circle").format(force=plain(bar), unit=unit.label)
+    words = _("{force} {unit}, mean over the cycle, inward from the circle", force=plain(bar), unit=unit.label)
     page.text(box.left + bar * unit.one / force + 2.0, y, words)
     page.notes(box.left, y - LINE, notes)
     return page.figure
@@ -152,11 +152,12 @@ def _notes(shown: OneDesign, n_left_out: int) -> Sequence[str]:
     if shown.has("journal_wear"):
         method = title_of(shown.result.labels["bearing_method"][0])
         words += [
-            _("Journals likewise, up is toward throw 1; main bearings as seen from the free end, by: {method}.").format(
-                method=method
+            _(
+                "Journals likewise, up is toward throw 1; main bearings as seen from the free end, by: {method}.",
+                method=method,
             )
         ]
     words.append(_("Degrees count from up in the sense of rotation."))
     if n_left_out > 0:
-        words.append(_("{n} more diagrams are in the result.").format(n=n_left_out))
+        words.append(_("{n} more diagrams are in the result.", n=n_left_out))
     return words
