@@ -20,7 +20,7 @@ from steps import ready_stages
 
 import cranktrain as ct
 from cranktrain.analysis import every_stage
-from cranktrain.catalogue import entries
+from cranktrain.saying.catalogue import entries
 
 LIMITS = {
     ("3d12", "all"): 14.0,

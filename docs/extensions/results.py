@@ -8,8 +8,8 @@ from sphinx.util.docutils import SphinxDirective
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import every_stage
-from cranktrain.catalogue import Entry, entries
 from cranktrain.layout.question import Stage
+from cranktrain.saying.catalogue import Entry, entries
 
 _HEADS = ("name", "symbol", "unit", "what it is", "from")
 _WITHOUT_QUESTION = "textbook and kinds of mechanism"

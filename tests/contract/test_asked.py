@@ -14,9 +14,9 @@ from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import lacking, leading_to, missing_results
-from cranktrain.catalogue import entries
 from cranktrain.io.examples import example_names
 from cranktrain.layout.parts import laid_out
+from cranktrain.saying.catalogue import entries
 
 every_example = pytest.mark.parametrize("name", example_names())
 

@@ -19,8 +19,8 @@ from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import every_stage, ordered
 from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.stages import lacking
-from cranktrain.catalogue import entries
 from cranktrain.io.examples import example_names
+from cranktrain.saying.catalogue import entries
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "src/cranktrain"

@@ -13,7 +13,7 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.analysis import every_stage
-from cranktrain.catalogue import entries
+from cranktrain.saying.catalogue import entries
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"

@@ -8,7 +8,7 @@ import cranktrain as ct
 from cranktrain.cli import main
 from cranktrain.cli.screen.amounts import figures
 from cranktrain.io.examples import example_names
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import aligned, column
 
 NOTHING = 1e-9

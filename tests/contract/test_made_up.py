@@ -130,8 +130,8 @@ def noise_parts(designs, _known):
     "loudness.py": '''
 """Speed with which it rattles."""
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.questions.noise.spec import DeclaredNoise
@@ -153,7 +153,7 @@ def loudness(noise: DeclaredNoise, speed: Speed) -> Loudness:
 """What is said of it."""
 
 from cranktrain.questions.noise.loudness import Loudness
-from cranktrain.rows import Amount, worded
+from cranktrain.saying.rows import Amount, worded
 
 
 def noise_rows(labels, design, found: Loudness):

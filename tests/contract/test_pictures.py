@@ -17,8 +17,8 @@ import cranktrain as ct
 from cranktrain import viz
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import every_stage
-from cranktrain.catalogue import entries
 from cranktrain.io.examples import example_names
+from cranktrain.saying.catalogue import entries
 from cranktrain.viz import sheets
 
 PACKAGE = Path(viz.__file__).parents[1]

@@ -16,10 +16,10 @@ from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.outcomes import read_only, run_stages
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import lacking
-from cranktrain.catalogue import entries
-from cranktrain.checks import StageResult
 from cranktrain.layout.question import CALCULATOR, HAND_OVER, RESULT, tables_of
 from cranktrain.layout.speed import SteadySpeed
+from cranktrain.saying.catalogue import entries
+from cranktrain.saying.checks import StageResult
 
 ASKED = {need for stage in every_stage() for need in stage.needs.values()} | {SteadySpeed}
 """What goes on to another stage, or to a second run."""

@@ -11,19 +11,19 @@ import pytest
 from rich.console import Console
 
 import cranktrain as ct
-from cranktrain import catalogue
 from cranktrain.analysis import every_stage
 from cranktrain.analysis.comparison import compared
 from cranktrain.analysis.designs_summary import summary_of_designs
 from cranktrain.analysis.outcomes import Outcomes
 from cranktrain.analysis.representations import result_html
 from cranktrain.analysis.stages import homes
-from cranktrain.catalogue import entries, extreme, quantity
-from cranktrain.checks import StageResult
 from cranktrain.cli.screen.report import show_numbers
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 from cranktrain.record import record
+from cranktrain.saying import catalogue
+from cranktrain.saying.catalogue import entries, extreme, quantity
+from cranktrain.saying.checks import StageResult
 
 PACKAGE = Path(ct.__file__).parent
 EVERY = [entry for stage in every_stage() for entry in entries(stage.gives)]
@@ -44,7 +44,7 @@ OTHERS = {
 
 DO_INSTEAD = (
     "declare what the name is read for with the field, as shown=, worst=, of= or is_place= of quantity() and extreme() "
-    "in catalogue.py, and ask the Entry; if these are names of something else, say of what in OTHERS"
+    "in saying/catalogue.py, and ask the Entry; if these are names of something else, say of what in OTHERS"
 )
 
 
@@ -91,7 +91,7 @@ def test_nobody_reads_the_spelling_of_a_quantitys_name():
     for path in sorted(PACKAGE.rglob("*.py")):
         where = path.relative_to(PACKAGE).as_posix()
         lines = list(readings(path.read_text(encoding="utf-8")))
-        if lines and where not in {"catalogue.py", *OTHERS}:
+        if lines and where not in {"saying/catalogue.py", *OTHERS}:
             found[where] = lines
     assert found == {}, DO_INSTEAD
 
@@ -128,7 +128,7 @@ def _refusing(method):
     def refuse(self, *given):
         caller = sys._getframe(1).f_globals.get("__name__", "")
         is_private = (method, given) == ("startswith", ("_",))
-        if caller.startswith("cranktrain.") and caller != "cranktrain.catalogue" and not is_private:
+        if caller.startswith("cranktrain.") and caller != "cranktrain.saying.catalogue" and not is_private:
             raise AssertionError(f"{caller} takes the name {self} apart by {method}: {DO_INSTEAD}")
         return getattr(str, method)(self, *given)
 

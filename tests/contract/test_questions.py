@@ -13,9 +13,9 @@ from tests.dimensions import DECLARED, DIMENSIONS
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import every_stage
-from cranktrain.catalogue import entries
 from cranktrain.layout.question import needs_of
 from cranktrain.machine import Machine
+from cranktrain.saying.catalogue import entries
 from cranktrain.spec import Spec
 from cranktrain.viz import PICTURES
 from cranktrain.when_given import meant

@@ -14,13 +14,13 @@ import cranktrain as ct
 from cranktrain.analysis import Stage
 from cranktrain.analysis.run import run
 from cranktrain.analysis.stages import every_stage
-from cranktrain.catalogue import entries, quantity
-from cranktrain.checks import StageResult
 from cranktrain.io.examples import example_names
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
 from cranktrain.record import record
+from cranktrain.saying.catalogue import entries, quantity
+from cranktrain.saying.checks import StageResult
 
 GAS = {
     "kind": "dual",

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
-from cranktrain.catalogue import entries, values
 from cranktrain.errors import refuse
 from cranktrain.io.examples import example_names
 from cranktrain.layout.load_tables import in_place_of_lists
 from cranktrain.machine import machine_problems
 from cranktrain.paths import path_text, with_values
 from cranktrain.quantities import shown_by, units_by_dimension
+from cranktrain.saying.catalogue import entries, values
 
 every_example = pytest.mark.parametrize("name", example_names())
 WRONG = ("1.7 mm", "-3", 0, 1, True, None, "", [], {}, ["1 mm", "2 mm"], {"value": "2 mm"}, {"kind": "none"})

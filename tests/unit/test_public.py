@@ -12,7 +12,6 @@ from tests.machines import slider
 from tests.sentences import A_ROD, LOOKED_FOR, NO_FILE, NOT_A_KEY, SET_TWICE
 
 import cranktrain as ct
-from cranktrain.catalogue import entries
 from cranktrain.plans.centres import instant_centres
 from cranktrain.plans.constructions import construction
 from cranktrain.plans.force_polygons import force_polygons
@@ -23,6 +22,7 @@ from cranktrain.plans.polygons import velocity_polygons
 from cranktrain.plans.positions import position_plan
 from cranktrain.plans.schemes import scheme
 from cranktrain.plans.zhukovsky import zhukovsky_lever
+from cranktrain.saying.catalogue import entries
 from cranktrain.synthesis.slider_crank import slider_crank_from_stroke
 
 TABLES = {"name": "small", "mechanism": slider(), "shaft": {"main": {"speed": "1500 rpm"}}}

@@ -10,13 +10,13 @@ from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.pipeline import PartBehind, Pipeline, Place, StageBehind
 from cranktrain.analysis.stages import every_stage, lacking, leading_to, ordered, stages_giving
-from cranktrain.catalogue import entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.question import Stage, tables_of
 from cranktrain.machine import Machine
 from cranktrain.paths import is_table, path_text
+from cranktrain.saying.catalogue import entries
 
 _CITED = re.compile(r"(docs/theory/[\w-]+)(?:, eqs?\. (\([\d.]+\)(?:(?:,| to| and|, and) \([\d.]+\))*))?")
 _ANY = "NAME"

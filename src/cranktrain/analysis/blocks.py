@@ -7,7 +7,7 @@ from typing import Any, TypeVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import entries
+from cranktrain.saying.catalogue import entries
 
 MOST_AT_ONCE = 64
 """Designs of a block; cost per design falls no further with more."""

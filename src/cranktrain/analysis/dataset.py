@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 from cranktrain.analysis.dimensions import dimension_named
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.unused import sentences
-from cranktrain.catalogue import Entry
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.scales import in_asked_unit
+from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.scales import in_asked_unit
 
 if TYPE_CHECKING:
     import xarray

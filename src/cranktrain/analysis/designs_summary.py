@@ -9,12 +9,12 @@ from cranktrain.analysis.dimensions import rivals
 from cranktrain.analysis.figures import shown_in, text_in
 from cranktrain.analysis.members import ends, whose_of
 from cranktrain.analysis.result import Fact, Result
-from cranktrain.catalogue import Entry
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line
-from cranktrain.scales import Scale
-from cranktrain.wording import ranged
+from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.scales import Scale
+from cranktrain.saying.wording import ranged
 
 _ALIKE = 1e-9
 """Values that differ by less are one."""

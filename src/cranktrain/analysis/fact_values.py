@@ -9,10 +9,10 @@ from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis.figures import shown_in, text_in
 from cranktrain.analysis.members import Labelled, rows_of
 from cranktrain.analysis.result import Result
-from cranktrain.catalogue import Entry
 from cranktrain.grouping import grouped
 from cranktrain.layout.question import Question
 from cranktrain.record import record
+from cranktrain.saying.catalogue import Entry
 
 
 @record

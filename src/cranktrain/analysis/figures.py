@@ -3,8 +3,8 @@
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.scales import Scale, scale_for
-from cranktrain.wording import decimals_for, signless
+from cranktrain.saying.scales import Scale, scale_for
+from cranktrain.saying.wording import decimals_for, signless
 
 ABSENT = "—"
 """Stands for a number that one of several machines has not."""

@@ -6,13 +6,13 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
-from cranktrain.catalogue import entries, values
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts
 from cranktrain.motion import Array
 from cranktrain.numerics.nested import mapped
 from cranktrain.numerics.ties import largest_first
+from cranktrain.saying.catalogue import entries, values
 
 Outcome = TypeVar("Outcome")
 

@@ -8,12 +8,12 @@ import numpy as np
 
 from cranktrain.analysis.dimensions import dimension_named, rivals
 from cranktrain.analysis.figures import ABSENT, shown_in, text_in
-from cranktrain.catalogue import Entry, Worst
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import falling
-from cranktrain.wording import ranged
+from cranktrain.saying.catalogue import Entry, Worst
+from cranktrain.saying.wording import ranged
 
 _MOST_GROUPS = 3
 """Members that differ among themselves have a row each up to here; of more the smallest and the largest has."""

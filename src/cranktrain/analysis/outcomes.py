@@ -12,7 +12,6 @@ import numpy as np
 from cranktrain.analysis.grids import are_wide, coarse_curves, has_curves, with_curves
 from cranktrain.analysis.shapes import refuse_misshapen
 from cranktrain.analysis.stages import ordered, spoken
-from cranktrain.catalogue import entries
 from cranktrain.how_far import say_how_far
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
@@ -20,6 +19,7 @@ from cranktrain.layout.question import Parts, Stage
 from cranktrain.mechanisms.kind import Kind
 from cranktrain.motion import Array
 from cranktrain.quantities import shown_as_then, units_now
+from cranktrain.saying.catalogue import entries
 
 Labels = Mapping[str, tuple[str, ...]]
 

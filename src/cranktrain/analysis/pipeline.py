@@ -4,9 +4,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap
 from typing import NamedTuple
 
-from cranktrain.catalogue import Entry
 from cranktrain.language import _
 from cranktrain.record import record
+from cranktrain.saying.catalogue import Entry
 
 
 class Place(NamedTuple):

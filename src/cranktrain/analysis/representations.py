@@ -12,7 +12,7 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line, short
-from cranktrain.wording import as_given
+from cranktrain.saying.wording import as_given
 
 _LONGEST_NAME, _FEW = 70, 3
 

@@ -12,8 +12,6 @@ from cranktrain.analysis.outcomes import Outcomes
 from cranktrain.analysis.stages import Missing, every_stage
 from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.brief import brief
-from cranktrain.catalogue import Entry, entries, values
-from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.faces import face
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
@@ -23,8 +21,10 @@ from cranktrain.mechanisms import KINDS
 from cranktrain.motion import Array
 from cranktrain.quantities import shown, shown_as_in, units_asked
 from cranktrain.record import record
-from cranktrain.rows import AnswerLine
-from cranktrain.wording import in_print
+from cranktrain.saying.catalogue import Entry, entries, values
+from cranktrain.saying.checks import Check, Checked, Flagged
+from cranktrain.saying.rows import AnswerLine
+from cranktrain.saying.wording import in_print
 
 if TYPE_CHECKING:
     import xarray

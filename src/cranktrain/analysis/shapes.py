@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import Entry, entries
+from cranktrain.saying.catalogue import Entry, entries
 
 
 def refuse_misshapen(outcomes: Iterable[object], labels: Mapping[str, Sequence[str]], n_angles: int) -> None:

@@ -6,7 +6,7 @@ from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.machine import Machine
 from cranktrain.record import record
-from cranktrain.wording import in_words
+from cranktrain.saying.wording import in_words
 
 
 @record

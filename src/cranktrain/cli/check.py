@@ -2,11 +2,11 @@
 
 from cranktrain.analysis import sentences
 from cranktrain.analysis.stages import spoken
-from cranktrain.catalogue import entries
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.io.machine_file import computed, read_machine
 from cranktrain.language import _
 from cranktrain.one_line import one_line
+from cranktrain.saying.catalogue import entries
 
 
 def show_check(source: str) -> None:

@@ -73,7 +73,7 @@ def _kinds() -> Iterator[str]:
 def _results() -> Iterator[str]:
     """Give name, unit, symbol and sentence of every result, curves marked by (φ)."""
     from cranktrain.analysis import every_stage
-    from cranktrain.catalogue import entries
+    from cranktrain.saying.catalogue import entries
 
     every = [entry for stage in every_stage() for entry in entries(stage.gives)]
     width, units = max(len(entry.name) for entry in every), max(len(entry.unit) for entry in every)

@@ -22,8 +22,8 @@ from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.quantities import shown_as_in, shown_by, unlisted
 from cranktrain.record import record
+from cranktrain.saying.wording import number
 from cranktrain.study.start import Start, start
-from cranktrain.wording import number
 
 _SHOWN_EVENTS = 12
 _PICTURES = (".png", ".svg", ".pdf")

@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.io.tables import csv_lines
 from cranktrain.motion import Array
-from cranktrain.scales import in_asked_unit
+from cranktrain.saying.scales import in_asked_unit
 from cranktrain.study.start import Start
 from cranktrain.version import VERSION
 

@@ -9,10 +9,10 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.catalogue import Entry
 from cranktrain.io.conventions import conventions
 from cranktrain.motion import Array
-from cranktrain.scales import in_asked_unit
+from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.scales import in_asked_unit
 from cranktrain.version import VERSION
 
 HEADS = ("quantity", "of", "value", "unit", "meaning")

@@ -11,7 +11,7 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.motion import Array
 from cranktrain.quantities import Given
-from cranktrain.wording import around_turn, number
+from cranktrain.saying.wording import around_turn, number
 
 
 def closing_problems(places: Sequence[PlacedMechanism], zero: Array) -> tuple[Problem, ...]:

@@ -10,7 +10,7 @@ from cranktrain.layout.part_tables import nearest_item, table_paths
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.kind import AnyKind
 from cranktrain.quantities import Given
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 CRANK = "crank"
 _TABLE = "masses"

@@ -10,7 +10,7 @@ from cranktrain.language import _
 from cranktrain.layout.specs import MAIN, BankSpec, ShaftSpec, throws_of
 from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import around_zero
-from cranktrain.wording import precise, shared
+from cranktrain.saying.wording import precise, shared
 
 _CLOSED = 1e-9
 """A ring of shafts that closes to less than this is closed: phases are sums of a few angles. [rad]"""

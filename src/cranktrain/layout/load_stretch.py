@@ -11,7 +11,7 @@ from cranktrain.linkage.forces.load import LoadWay
 from cranktrain.motion import Array
 from cranktrain.numerics import extremes
 from cranktrain.numerics.ties import first_largest
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 WIDEST = 0.02
 """By how much the travel of a card may differ from that of the part, in parts of that: more is another machine's."""

@@ -23,7 +23,7 @@ from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.nested import mapped
 from cranktrain.quantities import Dimension, Given, nearest, unit_of
 from cranktrain.record import record
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 LOAD = "load"
 """Name of the tables of loads, and path of the machine's own."""

@@ -28,7 +28,7 @@ from cranktrain.motion import ZERO, Array
 from cranktrain.numerics.designs import by_design
 from cranktrain.quantities import Given
 from cranktrain.record import record
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 _TABLE = "masses"
 _LEAST_GYRATION, _MOST_GYRATION = 0.1, 1.0

@@ -8,13 +8,13 @@ from functools import cache, cached_property
 from types import NoneType
 from typing import Any, NamedTuple, TypeAlias, get_args, get_origin, get_type_hints
 
-from cranktrain.catalogue import entries
-from cranktrain.checks import Checked, Flagged
 from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.record import record
-from cranktrain.rows import AnswerLine
+from cranktrain.saying.catalogue import entries
+from cranktrain.saying.checks import Checked, Flagged
+from cranktrain.saying.rows import AnswerLine
 
 Parts: TypeAlias = dict[type, object]
 """What machines declare, as SI arrays with a leading design axis: one object of each type."""

@@ -10,7 +10,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.periodic import PeriodicCurve, hermite_curve
 from cranktrain.record import record
-from cranktrain.wording import Names, number
+from cranktrain.saying.wording import Names, number
 
 
 @record

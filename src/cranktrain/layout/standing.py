@@ -13,7 +13,7 @@ from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.motion import Array, single
 from cranktrain.numerics import turn_grid
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 _IN_LINE = 1e-3
 """Places are written to fewer digits than √3 has: two axes of one cylinder may differ by so much of their distance."""

@@ -17,7 +17,7 @@ from cranktrain.motion import Array, Handed
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.nested import each_changed
 from cranktrain.record import record
-from cranktrain.rows import AnswerLine
+from cranktrain.saying.rows import AnswerLine
 
 Motion = TypeVar("Motion", bound=tuple[object, ...])
 

@@ -12,7 +12,7 @@ from cranktrain.motors.law import BriefLimits, ByTime, MotorLaw
 from cranktrain.numerics.nested import mapped
 from cranktrain.numerics.ties import first_largest
 from cranktrain.record import record
-from cranktrain.wording import number
+from cranktrain.saying.wording import number
 
 UNKNOWN = single(float("nan"))
 UNLIMITED = single(float("inf"))

@@ -19,7 +19,7 @@ from cranktrain.plans.force_sides import GroupForces, PolygonForce, Span
 from cranktrain.plans.positions import ROOM, closed_angles, fitting
 from cranktrain.plans.together import numbered_pin, places_called, together_name
 from cranktrain.record import record
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 
 
 @record

@@ -19,7 +19,7 @@ from cranktrain.plans.together import placed_together, places_called, together_n
 from cranktrain.plans.turning import turning
 from cranktrain.plans.vectors import POLE, PolygonVector, Quantity, plan_vectors
 from cranktrain.record import record
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 
 
 @record

@@ -12,7 +12,6 @@ from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.stages import lacking, leading_to, stages_for
-from cranktrain.catalogue import Entry, entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
@@ -34,7 +33,8 @@ from cranktrain.questions.start.record import StartCurves, StartEvent, StartRun
 from cranktrain.questions.start.rows import start_rows
 from cranktrain.questions.start.starting import asked_times, run_start
 from cranktrain.record import record
-from cranktrain.rows import AnswerLine
+from cranktrain.saying.catalogue import Entry, entries
+from cranktrain.saying.rows import AnswerLine
 from cranktrain.transient.equation import AT_MOTOR, BrakePlace
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
 from cranktrain.transient.reduced import ReducedMachine

@@ -13,10 +13,10 @@ from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.questions.balance.shaking import ShakingCouples, ShakingForces
 from cranktrain.questions.crankshaft.methods import title_of
 from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
+from cranktrain.saying.wording import number
 from cranktrain.synthesis.least_loads import Least
 from cranktrain.synthesis.proposal import Number
 from cranktrain.synthesis.weight_places import Kept, WeightPlace
-from cranktrain.wording import number
 
 _AT_LIMIT = 1e-6
 """Of what a weight may be: nearer to it, the limit decides."""

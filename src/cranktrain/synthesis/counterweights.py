@@ -13,6 +13,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.quantities import unlisted
 from cranktrain.record import record
+from cranktrain.saying.wording import number
 from cranktrain.spec import words_of
 from cranktrain.synthesis.added_weights import AddedWeights
 from cranktrain.synthesis.counterweight_numbers import (
@@ -41,7 +42,6 @@ from cranktrain.synthesis.weight_places import (
     throw_places,
     web_places,
 )
-from cranktrain.wording import number
 
 Aim = Literal["largest", "mean"]
 Weights = Literal["each", "alike", "mirrored", "webs"]

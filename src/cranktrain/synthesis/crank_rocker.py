@@ -11,6 +11,7 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker import CrankRocker
 from cranktrain.mechanisms.crank_rocker.facts import CLASSES
 from cranktrain.motion import single
+from cranktrain.saying.wording import number, precise
 from cranktrain.synthesis.four_bars import (
     FourBarRequirements,
     best_parameter,
@@ -37,7 +38,6 @@ from cranktrain.synthesis.proposal import (
     shaft_table,
     wanted,
 )
-from cranktrain.wording import number, precise
 
 Swing = Literal["forward", "backward"]
 """Of the rocker: in the sense of the crank's rotation, or against it."""

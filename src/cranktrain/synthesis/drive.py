@@ -13,6 +13,7 @@ from cranktrain.machine import Machine
 from cranktrain.motors.cage.catalogue import four_pole_motors
 from cranktrain.numerics.ties import smallest_of
 from cranktrain.quantities import Dimension, Quantity, unlisted
+from cranktrain.saying.wording import number
 from cranktrain.spec import words_of
 from cranktrain.synthesis.changed_stage import largest_stage, without_stage
 from cranktrain.synthesis.drive_trials import (
@@ -31,7 +32,6 @@ from cranktrain.synthesis.drive_words import alternatives, numbers, remarks
 from cranktrain.synthesis.proposal import MachineProposal, found, found_ratio
 from cranktrain.synthesis.servo_ratio import servo_ratio
 from cranktrain.synthesis.sized_motor import KeptSlip, declared_slip, motor_table, motor_values
-from cranktrain.wording import number
 
 _TOLERANCE = 0.05
 _START = "drive.duty.start"

@@ -7,10 +7,10 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.questions.sizing.flywheel_sizing import formula_inertia
+from cranktrain.saying.wording import number
 from cranktrain.synthesis.drive_trials import AskedDrive, Bench, Trial
 from cranktrain.synthesis.proposal import Alternative, Number
 from cranktrain.synthesis.sized_motor import KeptSlip, declared_slip, typical_slip
-from cranktrain.wording import number
 
 _SYMBOLS = ("u_M", "u_max", "u_A", "u_t", "u_z", "u_J", "u_n")
 _NAMES = ("effective", "peak", "worst_start", "start_time", "starts", "inertia", "speed_share")

@@ -8,8 +8,8 @@ from math import atan, pi, tan
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
+from cranktrain.saying.wording import number, precise
 from cranktrain.synthesis.proposal import Number, plain
-from cranktrain.wording import number, precise
 
 _USUAL = 0.1
 """A coefficient of friction to speak of where none is given."""

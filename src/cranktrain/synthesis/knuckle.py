@@ -10,6 +10,7 @@ from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
 from cranktrain.paths import quoted
+from cranktrain.saying.wording import number, precise
 from cranktrain.synthesis.knuckle_equations import Free, stroke_product, unshifted_angle
 from cranktrain.synthesis.knuckle_search import Search, is_usable, searched
 from cranktrain.synthesis.knuckle_slave import KnuckleRequirements, cylinder_table, slave_numbers
@@ -29,7 +30,6 @@ from cranktrain.synthesis.proposal import (
     shaft_table,
     wanted,
 )
-from cranktrain.wording import number, precise
 
 _FREE: tuple[Free, ...] = ("articulation_angle", "knuckle_radius", "rod_length")
 _UNITS: dict[Free, str] = {"articulation_angle": "deg", "knuckle_radius": "mm", "rod_length": "mm"}

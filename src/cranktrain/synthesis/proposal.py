@@ -13,7 +13,7 @@ from cranktrain.machine import Machine
 from cranktrain.paths import quoted
 from cranktrain.quantities import Dimension, Quantity, Status, read, shown
 from cranktrain.record import record
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 Length: TypeAlias = Annotated[float, Quantity(Dimension.LENGTH)]
 Angle: TypeAlias = Annotated[float, Quantity(Dimension.ANGLE)]

@@ -10,6 +10,7 @@ from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
+from cranktrain.saying.wording import number, precise
 from cranktrain.synthesis.four_bars import excess_angle, time_ratio_of
 from cranktrain.synthesis.proposal import (
     Alternative,
@@ -27,7 +28,6 @@ from cranktrain.synthesis.proposal import (
 )
 from cranktrain.synthesis.slider_crank import Stroke, slider_crank_numbers
 from cranktrain.synthesis.slider_crank_lengths import Lengths
-from cranktrain.wording import number, precise
 
 
 def slotted_time_ratio(share: float) -> float:

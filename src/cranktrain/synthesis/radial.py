@@ -11,6 +11,7 @@ from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
 from cranktrain.paths import quoted
 from cranktrain.quantities import unlisted
+from cranktrain.saying.wording import number, precise
 from cranktrain.synthesis.knuckle_equations import Free
 from cranktrain.synthesis.knuckle_search import Search, searched
 from cranktrain.synthesis.knuckle_slave import KnuckleRequirements, cylinder_table, slave_numbers
@@ -32,7 +33,6 @@ from cranktrain.synthesis.proposal import (
     shaft_table,
     wanted,
 )
-from cranktrain.wording import number, precise
 
 Strategy = Literal["plain", "unshifted", "equal_ratio", "equal_stroke", "unshifted_equal_ratio"]
 

@@ -20,10 +20,10 @@ from cranktrain.questions.servo.demand import ServoDemand
 from cranktrain.questions.servo.rocking import RockingDrive
 from cranktrain.questions.servo.stages import ServoDrive
 from cranktrain.questions.sizing.choosing_ratio import preferred_ratios
+from cranktrain.saying.wording import number
 from cranktrain.synthesis.changed_stage import largest_stage, without_stage
 from cranktrain.synthesis.proposal import Alternative, MachineProposal, Number, found_ratio
 from cranktrain.transient.gearing import Gearing, overall_ratio
-from cranktrain.wording import number
 
 _QUANTITIES = ("servo_rms_torque", "rocking_rms_torque")
 _CHECKS = (N_("effective torque"), N_("largest torque or power"), N_("speed"))

@@ -12,8 +12,8 @@ from cranktrain.motors.cage.catalogue import four_pole_motors
 from cranktrain.motors.cage.spec import HIGH_SLIP_BREAKDOWN
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.quantities import shown
+from cranktrain.saying.wording import number
 from cranktrain.synthesis.proposal import found, found_ratio, quantity_text
-from cranktrain.wording import number
 
 _ORDINARY, _MOST_ORDINARY = 1.5, 0.05
 """Up to so many times the slip of a typical motor of its size, and up to 5 %, a cage motor's is an ordinary one."""

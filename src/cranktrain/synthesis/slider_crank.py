@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
+from cranktrain.saying.wording import number, precise
 from cranktrain.synthesis.four_bars import time_ratio_of
 from cranktrain.synthesis.guide_friction import friction_numbers, friction_remark, locking_problems
 from cranktrain.synthesis.proposal import (
@@ -38,7 +39,6 @@ from cranktrain.synthesis.slider_crank_lengths import (
     stroke_of,
 )
 from cranktrain.texts.slider_crank_synthesis import largest_pressure_angle, rod_by_tangent
-from cranktrain.wording import number, precise
 
 Stroke = Literal["toward", "away"]
 """Toward the shaft, or away from it."""

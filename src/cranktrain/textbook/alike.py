@@ -12,12 +12,12 @@ from cranktrain.mechanisms.eccentric import Eccentric
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import extremes
+from cranktrain.saying.wording import ranged
 from cranktrain.textbook.statements import Verdict
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.largest_errors import from_top
 from cranktrain.texts.plain_cranks import PLAIN, plain_crank
 from cranktrain.texts.ranges import Range
-from cranktrain.wording import ranged
 
 _SPOKEN_OF = {"crank_rocker"}.union(*FORMS.values())
 """Kinds of mechanisms on whose motion a text has something."""

@@ -14,6 +14,7 @@ from cranktrain.io.syntax import parsed
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.plans.machine_drive import machine_drive
+from cranktrain.saying.wording import number
 from cranktrain.textbook.alike import instead
 from cranktrain.textbook.asked_angle import asked_angle
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
@@ -31,7 +32,6 @@ from cranktrain.texts.drive_table import DRIVE_KEYS, CrankRockerDrive, read_driv
 from cranktrain.texts.drive_verdicts import absurdities, pin_friction, swing
 from cranktrain.texts.example_tables import example_table
 from cranktrain.texts.friction_circles import rubbing_links
-from cranktrain.wording import number
 
 if TYPE_CHECKING:
     from cranktrain.io.any_machine import MachineLike

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.language import _
+from cranktrain.saying.wording import in_print
 from cranktrain.textbook.statements import Statement, Statements
 from cranktrain.texts.contents import TEXTS, text_called
 from cranktrain.texts.errata import ERRATA
 from cranktrain.texts.wrong_step import WrongStep
-from cranktrain.wording import in_print
 
 LARGEST_ERROR = "largest error"
 """What the number is of a step that is off by that: in parts of the stroke, or of the exact peak."""

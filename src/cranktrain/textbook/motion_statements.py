@@ -13,6 +13,7 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
+from cranktrain.saying.wording import ranged
 from cranktrain.textbook.alike import AlikePistons, alike, unspoken
 from cranktrain.textbook.construction_statements import construction_statements
 from cranktrain.textbook.crank_rocker_statements import alike_rockers, crank_rocker_curves, crank_rocker_statements
@@ -31,7 +32,6 @@ from cranktrain.texts.largest_errors import largest_errors
 from cranktrain.texts.plain_cranks import PLAIN, plain_crank
 from cranktrain.texts.ranges import EXACT_ROOT, RANGES, Range
 from cranktrain.texts.steam_engine import exact_root
-from cranktrain.wording import ranged
 
 if TYPE_CHECKING:
     from cranktrain.io.any_machine import MachineLike

@@ -15,6 +15,7 @@ from cranktrain.layout.specs import ENDS
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero, extremes
+from cranktrain.saying.wording import number, ranged
 from cranktrain.textbook.alike import unspoken
 from cranktrain.textbook.statements import (
     MotionForm,
@@ -36,7 +37,6 @@ from cranktrain.texts.opposed import (
 )
 from cranktrain.texts.opposed_errors import OpposedPair, exact_pair, opposed_errors
 from cranktrain.texts.percents import percent
-from cranktrain.wording import number, ranged
 
 if TYPE_CHECKING:
     from cranktrain.io.any_machine import MachineLike

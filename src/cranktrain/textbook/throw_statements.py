@@ -21,12 +21,12 @@ from cranktrain.questions.crankshaft.methods.throw_reactions import (
     throw_length,
     throw_reactions,
 )
+from cranktrain.saying.wording import number
 from cranktrain.textbook.asked_angle import asked_angle
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
 from cranktrain.texts.example_tables import example_table
 from cranktrain.texts.throw_conditions import BalanceConditions, balance_conditions
 from cranktrain.texts.throw_table import CHAIN, Throw, read_throw, symbol_of
-from cranktrain.wording import number
 
 if TYPE_CHECKING:
     from cranktrain.io.any_machine import MachineLike

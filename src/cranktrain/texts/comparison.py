@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cranktrain.catalogue import coefficients, extreme
-from cranktrain.checks import Flagged
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
@@ -19,12 +17,14 @@ from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.motion.dead_centres import PistonTurn
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
+from cranktrain.saying.catalogue import coefficients, extreme
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import ABSENT, Names, ranged
 from cranktrain.texts.leads import lead_flags
 from cranktrain.texts.percents import percent
 from cranktrain.texts.plain_cranks import PLAIN, own_angle, plain_crank
 from cranktrain.texts.ranges import RANGES, Range
 from cranktrain.texts.steam_engine import brix, infinite_rod, two_harmonics
-from cranktrain.wording import ABSENT, Names, ranged
 
 if TYPE_CHECKING:
     from cranktrain.mechanisms.articulated_rod import ArticulatedRod

@@ -13,7 +13,7 @@ import numpy as np
 from cranktrain.grouping import places_of_equal
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
-from cranktrain.wording import number, ranged
+from cranktrain.saying.wording import number, ranged
 
 SOURCE = "bolotin"
 _ROUNDING = np.radians(1e-3)

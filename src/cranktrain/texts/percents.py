@@ -2,7 +2,7 @@
 
 from math import floor, isfinite, log10
 
-from cranktrain.wording import ABSENT, signless
+from cranktrain.saying.wording import ABSENT, signless
 
 _LEAST = 1e-12
 """A smaller error is rounding."""

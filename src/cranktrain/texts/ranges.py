@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, single
 from cranktrain.record import record
-from cranktrain.wording import number
+from cranktrain.saying.wording import number
 
 Flags: TypeAlias = NDArray[np.bool_]
 

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from cranktrain.analysis import Result
 from cranktrain.analysis.comparison import Comparison
 from cranktrain.analysis.figures import shown_in
-from cranktrain.catalogue import Entry
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -16,6 +15,7 @@ from cranktrain.motion import Array
 from cranktrain.one_line import short
 from cranktrain.plans.placement import first_throw
 from cranktrain.quantities import nearest
+from cranktrain.saying.catalogue import Entry
 from cranktrain.viz.drawn_curves import LOOKS, CurveLine, CurvePanel, drawn_panels, in_notebook
 from cranktrain.viz.paper.page import Figure
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED

@@ -6,8 +6,8 @@ from decimal import Decimal
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.scales import Scale
-from cranktrain.wording import ABSENT, decimals_for, signless
+from cranktrain.saying.scales import Scale
+from cranktrain.saying.wording import ABSENT, decimals_for, signless
 
 _DIGITS, _MOST_DECIMALS = 4, 8
 _NOTHING = 1e-9

@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.motion import Array
 from cranktrain.record import record
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 
 # fmt: off
 Role: TypeAlias = Literal[

@@ -13,11 +13,11 @@ from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.outcomes import StageRun, run_stages
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import lacking, leading_to
-from cranktrain.catalogue import entries, values
-from cranktrain.checks import Checked, Flagged
 from cranktrain.io.examples import example_names
 from cranktrain.layout.question import Stage
 from cranktrain.quantities import shown_by, units_by_dimension
+from cranktrain.saying.catalogue import entries, values
+from cranktrain.saying.checks import Checked, Flagged
 
 every_example = pytest.mark.parametrize("name", example_names())
 

@@ -10,11 +10,11 @@ from tests.machines import V12, slider, throws
 
 import cranktrain as ct
 from cranktrain.analysis import every_stage
-from cranktrain.catalogue import entries
 from cranktrain.errors import InputError
 from cranktrain.questions.evenness.flywheel import FlywheelSize
 from cranktrain.questions.motion.pistons import PistonSpeeds
 from cranktrain.questions.motion.rockers import RockerMotion
+from cranktrain.saying.catalogue import entries
 
 
 @pytest.fixture(scope="module")

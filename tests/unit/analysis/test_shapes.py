@@ -7,11 +7,11 @@ from tests.machines import slider
 import cranktrain as ct
 from cranktrain.analysis import Stage
 from cranktrain.analysis.run import run
-from cranktrain.catalogue import coefficients, quantity
-from cranktrain.checks import StageResult
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
 from cranktrain.record import record
+from cranktrain.saying.catalogue import coefficients, quantity
+from cranktrain.saying.checks import StageResult
 
 ENGINE = ct.Machine(bank={"A": {"mechanism": slider()}}, shaft={"main": {"throws": ["0 deg", "120 deg", "240 deg"]}})
 

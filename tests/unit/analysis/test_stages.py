@@ -8,7 +8,7 @@ import pytest
 from cranktrain.analysis import Stage, ordered
 from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.stages import lacking, leading_to, missing_results
-from cranktrain.catalogue import quantity
+from cranktrain.saying.catalogue import quantity
 
 
 @dataclass(frozen=True)

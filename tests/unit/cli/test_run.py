@@ -20,12 +20,12 @@ from tests.sentences import (
 
 import cranktrain as ct
 from cranktrain.analysis.outcomes import Outcomes
-from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.cli.screen.answer import answer_lines
 from cranktrain.cli.screen.report import show_full
 from cranktrain.cli.screen.text import page
 from cranktrain.io.machine_file import read_machine
 from cranktrain.record import record
+from cranktrain.saying.checks import Check, Checked, Flagged
 
 CENTRAL = """
 name = "small"

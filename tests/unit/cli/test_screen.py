@@ -17,7 +17,7 @@ from cranktrain.cli.screen.groups import RowGroup, group_lines, member_columns, 
 from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.io.examples import EXAMPLES_FOLDER
 from cranktrain.mechanisms import KINDS
-from cranktrain.rows import Amount, AnswerLine, Extent, valued, worded
+from cranktrain.saying.rows import Amount, AnswerLine, Extent, valued, worded
 
 EXAMPLES = sorted(path.stem for path in EXAMPLES_FOLDER.glob("*.toml"))
 MOST_LINES, MOST_ROWS = 45, 5

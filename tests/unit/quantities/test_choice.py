@@ -15,8 +15,8 @@ from cranktrain.quantities import (
     units_by_dimension,
 )
 from cranktrain.quantities.dimensions import plain, spellings
-from cranktrain.scales import SCALES, in_asked_unit, scale_for
-from cranktrain.wording import number
+from cranktrain.saying.scales import SCALES, in_asked_unit, scale_for
+from cranktrain.saying.wording import number
 
 
 def test_a_choice_holds_for_a_while():

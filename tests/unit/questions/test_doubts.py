@@ -10,9 +10,9 @@ from tests.sentences import MORE_THAN_LUBRICATED
 
 import cranktrain as ct
 from cranktrain import questions
-from cranktrain.checks import Limit
 from cranktrain.io.examples import example_names
 from cranktrain.io.machine_file import read_machine
+from cranktrain.saying.checks import Limit
 
 BORE, RADIUS = 0.085, 0.05
 AREA = np.pi / 4 * BORE**2

@@ -19,7 +19,7 @@ from cranktrain.plans.pin_loads import pin_loads
 from cranktrain.plans.polygons import velocity_polygons
 from cranktrain.plans.zhukovsky import zhukovsky_lever
 from cranktrain.quantities import shown_by, units_by_dimension
-from cranktrain.scales import Scale
+from cranktrain.saying.scales import Scale
 from cranktrain.viz import (
     plan_accelerations,
     plan_forces,

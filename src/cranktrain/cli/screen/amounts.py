@@ -10,9 +10,9 @@ from cranktrain.cli.screen.typesetting import KEPT
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.quantities import chosen_unit
-from cranktrain.rows import Amount, Extent, Piece
-from cranktrain.scales import scale_for
-from cranktrain.wording import ABSENT, decimals_for, seen, signless
+from cranktrain.saying.rows import Amount, Extent, Piece
+from cranktrain.saying.scales import scale_for
+from cranktrain.saying.wording import ABSENT, decimals_for, seen, signless
 
 _FIGURES = 4
 _MOST_DECIMALS = 8

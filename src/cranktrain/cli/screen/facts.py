@@ -11,7 +11,6 @@ from rich.text import Text
 
 from cranktrain.analysis import Result
 from cranktrain.analysis.dimensions import dimension_named
-from cranktrain.catalogue import Entry
 from cranktrain.cli.screen.amounts import Figures, figures
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.text import GAP, table
@@ -20,7 +19,8 @@ from cranktrain.language import _
 from cranktrain.layout.question import ResultDimension
 from cranktrain.motion import Array
 from cranktrain.record import record
-from cranktrain.wording import ABSENT, ranged
+from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.wording import ABSENT, ranged
 
 _MOST_COLUMNS = 3
 """Of a table with one row for each fact; facts that need more groups get one row for each group."""

@@ -16,7 +16,7 @@ from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import MachineFile, inputs_of
 from cranktrain.language import N_, _
 from cranktrain.machine import Machine
-from cranktrain.rows import Amount
+from cranktrain.saying.rows import Amount
 from cranktrain.texts.comparison import TextbookMotion
 
 _MOST_NEEDS, _MOST_OFFERS = 2, 3

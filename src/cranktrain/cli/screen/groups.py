@@ -13,8 +13,8 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.one_line import visible
-from cranktrain.rows import AnswerLine
-from cranktrain.wording import ABSENT, ranged
+from cranktrain.saying.rows import AnswerLine
+from cranktrain.saying.wording import ABSENT, ranged
 
 _MOST_COLUMNS = 4
 _LONGEST_NAME = 12

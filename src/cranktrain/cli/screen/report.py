@@ -9,7 +9,6 @@ from rich.text import Text
 
 from cranktrain.analysis import Missing, Result, sentences
 from cranktrain.analysis.dimensions import Place, rivals
-from cranktrain.catalogue import Entry
 from cranktrain.cli.screen.amounts import figures
 from cranktrain.cli.screen.facts import fact_tables
 from cranktrain.cli.screen.text import INDENT, paragraph, section, table
@@ -18,7 +17,8 @@ from cranktrain.io.machine_file import Input, MachineFile, inputs_of
 from cranktrain.language import _
 from cranktrain.numerics.ties import first_largest, largest_of
 from cranktrain.one_line import one_line, visible
-from cranktrain.wording import ABSENT
+from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.wording import ABSENT
 
 _NAMED = 4
 """How many of the results that something would give are named."""

@@ -11,7 +11,7 @@ from cranktrain.layout.specs import ShaftSpec
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.questions.cylinders.firing import Firing
-from cranktrain.wording import as_given, in_words, ranged
+from cranktrain.saying.wording import as_given, in_words, ranged
 
 _BETWEEN = " · "
 

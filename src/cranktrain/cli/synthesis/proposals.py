@@ -29,11 +29,11 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.quantities import chosen_unit, shown_as_in
+from cranktrain.saying.wording import figure, number
 from cranktrain.synthesis.counterweights import CounterweightProposal
 from cranktrain.synthesis.proposal import MachineProposal, Number, Proposal
 from cranktrain.textbook.synthesis_statements import SOURCE as SYNTHESIS
 from cranktrain.viz.output import FORMATS
-from cranktrain.wording import figure, number
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -20,6 +20,7 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.plans.constructions import construction
+from cranktrain.saying.wording import figure, number, ranged, signless
 from cranktrain.textbook.alike import AlikePistons
 from cranktrain.textbook.constants_statements import EQUATION, SOURCE, alike_slaves, constants_statements
 from cranktrain.textbook.construction_statements import arc_statement, backward_statements
@@ -40,7 +41,6 @@ from cranktrain.textbook.steam_engine_statements import (
 )
 from cranktrain.texts.percents import percent
 from cranktrain.texts.ranges import EXACT_ROOT
-from cranktrain.wording import figure, number, ranged, signless
 
 _PARTS = 10
 """Of the stroke, where a table of a construction is shown."""

@@ -9,13 +9,13 @@ from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.text import section
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
+from cranktrain.saying.wording import figure, number
 from cranktrain.textbook.crank_rocker_statements import (
     AlikeRockers,
     alike_rockers,
     crank_rocker_curves,
     crank_rocker_statements,
 )
-from cranktrain.wording import figure, number
 
 _STEP = 30
 """Of the crank angle in tables. [deg]"""

@@ -24,11 +24,11 @@ from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.plans.machine_drive import machine_drive
 from cranktrain.references import REFERENCES
+from cranktrain.saying.wording import figure, number
 from cranktrain.textbook.drive_statements import FACTS, PEAKS, SOURCE, USUAL_ANGLE, drive_statements
 from cranktrain.textbook.statements import Statement, Statements
 from cranktrain.texts.drive_curves import AT_MOTOR
 from cranktrain.texts.drive_table import DRIVE_KEYS, CrankRockerDrive, read_drive
-from cranktrain.wording import figure, number
 
 _LEADING = ("(1)", "(2)", "(3) (4)", "(16) (17)")
 """What leads from the load to the motor's shaft, on the first screen."""

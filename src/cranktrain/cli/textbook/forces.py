@@ -16,8 +16,8 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of
 from cranktrain.plans.force_table import ForceColumn, ForceTable, force_table
+from cranktrain.saying.wording import decimals_for, seen, signless
 from cranktrain.texts.percents import percent
-from cranktrain.wording import decimals_for, seen, signless
 
 STEP = 30.0
 """Of the crank angle unless given. [deg]"""

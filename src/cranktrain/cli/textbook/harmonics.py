@@ -16,6 +16,7 @@ from cranktrain.language import _
 from cranktrain.motion import single
 from cranktrain.quantities import Dimension, Quantity
 from cranktrain.questions.torque.rod_harmonics import MOST_RATIO
+from cranktrain.saying.wording import ranged, signless
 from cranktrain.texts.harmonic_series import (
     HarmonicsByMethod,
     acceleration_series,
@@ -24,7 +25,6 @@ from cranktrain.texts.harmonic_series import (
     two_harmonics,
 )
 from cranktrain.texts.plain_cranks import PLAIN
-from cranktrain.wording import ranged, signless
 
 RATIO_OPTION = "--crank-to-rod-ratio"
 _EXAMPLE = "cranktrain textbook 3d12 --harmonics"

@@ -9,9 +9,9 @@ from cranktrain.grouping import grouped, places_of_equal
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line
+from cranktrain.saying.wording import ranged
 from cranktrain.texts.comparison import TextbookMotion
 from cranktrain.texts.percents import percent
-from cranktrain.wording import ranged
 
 _USUAL = ("two_harmonics", "reconstructed")
 """Methods that textbooks use most: of a plain crank, and of a slave."""

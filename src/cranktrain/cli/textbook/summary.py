@@ -18,6 +18,7 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.plans.machine_drive import machine_drive, missing_values
+from cranktrain.saying.wording import ranged
 from cranktrain.textbook.alike import AlikePistons, alike
 from cranktrain.textbook.motion_statements import form_curves, form_statements
 from cranktrain.textbook.opposed_statements import OpposedCylinders, opposed_cylinders, opposed_statements
@@ -26,7 +27,6 @@ from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.contents import Text
 from cranktrain.texts.percents import percent
 from cranktrain.texts.ranges import RANGES, Range
-from cranktrain.wording import ranged
 
 _USUAL = {"steam-engine": "two_harmonics", "bolotin": "reconstructed"}
 """The method of a text that is shown over the turn; the others with `--full`."""

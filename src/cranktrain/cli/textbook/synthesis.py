@@ -10,9 +10,9 @@ from cranktrain.cli.screen.text import INDENT, section, table
 from cranktrain.cli.synthesis.requirements import option_of
 from cranktrain.grouping import grouped
 from cranktrain.language import _
+from cranktrain.saying.wording import figure
 from cranktrain.textbook.statements import Statements
 from cranktrain.textbook.synthesis_statements import PLACE, SOURCE, synthesis
-from cranktrain.wording import figure
 
 NEEDED = ("stroke", "mean_speed", "pressure_angle")
 _NOT_ITS_OWN = ("offset", "return_pressure_angle")

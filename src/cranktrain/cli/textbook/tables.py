@@ -9,9 +9,9 @@ from rich.text import Text
 from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
 from cranktrain.grouping import grouped
 from cranktrain.motion import Array
+from cranktrain.saying.wording import around_turn, figure
 from cranktrain.textbook.statements import ERRORS, Statement, StatementCurve
 from cranktrain.texts.percents import percent
-from cranktrain.wording import around_turn, figure
 
 _STEP = 30.0
 """Of the crank angle. [deg]"""

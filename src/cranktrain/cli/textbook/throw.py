@@ -26,10 +26,10 @@ from cranktrain.one_line import one_line
 from cranktrain.plans.machine_throw import ThrownMachine
 from cranktrain.plans.throw_loads import CrankMasses
 from cranktrain.references import REFERENCES
+from cranktrain.saying.wording import figure, number
 from cranktrain.textbook.statements import Statements
 from cranktrain.textbook.throw_statements import REACTIONS, SOURCE, TOGETHER, machine_statements, throw_statements
 from cranktrain.texts.throw_table import Throw, read_throw
-from cranktrain.wording import figure, number
 
 _ONE_TURN = 360.0
 _ON_A_SCREEN, _WHOLE = 60.0, 30.0

@@ -15,7 +15,7 @@ from cranktrain.motion import Array, single
 from cranktrain.numerics import around_zero
 from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.quantities import shown
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 _START, _END = np.radians(-80.0), np.radians(-40.0)
 """A piece of the compression with closed ports and valves and before the fire, from firing. [rad]"""

@@ -9,7 +9,7 @@ from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.fluids.indicator.diagram import Diagram, Interpolation, passed, smoothed
 from cranktrain.language import _
 from cranktrain.quantities import shown
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 _FINE = np.radians(2.01)
 """Up to such steps the fourth differences are noise, not the curve. [rad]"""

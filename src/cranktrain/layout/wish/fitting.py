@@ -12,7 +12,7 @@ from cranktrain.layout.wish.laws import FROM_DEAD_CENTRE, NEAREST
 from cranktrain.layout.wish.stroke import Output
 from cranktrain.layout.wish.turning import of_series
 from cranktrain.layout.wish.wanted import Piece, WantedMotion
-from cranktrain.wording import number
+from cranktrain.saying.wording import number
 
 _NEAR = 1e-3
 """Of the stroke: so much a motion may miss the stroke's ends, and is put to them."""

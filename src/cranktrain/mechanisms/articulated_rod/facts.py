@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.kind import Members
 from cranktrain.motion import Array
 from cranktrain.record import record
-from cranktrain.wording import Names, shared
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Check, Checked
+from cranktrain.saying.wording import Names, shared
 
 _ROD = ("articulated_rod",)
 _THEORY = "docs/theory/articulated-rod"

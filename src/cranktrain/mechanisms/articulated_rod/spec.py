@@ -10,7 +10,7 @@ from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, art
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.numerics import largest
 from cranktrain.quantities import Angle, Given, Length, NonNegativeLength, PositiveLength
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 
 class ArticulatedRodSpec(MechanismSpec, frozen=True):

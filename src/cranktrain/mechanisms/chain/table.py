@@ -53,7 +53,7 @@ from cranktrain.mechanisms.spec import Master
 from cranktrain.motion import ZERO, Array, single
 from cranktrain.numerics.designs import over_designs
 from cranktrain.quantities import Given
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 _Near: TypeAlias = tuple[Coordinates, ...]
 

@@ -4,8 +4,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.kind import Members
@@ -14,8 +12,10 @@ from cranktrain.numerics import extremes
 from cranktrain.numerics.ties import first_smallest_along
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
-from cranktrain.rows import Amount, AnswerLine, valued, worded
-from cranktrain.wording import Names, shared
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Check, Checked
+from cranktrain.saying.rows import Amount, AnswerLine, valued, worded
+from cranktrain.saying.wording import Names, shared
 
 _LINKAGE = ("crank_rocker",)
 

@@ -9,7 +9,7 @@ from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array, single
 from cranktrain.quantities import PositiveLength
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 _SIDES = {"left": 1.0, "right": -1.0}
 

@@ -11,7 +11,7 @@ from cranktrain.mechanisms.eccentric.kinematics import Eccentric
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, set_ahead
 from cranktrain.quantities import Angle, Given, Length, PositiveLength
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 
 class EccentricSpec(MechanismSpec, frozen=True):

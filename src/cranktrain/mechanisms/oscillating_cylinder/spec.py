@@ -8,7 +8,7 @@ from cranktrain.language import N_, _
 from cranktrain.linkage import CrankAndPivot
 from cranktrain.mechanisms.rocking_guide import RockingGuideSpec
 from cranktrain.quantities import Given, Length, PositiveLength
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 
 class OscillatingCylinderSpec(RockingGuideSpec, frozen=True):

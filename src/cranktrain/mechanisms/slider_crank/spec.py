@@ -13,7 +13,7 @@ from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array, chosen, single
 from cranktrain.quantities import Dimension, Given, Length, PositiveLength, PositiveRatio, Quantity
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 _CRANKS = ("crank_radius", "stroke")
 _RODS = ("rod_length", "crank_to_rod_ratio", "rod_to_crank_ratio")

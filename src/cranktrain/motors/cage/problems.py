@@ -20,7 +20,7 @@ from cranktrain.motors.induction.breakdown_slip import slip_from_rated
 from cranktrain.motors.induction.kloss import slip_of
 from cranktrain.motors.spec import first, missing_keys, out_of_place
 from cranktrain.quantities import Given, shown
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 _OF_SIZE = ("power", "torque", "speed", "synchronous_speed", "frequency", "poles")
 """What a size says by itself; torques by their ratios, current and inertia may be the maker's."""

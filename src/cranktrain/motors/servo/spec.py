@@ -13,7 +13,7 @@ from cranktrain.motors.law import OfRated
 from cranktrain.motors.servo.law import SERVO, Servo
 from cranktrain.motors.spec import RatedSpec
 from cranktrain.quantities import Dimension, Given, PositivePower, PositiveSpeed, PositiveTorque, Quantity
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 AnyTorque = Annotated[Given, Quantity(Dimension.TORQUE)]
 

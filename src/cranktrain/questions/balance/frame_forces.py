@@ -8,7 +8,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.checks import Check, Checked
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle
 from cranktrain.layout.frames import Frames
@@ -28,6 +27,7 @@ from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.forces.forces_times_arms import largest_in_joints
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.record import record
+from cranktrain.saying.checks import Check, Checked
 
 _LIMIT = 1e-11
 _FEWEST, _MOST = 360, 2880

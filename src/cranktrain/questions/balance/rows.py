@@ -6,8 +6,8 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.questions.balance.shaken import Shaken
 from cranktrain.questions.balance.shaking import ShakingCouples, ShakingForces
-from cranktrain.rows import Amount, AnswerLine, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, worded
+from cranktrain.saying.wording import Names
 
 _NOTHING = 1e-6
 """Of what all parts would do if they added up; less shakes nothing."""

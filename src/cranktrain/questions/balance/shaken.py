@@ -6,7 +6,6 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
-from cranktrain.checks import StageResult
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle, order_labels, orders
 from cranktrain.layout.frames import Frames
@@ -27,7 +26,8 @@ from cranktrain.questions.balance.frame_forces import FrameForces, RunningFrame
 from cranktrain.questions.balance.rotating_weights import RotatingWeights, weight_orders, weight_vectors
 from cranktrain.questions.balance.unit_shaking import gross
 from cranktrain.record import record
-from cranktrain.wording import Names
+from cranktrain.saying.checks import StageResult
+from cranktrain.saying.wording import Names
 
 _GONE = 1e-9
 """What is less than this share of what all parts could do together is none in words."""

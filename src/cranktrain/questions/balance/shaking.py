@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
@@ -22,7 +20,9 @@ from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_BALANCE as _THEORY
-from cranktrain.wording import Names
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
+from cranktrain.saying.wording import Names
 
 _CURVE = ("balance", "crank_angle")
 _ORDER = ("balance", "order")

@@ -4,13 +4,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.checks import Flagged
 from cranktrain.language import _
 from cranktrain.layout.speed import Speed
 from cranktrain.questions.balance.shaking import ShakingForces
 from cranktrain.questions.balance.weights import BalanceWeights, DeclaredBalance
 from cranktrain.record import record
-from cranktrain.wording import number
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import number
 
 _MORE = 0.01
 """By so much of the machine's largest force, and of what the weights could do together: less is their rounding."""

@@ -8,8 +8,6 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
@@ -28,6 +26,8 @@ from cranktrain.questions.balance.spec import Against, BalanceSpec, Counterweigh
 from cranktrain.questions.balance.unit_shaking import Shaking, gross, shaking, with_weights
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_BALANCE as _THEORY
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
 
 _WEIGHT = ("weight",)
 _NOISE = 1e-12

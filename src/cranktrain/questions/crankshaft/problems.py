@@ -21,7 +21,7 @@ from cranktrain.questions.crankshaft.shaft_line import (
 )
 from cranktrain.questions.crankshaft.spec import NEEDED, CrankshaftSpec, CrankshaftTable, GearSpec
 from cranktrain.record import record
-from cranktrain.wording import precise
+from cranktrain.saying.wording import precise
 
 _TOUCHING = 1e-9
 """Lengths that differ by less are the same. [m]"""

@@ -12,8 +12,8 @@ from cranktrain.questions.crankshaft.methods.bearing_method import ELASTIC, Bear
 from cranktrain.questions.crankshaft.results.housing_spread import HousingSpread
 from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
 from cranktrain.questions.crankshaft.results.section_torques import SectionTorques, widest_sections
-from cranktrain.rows import Amount, AnswerLine, Extent, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, Extent, worded
+from cranktrain.saying.wording import Names
 
 _ALIKE = 1e-9
 """Loads that differ by less, in parts of the largest, are one."""

@@ -7,7 +7,6 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
@@ -19,7 +18,8 @@ from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTrave
 from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
 from cranktrain.record import record
 from cranktrain.references import CONVENTIONS as _THEORY
-from cranktrain.wording import Names, shared
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.wording import Names, shared
 
 _CYLINDER = ("cylinder",)
 _SAME = 1e-9

@@ -19,7 +19,7 @@ from cranktrain.questions.cylinders.firing import FiringOrder, firing_angles, wi
 from cranktrain.questions.cylinders.possible_orders import likest_orders
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.record import record
-from cranktrain.wording import number
+from cranktrain.saying.wording import number
 
 _WRITTEN = np.radians(0.02)
 """An angle may be written to so many digits: 51.43 for 360/7. It says which turn; the crank pins say the rest. [rad]"""

@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import coefficients, quantity
-from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -14,7 +12,9 @@ from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTrave
 from cranktrain.questions.motion.dead_centres import DeadCentres
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_OPPOSED_PISTONS as _THEORY
-from cranktrain.wording import Names, number, shared
+from cranktrain.saying.catalogue import coefficients, quantity
+from cranktrain.saying.checks import Check, Checked
+from cranktrain.saying.wording import Names, number, shared
 
 _CYLINDER = ("cylinder",)
 _CURVE = ("cylinder", "crank_angle")

@@ -5,8 +5,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -19,7 +17,9 @@ from cranktrain.questions.cylinders.volumes import Chambers, ChamberVolumes
 from cranktrain.questions.motion.dead_centres import DeadCentres, slider_motion
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_OPPOSED_PISTONS as _THEORY
-from cranktrain.wording import Names, number, ranged, shared
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import Names, number, ranged, shared
 
 _CYLINDER = ("cylinder",)
 

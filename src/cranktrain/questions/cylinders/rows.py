@@ -9,8 +9,8 @@ from cranktrain.questions.cylinders.firing import Firing
 from cranktrain.questions.cylinders.opposed import VolumetricDeadCentres
 from cranktrain.questions.cylinders.ports import EffectiveCompression, PortTiming
 from cranktrain.questions.cylinders.volumes import ChamberVolumes, SweptVolumes
-from cranktrain.rows import Amount, AnswerLine, Piece, alike, valued, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, Piece, alike, valued, worded
+from cranktrain.saying.wording import Names
 
 _SAME = 1e-9
 """Intervals that differ by less are even. [rad]"""

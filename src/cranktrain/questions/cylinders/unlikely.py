@@ -4,7 +4,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.checks import Flagged
 from cranktrain.language import _
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.mechanisms import Pistons
@@ -16,7 +15,8 @@ from cranktrain.questions.cylinders.possible_orders import has_even_order, likes
 from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.cylinders.volumes import Chambers, ChamberVolumes, CompressionRatios
 from cranktrain.record import record
-from cranktrain.wording import number
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import number
 
 _OFF = 0.2
 """Of a master's compression ratio, by which a slave's is flagged: those of built radials differ by a few hundredths."""

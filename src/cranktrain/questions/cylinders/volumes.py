@@ -7,15 +7,15 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
 from cranktrain.references import CONVENTIONS as _THEORY
-from cranktrain.wording import Names, ranged, shared
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Flagged, Limit, flagged
+from cranktrain.saying.wording import Names, ranged, shared
 
 _CHAMBER = ("chamber",)
 

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from cranktrain.language import _
 from cranktrain.questions.drive.steady_drive import SteadyDrive
-from cranktrain.rows import Amount, AnswerLine, Extent, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, Extent, worded
+from cranktrain.saying.wording import Names
 
 _NOTHING = 1e-9
 """Of what it is beside: less is rounding, as of loads that give back in a turn what they took."""

@@ -5,8 +5,6 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredDrive
@@ -21,8 +19,10 @@ from cranktrain.questions.drive.steady_turn import DriveInTurn
 from cranktrain.questions.reduction.gear_train import lost_torque
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.record import record
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Check, Checked, Flagged
+from cranktrain.saying.wording import Names, number
 from cranktrain.transient.gearing import overall_ratio
-from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/reduced-machine"
 _CURVE = ("crank_angle",)

@@ -4,14 +4,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.loads.load_work import LoadWork
 from cranktrain.record import record
-from cranktrain.wording import number
+from cranktrain.saying.checks import Flagged, Limit, flagged
+from cranktrain.saying.wording import number
 
 # Gears have 0.95 and more, belts 0.9, self-locking worms 0.3 to 0.5, screws 0.2.
 _STAGE_EFFICIENCY = Limit(

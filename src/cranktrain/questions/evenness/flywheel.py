@@ -4,8 +4,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
@@ -18,7 +16,9 @@ from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.questions.evenness.spec import Balancing, DeclaredRim, DrivenByMotor, GivenFlywheel, WantedCoefficient
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import Names, number
 
 _METHOD = "flywheel_method"
 

@@ -1,11 +1,11 @@
 """GD² of the moving parts, as books give the inertia of what turns."""
 
-from cranktrain.catalogue import quantity
 from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
+from cranktrain.saying.catalogue import quantity
 
 
 @record

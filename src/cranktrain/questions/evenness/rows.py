@@ -10,8 +10,8 @@ from cranktrain.questions.evenness.running_speed import RunningSpeed
 from cranktrain.questions.evenness.shaft_balance import ShaftBalance
 from cranktrain.questions.evenness.shaft_torque import LoadTorque
 from cranktrain.questions.evenness.shaft_work import ShaftWork
-from cranktrain.rows import Amount, AnswerLine, Extent, valued, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, Extent, valued, worded
+from cranktrain.saying.wording import Names
 
 
 def running_rows(labels: Names, design: int, work: ShaftWork, running: RunningSpeed | None) -> Iterator[AnswerLine]:

@@ -5,8 +5,6 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Applies
@@ -22,7 +20,9 @@ from cranktrain.questions.evenness.steady_running import SteadyRunning, steady_r
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.checks import Check, Checked, Flagged
+from cranktrain.saying.wording import Names, number
 
 _CURVE = ("crank_angle",)
 _UNLIKELY = 0.5

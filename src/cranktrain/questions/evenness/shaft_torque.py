@@ -6,8 +6,6 @@ from functools import reduce
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle
@@ -25,7 +23,9 @@ from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import Names, number
 
 _NOTHING = 1e-9
 """A mean torque below this part of the peak is none."""

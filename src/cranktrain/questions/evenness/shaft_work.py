@@ -5,7 +5,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.speed import Speed
@@ -21,7 +20,8 @@ from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.wording import Names, number
 
 _ASIDE = 1e-9
 """How far beside an angle the speed is asked for, where its own curve has a corner. [rad]"""

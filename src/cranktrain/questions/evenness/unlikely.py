@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from cranktrain.checks import Flagged
 from cranktrain.language import _
 from cranktrain.numerics.ties import largest_of
 from cranktrain.questions.evenness.shaft_balance import ShaftBalance
 from cranktrain.record import record
-from cranktrain.wording import number
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import number
 
 
 @record

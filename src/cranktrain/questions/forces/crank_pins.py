@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import extreme, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms
@@ -25,7 +24,8 @@ from cranktrain.questions.forces.rod_masses import weighed_ends
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.wording import Names, number
 
 _CURVE = ("mechanism", "crank_angle")
 

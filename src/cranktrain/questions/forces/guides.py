@@ -4,8 +4,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
@@ -18,6 +16,8 @@ from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, one_sid
 from cranktrain.questions.forces.solved_cycle import Member, SolvedCycle, edges_of, mechanisms_of, parts_of
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.checks import Flagged
 
 _GUIDE = ("guide", "crank_angle")
 

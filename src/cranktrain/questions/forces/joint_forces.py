@@ -5,8 +5,6 @@ from functools import partial
 
 import numpy as np
 
-from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.part_tables import part_name
 from cranktrain.mechanisms.dynamics import Reaction
@@ -17,7 +15,9 @@ from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, one_sid
 from cranktrain.questions.forces.solved_cycle import Member, SolvedCycle, force_size, mechanisms_of, parts_of
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
-from cranktrain.wording import ranged
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import ranged
 
 _JOINT = ("joint", "crank_angle")
 _FEW = 3

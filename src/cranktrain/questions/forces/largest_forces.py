@@ -7,8 +7,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
@@ -20,7 +18,9 @@ from cranktrain.questions.forces.piston_forces import FORCE_METHODS, PistonForce
 from cranktrain.questions.forces.rods_in_pistons import ForcesOfRods, RodsInPistons, RodsOnGrid, rods_in_pistons
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
-from cranktrain.wording import Names, number, ranged
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import Names, number, ranged
 
 _FACT = ("piston",)
 _ERROR = ("force_method", "piston")

@@ -4,8 +4,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shaft_loads import LoadsOnShafts
@@ -16,6 +14,8 @@ from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatc
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Check, Checked
 
 _TORQUES_LIMIT = 1e-12
 

@@ -12,7 +12,7 @@ from cranktrain.numerics import Curve, Peak, in_windows, largest_between, peaks_
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.record import record
-from cranktrain.wording import number
+from cranktrain.saying.wording import number
 
 _ROUNDING = 1e-12
 """Forces smaller than this part of the largest are none."""

@@ -4,8 +4,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch, Pistons
@@ -28,6 +26,8 @@ from cranktrain.questions.forces.rods_in_pistons import (
 )
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Check, Checked
 
 _CURVE = ("force_method", "piston", "crank_angle")
 _LIMIT = 1e-12

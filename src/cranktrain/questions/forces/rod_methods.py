@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -18,7 +16,9 @@ from cranktrain.questions.forces.rod_masses import ROD_METHODS
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
-from cranktrain.wording import Names, number, ranged
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
+from cranktrain.saying.wording import Names, number, ranged
 
 _FACT = ("rod_method", "piston")
 _EXACT = list(ROD_METHODS).index("exact")

@@ -11,8 +11,8 @@ from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.questions.forces.guides import GuideEdges
 from cranktrain.questions.forces.joint_forces import JointForces
 from cranktrain.questions.forces.largest_forces import LargestForces
-from cranktrain.rows import Amount, AnswerLine, valued
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, valued
+from cranktrain.saying.wording import Names
 
 
 def force_rows(

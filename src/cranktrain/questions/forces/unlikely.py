@@ -6,7 +6,6 @@ from functools import reduce
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.part_tables import SLIDER
@@ -17,6 +16,7 @@ from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.motion.dead_centres import DeadCentres
 from cranktrain.record import record
+from cranktrain.saying.checks import Flagged, Limit, flagged
 
 # Ten diameters of solid steel: 7850 kg/m³ · π/4 D² · 10 D over π/4 D² · D. A car's piston is 1000 kg/m³, that of a
 # crosshead engine of 960 mm with rod and crosshead, some 15 t, 22000.

@@ -8,7 +8,6 @@ from typing import Any, NamedTuple, TypeAlias, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.checks import Flagged
 from cranktrain.errors import InputError, Problem
 from cranktrain.fluids import AnyFluid, ChamberState, Rooms, VolumeLimits, chamber_state
 from cranktrain.language import _
@@ -23,7 +22,8 @@ from cranktrain.questions.cylinders.volumes import Chambers, ChamberVolumes, Swe
 from cranktrain.questions.gas.declared import DeclaredGas, GasTable
 from cranktrain.questions.motion.dead_centres import DeadCentres, slider_motion
 from cranktrain.record import record
-from cranktrain.wording import ranged
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import ranged
 
 AMBIENT = 101325.0
 """Pressure under the pistons. [Pa]"""

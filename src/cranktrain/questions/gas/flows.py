@@ -5,8 +5,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Flagged
 from cranktrain.fluids import VolumeLimits
 from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
@@ -16,7 +14,9 @@ from cranktrain.questions.gas.chambers import Filling, GasInChambers
 from cranktrain.questions.gas.declared import DeclaredGas
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_GAS as _THEORY
-from cranktrain.wording import Names, ranged, shared_known
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import Names, ranged, shared_known
 
 if TYPE_CHECKING:
     from cranktrain.fluids.compressor import Compressor

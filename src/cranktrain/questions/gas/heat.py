@@ -1,13 +1,13 @@
 """What becomes of the heat that comes in by Wiebe's law."""
 
-from cranktrain.catalogue import quantity
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.declared import DeclaredGas
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_GAS as _THEORY
-from cranktrain.wording import Names, shared_known
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.wording import Names, shared_known
 
 _CHAMBER = ("chamber",)
 

@@ -4,7 +4,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
 from cranktrain.fluids.work import friction_power, friction_power_by_efficiency, indicated_power
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
@@ -16,7 +15,8 @@ from cranktrain.questions.cylinders.volumes import Chambers, SweptVolumes
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_GAS as _THEORY
-from cranktrain.wording import Names, number, shared
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.wording import Names, number, shared
 
 
 @record

@@ -5,8 +5,6 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
@@ -19,7 +17,9 @@ from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_GAS as _THEORY
-from cranktrain.wording import Names, shared
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.checks import Flagged, Limit, flagged
+from cranktrain.saying.wording import Names, shared
 
 _CHAMBER = ("chamber",)
 _CURVE = ("chamber", "crank_angle")

@@ -9,8 +9,8 @@ from cranktrain.questions.gas.flows import CompressorCapacity, CompressorFlow
 from cranktrain.questions.gas.heat import HeatBalance
 from cranktrain.questions.gas.powers import BrakePowers, IndicatedPowers
 from cranktrain.questions.gas.pressures import GasPressures
-from cranktrain.rows import Amount, AnswerLine, Piece, alike, valued
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, Piece, alike, valued
+from cranktrain.saying.wording import Names
 
 _AT_DEAD_CENTRE = np.radians(0.005)
 """A peak so near the dead centre is shown as at it. [rad]"""

@@ -4,12 +4,12 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.heat import HeatBalance
 from cranktrain.questions.gas.powers import Losses
 from cranktrain.record import record
+from cranktrain.saying.checks import Flagged, Limit, flagged
 
 _NO_LIMIT = np.inf
 

@@ -6,8 +6,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByTravel
@@ -23,7 +21,9 @@ from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.declared import DeclaredGas
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
-from cranktrain.wording import Names, shared
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import Names, shared
 
 _LOAD = ("load",)
 _CURVE = ("load", "crank_angle")

@@ -8,8 +8,8 @@ from cranktrain.language import _
 from cranktrain.numerics import Peak
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.loads.load_work import LoadWork
-from cranktrain.rows import Amount, AnswerLine, valued, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, valued, worded
+from cranktrain.saying.wording import Names
 
 _LITTLE = 0.01
 """Of the inertia's torque on the crank: loads of less are told, as they may stand in N for kN."""

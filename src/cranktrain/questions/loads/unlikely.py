@@ -4,7 +4,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.checks import Flagged
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.load_laws import BySpeed, ByTravel
@@ -13,7 +12,8 @@ from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.record import record
-from cranktrain.wording import number
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import number
 
 _N_ANGLES = 1440
 """Of a turn, or of two: fine enough to see on which stroke a load acts, and where there."""

@@ -1,11 +1,11 @@
 """Where each mechanism stands along the shaft."""
 
-from cranktrain.catalogue import quantity
 from cranktrain.language import N_
 from cranktrain.layout.shafts import AxialPlaces
 from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.references import CONVENTIONS
+from cranktrain.saying.catalogue import quantity
 
 
 @record

@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms, distinct
@@ -11,7 +9,9 @@ from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.record import record
-from cranktrain.wording import Names, around_turn, shared
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Flagged, Limit, flagged
+from cranktrain.saying.wording import Names, around_turn, shared
 
 _MECHANISM = ("mechanism",)
 _THEORY = "docs/theory/closing-margin"

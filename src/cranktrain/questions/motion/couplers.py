@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import coefficients, quantity
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Rockers
@@ -13,6 +12,7 @@ from cranktrain.questions.motion.dead_centres import rod_angle
 from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
+from cranktrain.saying.catalogue import coefficients, quantity
 
 _CURVE = ("rocker", "crank_angle")
 

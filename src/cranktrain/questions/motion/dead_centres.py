@@ -4,8 +4,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Distinct, Mechanisms, Pistons, distinct
@@ -17,7 +15,9 @@ from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.questions.motion.outputs import InCylinders, by_output, outputs_of
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
-from cranktrain.wording import Names, shared
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Flagged, Limit, flagged
+from cranktrain.saying.wording import Names, shared
 
 _PISTON = ("piston",)
 ANGLE_ROUNDING = 1e-12

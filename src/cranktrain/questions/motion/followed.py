@@ -6,7 +6,6 @@ from typing import Any, ClassVar, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import coefficients
 from cranktrain.language import N_
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Coefficient
@@ -14,6 +13,7 @@ from cranktrain.numerics import unwrapped
 from cranktrain.numerics.nested import Nested, each_changed, side_by_side
 from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
+from cranktrain.saying.catalogue import coefficients
 
 _THEORY = "docs/theory/groups-2"
 

@@ -11,7 +11,7 @@ from cranktrain.layout.mechanisms import Pistons
 from cranktrain.mechanisms.output import OutputPart, SliderWords
 from cranktrain.motion import Array
 from cranktrain.record import record
-from cranktrain.wording import Names
+from cranktrain.saying.wording import Names
 
 
 @record

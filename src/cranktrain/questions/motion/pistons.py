@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import coefficients, extreme, quantity
-from cranktrain.checks import Check, Checked, Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -16,7 +14,9 @@ from cranktrain.questions.motion.dead_centres import DeadCentres, PistonGrid, Pi
 from cranktrain.questions.motion.outputs import by_output
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
-from cranktrain.wording import Names, shared
+from cranktrain.saying.catalogue import coefficients, extreme, quantity
+from cranktrain.saying.checks import Check, Checked, Flagged, Limit, flagged
+from cranktrain.saying.wording import Names, shared
 
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")

@@ -4,7 +4,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.catalogue import coefficients
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
@@ -13,6 +12,7 @@ from cranktrain.motion import ZERO, Array, Coefficient, Link, Point
 from cranktrain.questions.motion.followed import Followed, followed_parts
 from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
+from cranktrain.saying.catalogue import coefficients
 
 _CURVE = ("point", "crank_angle")
 _THEORY = "docs/theory/groups"

@@ -4,7 +4,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.catalogue import coefficients, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
 from cranktrain.layout.mechanisms import Rockers
@@ -13,7 +12,8 @@ from cranktrain.numerics import extremes
 from cranktrain.questions.motion.rockers import DeadPositions, RockerMotion, RockerTurn, rocker_angle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
-from cranktrain.wording import Names, shared
+from cranktrain.saying.catalogue import coefficients, quantity
+from cranktrain.saying.wording import Names, shared
 
 _ROCKER = ("rocker",)
 

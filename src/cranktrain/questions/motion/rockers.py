@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import coefficients, extreme, quantity
-from cranktrain.checks import Check, Checked, Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Rockers
@@ -13,7 +11,9 @@ from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, derivatives_residual
 from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
-from cranktrain.wording import Names, around_turn, shared
+from cranktrain.saying.catalogue import coefficients, extreme, quantity
+from cranktrain.saying.checks import Check, Checked, Flagged, Limit, flagged
+from cranktrain.saying.wording import Names, around_turn, shared
 
 _ROCKER = ("rocker",)
 _CURVE = ("rocker", "crank_angle")

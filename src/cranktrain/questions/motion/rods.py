@@ -5,8 +5,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.catalogue import coefficients, extreme, quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.design import Designs
@@ -19,7 +17,9 @@ from cranktrain.numerics.tops import chosen
 from cranktrain.questions.motion.dead_centres import PistonGrid, PistonTurn, slider_and_rod
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
-from cranktrain.wording import around_turn, number
+from cranktrain.saying.catalogue import coefficients, extreme, quantity
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import around_turn, number
 
 _ROUNDING = 1e-9
 """A rod that was made for its limit may miss it by this part."""

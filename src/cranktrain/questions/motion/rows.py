@@ -14,8 +14,8 @@ from cranktrain.questions.motion.pistons import PistonSpeeds
 from cranktrain.questions.motion.rocker_load import LoadMotion
 from cranktrain.questions.motion.rockers import DeadPositions
 from cranktrain.questions.motion.rods import RodMotion
-from cranktrain.rows import Amount, AnswerLine, Extent, valued, worded
-from cranktrain.wording import Names, around_turn
+from cranktrain.saying.rows import Amount, AnswerLine, Extent, valued, worded
+from cranktrain.saying.wording import Names, around_turn
 
 _ON_AXIS = np.radians(0.005)
 """A dead centre so near the axis is shown as on it. [rad]"""

@@ -6,8 +6,8 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.questions.press.strokes import PressStrokes
-from cranktrain.rows import Amount, AnswerLine, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, worded
+from cranktrain.saying.wording import Names
 
 
 def stroke_rows(labels: Names, design: int, found: PressStrokes) -> Iterator[AnswerLine]:

@@ -6,8 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import MINUTE, DeclaredBrake, DeclaredClutch, DeclaredDrive, DeclaredStroke
@@ -18,11 +16,13 @@ from cranktrain.questions.press.case import PressCase, PressParts, hindrance, pr
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.start.parts import DeclaredStart
 from cranktrain.record import record
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Check, Checked, Flagged
+from cranktrain.saying.wording import Names, number
 from cranktrain.transient.clutched.equation import ANGLE
 from cranktrain.transient.clutched.runs import PRESS_REASONS, RESTS, TIME_IS_OVER
 from cranktrain.transient.clutched.settled import SettledStroke, settled_stroke
 from cranktrain.transient.clutched.stroke import heat_rate_limit, time_limit
-from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/clutched-drive"
 _ENERGY_LIMIT = 1e-6

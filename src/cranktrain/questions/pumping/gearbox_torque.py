@@ -6,8 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import Array
@@ -21,7 +19,9 @@ from cranktrain.questions.pumping.declared import DeclaredPumping
 from cranktrain.questions.pumping.turn_pieces import highest, turn_pieces
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_PUMPING_UNITS as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.checks import Check, Checked, Flagged
+from cranktrain.saying.wording import Names, number
 
 _CURVE = ("crank_angle",)
 _POSITION = ("stroke_position",)

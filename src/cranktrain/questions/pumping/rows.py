@@ -6,8 +6,8 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.questions.pumping.gearbox_torque import GearboxTorque
-from cranktrain.rows import Amount, AnswerLine, valued, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, valued, worded
+from cranktrain.saying.wording import Names
 
 
 def pumping_rows(labels: Names, design: int, found: GearboxTorque) -> Iterator[AnswerLine]:

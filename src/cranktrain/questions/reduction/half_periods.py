@@ -5,8 +5,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import StageResult
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.layout.drive.declared import DeclaredDrive
@@ -18,6 +16,8 @@ from cranktrain.questions.reduction.gear_train import torque_through
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.reduction.static_torques import ASIDE, sign_changes
 from cranktrain.record import record
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.checks import StageResult
 from cranktrain.transient.gearing import overall_ratio
 
 _THEORY = "docs/theory/reduced-machine"

@@ -6,8 +6,8 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.questions.reduction.static_torques import StaticTorques
-from cranktrain.rows import Amount, AnswerLine, Extent, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, Extent, worded
+from cranktrain.saying.wording import Names
 
 _WORTH_A_ROW = 0.01
 """Of the largest torque: where another law of losses gives less of a difference, the results alone have it."""

@@ -7,8 +7,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.layout.drive.declared import DeclaredDrive
@@ -20,6 +18,8 @@ from cranktrain.questions.reduction.cycle_pieces import CyclePieces, mesh_of
 from cranktrain.questions.reduction.gear_train import torque_through
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.record import record
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.checks import Flagged
 from cranktrain.transient.gearing import Gearing, overall_ratio
 from cranktrain.transient.reduced import ReducedMachine
 

@@ -4,7 +4,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.checks import Flagged
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.load_laws import BySpeed, LoadState
@@ -16,7 +15,8 @@ from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.servo.rocking import RockingDrive
 from cranktrain.questions.servo.stages import ServoDrive
 from cranktrain.record import record
-from cranktrain.wording import number
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import number
 
 _NOTHING = 1e-6
 """Of the largest size: less is where a load has not begun."""

@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.layout.wish.declared import RockingMotions
@@ -13,7 +11,9 @@ from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.servo.demand import ServoDemand, rocking_demand
 from cranktrain.questions.servo.stages import THEORY
 from cranktrain.record import record
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
+from cranktrain.saying.wording import Names, number
 
 _N_TIMES = 720
 

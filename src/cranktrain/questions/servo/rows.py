@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from cranktrain.language import _
 from cranktrain.questions.servo.rocking import RockingCrank, RockingDrive
 from cranktrain.questions.servo.stages import ServoDrive, WantedCrank
-from cranktrain.rows import Amount, AnswerLine, Extent, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, Extent, worded
+from cranktrain.saying.wording import Names
 
 
 def wanted_rows(labels: Names, design: int, found: WantedCrank) -> Iterator[AnswerLine]:

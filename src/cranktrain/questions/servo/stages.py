@@ -5,8 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredDrive
@@ -20,7 +18,9 @@ from cranktrain.questions.reduction.at_angles import reduced_at
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.servo.demand import ServoDemand, crank_torque, motor_torque, servo_demand
 from cranktrain.record import record
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Check, Checked
+from cranktrain.saying.wording import Names, number
 
 THEORY = "docs/theory/servo"
 _CURVE = ("crank_angle",)

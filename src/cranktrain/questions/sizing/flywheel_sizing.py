@@ -6,8 +6,6 @@ from typing import NamedTuple, cast
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.motion import Array
@@ -22,14 +20,16 @@ from cranktrain.questions.sizing.motor_checks import mean_inertia
 from cranktrain.questions.sizing.parts import WantedFlywheel
 from cranktrain.questions.sizing.peaky_load import PeakyLoad, SlipLine, recovered_inertia
 from cranktrain.record import record
-from cranktrain.rows import Amount
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.rows import Amount
+from cranktrain.saying.wording import Names, number
 from cranktrain.transient.gearing import (
     Gearing,
     overall_ratio,
     turning_inertia,
     with_inertia,
 )
-from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/drive"
 _MOST = 1e7

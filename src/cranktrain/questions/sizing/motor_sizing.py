@@ -7,8 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.drive.declared import DeclaredClutch, DeclaredDrive, before_clutch
 from cranktrain.layout.speed import Speed
@@ -33,8 +31,10 @@ from cranktrain.questions.sizing.motor_checks import (
 )
 from cranktrain.questions.sizing.parts import DeclaredDuty
 from cranktrain.record import record
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import Names, number
 from cranktrain.transient.gearing import Gearing, overall_ratio, turning_inertia
-from cranktrain.wording import Names, number
 
 _THEORY = "docs/theory/drive"
 _EACH = ("sized_motor",)

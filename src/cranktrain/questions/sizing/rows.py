@@ -8,8 +8,8 @@ from cranktrain.language import _
 from cranktrain.questions.sizing.flywheel_sizing import DriveFlywheel
 from cranktrain.questions.sizing.motor_checks import is_with_load
 from cranktrain.questions.sizing.motor_sizing import MotorSizing
-from cranktrain.rows import Amount, AnswerLine, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, worded
+from cranktrain.saying.wording import Names
 
 
 def sizing_rows(labels: Names, design: int, found: MotorSizing) -> Iterator[AnswerLine]:

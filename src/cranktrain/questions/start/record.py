@@ -1,9 +1,9 @@
 """What became of a start: its curves over time, its events, why it ended."""
 
-from cranktrain.catalogue import quantity
 from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.record import record
+from cranktrain.saying.catalogue import quantity
 from cranktrain.transient.clutched.settled import SettledStroke
 from cranktrain.transient.clutched.stopping import WorstStop
 

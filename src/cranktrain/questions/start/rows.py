@@ -8,7 +8,7 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.questions.start.record import StrokeRun
 from cranktrain.questions.start.starting import EVENTS, StartRun
-from cranktrain.rows import Amount, AnswerLine, Extent, worded
+from cranktrain.saying.rows import Amount, AnswerLine, Extent, worded
 from cranktrain.transient.clutched.equation import ANGLE
 from cranktrain.transient.endings import REVERSAL
 

@@ -14,12 +14,12 @@ from cranktrain.questions.start.case import StartCase, Switching, start_kernels
 from cranktrain.questions.start.curves import at_times, close_times, curves_of, in_list
 from cranktrain.questions.start.method import Runs, method_of
 from cranktrain.questions.start.record import StartEvent, StartRun
+from cranktrain.saying.wording import number
 from cranktrain.transient import endings
 from cranktrain.transient.equation import MOTOR_WORK, SPEED, DriveTrain
 from cranktrain.transient.reduced import ReducedMachine
 from cranktrain.transient.runs import REASONS, Progress, Run, Wanted, wanted
 from cranktrain.transient.step import N_STATE
-from cranktrain.wording import number
 
 _NEARLY = 0.98
 """Of the mean speed of steady running: from there on a start is over but for two cycles more."""

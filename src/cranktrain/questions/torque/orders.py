@@ -5,8 +5,6 @@ from dataclasses import field
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
 from cranktrain.motion import Array
@@ -18,7 +16,9 @@ from cranktrain.questions.torque.stars import phase_stars
 from cranktrain.questions.torque.torques import ShaftTorques
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_HARMONICS as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
+from cranktrain.saying.wording import Names, number
 
 _ORDER = ("order",)
 _NAMED = 3

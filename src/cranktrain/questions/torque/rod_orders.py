@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle, order_labels
 from cranktrain.layout.mechanisms import Pistons
@@ -11,6 +9,8 @@ from cranktrain.motion import Array
 from cranktrain.questions.torque.rod_harmonics import both_harmonics
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_HARMONICS as _THEORY
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
 
 _FACT = ("order", "piston")
 

@@ -8,8 +8,8 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.questions.torque.orders import PhaseStarSums, TorqueOrders
 from cranktrain.questions.torque.torques import GearTorques, ShaftTorques
-from cranktrain.rows import Amount, AnswerLine, Extent, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, Extent, worded
+from cranktrain.saying.wording import Names
 
 _LITTLE = 1e-2
 """Orders that are less than this part of the largest are not named."""

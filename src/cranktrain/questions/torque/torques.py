@@ -5,8 +5,6 @@ from dataclasses import field
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Flagged, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
@@ -22,7 +20,9 @@ from cranktrain.questions.forces.torque_curves import TorqueCurves, passed_torqu
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.checks import Flagged, StageResult
+from cranktrain.saying.wording import Names, number
 
 _SHAFT = ("shaft",)
 _ROUNDING = 1e-12

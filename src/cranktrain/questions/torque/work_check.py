@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
@@ -15,6 +13,8 @@ from cranktrain.questions.loads.load_work import LoadWork
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Check, Checked
 
 _LIMIT = 1e-12
 _FAR = 1e-3

@@ -6,8 +6,6 @@ from dataclasses import field
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
@@ -23,7 +21,9 @@ from cranktrain.questions.torsion.modes import TorsionalModes
 from cranktrain.questions.torsion.parts import DeclaredTrain
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TORSION as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
+from cranktrain.saying.wording import Names, number
 
 _ORDER = ("mode", "order")
 _NAMED = 3

@@ -6,8 +6,6 @@ from dataclasses import field
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Checked, Flagged, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.masses import Masses
@@ -32,7 +30,9 @@ from cranktrain.questions.torsion.train import (
 )
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TORSION as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Check, Checked, Flagged, StageResult
+from cranktrain.saying.wording import Names, number
 
 _DISC = ("disc",)
 _MODE = ("mode", "disc")

@@ -8,8 +8,8 @@ from cranktrain.language import _
 from cranktrain.questions.torsion.critical import CriticalSpeeds
 from cranktrain.questions.torsion.modes import TorsionalModes
 from cranktrain.questions.torsion.throw_stiffness import ThrowStiffness, title_of
-from cranktrain.rows import Amount, AnswerLine, Extent, worded
-from cranktrain.wording import Names
+from cranktrain.saying.rows import Amount, AnswerLine, Extent, worded
+from cranktrain.saying.wording import Names
 
 _NAMED = 3
 

@@ -5,8 +5,6 @@ from dataclasses import field
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, first_smallest
@@ -17,7 +15,9 @@ from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout, ShaftLayou
 from cranktrain.questions.torsion.parts import DeclaredTrain
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TORSION as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import Names, number
 
 GIVEN = "given"
 """The name of what the file gives, among the methods."""

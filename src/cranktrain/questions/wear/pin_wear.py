@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
 from cranktrain.language import N_
 from cranktrain.linkage import Crank
 from cranktrain.linkage.forces import crank_link
@@ -14,6 +12,8 @@ from cranktrain.questions.forces.pin_load import PinLoad, RodBearingLoad, pin_lo
 from cranktrain.questions.wear.cycle_points import CyclePoints
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
 
 _FACT, _RAYS = ("mechanism",), ("mechanism", "ray")
 

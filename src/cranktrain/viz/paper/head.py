@@ -10,9 +10,9 @@ from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.one_line import short
 from cranktrain.quantities import shown
+from cranktrain.saying.wording import as_given
 from cranktrain.viz.paper.page import MARGIN, Box, Page, paper
 from cranktrain.viz.paper.style import MUTED, TITLE
-from cranktrain.wording import as_given
 
 _LONGEST_NAME = 100
 """Characters of a title."""

@@ -14,7 +14,7 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.one_line import visible
 from cranktrain.plans.positions import rounded_scale, scale_words
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import plain
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
 from cranktrain.viz.paper.style import FILLS, HEADING, INK, MUTED, RULE, SETTINGS, SYMBOL, TEXT, pen_of

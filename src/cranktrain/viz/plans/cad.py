@@ -22,7 +22,7 @@ from cranktrain.plans.positions import PositionPlan, position_plan, rescaled, tr
 from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.together import places_called
 from cranktrain.plans.vectors import pair
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import plain
 from cranktrain.viz.paper.head import speed_words
 from cranktrain.viz.paper.sketch import LAYERS, Circle, Line, Sketch, bounds_of

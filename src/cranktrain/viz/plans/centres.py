@@ -11,7 +11,7 @@ from cranktrain.numerics.ties import largest_of
 from cranktrain.plans.centres import Centre, InstantCentres, TurningBody, instant_centres
 from cranktrain.plans.positions import PositionPlan, fitting
 from cranktrain.plans.vectors import angle_of, spoken_name
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.texts.crank_rocker import pin_velocity_ratio
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.page import Figure, drawing_settings, formula, mathematics

@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.plans.drive_scheme import MEANINGS, ChainFact, DriveElement, DriveShaft
 from cranktrain.quantities import shown
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.paper.page import mathematics
 from cranktrain.viz.plans.drive_chain import roman

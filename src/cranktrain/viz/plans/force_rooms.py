@@ -11,7 +11,7 @@ from cranktrain.plans.force_polygons import ForcePolygon, rescaled
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.positions import fitting, rounded_scale
 from cranktrain.plans.vectors import angle_of, pair
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper.page import Box, Page, mathematics
 from cranktrain.viz.paper.sketch import Circle, Habit, Sketch, Wish, labelled_bounds, placed_labels

@@ -8,7 +8,7 @@ from cranktrain.one_line import short
 from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.vectors import spoken_name
-from cranktrain.scales import Scale, scale_for
+from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.viz.figures import column, figure, rounded
 from cranktrain.viz.paper.head import first_that_holds
 from cranktrain.viz.paper.page import Page, in_words, mathematics

@@ -14,7 +14,7 @@ from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.positions import single_plans
 from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.together import placed_together, places_called
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.paper.page import Figure, drawing_settings
 from cranktrain.viz.plans.force_rooms import draw_rows, fitting_polygons
 from cranktrain.viz.plans.force_rows import TABLE, tables, write_forces

@@ -21,7 +21,7 @@ from cranktrain.plans.positions import (
 from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.together import places_called
 from cranktrain.plans.vectors import PolygonVector
-from cranktrain.scales import Scale, scale_for
+from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.viz.figures import column, figure, rounded
 from cranktrain.viz.paper.page import LINE, Box, Figure, Page, drawing_settings, mathematics
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW

@@ -12,7 +12,7 @@ from cranktrain.numerics.ties import first_smallest
 from cranktrain.plans.pin_loads import CrankpinLoad, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
 from cranktrain.plans.vectors import angle_of
-from cranktrain.scales import Scale, scale_for
+from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.viz.figures import aligned, figure, plain, with_unit
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics, rounded_down
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, placed_labels

@@ -12,7 +12,7 @@ from cranktrain.motion import Array
 from cranktrain.one_line import short
 from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.plans.position_table import PositionColumn, output_columns, point_columns
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import aligned
 from cranktrain.viz.paper.page import INDICES
 

@@ -14,7 +14,7 @@ from cranktrain.plans.positions import plan_angles
 from cranktrain.plans.schemes import MarkedAngle, Scheme, scheme
 from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.quantities import shown
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics

@@ -14,7 +14,7 @@ from cranktrain.plans.positions import plan_angles, scale_words
 from cranktrain.plans.together import placed_together, places_called, together_name
 from cranktrain.plans.vectors import pair, spoken_name
 from cranktrain.quantities import chosen_unit
-from cranktrain.scales import Scale
+from cranktrain.saying.scales import Scale
 from cranktrain.viz.figures import plain
 from cranktrain.viz.paper.head import speed_words, title_block
 from cranktrain.viz.paper.page import LINE, MARGIN, Box, Page, fitting_scale, formula, paper

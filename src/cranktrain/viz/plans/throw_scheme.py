@@ -11,7 +11,7 @@ from cranktrain.plans.machine_throw import MachineThrow, ThrownMachine
 from cranktrain.plans.throw_loads import CrankMasses
 from cranktrain.plans.throw_scheme import SchemeForce, SchemeLength, ThrowScheme, throw_scheme
 from cranktrain.references import REFERENCES
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.texts.throw_table import Throw
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes

@@ -16,7 +16,7 @@ from cranktrain.plans.positions import rounded_scale, single_plans
 from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.vectors import POLE, angle_of, pair, spoken_name, turned_left
 from cranktrain.plans.zhukovsky import LeverForce, ZhukovskyLever, zhukovsky_lever
-from cranktrain.scales import Scale, scale_for
+from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.viz.figures import column, power_of_ten
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, bounds_of, placed_labels, together

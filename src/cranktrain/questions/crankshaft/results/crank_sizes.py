@@ -4,8 +4,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
@@ -14,7 +12,9 @@ from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout, ShaftLayouts, pin_names
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
-from cranktrain.wording import number
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import Flagged
+from cranktrain.saying.wording import number
 
 _PIN = ("pin",)
 _TOO_MUCH = 1.5

@@ -1,12 +1,12 @@
 """How much the main bearings' loads hang on the stiffness of their housing, which is mostly a guess."""
 
-from cranktrain.catalogue import quantity
 from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.shaft_peaks import ShaftPeaks
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
+from cranktrain.saying.catalogue import quantity
 
 
 @record

@@ -5,8 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
 from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest
@@ -18,6 +16,8 @@ from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBeari
 from cranktrain.questions.wear.cycle_points import CyclePoints
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
 
 _FACT = ("bearing_method", "bearing")
 _CURVE, _RAYS = (*_FACT, "crank_angle"), (*_FACT, "ray")

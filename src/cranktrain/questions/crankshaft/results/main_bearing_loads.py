@@ -4,8 +4,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Check, Checked, Flagged
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
@@ -23,7 +21,9 @@ from cranktrain.questions.forces.peaks import one_sided
 from cranktrain.questions.wear.cycle_points import CyclePoints
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.checks import Check, Checked, Flagged
+from cranktrain.saying.wording import Names, number
 
 _CURVE, _FACT = ("bearing_method", "bearing", "crank_angle"), ("bearing_method", "bearing")
 _LIMIT = 1e-11

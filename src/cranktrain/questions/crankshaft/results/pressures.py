@@ -4,8 +4,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
@@ -16,7 +14,9 @@ from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.questions.wear.pin_wear import CrankPinWear
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
+from cranktrain.saying.wording import Names, number
 
 _PIN, _BEARING = ("mechanism",), ("bearing_method", "bearing")
 

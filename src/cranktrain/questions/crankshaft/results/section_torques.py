@@ -4,8 +4,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Check, Checked
 from cranktrain.language import N_, _
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
@@ -26,7 +24,9 @@ from cranktrain.questions.forces.mechanism_torques import driving_torques
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
-from cranktrain.wording import Names, number
+from cranktrain.saying.catalogue import extreme, quantity
+from cranktrain.saying.checks import Check, Checked
+from cranktrain.saying.wording import Names, number
 
 _FACT = ("bearing_method", "section")
 _CURVE = (*_FACT, "crank_angle")

@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import StageResult
 from cranktrain.language import N_
 from cranktrain.layout.shafts import AxialPlaces
 from cranktrain.motion import Array
@@ -11,6 +9,8 @@ from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayouts
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
+from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
 
 
 @record

@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.checks import Flagged, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.shafts import AxialPlaces, Shafts
 from cranktrain.motion import Array
@@ -14,7 +13,8 @@ from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout, ShaftLayouts, pin_names
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.record import record
-from cranktrain.wording import number
+from cranktrain.saying.checks import Flagged, Limit, flagged
+from cranktrain.saying.wording import number
 
 # Rubber-like plastics have 3 GPa and diamond 1000: shafts are of aluminium, 70, iron, 100 to 170, steel, 206, carbide.
 _YOUNG = Limit(

@@ -7,7 +7,8 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.one_line import short
 from cranktrain.questions.crankshaft.methods import title_of
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
+from cranktrain.saying.wording import ABSENT
 from cranktrain.viz.figures import column
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
@@ -15,7 +16,6 @@ from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.tables import LEAST_ROW, write_row
 from cranktrain.viz.sheets.crankshaft.panels import bearing_diagrams, of_shafts
 from cranktrain.viz.sheets.crankshaft.polar import draw_diagrams, line_of_method
-from cranktrain.wording import ABSENT
 
 _NAMES = 44.0
 """Width of the table's names. [mm]"""

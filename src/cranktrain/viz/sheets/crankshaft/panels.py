@@ -11,8 +11,8 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.results.section_torques import SECTIONS
+from cranktrain.saying.wording import ranged
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
-from cranktrain.wording import ranged
 
 _SHAPE = 6
 """Loads that are the same to so many figures are drawn once."""

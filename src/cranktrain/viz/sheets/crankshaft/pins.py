@@ -8,7 +8,8 @@ from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.numerics.ties import largest_first
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
+from cranktrain.saying.wording import ABSENT
 from cranktrain.viz.figures import column
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
@@ -16,7 +17,6 @@ from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings
 from cranktrain.viz.paper.tables import LEAST_ROW, write_table
 from cranktrain.viz.sheets.crankshaft.panels import AlikePins, alike_pins, crank_pin_diagrams
 from cranktrain.viz.sheets.crankshaft.polar import draw_diagrams
-from cranktrain.wording import ABSENT
 
 _MOST = 6
 """Pins that have drawings: of more, those that bear most."""

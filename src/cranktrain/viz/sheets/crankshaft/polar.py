@@ -10,7 +10,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of
 from cranktrain.plans.positions import fitting
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS
-from cranktrain.scales import Scale
+from cranktrain.saying.scales import Scale
 from cranktrain.viz.figures import plain
 from cranktrain.viz.paper.page import Box, Page, rounded_down
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED

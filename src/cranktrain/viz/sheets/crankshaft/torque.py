@@ -11,7 +11,8 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import falling, first_largest
 from cranktrain.questions.crankshaft.methods import title_of
 from cranktrain.questions.crankshaft.results.section_torques import SECTIONS
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
+from cranktrain.saying.wording import ABSENT
 from cranktrain.viz.figures import column
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
@@ -20,7 +21,6 @@ from cranktrain.viz.paper.panels import FORCES, axes_in, draw_panels
 from cranktrain.viz.paper.style import COLOURS, INK
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW, write_table
 from cranktrain.viz.sheets.crankshaft.panels import of_shafts, on_journals, torque_panels
-from cranktrain.wording import ABSENT
 
 _LEFT = 0.5
 """Share of the curves over the crank angle in the width."""

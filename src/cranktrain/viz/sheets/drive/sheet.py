@@ -8,7 +8,7 @@ from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.motors import DeclaredMotor, motor_of
 from cranktrain.questions.servo.demand import ServoDemand
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.panel import OneDesign, closed
 from cranktrain.viz.paper.head import result_page

@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.questions.start.record import StartEvent
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.study.start import Start
 from cranktrain.viz.figures import figure, power_of_ten, with_unit
 from cranktrain.viz.paper.head import title_block

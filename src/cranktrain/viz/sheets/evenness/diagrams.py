@@ -12,7 +12,7 @@ from cranktrain.plans.evenness_diagrams import mertsalov_diagram, wittenbauer_di
 from cranktrain.quantities import shown
 from cranktrain.quantities import shown as in_unit
 from cranktrain.questions.evenness.flywheel import FlywheelSize
-from cranktrain.scales import Scale, scale_for
+from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.texts.flywheel_diagrams import Tangent
 from cranktrain.viz.figures import figure, plain, written_apart
 from cranktrain.viz.panel import Curve, OneDesign, Panel, as_shown

@@ -11,7 +11,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, largest_first
 from cranktrain.questions.forces.joint_forces import joint_label
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.scales import Scale, scale_for
+from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.viz.figures import figure
 from cranktrain.viz.panel import Curve, OneDesign, Panel, Role, closed
 from cranktrain.viz.sheets.crankshaft.panels import PolarCurve, PolarDiagram

@@ -11,7 +11,7 @@ from cranktrain.language import _
 from cranktrain.questions.forces.carriers import carriers_of
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.pressures import GasPressures
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page

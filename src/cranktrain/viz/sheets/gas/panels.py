@@ -4,7 +4,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.questions.cylinders.parts import chambers_at
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 
 

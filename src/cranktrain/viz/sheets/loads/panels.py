@@ -16,7 +16,7 @@ from cranktrain.motion import Array
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.loads.load_work import LoadWork
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.panel import Curve, OneDesign, Panel, Role
 
 _ASIDE = 1e-6

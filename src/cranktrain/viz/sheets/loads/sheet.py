@@ -12,7 +12,7 @@ from cranktrain.numerics.ties import first_largest
 from cranktrain.one_line import short
 from cranktrain.plans.drawn_throws import drawn_throws
 from cranktrain.plans.vectors import pair
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page

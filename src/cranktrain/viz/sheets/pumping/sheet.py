@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.language import _
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page

@@ -4,7 +4,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.numerics.harmonics import ComplexArray
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.page import Box, Page
 from cranktrain.viz.paper.panels import axes_in

@@ -10,7 +10,7 @@ from cranktrain.layout.crank_angle import orders
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import falling
 from cranktrain.questions.torque.stars import PhaseStars, phase_stars
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import figure
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 

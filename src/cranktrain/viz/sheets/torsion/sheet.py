@@ -9,7 +9,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.numerics.ties import first_largest, largest_first
 from cranktrain.one_line import short
-from cranktrain.scales import Scale, scale_for
+from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import Axes, Box, Figure, Page, drawing_settings, formula, set_words

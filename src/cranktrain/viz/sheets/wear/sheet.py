@@ -9,7 +9,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.methods import title_of
-from cranktrain.scales import scale_for
+from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import plain
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page

@@ -9,7 +9,6 @@ from tests.machines import banks, slider, throws
 
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
-from cranktrain.checks import Check
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Coefficient
 from cranktrain.numerics import derivatives_residual
@@ -18,6 +17,7 @@ from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import mechanism_torques
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.motion import rockers
+from cranktrain.saying.checks import Check
 
 SPEED = throws(0, speed="3000 rpm")
 PISTON = {"piston": {"mass": "200 kg"}}

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cranktrain.wording import around_turn, number, precise, ranged, shared
+from cranktrain.saying.wording import around_turn, number, precise, ranged, shared
 
 NAMES = ("1L", "2L", "3L", "1R", "2R", "3R")
 

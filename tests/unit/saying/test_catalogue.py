@@ -5,9 +5,9 @@ from dataclasses import astuple, dataclass
 import numpy as np
 import pytest
 
-from cranktrain.catalogue import coefficients, entries, extreme, quantity, values
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme
+from cranktrain.saying.catalogue import coefficients, entries, extreme, quantity, values
 
 CURVE = ("piston", "crank_angle")
 
