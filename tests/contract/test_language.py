@@ -7,6 +7,9 @@ from string import Formatter
 from threading import Barrier
 from types import SimpleNamespace
 
+import pytest
+
+import cranktrain as ct
 from cranktrain import language
 
 ROOT = Path(__file__).parents[2]
@@ -50,3 +53,14 @@ def test_each_thread_has_its_own_language(monkeypatch):
     assert set(first) == {"Spitze 3 kN"}
     assert set(second) == {"3 kN au plus"}
     assert language._("Peak {x}", x="3 kN") == "Peak 3 kN"
+
+
+@pytest.mark.parametrize("name", ct.example_names())
+def test_labels_are_the_same_in_every_language(monkeypatch, name):
+    """They are names of the file or keys: `sel`, the columns of a CSV and a script rest on them."""
+    labels = dict(ct.run(name).labels)
+    monkeypatch.setattr(language, "_catalogue", lambda _of: SimpleNamespace(gettext=lambda message: f"⟦{message}⟧"))
+    result = ct.run(name)
+    assert dict(result.labels) == labels
+    called = {titles for dimension in result.titles for titles in result.titles[dimension]}
+    assert all(title.startswith("⟦") for title in called.difference(*labels.values()))

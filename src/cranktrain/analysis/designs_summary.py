@@ -40,7 +40,7 @@ def summary_of_designs(result: Result) -> Iterator[str]:
     yield _("{n} designs of {name}", n=n_designs, name=machine) if machine else _("{n} designs", n=n_designs)
     asked = {name: fact for name, fact in result.facts.items() if name in (result.asked or ())}
     for fact in (asked or result.headline).values():
-        yield from _lines(fact, result.labels_of(fact.entry), n_designs)
+        yield from _lines(fact, result.titles_of(fact.entry), n_designs)
 
 
 def _lines(fact: Fact, labels: Mapping[str, Sequence[str]], n_designs: int) -> Iterator[str]:

@@ -24,6 +24,27 @@ def dimension_named(name: str) -> ResultDimension:
     return next(one for one in brought if one.name == name)
 
 
+class Titled(Mapping[str, tuple[str, ...]]):
+    """What people call the members along dimensions, found where somebody asks."""
+
+    def __init__(self, labels: Mapping[str, tuple[str, ...]]) -> None:
+        self._labels = labels
+
+    def __getitem__(self, dimension: str) -> tuple[str, ...]:
+        return called(dimension, self._labels[dimension])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._labels)
+
+    def __len__(self) -> int:
+        return len(self._labels)
+
+
+def called(dimension: str, labels: Sequence[str]) -> tuple[str, ...]:
+    """Say what people call some members along a dimension."""
+    return dimension_named(dimension).called(labels)
+
+
 def rivals(labels: Mapping[str, Sequence[str]]) -> Iterator[tuple[Place, str]]:
     """Part values by what are rivals among their members, as methods are, the one that is meant first.
 

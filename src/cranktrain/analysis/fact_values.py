@@ -59,7 +59,7 @@ class OneMachine(NamedTuple):
         if entry is None:
             return None
         values = np.asarray(getattr(self.result, name), dtype=np.float64)
-        return Labelled(values[self.design] if self.result.has_designs else values, self.result.labels_of(entry))
+        return Labelled(values[self.design] if self.result.has_designs else values, self.result.titles_of(entry))
 
 
 def headline_names(results: Sequence[Result]) -> tuple[str, ...]:

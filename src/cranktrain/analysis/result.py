@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
+from cranktrain.analysis.dimensions import Titled
 from cranktrain.analysis.outcomes import Outcomes
 from cranktrain.analysis.stages import Missing, every_stage
 from cranktrain.analysis.unused import Unused, sentences
@@ -113,6 +114,11 @@ class Result:
     def labels(self) -> Mapping[str, tuple[str, ...]]:
         """Names along the dimensions of its quantities."""
         return self.computed.labels
+
+    @property
+    def titles(self) -> Mapping[str, tuple[str, ...]]:
+        """What people call the members along the dimensions: their labels, or in words what these are keys of."""
+        return Titled(self.labels)
 
     @cached_property
     def _homes(self) -> dict[str, tuple[Entry, type]]:
@@ -239,12 +245,12 @@ class Result:
         found: dict[str, object] = {name: self.get(kind) for name, kind in needs.types.items()}
         if any(outcome is None and name not in needs.optional for name, outcome in found.items()):
             return ()
-        return function(self.labels, design, **found)
+        return function(self.titles, design, **found)
 
     def answers(self, design: int = 0) -> Iterator[str]:
         """Give the stages' answer sentences for one design."""
         for kind in self.computed.kinds:
-            sentence = self.computed[kind].answer(self.labels, design) if hasattr(kind, "answer") else None
+            sentence = self.computed[kind].answer(self.titles, design) if hasattr(kind, "answer") else None
             if sentence:
                 yield in_print(sentence)
 
@@ -268,6 +274,10 @@ class Result:
     def labels_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
         """Names along each dimension of a quantity, but for the crank angle."""
         return {dimension: self.labels[dimension] for dimension in entry.dimensions if dimension != "crank_angle"}
+
+    def titles_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
+        """What people call the members along each dimension of a quantity, but for the crank angle."""
+        return {dimension: self.titles[dimension] for dimension in self.labels_of(entry)}
 
     @property
     def dataset(self) -> "xarray.Dataset":

@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import field, fields
 from functools import cache, cached_property
-from types import NoneType
+from types import MappingProxyType, NoneType
 from typing import Any, NamedTuple, TypeAlias, get_args, get_origin, get_type_hints
 
 from cranktrain.errors import Problem
@@ -14,6 +14,7 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.record import record
 from cranktrain.saying.catalogue import entries
 from cranktrain.saying.checks import Checked, Flagged
+from cranktrain.saying.labels import Titles, titled
 from cranktrain.saying.rows import AnswerLine
 
 Parts: TypeAlias = dict[type, object]
@@ -183,6 +184,8 @@ class ResultDimension(NamedTuple):
         one that is meant where none is named. No table takes anything over them all.
     is_apart : bool
         Whether each member is of its own size, as modes are: nothing is rounding beside what is of another.
+    titles : Titles
+        What people call members whose labels are keys of the program; all others are called by their labels.
     """
 
     name: str
@@ -191,6 +194,11 @@ class ResultDimension(NamedTuple):
     family: str = ""
     own: int | None = None
     is_apart: bool = False
+    titles: Titles = MappingProxyType({})
+
+    def called(self, labels: Sequence[str]) -> tuple[str, ...]:
+        """Say what people call some members."""
+        return tuple(titled(self.titles, label) for label in labels)
 
 
 class Use(NamedTuple):

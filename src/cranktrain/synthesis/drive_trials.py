@@ -22,10 +22,11 @@ from cranktrain.numerics.ties import first_largest, first_smallest, largest_firs
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.reduction.static_torques import StaticTorques
 from cranktrain.questions.sizing.choosing_ratio import nearest_ratio, preferred_ratios
-from cranktrain.questions.sizing.motor_checks import CheckedMotor, check_names, checked_motor
+from cranktrain.questions.sizing.motor_checks import CHECK_TITLES, CheckedMotor, check_keys, checked_motor
 from cranktrain.questions.sizing.motor_sizing import SizedDesign, sized_design
 from cranktrain.questions.sizing.parts import DeclaredDuty
 from cranktrain.record import record
+from cranktrain.saying.labels import titled
 from cranktrain.synthesis.sized_motor import KeptSlip, motor_table, slip_of_size
 from cranktrain.transient.gearing import Gearing, with_inertia
 
@@ -121,8 +122,8 @@ class Trial:
 
     @property
     def governing(self) -> str:
-        """Name of the check that governs."""
-        return self.checks[first_largest(self.shares)]
+        """What people call the check that governs."""
+        return titled(CHECK_TITLES, self.checks[first_largest(self.shares)])
 
     @property
     def power(self) -> float:
@@ -325,8 +326,8 @@ def _checked(bench: Bench, place: int, ratio: float, inertia: float) -> Trial:
     overall = ratio * asked.others
     speed = math.nan if found.cycle is None else float(np.sum(found.cycle.mesh.width)) / found.cycle.period
     slip = slip_of_size(place, asked.kept)
-    names = check_names(one.duty, has_clutch=bench.behind(ratio).clutch is not None)
-    return Trial(place, ratio, overall, slip, inertia, tuple(found.shares.tolist()), names, speed, found)
+    checks = check_keys(one.duty, has_clutch=bench.behind(ratio).clutch is not None)
+    return Trial(place, ratio, overall, slip, inertia, tuple(found.shares.tolist()), checks, speed, found)
 
 
 def design_of(bench: Bench, ratio: float, inertia: float) -> SizedDesign:

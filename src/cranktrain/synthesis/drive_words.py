@@ -7,6 +7,8 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.questions.sizing.flywheel_sizing import formula_inertia
+from cranktrain.questions.sizing.motor_checks import CHECK_TITLES
+from cranktrain.saying.labels import titled
 from cranktrain.saying.wording import number
 from cranktrain.synthesis.drive_trials import AskedDrive, Bench, Trial
 from cranktrain.synthesis.proposal import Alternative, Number
@@ -35,7 +37,7 @@ def numbers(asked: AskedDrive, one: Trial, chosen: Trial) -> Iterator[Number]:
             yield Number("time_of_start", "t_st", one.checked.start_time, "s", said)
     for name, symbol, check, share, own in zip(_NAMES, _SYMBOLS, one.checks, one.shares, chosen.shares, strict=True):
         if not np.isnan(own):
-            yield Number(name, symbol, share, "%", _("Used: {check}", check=check))
+            yield Number(name, symbol, share, "%", _("Used: {check}", check=titled(CHECK_TITLES, check)))
 
 
 def alternatives(

@@ -120,7 +120,7 @@ def full_moments(machine: Machine) -> Array:
     directions = _directions(machine)
     full = np.zeros(directions.size)
     for n, direction in enumerate(directions):
-        name = _("throw {throw}", throw=n + 1)
+        name = f"throw_{n + 1}"
         if name in names:
             own = names.index(name)
             ahead = weights.balance_weight_angle[0, own] - direction - np.pi

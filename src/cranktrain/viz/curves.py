@@ -234,12 +234,12 @@ def _curves(
     """Names and values of the curves of some members; of methods the exact one, of many the first few."""
     values: Array = np.asarray(getattr(result, entry.name))
     values = np.moveaxis(values[design] if result.has_designs else values, entry.dimensions.index("crank_angle"), -1)
-    labels = result.labels_of(entry)
+    labels, titles = result.labels_of(entry), result.titles_of(entry)
     usual = _usual(result.machines[design])
     chosen = [_chosen(dimension, names, members.get(dimension), usual) for dimension, names in labels.items()]
     found = values[np.ix_(*chosen)] if chosen else values[np.newaxis]
     words: list[str] = [""]
-    for (dimension, names), places in zip(labels.items(), chosen, strict=True):
+    for (dimension, names), places in zip(titles.items(), chosen, strict=True):
         is_said = len(names) > 1 and (dimension in members or names[0] != _EXACT)
         each = [names[int(place)] if is_said else "" for place in places]
         words = [", ".join(filter(None, (before, word))) for before in words for word in each]

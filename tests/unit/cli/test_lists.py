@@ -41,7 +41,7 @@ def test_what_stands_behind_a_result(typed):
     heads = [lines.index(head) for head in ("What the machine file declares", "Stages, in the order in which they run")]
     assert heads == sorted(heads)
     stages = [line.split()[1] for line in lines[heads[1] + 1 :] if line[2:3].isdigit()]
-    assert stages[0] == "piston_turn" and stages[-1] == "main_bearing_loads"
+    assert stages[0] == "grid_motion" and stages[-1] == "main_bearing_loads"
     assert "      reads [gas]" in answer.output and "a calculator" in answer.output
 
 

@@ -105,7 +105,7 @@ def fact_tables(result: Result, names: Sequence[str], width: int) -> Iterator[st
 def _row(result: Result, name: str) -> FactRow:
     """Write a fact with at most one dimension; one member needs no name."""
     entry = result.catalogue[name]
-    members = tuple(label for labels in result.labels_of(entry).values() for label in labels)
+    members = tuple(label for titles in result.titles_of(entry).values() for label in titles)
     shown = figures(np.atleast_1d(getattr(result, name)), entry.shown)
     return FactRow(entry, shown.unit, dict(zip(members if len(members) > 1 else ("",), shown.texts, strict=True)))
 
@@ -176,7 +176,7 @@ def _lines(rows: Sequence[FactRow], members: Sequence[str], outer: str = "") -> 
 
 def _deep(result: Result, entries: Sequence[Entry], width: int) -> Iterator[str | Text]:
     """Facts with more dimensions, as of each piston by each method: a line for each method and group of pistons."""
-    *outer, members = result.labels_of(entries[0]).values()
+    *outer, members = result.titles_of(entries[0]).values()
     shown = [_of_members(getattr(result, entry.name), entry) for entry in entries]
     lines: list[_Line] = []
     rows: list[FactRow] = []

@@ -91,7 +91,7 @@ def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
     for entry in map(result.catalogue.__getitem__, names):
         if entry.is_fact:
             continue
-        labels = result.labels_of(entry)
+        labels = result.titles_of(entry)
         for place, method in rivals(labels):
             value, at, member = _refined(result, entry, place) or _in_steps(result, entry, place)
             shown = figures(np.array([value]), entry.shown)

@@ -5,7 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.design import Designs
 from cranktrain.layout.drive.grip_tables import BrakeSpec, ClutchSpec, GripSpec, StrokeSpec
 from cranktrain.layout.drive.shafts import shaft_number
@@ -18,6 +18,8 @@ from cranktrain.transient.clutched.courses import Grip
 from cranktrain.transient.gearing import Gearing
 
 MINUTE = 60.0
+SHAFT_TITLES = {"motor": N_("motor"), "shaft_{n}": N_("shaft {n}"), "crank": N_("crank")}
+"""What people call the shafts of a drive."""
 
 
 @record
@@ -31,7 +33,7 @@ class DeclaredDrive:
     ratio, forward, backward, drag, inertia : Array, shape (design, stage)
         As in `Gearing`.
     shafts : tuple of str
-        Their names, the motor's first, the crank's last.
+        Their keys, the motor's first, the crank's last.
     """
 
     needs: ClassVar[str] = N_("[drive]")
@@ -53,8 +55,8 @@ class DeclaredDrive:
 
 
 def shaft_names(n_stages: int) -> tuple[str, ...]:
-    """Names of the shafts of a drive; a motor on the crank has its shaft in common with it."""
-    return (_("motor"), *(_("shaft {n}", n=n) for n in range(1, n_stages)), _("crank"))[0 if n_stages else 1 :]
+    """Keys of the shafts of a drive, of `SHAFT_TITLES`; a motor on the crank has its shaft in common with it."""
+    return ("motor", *(f"shaft_{n}" for n in range(1, n_stages)), "crank")[0 if n_stages else 1 :]
 
 
 def declared_drive(spec: DriveSpec, motor: DeclaredMotor | None, designs: Designs) -> DeclaredDrive:

@@ -39,7 +39,10 @@ QUESTION = Question(
         Stage(shaking.rolling_moment),
         Stage(unlikely.unlikely_balance),
     ),
-    dimensions=(ResultDimension("balance", N_("balance"), own=-1), ResultDimension("weight", N_("weight"))),
+    dimensions=(
+        ResultDimension("balance", N_("balance"), own=-1),
+        ResultDimension("weight", N_("weight"), titles=weights.TITLES),
+    ),
     headline=("shaking_force_largest", "shaking_couple_largest"),
     title=N_("Balance"),
     rows=(

@@ -169,6 +169,16 @@ def _position_on(weight: WeightSpec, main: ShaftSpec) -> Array:
     return single(np.nan) if positions is None else positions[(weight.throw or 1) - 1]
 
 
+TITLES = {
+    "given_{n}": N_("given {n}"),
+    "throw_{throw}": N_("throw {throw}"),
+    "{on}.plane_{n}": N_("{on}, plane {n}"),
+    "plane_{n}": N_("plane {n}"),
+    "-{order}": N_("−{order}"),
+}
+"""What people call balance weights: by their place, or by how many times as fast as the crank they turn."""
+
+
 @record
 class BalanceWeights(StageResult):
     """Weights that balance the machine, given and solved for."""
@@ -251,7 +261,7 @@ def _without_noise(weights: RotatingWeights, frame: FrameForces) -> RotatingWeig
 def _given(weights: GivenWeights, frames: Frames) -> _Named:
     """Weights of the file."""
     return _Named(
-        tuple(_("given {n}", n=i + 1) for i in range(weights.ratio.shape[1])),
+        tuple(f"given_{i + 1}" for i in range(weights.ratio.shape[1])),
         RotatingWeights(
             ratio=weights.ratio,
             moment=weights.moment,
@@ -287,7 +297,7 @@ def _counterweights(
         if planes is None:
             part = _part(declared, rotating, swinging, shaking_own, share[:, np.newaxis])
             lot = on_crank(-part, z[:, own])
-            names = [_("throw {throw}", throw=throws.names[i]) for i in own]
+            names = [f"throw_{throws.names[i]}" for i in own]
         else:
             arm = z[:, own] - middle[:, np.newaxis]
             total = shaking(shaking_own, z[:, own], middle)
@@ -296,8 +306,7 @@ def _counterweights(
                 declared, np.sum(arm * rotating, axis=-1), np.sum(arm * swinging, axis=-1), total.couple, share
             )
             lot = two_plane_counterweights(force, couple, planes, middle)
-            named = _("plane {n}") if shaft == MAIN else _("{shaft}, plane {n}")
-            names = [named.format(n=n, shaft=shaft) for n in (1, 2)]
+            names = [f"{'' if shaft == MAIN else f'{shaft}.'}plane_{n}" for n in (1, 2)]
         shape = np.shape(lot.moment)
         place = np.broadcast_to(centre[:, throws.first[own[0]], np.newaxis], shape)
         yield _Named(tuple(names), lot._replace(ratio=np.full(shape, sense), angle=sense * lot.angle, place=place))
@@ -331,7 +340,7 @@ def _shafts(pair: ShaftsWanted, left: Shaking, middle: Array, frames: Frames) ->
     order, places = pair.order, running_axes(pair.places, clockwise=frames.clockwise)
     planes = middle[:, np.newaxis] if pair.planes is None else pair.planes
     if pair.against == "force":
-        return _Named((f"+{order}", f"−{order}"), lanchester_shafts(left.force, order, planes[:, 0], places))
+        return _Named((f"+{order}", f"-{order}"), lanchester_shafts(left.force, order, planes[:, 0], places))
     against = couple_of(left) if pair.against == "couple" else left
-    names = tuple(_("{turns}, plane {n}", turns=turns, n=n) for turns in (f"+{order}", f"−{order}") for n in (1, 2))
+    names = tuple(f"{turns}.plane_{n}" for turns in (f"+{order}", f"-{order}") for n in (1, 2))
     return _Named(names, two_plane_shafts(against, order, planes, places, middle))

@@ -4,14 +4,14 @@ from collections.abc import Iterator
 
 from cranktrain.language import N_
 from cranktrain.layout.design import Designs
-from cranktrain.layout.drive.declared import DeclaredDrive, declared_drive, declared_grips
+from cranktrain.layout.drive.declared import SHAFT_TITLES, DeclaredDrive, declared_drive, declared_grips
 from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, table
 from cranktrain.motors import motor_of
 from cranktrain.questions.reduction import rows
 from cranktrain.questions.reduction.half_periods import half_periods
 from cranktrain.questions.reduction.machines import reduced_machines
-from cranktrain.questions.reduction.static_torques import StaticTorques, static_torques
+from cranktrain.questions.reduction.static_torques import RULES, StaticTorques, static_torques
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
@@ -40,8 +40,8 @@ QUESTION = Question(
         Stage(half_periods),
     ),
     dimensions=(
-        ResultDimension("drive_shaft", N_("shaft of the drive")),
-        ResultDimension("loss_rule", N_("losses"), own=0),
+        ResultDimension("drive_shaft", N_("shaft of the drive"), titles=SHAFT_TITLES),
+        ResultDimension("loss_rule", N_("losses"), own=0, titles=RULES),
         ResultDimension("half_period", N_("half-period"), is_number=True),
     ),
     title=N_("Drive"),

@@ -24,7 +24,11 @@ from cranktrain.transient.gearing import Gearing, overall_ratio
 from cranktrain.transient.reduced import ReducedMachine
 
 THEORY = "docs/theory/reduced-machine"
-RULES = (N_("by transmitted torque"), N_("same efficiency back"), N_("always dividing"))
+RULES = {
+    "by_transmitted_torque": N_("by transmitted torque"),
+    "same_efficiency_back": N_("same efficiency back"),
+    "always_dividing": N_("always dividing"),
+}
 """Where losses go: by the sign of what a stage passes on, with its own efficiency back, or with that forward; or
 against the motor always, as [gandzha] has it."""
 
@@ -137,7 +141,7 @@ def static_torques(drive: DeclaredDrive, machines: ReducedMachines, crank_angle:
     at_motor = np.stack([own[:1] for own in torque])
     ranges = [_by_rule(own, gearing) for own, gearing in zip(facts, drive.gearings, strict=True)]
     return StaticTorques(
-        labels={"drive_shaft": drive.shafts, "loss_rule": tuple(_(rule) for rule in RULES)},
+        labels={"drive_shaft": drive.shafts, "loss_rule": tuple(RULES)},
         static_torque=np.stack(torque),
         static_motor_torque=np.concatenate([at_motor, np.stack(others)], axis=1),
         largest_static_motor_torque=np.stack([own[1] for own in ranges]),

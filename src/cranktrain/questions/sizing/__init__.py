@@ -8,7 +8,8 @@ from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, inner_table
 from cranktrain.questions.sizing import rows
 from cranktrain.questions.sizing.flywheel_sizing import DriveFlywheel, drive_flywheel
-from cranktrain.questions.sizing.motor_sizing import MotorSizing, motor_sizing
+from cranktrain.questions.sizing.motor_checks import CHECK_TITLES
+from cranktrain.questions.sizing.motor_sizing import SIZED_MOTORS, MotorSizing, motor_sizing
 from cranktrain.questions.sizing.parts import WantedFlywheel, declared_duty, wanted_flywheel
 
 
@@ -30,7 +31,10 @@ QUESTION = Question(
     "sizing",
     parts=_parts,
     stages=(Stage(motor_sizing), Stage(drive_flywheel, applies=is_flywheel_wanted)),
-    dimensions=(ResultDimension("sized_motor", N_("motor")), ResultDimension("sizing_check", N_("check"))),
+    dimensions=(
+        ResultDimension("sized_motor", N_("motor"), titles=SIZED_MOTORS),
+        ResultDimension("sizing_check", N_("check"), titles=CHECK_TITLES),
+    ),
     title=N_("Drive"),
     rows=(rows.sizing_rows, rows.flywheel_rows),
     uses=(

@@ -19,39 +19,55 @@ from cranktrain.questions.sizing.starting import inertia_ratio, starts_per_hour
 from cranktrain.transient.gearing import Gearing, overall_ratio
 from cranktrain.transient.reduced import ReducedMachine
 
+_LOADED, _UNLOADED, _VALVES_OPEN, _BEFORE_CLUTCH = (
+    "start_at_worst_angle",
+    "unloaded_start",
+    "start_with_valves_open",
+    "start_behind_clutch",
+)
 SIZING_CHECKS = (
-    N_("effective torque"),
-    N_("largest torque"),
-    N_("start at the worst angle"),
-    N_("time of a start"),
-    N_("starts an hour"),
-    N_("ratio of inertias"),
-    N_("speed"),
+    "effective_torque",
+    "largest_torque",
+    _LOADED,
+    "start_time",
+    "starts_an_hour",
+    "inertia_ratio",
+    "speed",
 )
 """What a motor is checked for, in this order."""
-START = SIZING_CHECKS.index("start at the worst angle")
-_UNLOADED = N_("start, unloaded")
-_VALVES_OPEN = N_("start, suction valves held open")
-_BEFORE_CLUTCH = N_("start, clutch let go")
+START = SIZING_CHECKS.index(_LOADED)
+CHECK_TITLES = {
+    "effective_torque": N_("effective torque"),
+    "largest_torque": N_("largest torque"),
+    _LOADED: N_("start at the worst angle"),
+    _UNLOADED: N_("start, unloaded"),
+    _VALVES_OPEN: N_("start, suction valves held open"),
+    _BEFORE_CLUTCH: N_("start, clutch let go"),
+    "start_time": N_("time of a start"),
+    "starts_an_hour": N_("starts an hour"),
+    "inertia_ratio": N_("ratio of inertias"),
+    "speed": N_("speed"),
+}
+"""What people call the checks."""
 _SERVO_RATIO = 10.0
 _N_ANGLES = 720
 
 
-def check_names(duty: DeclaredDuty, *, has_clutch: bool) -> tuple[str, ...]:
-    """What a motor is checked for, in the user's language; of a start without load no angle is the worst."""
-    start = SIZING_CHECKS[START]
+def check_keys(duty: DeclaredDuty, *, has_clutch: bool) -> tuple[str, ...]:
+    """What a motor is checked for; of a start without load no angle is the worst."""
+    start = _LOADED
     if has_clutch:
         start = _BEFORE_CLUTCH
     elif duty.starts_unloaded:
         start = _UNLOADED
     elif duty.holds_valves_open:
         start = _VALVES_OPEN
-    return tuple(_(start if place == START else name) for place, name in enumerate(SIZING_CHECKS))
+    return tuple(start if check == _LOADED else check for check in SIZING_CHECKS)
 
 
-def is_with_load(name: str) -> bool:
-    """Whether a check, by its name for users, is of a start with all loads at the worst crank angle."""
-    return name == _(SIZING_CHECKS[START])
+def is_with_load(check: str) -> bool:
+    """Whether a check is of a start with all loads at the worst crank angle."""
+    return check == _LOADED
 
 
 class AskedOfMotor(NamedTuple):

@@ -1,6 +1,6 @@
 """Which motor is enough: the declared one against every check, and the smallest of the small catalogue that passes."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
 from functools import cache
 from typing import NamedTuple
@@ -20,11 +20,12 @@ from cranktrain.questions.reduction.static_torques import StaticTorques
 from cranktrain.questions.reduction.unloaded import starting_torques, with_open_valves, without_loads
 from cranktrain.questions.sizing.checks import TorqueDemand, motor_choice
 from cranktrain.questions.sizing.motor_checks import (
+    CHECK_TITLES,
     UNCHECKED,
     AskedOfMotor,
     CheckedMotor,
     MotorAtMachine,
-    check_names,
+    check_keys,
     checked_motor,
     is_with_load,
     mean_inertia,
@@ -33,12 +34,17 @@ from cranktrain.questions.sizing.parts import DeclaredDuty
 from cranktrain.record import record
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged
+from cranktrain.saying.labels import titled
 from cranktrain.saying.wording import Names, number
 from cranktrain.transient.gearing import Gearing, overall_ratio, turning_inertia
 
 _THEORY = "docs/theory/drive"
 _EACH = ("sized_motor",)
-SIZED_MOTORS = (N_("as declared"), N_("smallest that passes"), N_("next smaller"))
+SIZED_MOTORS = {
+    "declared": N_("as declared"),
+    "smallest": N_("smallest that passes"),
+    "next_smaller": N_("next smaller"),
+}
 _SHOWN = ("rms", "peak", "start_time", "rotor_heat", "inertia_ratio")
 """Of a checked motor, in the order of `MotorSizing`."""
 _PACE = 0.1
@@ -82,7 +88,7 @@ class MotorSizing(Flagged):
         said = _(
             "Of typical four-pole motors {power} is enough, governed by: {check}, {share}.",
             power=number(float(self.sized_power[design, 1]), "kW"),
-            check=self.governing(design, 1),
+            check=titled(CHECK_TITLES, self.governing(design, 1)),
             share=number(chosen, "%"),
         )
         if np.isnan(smaller):
@@ -90,10 +96,10 @@ class MotorSizing(Flagged):
         missed = _("{power} misses by {by}: {check}.") if np.isfinite(smaller) else _("{power} cannot: {check}.")
         power = number(float(self.sized_power[design, 2]), "kW")
         by = number(smaller - 1, "%") if np.isfinite(smaller) else ""
-        return f"{said} {missed.format(power=power, by=by, check=self.governing(design, 2))}"
+        return f"{said} {missed.format(power=power, by=by, check=titled(CHECK_TITLES, self.governing(design, 2)))}"
 
     def governing(self, design: int, which: int) -> str:
-        """Name of the check whose share is largest; nothing where none is known."""
+        """The check whose share is largest; nothing where none is known."""
         shares = self.sizing_share[design, which]
         return "" if np.all(np.isnan(shares)) else self.labels["sizing_check"][first_largest(shares)]
 
@@ -148,7 +154,7 @@ def motor_sizing(
     rows: list[tuple[CheckedMotor, ...]] = []
     rated: list[list[tuple[float, float]]] = []
     flags: list[str] = []
-    names = check_names(duty, has_clutch=clutch is not None)
+    checks = check_keys(duty, has_clutch=clutch is not None)
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value)).tolist()
     for design, gearing in enumerate(drive.gearings):
         is_asked_torque = float(static.mean_static_torque[design, 0]) > 0
@@ -164,7 +170,7 @@ def motor_sizing(
             flags.append(reason)
         rows.append((own, *found))
         rated.append([_rated(motor, design), *(_rated(typical_motors(), place) for place in places)])
-        flags += _beyond(own, names, has_valves=len(machines.each[design].chambers) > 0) if motor is not None else ()
+        flags += _beyond(own, checks, has_valves=len(machines.each[design].chambers) > 0) if motor is not None else ()
     points = np.array(rated)
     columns = [np.array([[getattr(one, name) for one in row] for row in rows]) for name in _SHOWN]
     return MotorSizing(
@@ -174,8 +180,8 @@ def motor_sizing(
         points[..., 1],
         *columns,
         labels={
-            "sized_motor": tuple(_(name) for name in SIZED_MOTORS),
-            "sizing_check": names,
+            "sized_motor": tuple(SIZED_MOTORS),
+            "sizing_check": checks,
         },
         flags=tuple(dict.fromkeys(flags)),
         unknown=rows[0][0].unknown,
@@ -284,17 +290,19 @@ def _other_pace(gearing: Gearing, motor: DeclaredMotor | None, design: int, decl
     return said.format(typical=number(typical, "rpm"), wanted=number(wanted, "rpm"))
 
 
-def _beyond(own: CheckedMotor, names: tuple[str, ...], *, has_valves: bool) -> Iterator[str]:
+def _beyond(own: CheckedMotor, checks: Sequence[str], *, has_valves: bool) -> Iterator[str]:
     """Flag what the declared motor cannot do; of a start with its load at the worst angle what helps as well."""
-    for share, name in zip(own.shares.tolist(), names, strict=True):
+    for share, check in zip(own.shares.tolist(), checks, strict=True):
         if np.isfinite(share) and share > 1:
             said = _("The motor is too small: {check} {share} of what it can.")
-            if is_with_load(name):
+            if is_with_load(check):
                 said = _(
                     "A start with its load at the worst angle asks {share} of the motor: if it need not, {helps};"
                     " or another [drive.start] angle, from which a flywheel carries it past the worst."
                 )
-            yield said.format(check=name, share=number(share, "%"), helps=_what_helps(has_valves=has_valves))
+            yield said.format(
+                check=titled(CHECK_TITLES, check), share=number(share, "%"), helps=_what_helps(has_valves=has_valves)
+            )
 
 
 def _what_helps(*, has_valves: bool) -> str:

@@ -6,8 +6,9 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.questions.sizing.flywheel_sizing import DriveFlywheel
-from cranktrain.questions.sizing.motor_checks import is_with_load
+from cranktrain.questions.sizing.motor_checks import CHECK_TITLES, is_with_load
 from cranktrain.questions.sizing.motor_sizing import MotorSizing
+from cranktrain.saying.labels import titled
 from cranktrain.saying.rows import Amount, AnswerLine, worded
 from cranktrain.saying.wording import Names
 
@@ -35,12 +36,12 @@ def _used(found: MotorSizing, design: int) -> Iterator[AnswerLine]:
     """Every share of the declared motor that is asked for; of a start with its load at the worst angle, if it must."""
     shares: dict[str, Amount | str] = {}
     words: list[str] = []
-    for name, share in zip(found.labels["sizing_check"], found.sizing_share[design, 0].tolist(), strict=True):
+    for check, share in zip(found.labels["sizing_check"], found.sizing_share[design, 0].tolist(), strict=True):
         if np.isfinite(share):
             piece = f"share_{len(shares)}"
             shares[piece] = Amount(share, "%")
-            said = _("{share} if it must start with load at the worst angle") if is_with_load(name) else ""
-            words.append((said or _("{check} {share}")).format(check=name, share=f"{{{piece}}}"))
+            said = _("{share} if it must start with load at the worst angle") if is_with_load(check) else ""
+            words.append((said or _("{check} {share}")).format(check=titled(CHECK_TITLES, check), share=f"{{{piece}}}"))
     if shares:
         yield worded(_("motor is used to"), ", ".join(words), **shares)
     if found.unknown:
@@ -52,7 +53,7 @@ def _smaller(found: MotorSizing, design: int, share: float) -> dict[str, Amount 
     if not np.isfinite(share):
         return {}
     power = Amount(float(found.sized_power[design, 2]), "W")
-    return {"less": power, "by": Amount(share - 1, "%"), "missed": found.governing(design, 2)}
+    return {"less": power, "by": Amount(share - 1, "%"), "missed": titled(CHECK_TITLES, found.governing(design, 2))}
 
 
 def flywheel_rows(labels: Names, design: int, found: DriveFlywheel) -> Iterator[AnswerLine]:
