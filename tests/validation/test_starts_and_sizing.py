@@ -88,4 +88,4 @@ def test_valves_that_are_held_open_leave_the_other_loads():
     assert shares["open"] == pytest.approx(10.0 / (0.81 * least), rel=1e-6)
     assert shares["unloaded"] == pytest.approx(0.0, abs=1e-9)
     assert shares["loaded"] > 5 * shares["open"]
-    assert "start, suction valves held open" in found["open"].labels["sizing_check"]
+    assert "start_with_valves_open" in found["open"].labels["sizing_check"]

@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import field, fields
 from functools import cache, cached_property
-from types import MappingProxyType, NoneType
+from types import NoneType
 from typing import Any, NamedTuple, TypeAlias, get_args, get_origin, get_type_hints
 
 from cranktrain.errors import Problem
@@ -194,7 +194,7 @@ class ResultDimension(NamedTuple):
     family: str = ""
     own: int | None = None
     is_apart: bool = False
-    titles: Titles = MappingProxyType({})
+    titles: Titles = {}  # noqa: RUF012 - nobody changes them
 
     def called(self, labels: Sequence[str]) -> tuple[str, ...]:
         """Say what people call some members."""

@@ -44,7 +44,7 @@ def test_largest_values_of_curves(name, typed):
     rows = joined(said.partition("Largest values")[2])
     for one, entry in curves:
         dimension = entry.dimensions[0]
-        methods = result.labels[dimension]
+        methods = result.titles[dimension]
         own = [row for row in rows if row.split()[0] == one]
         assert len(own) == len(methods)
         for row in own:

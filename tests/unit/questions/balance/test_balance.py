@@ -150,7 +150,7 @@ def test_given_weight_stands_opposite_its_throw():
     )
     assert np.degrees(found.balance_weight_angle) % 360 == pytest.approx([250])
     assert found.balance_weight_position == pytest.approx([0.1])
-    assert found.labels["weight"] == ("given 1",)
+    assert found.labels["weight"] == ("given_1",)
 
 
 def test_given_shaft_does_what_a_solved_one_does():
@@ -228,7 +228,7 @@ def test_counterweights_on_both_shafts():
     )
     assert found.shaking_force_largest[0, 0] > 0.1 * UNIT
     assert np.max(found.shaking_force_largest[1]) < 1e-10 * UNIT
-    assert found.labels["weight"] == ("throw 1", "throw upper.1")
+    assert found.labels["weight"] == ("throw_1", "throw_upper.1")
     np.testing.assert_array_equal(found.balance_weight_ratio, [1, -1])
     np.testing.assert_allclose(found.balance_weight_moment, 2 * np.hypot(0.03, 0.005), rtol=1e-10)
     # what shakes no more rolls no more: nothing else has momentum

@@ -82,7 +82,7 @@ def test_it_is_said_where_the_number_stands(started):
         np.testing.assert_array_equal([piece.value for piece in row.pieces.values()], sized.sizing_share[0, :4])
     assert any(flag.startswith("A start with its load at the worst angle asks") for flag in own.flags)
     assert not any("start" in flag for flag in started.flags)
-    assert "start, unloaded" in started.labels["sizing_check"]
+    assert "unloaded_start" in started.labels["sizing_check"]
     np.testing.assert_array_equal(own.sizing_share[0, :2], started.sizing_share[0, :2])
 
 
