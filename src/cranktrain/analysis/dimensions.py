@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
-from itertools import product
+from itertools import chain, product
 
 from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
@@ -20,7 +20,8 @@ def dimension_named(name: str) -> ResultDimension:
     """Give a dimension: one that questions share, or that one of them brings, which has been asked where it is met."""
     if name in _SHARED:
         return _SHARED[name]
-    brought = (one for question in (*QUESTIONS.loaded, *QUESTIONS) for one in question.dimensions)
+    # No other question is loaded where one that is has it.
+    brought = (one for question in chain(QUESTIONS.loaded, QUESTIONS) for one in question.dimensions)
     return next(one for one in brought if one.name == name)
 
 
