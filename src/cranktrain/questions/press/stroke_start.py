@@ -127,7 +127,7 @@ def _events(case: PressCase, runs: list[PressRun]) -> Iterator[StartEvent]:
             if event.kind in STROKE_EVENTS:
                 state = event.moment.state
                 angle, speed = float(state[ANGLE]) - case.zero, float(state[SPEED])
-                yield StartEvent(_(STROKE_EVENTS[event.kind]), event.moment.time, angle, speed)
+                yield StartEvent(STROKE_EVENTS[event.kind], event.moment.time, angle, speed)
 
 
 def _longest_stop(case: PressCase, settled: SettledStroke) -> WorstStop | None:

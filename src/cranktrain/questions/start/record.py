@@ -1,6 +1,6 @@
 """What became of a start: its curves over time, its events, why it ended."""
 
-from cranktrain.language import N_
+from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.saying.catalogue import quantity
@@ -32,12 +32,20 @@ class StartCurves:
 
 @record
 class StartEvent:
-    """Something on the way: its name; time, crank angle as shown, counted on, speed of the crank. [s, rad, rad/s]"""
+    """Something on the way: what it is, not yet translated; time, angle as shown, counted on, speed of the crank.
 
-    name: str
+    [s, rad, rad/s]
+    """
+
+    sort: str
     time: float
     angle: float
     speed: float
+
+    @property
+    def name(self) -> str:
+        """What people call it."""
+        return _(self.sort)
 
 
 @record

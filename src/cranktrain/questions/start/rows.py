@@ -102,7 +102,7 @@ def _stroke_rows(found: StrokeRun) -> Iterator[AnswerLine]:
 
 def _reversals(run: StartRun) -> int:
     """How often it turned round and went on the other way."""
-    return sum(event.name == _(EVENTS[REVERSAL]) for event in run.events)
+    return sum(event.sort == EVENTS[REVERSAL] for event in run.events)
 
 
 def _last(curve: Array) -> float:

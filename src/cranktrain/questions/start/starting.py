@@ -256,7 +256,7 @@ def _events(case: StartCase, runs: list[tuple[_Span, Run]]) -> Iterator[StartEve
             if event.kind == endings.REVERSAL and span.start + event.time in held:
                 continue
             yield StartEvent(
-                _(NEARLY_STEADY if event.kind == endings.SPEED_PASSED and case.is_to_settle else EVENTS[event.kind]),
+                NEARLY_STEADY if event.kind == endings.SPEED_PASSED and case.is_to_settle else EVENTS[event.kind],
                 float(span.start + event.time),
                 float(event.angle - case.zero),
                 float(event.speed),
