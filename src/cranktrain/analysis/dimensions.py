@@ -32,18 +32,13 @@ class Titled(Mapping[str, tuple[str, ...]]):
         self._labels = labels
 
     def __getitem__(self, dimension: str) -> tuple[str, ...]:
-        return called(dimension, self._labels[dimension])
+        return dimension_named(dimension).called(self._labels[dimension])
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._labels)
 
     def __len__(self) -> int:
         return len(self._labels)
-
-
-def called(dimension: str, labels: Sequence[str]) -> tuple[str, ...]:
-    """Say what people call some members along a dimension."""
-    return dimension_named(dimension).called(labels)
 
 
 def rivals(labels: Mapping[str, Sequence[str]]) -> Iterator[tuple[Place, str]]:

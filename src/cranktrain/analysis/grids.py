@@ -10,7 +10,7 @@ from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts
 from cranktrain.motion import Array
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.nested import each_changed
 from cranktrain.numerics.ties import largest_first
 from cranktrain.saying.catalogue import entries, values
 
@@ -49,7 +49,7 @@ def with_curves(facts: Outcome, curves: Outcome, every: int) -> Outcome:
         Of so many points one is taken.
     """
     fields = {entry.path.partition(".")[0]: None for entry in entries(type(curves)) if not entry.is_fact}
-    held = mapped(lambda _name, curve: curve[..., ::every], tuple(getattr(curves, name) for name in fields))
+    held = each_changed(lambda curve: curve[..., ::every], tuple(getattr(curves, name) for name in fields))
     return cast("Outcome", replace(cast("Any", facts), **dict(zip(fields, held, strict=True))))
 
 

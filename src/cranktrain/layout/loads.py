@@ -20,7 +20,7 @@ from cranktrain.linkage.vectors import Vector, rotated
 from cranktrain.mechanisms.kind import AnyGeometry
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics.designs import by_design
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.nested import each_changed
 from cranktrain.quantities import Dimension, Given, nearest, unit_of
 from cranktrain.record import record
 from cranktrain.saying.wording import precise
@@ -150,7 +150,7 @@ def _stretched(load: LinkLoad, spec: LoadSpec, place: PlacedMechanism) -> LinkLo
     if spec.file is None or spec.over is None or not isinstance(load.law, ByTravel):
         return load
     over, places = spec.over
-    geometry = mapped(lambda _name, part: np.reshape(part, (-1, 1, 1)), place.geometry)
+    geometry = each_changed(lambda part: np.reshape(part, (-1, 1, 1)), place.geometry)
     phase = np.reshape(place.phase, (-1, 1, 1))
     whole = travel_of(lambda phi: _way(load, place, phi + phase, geometry))[:, 0]
     unit = unit_of(places[-1], Dimension.LENGTH if over == "travel" else Dimension.ANGLE)
@@ -385,4 +385,4 @@ def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iter
 
 def of_member(link: Link, member: int) -> Link:
     """One member's link among those of its kind, shape (design, member, n)."""
-    return mapped(lambda _name, part: part[:, member : member + 1] if np.ndim(part) == 3 else part, link)
+    return each_changed(lambda part: part[:, member : member + 1] if np.ndim(part) == 3 else part, link)

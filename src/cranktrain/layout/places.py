@@ -13,7 +13,7 @@ from cranktrain.mechanisms import MechanismSpec, kind_of
 from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, mirrored
 from cranktrain.mechanisms.spec import Master
 from cranktrain.motion import Array, single
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.nested import each_changed
 from cranktrain.record import record
 
 
@@ -179,10 +179,10 @@ class _Metal:
         hung = None
         if master is not None:
             hung = Master(self.kind(master).geometry(master.spec, None), slot.file_axis - master.file_axis)
-        return mapped(_plain, self.kind(slot).geometry(slot.spec, hung))
+        return each_changed(_plain, self.kind(slot).geometry(slot.spec, hung))
 
 
-def _plain(_name: str, value: Array) -> Array:
+def _plain(value: Array) -> Array:
     """Take what is one number as a number, so that geometries can be compared."""
     return single(float(value)) if np.ndim(value) == 0 else value
 

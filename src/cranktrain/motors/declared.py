@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.language import N_, _
 from cranktrain.motion import ONE, Array, single
 from cranktrain.motors.law import BriefLimits, ByTime, MotorLaw
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.nested import each_changed
 from cranktrain.numerics.ties import first_largest
 from cranktrain.record import record
 from cranktrain.saying.wording import number
@@ -94,11 +94,11 @@ class DeclaredMotor:
         numbers, of_current = self.numbers, self.current_numbers
         return replace(
             self,
-            numbers=mapped(lambda _name, number: change(number), numbers),
+            numbers=each_changed(change, numbers),
             rating=Rating(*map(change, self.rating)),
             top_speed=change(self.top_speed),
             inertia=None if self.inertia is None else change(self.inertia),
-            current_numbers=None if of_current is None else mapped(lambda _name, number: change(number), of_current),
+            current_numbers=None if of_current is None else each_changed(change, of_current),
             rated_current=change(self.rated_current),
             slip_ratio=change(self.slip_ratio),
         )
@@ -155,7 +155,7 @@ class DeclaredMotor:
         """The most that a motor which gives what it is asked for gives either way, shape (n,). [N·m]"""
         if self.law.ceiling is None:
             raise ValueError(f"{self.law.name} gives what its law says, not what it is asked for")
-        return self.law.ceiling(speed, mapped(lambda _name, number: number[..., design], self.numbers))
+        return self.law.ceiling(speed, each_changed(lambda number: number[..., design], self.numbers))
 
     def is_free(self, design: int) -> bool:
         """Whether it gives what torque its speed takes: one that is asked for nothing less than its ceiling."""
@@ -178,7 +178,7 @@ class DeclaredMotor:
 
     def row(self, design: int) -> tuple[Any, ...]:
         """Numbers of one design, plain floats, as kernels of one machine take them; of points of a curve an array."""
-        return mapped(lambda _name, number: _plain(number[..., design]), self.numbers)
+        return each_changed(lambda number: _plain(number[..., design]), self.numbers)
 
     def _by_time(self, kernel: ByTime | None, numbers: Any, speed: Array, time: Array | float) -> Array:
         if kernel is None:
@@ -187,7 +187,7 @@ class DeclaredMotor:
 
 
 def _over_speeds(numbers: tuple[Any, ...]) -> tuple[Any, ...]:
-    return mapped(lambda _name, number: number[..., np.newaxis], numbers)
+    return each_changed(lambda number: number[..., np.newaxis], numbers)
 
 
 def _plain(number: Any) -> Any:

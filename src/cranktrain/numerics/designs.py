@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.numerics.nested import Nested, filled, leaves, mapped
+from cranktrain.numerics.nested import Nested, each_changed, filled, leaves
 
 Numbers = TypeVar("Numbers", bound=tuple[object, ...])
 
@@ -76,10 +76,10 @@ def of_designs(parts: Nested, designs: NDArray[np.intp]) -> Nested:
            [3.]]), array([4, 5]))
     """
 
-    def taken(_name: str, value: Array) -> Array:
+    def taken(value: Array) -> Array:
         return value[designs] if isinstance(cast(object, value), np.ndarray) and value.dtype.kind == "f" else value
 
-    return mapped(taken, parts)
+    return each_changed(taken, parts)
 
 
 def over_designs(find: Callable[[Numbers], Nested], numbers: Numbers) -> Nested:

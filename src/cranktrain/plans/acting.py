@@ -18,7 +18,7 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics
 from cranktrain.mechanisms.kind import AnyGeometry, rows
 from cranktrain.motion import Array, Link
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.nested import each_changed
 from cranktrain.plans.acting_loads import ActingLoad, acting_loads, load_symbols
 from cranktrain.plans.force_sides import Cause, PolygonForce
 from cranktrain.plans.placement import frame
@@ -122,7 +122,7 @@ def member_of(machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, a
     at, batch = next((i, batch) for i, batch in enumerate(loaded.mechanisms.batches) if index in batch.index)
     member = batch.index.tolist().index(index)
     shape = (1, batch.index.size, angle.size)
-    solved = mapped(lambda _name, part: np.broadcast_to(part, shape)[0, member], loaded.solved(angle)[at])
+    solved = each_changed(lambda part: np.broadcast_to(part, shape)[0, member], loaded.solved(angle)[at])
     size = rows(batch.members.geometry, np.array(member))
     bodies = rows(loaded.masses.batches[at].bodies, np.array(member))
     return LoadedMechanism(machine, loaded, place, angle, size, bodies, solved)

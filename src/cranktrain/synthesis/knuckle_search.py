@@ -9,7 +9,7 @@ from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.articulated_rod.kinematics import articulated_rod_gap
 from cranktrain.motion import Array, single
 from cranktrain.numerics import bracketed_roots, smallest, turn_grid
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.nested import each_changed, mapped
 from cranktrain.numerics.ties import largest_first
 from cranktrain.synthesis.knuckle_equations import (
     HALF_THE_DIGITS,
@@ -121,7 +121,7 @@ def _range(rod: ArticulatedRod, free: Free) -> Array:
 def _one_by_one(rods: ArticulatedRod, n_rods: int) -> list[ArticulatedRod]:
     """Take stacked rods apart into rods of single numbers."""
     return [
-        mapped(lambda _name, value, i=i: single(float(np.broadcast_to(value, n_rods)[i])), rods) for i in range(n_rods)
+        each_changed(lambda value, i=i: single(float(np.broadcast_to(value, n_rods)[i])), rods) for i in range(n_rods)
     ]
 
 

@@ -25,7 +25,7 @@ from cranktrain.mechanisms.chain.steps import (
 from cranktrain.mechanisms.chain.triads import triad_ends, triad_legs
 from cranktrain.mechanisms.chain.walks import sign_of
 from cranktrain.motion import Array, single
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.nested import each_changed
 from cranktrain.numerics.ties import smallest_of
 
 _TRIED = 12
@@ -80,7 +80,7 @@ def made_above(structure: Structure, place: int, size: ChainSize) -> Made:
     """All that stands above a group, where the crank `main` lies along x."""
     with np.errstate(all="ignore"):
         made = chain_made(structure._replace(steps=structure.steps[:place]), single(0.0), size)
-    return {name: mapped(lambda _name, array: single(np.asarray(array).item()), part) for name, part in made.items()}
+    return {name: each_changed(lambda array: single(np.asarray(array).item()), part) for name, part in made.items()}
 
 
 def _outside(structure: Structure, step: SwivelStep, made: Made) -> float:

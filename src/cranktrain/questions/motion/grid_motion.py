@@ -40,13 +40,14 @@ class GridMotion:
 
 def grid_motion(mechanisms: Mechanisms, crank_angle: CrankAngle) -> GridMotion:
     """Evaluate every mechanism's kernel over one turn, which all turns of the cycle repeat."""
-    turn, n_angles = crank_angle.first_turn, crank_angle.shown.size
+    turn = crank_angle.first_turn
     found = (batch.kind.motion(turn + batch.members.phase, batch.members.geometry) for batch in mechanisms.batches)
-    return GridMotion(mechanisms, tuple(_over_cycle(motion, turn.shape[-1], n_angles) for motion in found), n_angles)
+    return GridMotion(mechanisms, tuple(_over_cycle(motion, crank_angle) for motion in found), crank_angle.shown.size)
 
 
-def _over_cycle(motion: AnyMotion, n_turn: int, n_angles: int) -> AnyMotion:
+def _over_cycle(motion: AnyMotion, crank_angle: CrankAngle) -> AnyMotion:
     """Motion of a turn at all angles; what stands still is as it is."""
+    n_turn = crank_angle.first_turn.shape[-1]
     # One array may stand in several places of a motion, as the crank pin does.
     known: dict[int, Array] = {}
 
@@ -54,7 +55,7 @@ def _over_cycle(motion: AnyMotion, n_turn: int, n_angles: int) -> AnyMotion:
         if np.shape(values)[-1:] != (n_turn,):
             return values
         if id(values) not in known:
-            known[id(values)] = np.concatenate([values] * (n_angles // n_turn), axis=-1)
+            known[id(values)] = crank_angle.over_cycle(values)
         return known[id(values)]
 
     return each_changed(repeated, motion)
