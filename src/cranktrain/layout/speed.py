@@ -43,19 +43,22 @@ class SpeedCurve:
     corners: Array | None = None
 
     def drive(self, angle: Array) -> Drive:
-        """How the crank turns at φ [rad], shape (n,) or (design, m, n): arrays of shape (design, m or 1, n).
+        """How the crank turns at φ [rad], shape (n,) or (design, m, n): arrays of shape (design, m or 1, n)."""
+        turning = self.along_angle(angle)
+        if self.moment is None:
+            return turning
+        return turning._replace(acceleration=turning.acceleration + self.moment)
+
+    def along_angle(self, angle: Array) -> Drive:
+        """The same with what of the acceleration is the speed's own change by the crank angle: of one moment, none.
 
         Notes
         -----
         ε = ω dω/dφ = ½ (ω²)′. docs/theory/evenness, eq. (17.19).
         """
         shown = angle - self.zero
-        flat = shown.reshape(len(shown), -1)
-        square = self.square.motion(flat)
-        acceleration = square.first.reshape(shown.shape) / 2
-        if self.moment is not None:
-            acceleration = acceleration + self.moment
-        return Drive(np.sqrt(square.value).reshape(shown.shape), acceleration)
+        square = self.square.motion(shown.reshape(len(shown), -1))
+        return Drive(np.sqrt(square.value).reshape(shown.shape), square.first.reshape(shown.shape) / 2)
 
     def answer(self, _names: Names, design: int) -> str:
         """Say at which speed everything is."""

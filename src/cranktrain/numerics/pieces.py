@@ -67,6 +67,8 @@ class Windows(NamedTuple):
     is_piece : array of bool, shape (curve, peak, piece)
     scale : Array, shape (curve,)
         Largest size of each curve, about.
+    wide : float
+        Half the width of a window. [rad]
     period : float
         [rad]
     shape : tuple of int
@@ -80,6 +82,7 @@ class Windows(NamedTuple):
     level: Array
     is_piece: NDArray[np.bool_]
     scale: Array
+    wide: float
     period: float
     shape: tuple[int, ...]
 
@@ -118,7 +121,7 @@ def windows_between(grid: Array, samples: Array, breaks: Array) -> Windows:
     known = np.fmax(samples.reshape(-1, n_points), -np.inf)
     scale = np.fmax.reduce(np.abs(samples), axis=-1, initial=0.0).reshape(-1)
     own_breaks = np.broadcast_to(breaks, (*shape, breaks.shape[-1])).reshape(len(known), breaks.shape[-1])
-    places = _places(known, scale[:, np.newaxis], _near_breaks(own_breaks, grid, n_points))
+    places = _places(known, scale[:, np.newaxis], _at_breaks(own_breaks, grid, n_points))
     centre = np.where(places >= 0, grid[places], np.nan)
     return _windows_about(centre, own_breaks, scale, _ABOUT * step, step * n_points)._replace(shape=shape)
 
@@ -158,7 +161,7 @@ def _windows_about(centre: Array, breaks: Array, scale: Array, wide: float, peri
     # What is level from before its grid point on begins, for us, there.
     level = np.where((piece == 0) & (start * end < 0), -(end + start) / (end - start), -1.0)
     angle = middle[:, np.newaxis] + half[:, np.newaxis] * _NODES
-    return Windows(row, angle, middle, half, level, is_piece, scale, period, scale.shape)
+    return Windows(row, angle, middle, half, level, is_piece, scale, wide, period, scale.shape)
 
 
 def _peaks_of(curves: Curves, windows: Windows) -> Peak:
@@ -169,8 +172,7 @@ def _peaks_of(curves: Curves, windows: Windows) -> Peak:
 
 def peaks_in(windows: Windows, values: Array) -> Peak:
     """Largest value of each curve, shapes of its leading axes, from its values in the windows, shape (p, k)."""
-    found = _tops(windows, values)
-    best = _first_of_the_best(*found, windows.scale[:, np.newaxis], windows.period)
+    best = _first_of_the_best(_tops(windows, values), windows)
     return Peak(*(part.reshape(windows.shape) for part in best))
 
 
@@ -196,19 +198,35 @@ def _some(curves: Curves, rows: NDArray[np.intp], which: NDArray[np.intp], angle
     return curves(rows[which], angle)
 
 
-def _tops(windows: Windows, values: Array) -> Peak:
-    """Top of every piece, shape (curve, peak, piece): −∞ for none."""
+class _Tops(NamedTuple):
+    """Top of every piece, as `Peak` has it, shapes (curve, peak, piece), −∞ for none; and which are not sure.
+
+    Where a piece ends and the curve goes on, and where it is level to rounding, the next piece or window may have the
+    top itself.
+    """
+
+    angle: Array
+    value: Array
+    side: Array
+    is_unsure: NDArray[np.bool_]
+
+
+def _tops(windows: Windows, values: Array) -> _Tops:
+    """Find the top of every piece."""
     is_piece, scale = windows.is_piece, windows.scale
     with np.errstate(all="ignore"):
         base = values[:, _N_NODES // 2]
         powers = product(values - base[:, np.newaxis], _TO_POWERS.T)
-        way = _top(powers, scale[windows.row], windows.level)
+        way, is_level = _top(powers, scale[windows.row], windows.level)
         value = base + polynomial_value(powers.T, way)
     top, angle, at = np.full((3, *is_piece.shape), np.nan)
     top[is_piece], angle[is_piece], at[is_piece] = value, windows.middle + windows.half * way, way
     ends = np.full((2, *is_piece.shape), np.nan)
     ends[0, is_piece], ends[1, is_piece] = base + product(powers, _FROM_ENDS.T).T
-    return Peak(angle, np.where(np.isnan(top), -np.inf, top), _sides(at, ends, scale[:, np.newaxis, np.newaxis]))
+    sides = _sides(at, ends, scale[:, np.newaxis, np.newaxis])
+    is_unsure = (np.abs(at) >= _AT_END) & (sides == 0.0)
+    is_unsure[is_piece] |= is_level
+    return _Tops(angle, np.where(np.isnan(top), -np.inf, top), sides, is_unsure)
 
 
 def in_slots(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Array, NDArray[np.intp]]:
@@ -250,22 +268,41 @@ def in_windows(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Arra
     return laid, slot[number]
 
 
-def _near_breaks(breaks: Array, grid: Array, n_points: int) -> NDArray[np.bool_]:
-    """Whether there is a break next to each point of the grid, shape (curve, n)."""
-    near = np.zeros((len(breaks), n_points), dtype=np.bool_)
+class _GridBreaks(NamedTuple):
+    """Breaks of curves beside the points of a grid.
+
+    near: whether there is one next to each point, shape (curve, n); between: whether on both sides of it; on: the
+    points, by curve and place, on which one stands.
+    """
+
+    near: NDArray[np.bool_]
+    between: NDArray[np.bool_]
+    on: tuple[NDArray[np.intp], NDArray[np.intp]]
+
+
+def _at_breaks(breaks: Array, grid: Array, n_points: int) -> _GridBreaks:
+    """Find where breaks stand on a grid."""
     row, _place = at = np.nonzero(~np.isnan(breaks))
-    below = np.floor((breaks[at] - grid[0]) / (grid[1] - grid[0])).astype(np.intp)
+    step = grid[1] - grid[0]
+    steps = (breaks[at] - grid[0]) / step
+    below, nearest = (change(steps).astype(np.intp) for change in (np.floor, np.rint))
+    is_on = np.abs(steps - nearest) * step < _ONE_BREAK
+    on = row[is_on], nearest[is_on] % n_points
+    near, after = np.zeros((2, len(breaks), n_points), dtype=np.bool_)
     for beside in range(-1, 3):
         near[row, (below + beside) % n_points] = True
-    return near
+    after[row, below % n_points] = True
+    after[on], after[on[0], on[1] - 1] = True, True
+    return _GridBreaks(near, after & np.roll(after, 1, axis=-1), on)
 
 
-def _places(known: Array, scale: Array, has_break: NDArray[np.bool_]) -> NDArray[np.intp]:
+def _places(known: Array, scale: Array, breaks: _GridBreaks) -> NDArray[np.intp]:
     """Places of those peaks of the grid about which the largest value may stand, shape (curve, peak): −1 for none."""
     same = np.where(scale > 0, ALIKE * scale, 1.0)
     ring = np.concatenate([known[:, -1:], known, known[:, :1]], axis=-1)
     lower = ring - same
-    is_peak = (known >= lower[:, :-2]) & (known >= lower[:, 2:])
+    # Between breaks on both of its sides a curve may rise again beside a point that is no peak.
+    is_peak = breaks.between | ((known >= lower[:, :-2]) & (known >= lower[:, 2:]))
     row, place = np.divmod(np.flatnonzero(is_peak), known.shape[-1])
     is_known = known[row, place] > -np.inf
     row, place = row[is_known], place[is_known]
@@ -273,10 +310,14 @@ def _places(known: Array, scale: Array, has_break: NDArray[np.bool_]) -> NDArray
     with np.errstate(all="ignore"):
         # By how much a parabola's top is higher, and what a curve may rise to at a break.
         bend = 2 * at - before - after
-        rise = np.where(has_break[row, place], at - np.minimum(before, after), (after - before) ** 2 / (8 * bend))
+        rise = np.where(breaks.near[row, place], at - np.minimum(before, after), (after - before) ** 2 / (8 * bend))
         hope = at + np.nan_to_num(2.0 * rise, nan=0.0, posinf=0.0, neginf=0.0)
         turn = np.nan_to_num((after - before) / same[row, 0], nan=0.0, posinf=0.0, neginf=0.0)
-    may_be = hope >= (np.max(known, axis=-1) - same[:, 0])[row]
+    # Between the sides of a jump a curve may have a value that it has on neither: it counts no more than beside.
+    of, there = breaks.on
+    surely = known.copy()
+    surely[breaks.on] = np.minimum(known[breaks.on], np.maximum(ring[of, there], ring[of, there + 2]))
+    may_be = hope >= (np.max(surely, axis=-1) - same[:, 0])[row]
     row, place, turn = row[may_be], place[may_be], np.rint(turn[may_be])
     height = np.rint(hope[may_be] / same[row, 0])
     # What is alike on the grid, and beside it too, is the same peak of another throw: the first stands for all.
@@ -312,8 +353,8 @@ def _edges(breaks: Array, centre: Array, wide: float, period: float) -> Array:
     return np.concatenate([-ends, inside, ends], axis=-1)
 
 
-def _top(powers: Array, scale: Array, level: Array) -> Array:
-    """Where in [−1, 1] each polynomial is largest, shape (p,); where it is so from −1 on, at `level`."""
+def _top(powers: Array, scale: Array, level: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """Where in [−1, 1] each polynomial is largest, shape (p,): from −1 on, at `level`; and whether it is level."""
     tried = product(powers, _TRIED_POWERS.T)
     # The first of what is level: rounding must not move an extreme along a level stretch.
     is_top = tried >= np.max(tried, axis=-1, keepdims=True) - _LEVEL * scale[:, np.newaxis]
@@ -325,7 +366,8 @@ def _top(powers: Array, scale: Array, level: Array) -> Array:
         first, second = value_and_first(slopes, way)
         move = np.where(second < 0, -first / second, np.sign(first) * apart)
         way = np.minimum(np.maximum(way + np.where(np.isnan(move), 0.0, move), low), high)
-    return np.where(np.sum(is_top, axis=-1) > 1, np.where(place == 0, level, start), way)
+    is_level = np.sum(is_top, axis=-1) > 1
+    return np.where(is_level, np.where(place == 0, level, start), way), is_level
 
 
 def _sides(way: Array, ends: Array, scale: Array) -> Array:
@@ -336,12 +378,14 @@ def _sides(way: Array, ends: Array, scale: Array) -> Array:
     return np.where((way <= -_AT_END) & after, 1.0, np.where((way >= _AT_END) & before, -1.0, 0.0))
 
 
-def _first_of_the_best(angle: Array, top: Array, side: Array, scale: Array, period: float) -> Peak:
+def _first_of_the_best(tops: _Tops, windows: Windows) -> Peak:
     """Choose the highest of each curve's pieces, of alike ones the first in the period; shapes (curve,)."""
-    n_pieces = int(np.prod(top.shape[1:]))  # of no curves at all, too
-    angle, top, side = (part.reshape(len(scale), n_pieces) for part in (angle, top, side))
+    scale = windows.scale[:, np.newaxis]
+    n_pieces = int(np.prod(tops.value.shape[1:]))  # of no curves at all, too
+    angle, top, side, is_unsure = (part.reshape(len(scale), n_pieces) for part in tops)
     best = np.max(top, axis=-1)
-    turn = np.mod(angle + _ONE_BREAK, period)
+    # What is not sure stands behind what it may belong to.
+    turn = np.mod(angle + _ONE_BREAK, windows.period) + np.where(is_unsure, 2 * windows.wide, 0.0)
     first = np.argmin(np.where(top >= best[:, np.newaxis] - ALIKE * scale, turn, np.inf), axis=-1)
     row, is_known = np.arange(len(scale)), best > -np.inf
     return Peak(*(np.where(is_known, part, np.nan) for part in (angle[row, first], best, side[row, first])))

@@ -96,7 +96,7 @@ def shows(of: Subintervals, values: Array) -> bool:
     """Whether the points of the widest panels show a curve, shape (..., point): its last orders there are small."""
     most = int(np.max(of.size))
     place: NDArray[np.intp] = of.first[of.size == most, np.newaxis] + np.arange(most, dtype=np.intp)
-    last = np.abs(product(values[..., place], _to_series(most)[-2:].T))
+    last = np.abs(product(values[..., place], to_series(most)[-2:].T))
     return not np.any(last > _RESOLVED * np.max(np.abs(values)))
 
 
@@ -241,7 +241,7 @@ def interpolation(way: Array, n_nodes: int) -> Array:
 
 def partial_integrals(way: Array, n_nodes: int) -> Array:
     """Weights of values at Gauss's points for the integral from −1 to some ways, shape (k, n)."""
-    return product(_legendre_integrals(way, _legendre(way, n_nodes)), _to_series(n_nodes))
+    return product(_legendre_integrals(way, _legendre(way, n_nodes)), to_series(n_nodes))
 
 
 @cache
@@ -265,7 +265,7 @@ def series_of_motion(values: Array) -> Array:
 def _to_motion(n_nodes: int) -> Array:
     """From values at Gauss's points to those series one behind the other, shape (n, 4 · (n + 1))."""
     found = np.zeros((4, n_nodes + 1, n_nodes))
-    found[1, :-1] = _to_series(n_nodes)
+    found[1, :-1] = to_series(n_nodes)
     found[0] = np.polynomial.legendre.legint(found[1, :-1], lbnd=-1)
     for order in (2, 3):
         found[order, :-2] = np.polynomial.legendre.legder(found[order - 1, :-1])
@@ -273,7 +273,7 @@ def _to_motion(n_nodes: int) -> Array:
 
 
 @cache
-def _to_series(n_nodes: int) -> Array:
+def to_series(n_nodes: int) -> Array:
     """From values at Gauss's points to the coefficients of Legendre's polynomials, shape (n, n)."""
     node, weight = leggauss(n_nodes)
     order = np.arange(n_nodes)[:, np.newaxis]

@@ -96,6 +96,48 @@ def test_of_alike_peaks_the_first_is_taken():
     assert found.value[0] == pytest.approx(1.0, abs=1e-12)
 
 
+def test_what_stands_on_a_jump_hides_no_peak():
+    """A curve at rest has 5 at its jump, and is −1 before and 1 after it; its own top is 3 at 4."""
+
+    def curve(angle):
+        inside = np.mod(angle, CYCLE)
+        beside = np.where(np.mod(angle - GRID[40], CYCLE) < CYCLE / 2, 1.0, -1.0)
+        return beside + 2.0 * np.exp(-((inside - 4.0) ** 2))
+
+    samples = curve(GRID)
+    samples[40] = 5.0
+    found = largest_between(lambda _which, angle: curve(angle), GRID, samples[np.newaxis], GRID[np.newaxis, 40:41])
+    assert (found.angle[0], found.value[0]) == pytest.approx((4.0, 3.0), abs=1e-9)
+
+
+def test_a_top_between_breaks_beside_a_higher_point():
+    """Between kinks a step apart the curve rises once more, to 2, where the grid falls from point to point."""
+    step = GRID[1]
+    kinks = 100 * step + step * np.array([[0.5, 1.5, 2.5]])
+
+    def curve(angle):
+        way = (angle - kinks[0, 0]) / step
+        top = 2.0 - 2.0 * (way - 1.9) ** 2
+        return np.where(way < 0, 1.8 + 0.2 * way, np.where(way < 1, 1.9 - 0.1 * way, np.where(way < 2, top, -way)))
+
+    samples = curve(GRID)
+    assert samples[101] > samples[102] > samples[103]
+    found = largest_between(lambda _which, angle: curve(angle), GRID, samples[np.newaxis], kinks)
+    assert (found.angle[0], found.value[0]) == pytest.approx((kinks[0, 0] + 1.9 * step, 2.0), abs=1e-9)
+
+
+def test_a_flat_top_is_no_break_before_it():
+    """A hundredth of a degree before it the curve is as high but for rounding."""
+    breaks = np.deg2rad(np.arange(4.1, 720.0, 1.0))[np.newaxis]
+    top = np.deg2rad(115.111)
+
+    def curve(angle):
+        return 1000.0 + 10.0 * np.cos((angle - top) / 2)
+
+    found = largest_between(lambda _which, angle: curve(angle), GRID, curve(GRID)[np.newaxis], breaks)
+    assert np.rad2deg(found.angle[0]) == pytest.approx(115.111, abs=3e-3)
+
+
 def test_integrals_between_breaks():
     """To any angle, in the period or not, against adaptive quadrature between the breaks."""
     breaks = np.array([2.0, 2.5, 9.0043, 0.0, np.nan])

@@ -1,11 +1,14 @@
 """Motion of pistons: displacement and its derivatives by the crank angle; with the speed, velocities."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
-from cranktrain.layout.speed import Speed, rates
+from cranktrain.layout.speed import Speed, SpeedCurve, rates
+from cranktrain.linkage.forces import Drive
 from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivatives_residual, extremes
@@ -157,7 +160,7 @@ def piston_speeds(
     if speed.curve is None:
         found = _at_constant_speed(turn, speed.value)
     else:
-        found = _over_cycle(pistons, crank_angle, speed, velocity, acceleration)
+        found = _over_cycle(pistons, crank_angle, speed.curve, velocity, acceleration)
     period = 2 * np.pi if speed.curve is None else crank_angle.cycle
     slowest, fastest, least, most = (
         Extreme(crank_angle.counted(one.angle, period)[..., 0], one.value[..., 0]) for pair in found for one in pair
@@ -200,18 +203,22 @@ def _at_constant_speed(turn: PistonTurn, omega: Array) -> tuple[Extremes, Extrem
 
 
 def _over_cycle(
-    pistons: Pistons, crank_angle: CrankAngle, speed: Speed, velocity: Array, acceleration: Array
+    pistons: Pistons, crank_angle: CrankAngle, curve: SpeedCurve, velocity: Array, acceleration: Array
 ) -> tuple[Extremes, Extremes]:
     """The same over a cycle, at a speed that varies: like pistons differ, as each has its own phase."""
 
-    def moving(shown: Array) -> tuple[Array, Array]:
-        phi = shown + crank_angle.zero
-        velocity, acceleration = rates(slider_motion(pistons, phi), speed.drive(phi))
-        return -velocity, -acceleration
+    def toward_shaft(order: int, drive: Callable[[Array], Drive]) -> Callable[[Array], Array]:
+        def rate(shown: Array) -> Array:
+            phi = shown + crank_angle.zero
+            return -rates(slider_motion(pistons, phi), drive(phi))[order]
+
+        return rate
 
     def from_zero(found: Extremes) -> Extremes:
         return Extremes(*(Extreme(one.angle + crank_angle.zero, one.value) for one in found))
 
     grid = crank_angle.shown
-    of_speed = extremes(lambda shown: moving(shown)[0], lambda shown: moving(shown)[1], grid=grid, samples=velocity)
-    return from_zero(of_speed), from_zero(extremes(lambda shown: moving(shown)[1], grid=grid, samples=acceleration))
+    # Of one moment the crank has an acceleration by which the velocity does not change from angle to angle.
+    slope = toward_shaft(1, curve.along_angle)
+    of_speed = extremes(toward_shaft(0, curve.drive), slope, grid=grid, samples=velocity)
+    return from_zero(of_speed), from_zero(extremes(toward_shaft(1, curve.drive), grid=grid, samples=acceleration))

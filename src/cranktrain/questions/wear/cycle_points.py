@@ -9,6 +9,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.numerics import Subintervals, points_together, subintervals
 from cranktrain.numerics.sectors import Sectors, size_by_sector
+from cranktrain.numerics.size_integral import integral_of_size
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.wear.rays import N_RAYS, RAY_NAMES, oil_hole, wear_of
@@ -37,8 +38,6 @@ class CyclePoints:
         Of each design.
     angle : Array, shape (design, 1, point)
         φ. [rad]
-    weight : Array, shape (design, 1, point)
-        0 beyond a design's own points. [rad]
     cycle : float
         [rad]
     solved : sequence of SolvedBatch
@@ -46,7 +45,6 @@ class CyclePoints:
 
     cuts: tuple[Subintervals, ...]
     angle: Array
-    weight: Array
     cycle: float
     solved: Sequence[SolvedBatch]
 
@@ -55,10 +53,14 @@ class CyclePoints:
         """Names of the rays."""
         return {"ray": RAY_NAMES}
 
-    def mean(self, values: Array) -> Array:
-        """Mean over the cycle of values at the points, shape (design, ..., point)."""
-        weight = np.reshape(self.weight, (len(values), *(1,) * (values.ndim - 2), -1))
-        return np.sum(values * weight, axis=-1) / self.cycle
+    def mean_size(self, first: Array, second: Array) -> Array:
+        """Mean over the cycle of the size of vectors by their parts at the points, shape (design, ..., point)."""
+        x, y = (part.reshape(len(part), -1, part.shape[-1]) for part in (first, second))
+        means = [
+            integral_of_size(cut, (x[i, :, : cut.angle.size], y[i, :, : cut.angle.size])) / self.cycle
+            for i, cut in enumerate(self.cuts)
+        ]
+        return np.stack(means).reshape(first.shape[:-1])
 
     def wear(self, *loads: Sequence[Array]) -> list[Wear]:
         """Wear by loads, by both parts at the points, (design, ..., point); rays count from the first part."""
@@ -77,6 +79,6 @@ def cycle_points(loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankA
     """Solve the machine between its events; docs/theory/harmonics-and-orders, eq. (15.17)."""
     breaks = events.whole - crank_angle.zero[:, 0]
     cuts = tuple(subintervals(of_design, _WIDEST, crank_angle.cycle, _MORE) for of_design in breaks)
-    angle, weight = points_together(breaks, _WIDEST, crank_angle.cycle, _MORE)
+    angle, _weight = points_together(breaks, _WIDEST, crank_angle.cycle, _MORE)
     phi = angle + crank_angle.zero
-    return CyclePoints(cuts, phi, weight, crank_angle.cycle, loaded.solved(phi))
+    return CyclePoints(cuts, phi, crank_angle.cycle, loaded.solved(phi))

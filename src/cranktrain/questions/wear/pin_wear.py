@@ -68,7 +68,7 @@ def crank_pin_wear(loaded: LoadedMachine, points: CyclePoints) -> CrankPinWear:
     # The rod presses the pin where its load comes from, and its own bearing where the pin's load on it goes to.
     pin, shell = points.wear((radial, -tangential), tuple(shells))
     return CrankPinWear(
-        mean_crankpin_load=points.mean(np.hypot(radial, tangential)),
+        mean_crankpin_load=points.mean_size(radial, tangential),
         crankpin_wear=pin.rays,
         crankpin_oil_hole=pin.hole,
         rod_bearing_wear=shell.rays,

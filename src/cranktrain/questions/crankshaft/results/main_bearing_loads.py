@@ -93,7 +93,7 @@ def main_bearing_loads(
         main_bearing_load_x=curves[:, :, :, 0],
         main_bearing_load_y=curves[:, :, :, 1],
         largest_bearing_load=peaks.load,
-        mean_bearing_load=points.mean(np.hypot(between.load[:, :, :, 0], between.load[:, :, :, 1])),
+        mean_bearing_load=points.mean_size(between.load[:, :, :, 0], between.load[:, :, :, 1]),
         checks=(_check(loaded, acting, by_method),),
         flags=tuple(one_sided([(_("largest load of a main bearing"), peaks.load)], named)),
     )

@@ -1,0 +1,77 @@
+"""Integral of a vector's size: near where it is next to nothing its size turns sharply, which Gauss's points miss."""
+
+from collections.abc import Sequence
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.motion import Array
+from cranktrain.numerics.products import product
+from cranktrain.numerics.subintervals import Subintervals, interpolation, leggauss, to_series
+
+_SHOWN = 1e-6
+"""Last orders of a size in a panel, in parts of its largest, of which the integral's error is about the square."""
+_MOST_HALVINGS = 40
+
+
+def integral_of_size(of: Subintervals, parts: Sequence[Array]) -> Array:
+    """Integrate the size of vectors over one period.
+
+    Parameters
+    ----------
+    of : Subintervals
+    parts : sequence of Array, shape (curve, point)
+        Parts of each vector at the panels' points.
+
+    Returns
+    -------
+    Array, shape (curve,)
+        To rounding of what the panels know of the vectors; NaN for a vector that is NaN anywhere.
+
+    Notes
+    -----
+    Between a panel's points a vector is their polynomial. Panels are halved where its size is none that they show.
+
+    Examples
+    --------
+    A vector that goes to and fro, and passes nothing by a hair:
+
+    >>> from cranktrain.numerics.subintervals import subintervals
+    >>> cut = subintervals(np.array([0.3]), 1.0, 2 * np.pi)
+    >>> found = integral_of_size(cut, [np.cos(cut.angle)[np.newaxis], np.full((1, cut.angle.size), 1e-9)])
+    >>> np.round(found, 9).tolist()
+    [4.0]
+    """
+    vectors = np.stack(parts)
+    n_curves = vectors.shape[1]
+    largest = np.max(_size(vectors), axis=-1)
+    total = np.zeros(n_curves)
+    for n_nodes in np.unique(of.size).tolist():
+        own = np.flatnonzero(of.size == n_nodes)
+        curve: NDArray[np.intp] = np.repeat(np.arange(n_curves, dtype=np.intp), own.size)
+        half: Array = np.tile(of.width[own] / 2, n_curves)
+        vector = vectors[..., of.first[own, np.newaxis] + np.arange(n_nodes)].reshape(len(vectors), -1, n_nodes)
+        weight, halves = leggauss(n_nodes)[1], _halves(n_nodes)
+        for n_halvings in range(_MOST_HALVINGS + 1):
+            size = _size(vector)
+            last = np.max(np.abs(product(size, to_series(n_nodes)[-2:].T)), axis=-1)
+            is_sharp = (last > _SHOWN * largest[curve]) & (n_halvings < _MOST_HALVINGS)
+            total += np.bincount(curve, np.where(is_sharp, 0.0, half * product(size, weight)), n_curves)
+            if not np.any(is_sharp):
+                break
+            curve, half = np.repeat(curve[is_sharp], 2), np.repeat(half[is_sharp] / 2, 2)
+            vector = product(vector[:, is_sharp], halves).reshape(len(vectors), -1, n_nodes)
+    return total
+
+
+def _size(vectors: Array) -> Array:
+    """Size of vectors by their parts, along the first axis."""
+    return np.sqrt(np.sum(vectors * vectors, axis=0))
+
+
+@cache
+def _halves(n_nodes: int) -> Array:
+    """From values at a panel's points to those at the points of both of its halves, shape (n, 2n)."""
+    node = leggauss(n_nodes)[0]
+    return interpolation(np.concatenate([(node - 1) / 2, (node + 1) / 2]), n_nodes).T

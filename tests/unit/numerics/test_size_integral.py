@@ -1,0 +1,31 @@
+"""Integrals of a vector's size, against those of 40 digits."""
+
+import mpmath
+import numpy as np
+import pytest
+
+from cranktrain.numerics import subintervals
+from cranktrain.numerics.size_integral import integral_of_size
+
+CUT = subintervals(np.array([0.3, 2.0]), np.pi / 9, 2 * np.pi)
+
+
+@pytest.mark.parametrize("apart", [0.0, 1e-12, 1e-5, 0.003, 0.1, 0.9])
+@pytest.mark.parametrize("turn", [0.4, 1.1234])
+def test_a_vector_that_passes_nothing(apart, turn):
+    """By a hair, or further off: cos(φ − turn) along, a constant across, four times an elliptic integral."""
+    along, across = np.cos(CUT.angle - turn), np.full(CUT.angle.size, apart)
+    found = integral_of_size(CUT, (np.stack([along, -3 * across]), np.stack([across, 3 * along])))
+    with mpmath.workdps(40):
+        square = 1 + mpmath.mpf(apart) ** 2
+        whole = float(4 * mpmath.sqrt(square) * mpmath.ellipe(1 / square))
+    np.testing.assert_allclose(found, [whole, 3 * whole], rtol=1e-11)
+
+
+def test_a_vector_that_is_not_known():
+    nothing = np.full((1, CUT.angle.size), np.nan)
+    assert np.isnan(integral_of_size(CUT, (nothing, nothing)))
+
+
+def test_a_vector_that_is_nothing():
+    assert integral_of_size(CUT, (np.zeros((2, CUT.angle.size)),) * 2).tolist() == [0.0, 0.0]
