@@ -5,7 +5,9 @@ from importlib import import_module
 from typing import Any
 
 _HOMES = {
+    "curves_frame": "io.frames",
     "dataset_of": "analysis.dataset",
+    "facts_frame": "io.frames",
     "layout_words": "io.description",
     "machine_html": "analysis.representations",
     "machine_line": "analysis.representations",

@@ -35,7 +35,9 @@ def dataset_of(result: Result) -> "xarray.Dataset":
     InputError
         If xarray is not installed.
     """
-    xarray = imported_xarray()
+    imported_xarray()
+    from cranktrain.analysis.guarded_dataset import Dataset  # which needs xarray
+
     design = ("design",) if result.has_designs else ()
     chosen = result.catalogue if result.asked is None else dict.fromkeys(result.asked)
     variables: dict[str, Any] = {
@@ -49,7 +51,7 @@ def dataset_of(result: Result) -> "xarray.Dataset":
     }
     coordinates["crank_angle"] = ("crank_angle", result.crank_angle, {"units": "deg", "symbol": "φ"})
     about = {"name": result.machines[0].name, "unused": sentences(result.unused)}
-    return xarray.Dataset(variables, coordinates, about)
+    return Dataset(variables, coordinates, about)
 
 
 def imported_xarray() -> Any:

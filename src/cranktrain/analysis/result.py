@@ -28,6 +28,7 @@ from cranktrain.saying.rows import AnswerLine
 from cranktrain.saying.wording import in_print
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
 
 Outcome = TypeVar("Outcome")
@@ -291,6 +292,32 @@ class Result:
             if units not in self._datasets:
                 self._datasets[units] = face("dataset_of")(self)
         return self._datasets[units]
+
+    def curves(self, *quantities: str, design: int = 0, of_each_method: bool = False) -> "pandas.DataFrame":
+        """Give curves as a data frame, a row for each crank angle.
+
+        Parameters
+        ----------
+        *quantities : str
+            Names of curves; all but those by methods that are there to be compared unless given.
+        design : int
+            Which of the result's machines.
+        of_each_method : bool
+            Whether by each method; else by the one that is meant where none is named.
+
+        Returns
+        -------
+        pandas.DataFrame
+            Its columns are called by quantity and by whose it is: `result.curves()["piston_force"]["1L"]`; its
+            `attrs["units"]` has their units, SI unless others were asked for. `pip install 'cranktrain[dataset]'`.
+        """
+        with self._in_its_units():
+            return face("curves_frame")(self, quantities, design=design, of_each_method=of_each_method)
+
+    def facts_table(self, *, design: int = 0) -> "pandas.DataFrame":
+        """Give the facts of one machine as a data frame: quantity, of, value, unit, meaning."""
+        with self._in_its_units():
+            return face("facts_frame")(self, design=design)
 
     @cached_property
     def _datasets(self) -> "dict[object, xarray.Dataset]":

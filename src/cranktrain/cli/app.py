@@ -9,14 +9,18 @@ from cranktrain.cli.comparing import add_compare
 from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.options import (
     AllTables,
+    At,
     Checks,
+    CurveTable,
     Decimal,
+    Every,
     Facts,
     File,
     Force,
     Full,
     Inputs,
     Missing,
+    OfMember,
     Output,
     Partial,
     Quantities,
@@ -158,6 +162,8 @@ def _check(file: File) -> None:
         "  cranktrain run 3d12 --full\n"
         '  cranktrain run 3d12 --set "shaft.main.speed=1800 rpm"\n'
         "  cranktrain run 3d12 --quantities stroke,piston_displacement\n"
+        "  cranktrain run 3d12 --at 140 --quantities piston_force,side_force\n"
+        "  cranktrain run 3d12 --table forces --piston 1R --every 15\n"
         "  cranktrain run 3d12 -o 3d12.csv --step 0.5\n"
         "  cranktrain run 3d12 -o facts.csv --facts --decimal comma\n"
         "  cranktrain run 3d12 --running-speed"
@@ -172,6 +178,10 @@ def _run(
     step: Annotated[
         float, typer.Option(metavar="DEGREES", parser=degrees, help=_("Of the crank angle, in curves."))
     ] = 1.0,
+    at: At = None,
+    table: CurveTable = None,
+    of: OfMember = None,
+    every: Every = None,
     running_speed: RunningSpeed = False,
     speed_curve: SpeedCurve = None,
     partial_turn: Partial = False,
@@ -184,6 +194,7 @@ def _run(
     units: Units = None,
     force: Force = False,
 ) -> None:
+    from cranktrain.cli.curves import CurvesAsked
     from cranktrain.cli.run import RunRequest, Shown, show_run
 
     names = None if quantities is None else listed(quantities)
@@ -200,6 +211,7 @@ def _run(
         units=units,
         decimal=decimal,
         facts=facts,
+        curves=CurvesAsked(at, table, of, every),
     )
     show_run(request, Shown(full=full, checks=checks, inputs=inputs, missing=missing))
 

@@ -51,6 +51,21 @@ Checks = Annotated[bool, typer.Option("--checks", help=_("Show how well each che
 Inputs = Annotated[bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))]
 Missing = Annotated[bool, typer.Option("--missing", help=_("Show what the file could say, and what that would give."))]
 
+At = Annotated[
+    str | None,
+    typer.Option("--at", metavar="ANGLES", help=_("Curves at these crank angles, in degrees: 140, or 0,30..720.")),
+]
+CurveTable = Annotated[
+    str | None,
+    typer.Option("--table", metavar="NAME", help=_("A table of curves: motion, forces, bearings, drive or pumping.")),
+]
+OfMember = Annotated[
+    str | None, typer.Option("--of", "--piston", metavar="NAME", help=_("Whose curves the table has; the first one's."))
+]
+Every = Annotated[
+    str | None, typer.Option("--every", metavar="DEGREES", help=_("How far apart lines of the table are."))
+]
+
 Quantities = Annotated[
     str | None,
     typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),

@@ -1,13 +1,16 @@
 """`run`: compute what a machine file allows, write it where asked, and show it."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
+import numpy as np
 from rich.text import Text
 
 from cranktrain.analysis import Result
 from cranktrain.cli.asked import AskedAtSpeed, at_running_speed, units_asked_for
+from cranktrain.cli.curves import CurvesAsked, angles_asked, chosen_curves, names_asked, show_curves, step_for
 from cranktrain.cli.screen.text import page, show_lines
 from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.io.description import units_of
@@ -30,6 +33,7 @@ class RunRequest(AskedAtSpeed):
     step_degrees: float = 1.0
     decimal: str = "point"
     facts: bool = False
+    curves: CurvesAsked = CurvesAsked()
 
 
 @record
@@ -49,13 +53,43 @@ class Shown:
 def show_run(request: RunRequest, shown: Shown | None = None) -> None:
     """Compute, write and show."""
     form = _form(request)
+    refuse(request.curves.problems())
+    if request.curves and shown:
+        raise InputError(
+            [Problem("--at", None, _("and --table show curves alone"), _("leave --full and the like out"))]
+        )
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
         raise InputError([Problem("--quantities", '""', allowed)])
     asked = units_asked_for(request.units)
     file = request.read()
     with shown_as_in(units_of(file.machine)), shown_by(asked):
-        _show(file, request, shown, form)
+        if request.curves:
+            _show_curves(file, request, form)
+        else:
+            _show(file, request, shown, form)
+
+
+def _show_curves(file: MachineFile, request: RunRequest, form: "Form | None") -> None:
+    """Compute curves at some crank angles, and write or show them."""
+    asked = request.curves
+    angles = angles_asked(asked, round(float(np.degrees(file.machine.cycle))))
+    names = names_asked(file.machine, asked, request.quantities)
+    wanted = replace(request, quantities=names, step_degrees=step_for(angles))
+    if asked.table is not None:
+        result = request.result(file, Result.find_all, step_degrees=wanted.step_degrees, quantities=names)
+    else:
+        result = _computed(file, wanted)
+    chosen = chosen_curves(result, asked, names, angles)
+    if request.output is not None and form is not None:
+        from cranktrain.io.writers import written_curves
+
+        write_whole(request.output, written_curves(form, result, chosen.columns, chosen.angles), force=request.force)
+    _show_minded(result)
+    if request.output is None:
+        show_curves(result, asked, request.quantities, chosen)
+    else:
+        print(_("written: {name}", name=one_line(request.output)))
 
 
 def _show(file: MachineFile, request: RunRequest, shown: Shown | None, form: "Form | None") -> None:

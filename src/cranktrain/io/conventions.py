@@ -6,6 +6,7 @@ from cranktrain.analysis import Result, sentences
 from cranktrain.language import _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
+from cranktrain.quantities import units_asked
 
 
 def conventions(result: Result) -> dict[str, str]:
@@ -51,7 +52,13 @@ def _sentences(result: Result) -> Iterator[tuple[str, str]]:
         yield "rod_angle", _("from the line of stroke, away from the shaft, positive in the sense of rotation")
     if "rocker" in result.labels:
         yield "rocker_angle", _("from the line from the shaft to the rocker's pivot, positive in the sense of rotation")
-    yield "units", _("SI, in brackets; crank angles in degrees, other angles in radians")
+    asked = ", ".join(units_asked().values())
+    yield (
+        "units",
+        _("{units} where they fit, else SI, in brackets; crank angles in degrees, other angles in radians", units=asked)
+        if asked
+        else _("SI, in brackets; crank angles in degrees, other angles in radians"),
+    )
 
 
 def _crank_angle(machine: Machine) -> str:

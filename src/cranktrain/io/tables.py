@@ -4,11 +4,12 @@ import csv
 import io
 import itertools
 import json
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
 from cranktrain.analysis import Result
+from cranktrain.analysis.curve_columns import CurveColumn
 from cranktrain.io.conventions import conventions
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
@@ -19,7 +20,7 @@ HEADS = ("quantity", "of", "value", "unit", "meaning")
 
 
 def csv_text(
-    result: Result, machine: Mapping[str, object], names: Collection[str], *, comma: bool = False
+    result: Result, columns: Sequence[CurveColumn], angles: Array | None = None, *, comma: bool = False
 ) -> Iterator[str]:
     """Write curves as a table with one row for each crank angle.
 
@@ -27,10 +28,10 @@ def csv_text(
     ----------
     result : Result
         Of one machine.
-    machine : mapping
-        The data of its file; a table has no place for them.
-    names : collection of str
-        Quantities to write; facts, which have no crank angle, are left out.
+    columns : sequence of CurveColumn
+        To write.
+    angles : Array, shape (n,)
+        The crank angles of their values; those of the result unless given. [deg]
     comma : bool
         As spreadsheets take it where a comma divides decimals: semicolons between, a byte-order mark before.
 
@@ -39,8 +40,10 @@ def csv_text(
     str
         Lines: `#` lines with the conventions, a head `name(index) [unit]`, then the numbers; NaN is written `nan`.
     """
-    del machine
-    yield from csv_lines(about(result, names).items(), curve_columns(result, names), comma=comma)
+    # Of some angles alone nobody expects all curves.
+    names = {column.entry.name for column in columns} if angles is None else result.catalogue
+    shown = headed(columns, result.crank_angle if angles is None else angles)
+    yield from csv_lines(about(result, names).items(), shown, comma=comma)
 
 
 def csv_lines(said: Iterable[tuple[str, str]], columns: Mapping[str, Array], *, comma: bool) -> Iterator[str]:
@@ -67,12 +70,14 @@ def about(result: Result, names: Collection[str]) -> dict[str, str]:
     return said | ({"left out": ", ".join(left_out)} if left_out else {})
 
 
-def curve_columns(result: Result, names: Collection[str]) -> dict[str, Array]:
-    """Give the crank angle and every column of the named curves by its head, `name(index) [unit]`."""
-    written = [entry for name, entry in result.catalogue.items() if name in names and not entry.is_fact]
-    columns = {"crank_angle [deg]": result.crank_angle}
-    columns.update(column for entry in written for column in _columns(result, entry))
-    return columns
+def headed(columns: Iterable[CurveColumn], angles: Array) -> dict[str, Array]:
+    """Give the crank angle [deg] and every column by its head, `name(index) [unit]`."""
+    found = {"crank_angle [deg]": angles}
+    for column in columns:
+        entry = column.entry
+        unit, values = in_asked_unit(entry.unit, column.values, entry.shown)
+        found[f"{entry.name}({column.of}) [{unit}]" if column.of else f"{entry.name} [{unit}]"] = values
+    return found
 
 
 def json_text(result: Result, machine: Mapping[str, object], names: Collection[str]) -> Iterator[str]:
@@ -122,16 +127,6 @@ def json_text(result: Result, machine: Mapping[str, object], names: Collection[s
         yield f"{start}{_json(name)}: {_json(part)}"
         start = ",\n"
     yield "\n}\n"
-
-
-def _columns(result: Result, entry: Entry) -> Iterator[tuple[str, Array]]:
-    """Give every column of a curve with its head."""
-    curves: Array = np.moveaxis(getattr(result, entry.name), entry.dimensions.index("crank_angle"), -1)
-    labels = result.labels_of(entry).values()
-    for place in itertools.product(*(range(len(names)) for names in labels)):
-        index = " ".join(names[i] for names, i in zip(labels, place, strict=True))
-        unit, values = in_asked_unit(entry.unit, curves[place], entry.shown)
-        yield f"{entry.name}({index}) [{unit}]" if index else f"{entry.name} [{unit}]", values
 
 
 def _described(result: Result, entry: Entry) -> dict[str, object]:

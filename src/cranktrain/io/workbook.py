@@ -2,30 +2,36 @@
 
 import io
 import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Sequence
 from importlib import import_module
 from typing import Any
 
 from cranktrain.analysis import Result
+from cranktrain.analysis.curve_columns import CurveColumn
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.io.tables import HEADS, about, curve_columns, fact_rows
+from cranktrain.io.tables import HEADS, about, fact_rows, headed
 from cranktrain.language import _
+from cranktrain.motion import Array
 
 _LONGEST_CELL = 32_767
 """Characters that a cell of a spreadsheet holds."""
 
 
-def workbook_bytes(result: Result, machine: Mapping[str, object], names: Collection[str]) -> Iterator[bytes]:
+def workbook_bytes(
+    result: Result, columns: Sequence[CurveColumn], facts: Collection[str], angles: Array | None = None
+) -> Iterator[bytes]:
     """Write curves, facts and conventions as sheets of an .xlsx.
 
     Parameters
     ----------
     result : Result
         Of one machine.
-    machine : mapping
-        The data of its file; a workbook has no place for them.
-    names : collection of str
-        Quantities to write.
+    columns : sequence of CurveColumn
+        To write.
+    facts : collection of str
+        Facts to write; no sheet of them where there are none.
+    angles : Array, shape (n,)
+        The crank angles of the columns; those of the result unless given. [deg]
 
     Yields
     ------
@@ -37,20 +43,21 @@ def workbook_bytes(result: Result, machine: Mapping[str, object], names: Collect
     InputError
         If openpyxl is not installed.
     """
-    del machine
     book = _openpyxl().Workbook(write_only=True)
-    columns = curve_columns(result, names)
+    shown = headed(columns, result.crank_angle if angles is None else angles)
     curves = book.create_sheet(_("curves"))
     curves.freeze_panes = "B2"
-    curves.append(list(map(_text, columns)))
-    for numbers in zip(*(column.tolist() for column in columns.values()), strict=True):
+    curves.append(list(map(_text, shown)))
+    for numbers in zip(*(column.tolist() for column in shown.values()), strict=True):
         curves.append(list(map(_cell, numbers)))
-    facts = book.create_sheet(_("facts"))
-    facts.freeze_panes = "A2"
-    facts.append(HEADS)
-    for name, of, value, unit, meaning in fact_rows(result, names):
-        facts.append((name, _text(of), _cell(value), unit, meaning))
+    if facts:
+        sheet = book.create_sheet(_("facts"))
+        sheet.freeze_panes = "A2"
+        sheet.append(HEADS)
+        for name, of, value, unit, meaning in fact_rows(result, facts):
+            sheet.append((name, _text(of), _cell(value), unit, meaning))
     head = book.create_sheet(_("about"))
+    names = {column.entry.name for column in columns} if angles is None else result.catalogue
     for word, sentence in about(result, names).items():
         head.append((word, _text(sentence)))
     content = io.BytesIO()

@@ -1,12 +1,15 @@
 """How a result is written: by the suffix of the file, and what was asked of its numbers."""
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from cranktrain.analysis import Result
-from cranktrain.errors import Problem, refuse
+from cranktrain.analysis.curve_columns import CurveColumn, by_default, curve_columns
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.tables import csv_text, fact_csv, json_text
 from cranktrain.io.workbook import workbook_bytes
 from cranktrain.language import _
+from cranktrain.motion import Array
 from cranktrain.record import record
 
 SUFFIXES = (".csv", ".json", ".xlsx")
@@ -59,7 +62,7 @@ def written(
     names : collection of str
         Quantities to write.
     is_all : bool
-        Whether these are all that there are, and not chosen: a table is then without what is given by each method.
+        Whether these are all that there are, and not chosen: a table then has what is meant of what each method gives.
 
     Yields
     ------
@@ -70,19 +73,39 @@ def written(
     InputError
         If the file has no place for a quantity that was chosen, or needs a package that is not installed.
     """
-    if form.suffix != ".json" and is_all:
-        names = [name for name in names if len(result.labels_of(result.catalogue[name])) <= 1 or _is_fact(result, name)]
     comma = form.decimal == "comma"
     if form.suffix == ".json":
         yield from json_text(result, machine, names)
-    elif form.suffix == ".xlsx":
-        yield from workbook_bytes(result, machine, names)
-    elif form.facts:
+    elif form.suffix == ".csv" and form.facts:
         refuse(_is_curve(name) for name in names if not is_all and not _is_fact(result, name))
         yield from fact_csv(result, names, comma=comma)
     else:
+        curves = by_default(result) if is_all else names
+        columns = list(curve_columns(result, curves, of_each_method=not is_all))
+        if form.suffix == ".xlsx":
+            yield from workbook_bytes(result, columns, names)
+            return
         refuse(_is_one_value(name) for name in names if not is_all and _is_fact(result, name))
-        yield from csv_text(result, machine, names, comma=comma)
+        yield from csv_text(result, columns, comma=comma)
+
+
+def written_curves(form: Form, result: Result, columns: Sequence[CurveColumn], angles: Array) -> Iterator[str | bytes]:
+    """Write some curves at some crank angles alone; the first parameters as of `written`.
+
+    Parameters
+    ----------
+    columns : sequence of CurveColumn
+    angles : Array, shape (n,)
+        [deg]
+    """
+    if form.suffix == ".json" or form.facts:
+        allowed = _("has no place among curves at some angles")
+        given = Problem("--facts", None, allowed) if form.facts else Problem("-o", form.suffix, allowed)
+        raise InputError([replace(given, repair=_("write a .csv or an .xlsx"))])
+    if form.suffix == ".xlsx":
+        yield from workbook_bytes(result, columns, (), angles)
+    else:
+        yield from csv_text(result, columns, angles, comma=form.decimal == "comma")
 
 
 def _is_fact(result: Result, name: str) -> bool:

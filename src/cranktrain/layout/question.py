@@ -264,6 +264,8 @@ class Question:
         as stages ask for them.
     offers : mapping of str to str
         Of quantities that people ask for next what they are, in words.
+    curve_tables : mapping of str to tuple of str
+        Curves that people put side by side in a table, by its name, which questions may share.
     is_for : callable (needs, design) → bool
         Whether it makes sense to ask a machine's file for what some results lack, as far as its own tables go.
     uses : tuple of Use
@@ -282,6 +284,7 @@ class Question:
     title: str = ""
     rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
     offers: Mapping[str, str] = field(default_factory=dict[str, str])
+    curve_tables: Mapping[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])
     is_for: Callable[[Sequence[str], Design], bool] = _always
     uses: tuple[Use, ...] = ()
     files: tuple[TableFile, ...] = ()

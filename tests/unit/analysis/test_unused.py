@@ -104,7 +104,7 @@ def test_it_is_told_whatever_is_asked_for():
     (said,) = sentences(result.unused)
     assert result.summary().splitlines()[0] == said
     assert result.dataset.attrs["unused"] == [said]
-    assert f"# unused: {said}\n" in list(csv_text(result, {}, ("stroke",)))
+    assert f"# unused: {said}\n" in list(csv_text(result, ()))
     read = json.loads("".join(json_text(result, {}, ())))
     assert read["unused"] == [
         {

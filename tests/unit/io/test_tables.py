@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
+from cranktrain.analysis.curve_columns import CurveColumn, curve_columns
 from cranktrain.io.machine_file import read_machine
 from cranktrain.io.tables import HEADS, csv_text, fact_csv, json_text
 from cranktrain.io.workbook import workbook_bytes
@@ -20,6 +21,11 @@ def example(request):
     return file, ct.run(file.machine, step_degrees=2)
 
 
+def every_curve(result: ct.Result) -> list[CurveColumn]:
+    """All curves, by each method."""
+    return list(curve_columns(result, result.catalogue))
+
+
 def table_of(text: str) -> tuple[list[str], dict[str, list[str]]]:
     """Comment lines, and columns by their heads."""
     lines = text.splitlines(keepends=True)
@@ -30,8 +36,8 @@ def table_of(text: str) -> tuple[list[str], dict[str, list[str]]]:
 
 
 def test_csv_reads_back_to_the_same_numbers(example):
-    file, result = example
-    _comments, columns = table_of("".join(csv_text(result, file.document.data, result.catalogue)))
+    _file, result = example
+    _comments, columns = table_of("".join(csv_text(result, every_curve(result))))
     np.testing.assert_array_equal([float(number) for number in columns.pop("crank_angle [deg]")], result.crank_angle)
     for name, entry in result.catalogue.items():
         if entry.is_fact:
@@ -51,10 +57,10 @@ def test_csv_reads_back_to_the_same_numbers(example):
 
 
 def test_csv_by_method_names_both(example):
-    file, result = example
+    _file, result = example
     if "displacement_by_method" not in result.catalogue:
         pytest.skip("no textbook form for this machine")
-    _comments, columns = table_of("".join(csv_text(result, file.document.data, ["displacement_by_method"])))
+    _comments, columns = table_of("".join(csv_text(result, list(curve_columns(result, ["displacement_by_method"])))))
     methods, pistons = result.labels["motion_method"], result.labels["piston"]
     assert len(columns) == 1 + len(methods) * len(pistons)
     for i, method in enumerate(methods):
@@ -65,7 +71,7 @@ def test_csv_by_method_names_both(example):
 def test_csv_says_how_it_counts():
     file = read_machine("3d12", ['running="astern"'])
     result = ct.run(file.machine, step_degrees=30)
-    comments, _columns = table_of("".join(csv_text(result, file.document.data, ["rod_angle"])))
+    comments, _columns = table_of("".join(csv_text(result, list(curve_columns(result, ["rod_angle"])))))
     said = "".join(comments)
     assert comments[0] == f"# cranktrain: {ct.__version__}\n"
     assert comments[1].startswith("# machine: 3D12 marine diesel")
@@ -113,7 +119,7 @@ def test_what_is_not_a_number():
     result = ct.run(ct.Machine(mechanism=SHORT_ROD), step_degrees=10, partial=True)
     open_at = np.isnan(result.rod_angle[0])
     assert open_at.any() and not open_at.all()
-    _comments, columns = table_of("".join(csv_text(result, {}, ["rod_angle"])))
+    _comments, columns = table_of("".join(csv_text(result, list(curve_columns(result, ["rod_angle"])))))
     assert [math.isnan(float(number)) for number in columns["rod_angle(1) [rad]"]] == open_at.tolist()
     text = "".join(json_text(result, {}, ["rod_angle"]))
     assert "NaN" not in text
@@ -122,9 +128,9 @@ def test_what_is_not_a_number():
 
 def test_csv_with_commas_reads_back_to_the_same_numbers(example):
     """As a spreadsheet reads it where a comma divides decimals: by semicolons, the byte-order mark taken off."""
-    file, result = example
-    points = "".join(csv_text(result, file.document.data, result.catalogue))
-    commas = "".join(csv_text(result, file.document.data, result.catalogue, comma=True))
+    _file, result = example
+    points = "".join(csv_text(result, every_curve(result)))
+    commas = "".join(csv_text(result, every_curve(result), comma=True))
     assert commas.startswith("\ufeff#")
     rows = list(csv.reader(io.StringIO(commas.removeprefix("\ufeff")), delimiter=";"))
     expected = list(csv.reader(io.StringIO(points)))
@@ -157,12 +163,12 @@ def test_facts_as_csv(example, comma):
 
 def test_workbook_reads_back_to_the_same_numbers(example):
     openpyxl = pytest.importorskip("openpyxl")
-    file, result = example
+    _file, result = example
     names = ["rod_angle", "stroke", "crank_radius"]
-    content = b"".join(workbook_bytes(result, file.document.data, names))
+    content = b"".join(workbook_bytes(result, list(curve_columns(result, names)), names))
     curves, facts, about = openpyxl.load_workbook(io.BytesIO(content)).worksheets
     heads, *rows = curves.iter_rows(values_only=True)
-    _comments, columns = table_of("".join(csv_text(result, file.document.data, names)))
+    _comments, columns = table_of("".join(csv_text(result, list(curve_columns(result, names)))))
     assert list(heads) == list(columns)
     expected = np.transpose([list(map(float, column)) for column in columns.values()])
     np.testing.assert_allclose(np.array(rows, float), expected, rtol=1e-15)  # openpyxl writes 16 digits
@@ -177,7 +183,7 @@ def test_workbook_has_no_formulas_of_the_users_and_empty_cells_for_no_number():
     openpyxl = pytest.importorskip("openpyxl")
     machine = ct.Machine(mechanism=SHORT_ROD, name="=1+\x07" + 40_000 * "1")
     result = ct.run(machine, partial=True, step_degrees=30)
-    content = b"".join(workbook_bytes(result, {}, ["rod_angle"]))
+    content = b"".join(workbook_bytes(result, list(curve_columns(result, ["rod_angle"])), ["rod_angle"]))
     curves, _facts, about = openpyxl.load_workbook(io.BytesIO(content)).worksheets
     assert "B2" in curves.freeze_panes
     assert {type(row[1]) for row in curves.iter_rows(min_row=2, values_only=True)} <= {int, float, type(None)}

@@ -10,6 +10,7 @@ import numpy as np
 from rich.text import Text
 
 from cranktrain.analysis import Result
+from cranktrain.analysis.curve_columns import CurvesAtAngle
 from cranktrain.analysis.dimensions import dimension_named
 from cranktrain.cli.screen.amounts import Figures, figures
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
@@ -26,6 +27,10 @@ _MOST_COLUMNS = 3
 """Of a table with one row for each fact; facts that need more groups get one row for each group."""
 
 _OF_MACHINE = ResultDimension("", "")
+
+
+HasFacts: TypeAlias = Result | CurvesAtAngle
+"""What has a catalogue of facts, and their values."""
 
 
 @record
@@ -70,12 +75,12 @@ _Line: TypeAlias = tuple[str, list[str]]
 """Label and texts of a line of a table with one column for each fact."""
 
 
-def fact_tables(result: Result, names: Sequence[str], width: int) -> Iterator[str | Text]:
+def fact_tables(result: HasFacts, names: Sequence[str], width: int) -> Iterator[str | Text]:
     """Lay out facts.
 
     Parameters
     ----------
-    result : Result
+    result : HasFacts
     names : sequence of str
         Which of its facts.
     width : int
@@ -102,7 +107,7 @@ def fact_tables(result: Result, names: Sequence[str], width: int) -> Iterator[st
         yield from _deep(result, entries, width)
 
 
-def _row(result: Result, name: str) -> FactRow:
+def _row(result: HasFacts, name: str) -> FactRow:
     """Write a fact with at most one dimension; one member needs no name."""
     entry = result.catalogue[name]
     members = tuple(label for titles in result.titles_of(entry).values() for label in titles)
@@ -174,7 +179,7 @@ def _lines(rows: Sequence[FactRow], members: Sequence[str], outer: str = "") -> 
     ]
 
 
-def _deep(result: Result, entries: Sequence[Entry], width: int) -> Iterator[str | Text]:
+def _deep(result: HasFacts, entries: Sequence[Entry], width: int) -> Iterator[str | Text]:
     """Facts with more dimensions, as of each piston by each method: a line for each method and group of pistons."""
     *outer, members = result.titles_of(entries[0]).values()
     shown = [_of_members(getattr(result, entry.name), entry) for entry in entries]

@@ -77,5 +77,8 @@ QUESTION = Question(
     title=N_("Main bearings"),
     rows=(rows.bearing_rows, rows.torque_rows),
     offers={"main_bearing_load_x": N_("loads of main bearings")},
+    curve_tables={
+        "bearings": ("main_bearing_load_x", "main_bearing_load_y", "journal_load_along", "journal_load_across"),
+    },
     uses=(Use(table("crankshaft"), (main_bearing_loads.MainBearingLoads,)), Use(table("gear"), (LoadedShafts,))),
 )

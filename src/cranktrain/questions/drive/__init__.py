@@ -39,5 +39,6 @@ QUESTION = Question(
     title=N_("Drive"),
     rows=(rows.running_rows,),
     offers={"motor_torque": N_("torque of the motor")},
+    curve_tables={"drive": ("drive_speed", "motor_speed", "motor_torque", "transmitted_torque")},
     uses=(Use(inner_table("drive", "motor"), (SteadyDrive,)),),
 )

@@ -11,6 +11,7 @@ from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, 
 from cranktrain.quantities import Given
 from cranktrain.questions import gas
 from cranktrain.questions.forces import (
+    along_cylinder,
     carriers,
     crank_pins,
     events,
@@ -65,6 +66,8 @@ QUESTION = Question(
         Stage(events.force_events),
         Stage(forces_times_arms.forces_times_arms),
         Stage(rods_in_pistons.rods_on_grid),
+        Stage(along_cylinder.piston_loads, applies=along_cylinder.are_loaded),
+        Stage(along_cylinder.piston_weights, applies=along_cylinder.are_heavy),
         Stage(piston_forces.piston_force_set, applies=on_rods),
         Stage(largest_forces.piston_curves, applies=on_rods),
         Stage(torque_curves.torque_curves),
@@ -91,6 +94,13 @@ QUESTION = Question(
     offers={
         "joint_force_x": N_("forces and torque"),
         "guide_pressing": N_("edge forces"),
+    },
+    curve_tables={
+        "forces": (
+            *("gas_force", "inertia_force", "load_force", "weight_force"),
+            *("piston_force", "side_force", "rod_force_at_piston_pin"),
+            *("radial_force", "tangential_force", "mechanism_torque"),
+        )
     },
     uses=(
         # Gas that presses on nothing is missed by the forces.

@@ -67,4 +67,13 @@ QUESTION = Question(
         "piston_velocity": N_("speeds and accelerations"),
         "point_x": N_("curves of points"),
     },
+    curve_tables={
+        "motion": (
+            *("piston_displacement", "piston_velocity", "piston_acceleration"),
+            *("rod_angle", "rod_angular_velocity", "rod_angular_acceleration"),
+            *("rocker_angle", "rocker_angular_velocity", "rocker_angular_acceleration"),
+            *("coupler_angle", "coupler_angular_velocity", "coupler_angular_acceleration"),
+            *("load_displacement", "load_velocity_coefficient"),
+        )
+    },
 )

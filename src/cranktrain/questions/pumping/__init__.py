@@ -31,5 +31,11 @@ QUESTION = Question(
     title=N_("Pumping unit"),
     rows=(rows.pumping_rows,),
     offers={"gearbox_torque": N_("net torque of the gearbox")},
+    curve_tables={
+        "pumping": (
+            *("rod_position", "torque_factor", "polished_rod_load", "permissible_load"),
+            *("rod_torque", "counterbalance_torque", "gearbox_torque"),
+        )
+    },
     uses=(Use(table("pumping"), (GearboxTorque,)),),
 )

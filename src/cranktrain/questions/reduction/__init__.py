@@ -46,5 +46,6 @@ QUESTION = Question(
     ),
     title=N_("Drive"),
     rows=(rows.static_rows,),
+    curve_tables={"drive": ("static_torque", "static_motor_torque", "driven_inertia")},
     uses=(Use(table("drive"), (StaticTorques,)),),
 )

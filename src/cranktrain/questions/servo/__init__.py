@@ -17,5 +17,11 @@ QUESTION = Question(
         Stage(unlikely_motion),
     ),
     title=N_("Drive"),
+    curve_tables={
+        "drive": (
+            *("wanted_time", "wanted_crank_speed", "wanted_crank_acceleration"),
+            *("servo_crank_torque", "servo_torque"),
+        )
+    },
     rows=(rows.wanted_rows, rows.servo_rows, rows.rocking_rows, rows.rocking_drive_rows),
 )

@@ -1,0 +1,239 @@
+"""`run --at` and `run --table`: curves at some crank angles as numbers, on the screen or in a file."""
+
+import itertools
+import math
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+import numpy as np
+from rich.text import Text
+
+from cranktrain.analysis import Result
+from cranktrain.analysis.curve_columns import (
+    CurveColumn,
+    CurvesAtAngle,
+    at_angles,
+    by_default,
+    curve_columns,
+    of_member,
+)
+from cranktrain.cli.screen.amounts import figures
+from cranktrain.cli.screen.columns import Column, column_table, side_by_side
+from cranktrain.cli.screen.facts import fact_tables
+from cranktrain.cli.screen.text import INDENT, page, section
+from cranktrain.cli.screen.title import title
+from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.grouping import grouped
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.quantities import unlisted
+from cranktrain.record import record
+
+_HUNDREDTHS = 100
+"""Parts of a degree of which angles that can be asked for are whole numbers."""
+_ROUNDING = 1e-12
+_MOST = 100_000
+"""Angles at once."""
+_NAMED = 5
+"""Members that a heading names."""
+_LINES = 24
+"""Of a table for which nobody says how far apart its lines are."""
+
+
+@record
+class CurvesAsked:
+    """Which curves at which crank angles, as typed.
+
+    Attributes
+    ----------
+    at : str or None
+        `140`, or `0,30..720`.
+    table : str or None
+        Its name.
+    of : str or None
+        Of which member the table is.
+    every : str or None
+        How far apart its lines are. [deg]
+    """
+
+    at: str | None = None
+    table: str | None = None
+    of: str | None = None
+    every: str | None = None
+
+    def __bool__(self) -> bool:
+        """Whether any are asked for."""
+        return any(part is not None for part in (self.at, self.table, self.of, self.every))
+
+    def problems(self) -> Iterator[Problem]:
+        """Find what does not go together."""
+        if self.table is None:
+            for option, given in (("--of", self.of), ("--every", self.every)):
+                if given is not None:
+                    yield Problem(option, given, _("is for a table"), _("name one, such as --table forces"))
+        elif self.at is not None and self.every is not None:
+            yield Problem("--every", self.every, _("must be left out beside --at, which names the angles"))
+
+
+def angles_asked(asked: CurvesAsked, cycle: int) -> list[Fraction]:
+    """Crank angles that are asked for, within a cycle of so many degrees; refuse what is none. [deg]"""
+    if asked.at is not None:
+        return list(_listed("--at", asked.at, cycle))
+    if asked.every is None:
+        every = Fraction(cycle, _LINES)
+    else:
+        every = _number("--every", asked.every)
+        if not Fraction(1, _HUNDREDTHS) <= every <= cycle:
+            allowed = _("must be a number of degrees from 0.01 to {cycle}", cycle=cycle)
+            raise InputError([Problem("--every", asked.every, allowed)])
+    return [every * line for line in range(math.floor(cycle / every) + 1)]
+
+
+def _listed(option: str, text: str, cycle: int) -> Iterator[Fraction]:
+    """Angles of a list such as `5,10,0,30..720`: numbers, and as far as a last one in steps of the two before it."""
+    allowed = _("must be crank angles from 0 to {cycle} deg, such as 140 or 0,30..{cycle}", cycle=cycle)
+    found: list[Fraction] = []
+    for word in text.split(","):
+        first, dots, last = word.partition("..")
+        found.append(_number(option, first, text, allowed))
+        if dots:
+            step = found[-1] - found[-2] if len(found) > 1 else Fraction(0)
+            end = _number(option, last, text, allowed)
+            if step <= 0 or (end - found[-1]) / step > _MOST:
+                repair = _("write the first two before the dots: 0,30..{cycle}", cycle=cycle)
+                raise InputError([Problem(option, text, allowed, repair)])
+            found += [found[-1] + step * (line + 1) for line in range(math.floor((end - found[-1]) / step))]
+    if not all(0 <= angle <= cycle for angle in found):
+        raise InputError([Problem(option, text, allowed)])
+    yield from found
+
+
+def _number(option: str, word: str, text: str | None = None, allowed: str | None = None) -> Fraction:
+    """Read a number of degrees that is a whole number of hundredths."""
+    try:
+        hundredths = float(word) * _HUNDREDTHS
+        whole = round(hundredths)
+    except (ValueError, OverflowError):
+        said = _("must be a number of degrees, such as 30") if allowed is None else allowed
+        raise InputError([Problem(option, word if text is None else text, said)]) from None
+    if abs(hundredths - whole) > _ROUNDING * max(1.0, abs(hundredths)):
+        raise InputError([Problem(option, word, _("must be a whole number of hundredths of a degree"))])
+    return Fraction(whole, _HUNDREDTHS)
+
+
+def step_for(angles: Sequence[Fraction]) -> float:
+    """Widest step, of at most a degree, on which all of some angles stand. [deg]"""
+    return math.gcd(_HUNDREDTHS, *(int(angle * _HUNDREDTHS) for angle in angles)) / _HUNDREDTHS
+
+
+def names_asked(machine: Machine, asked: CurvesAsked, quantities: tuple[str, ...] | None) -> tuple[str, ...] | None:
+    """Names of the curves of a table, or those that were asked for; None for all."""
+    if asked.table is None:
+        return quantities
+    tables = [question.curve_tables for question in machine.questions]
+    known = tuple(dict.fromkeys(itertools.chain(*tables)))
+    refuse([unlisted("--table", asked.table, known)] if asked.table not in known else ())
+    return tuple(itertools.chain(*(own.get(asked.table, ()) for own in tables)))
+
+
+@record
+class ChosenCurves:
+    """Curves at some crank angles.
+
+    Attributes
+    ----------
+    columns : tuple of CurveColumn
+        With values at these angles alone.
+    angles : Array, shape (n,)
+        [deg]
+    member : str
+        Of whom a table is; empty where it is no table, or of the machine.
+    others : tuple of str
+        Of whom it could be, too.
+    """
+
+    columns: tuple[CurveColumn, ...]
+    angles: Array
+    member: str = ""
+    others: tuple[str, ...] = ()
+
+
+def chosen_curves(
+    result: Result, asked: CurvesAsked, names: tuple[str, ...] | None, angles: Sequence[Fraction]
+) -> ChosenCurves:
+    """Pick what is asked for from a result on whose grid the angles stand."""
+    place = np.array([round(float(angle) / float(result.crank_angle[1])) for angle in angles], dtype=np.intp)
+    degrees = np.array([float(angle) for angle in angles])
+    wanted = by_default(result) if names is None else names
+    columns = at_angles(curve_columns(result, wanted, of_each_method=False), place % result.crank_angle.size)
+    if not columns:
+        raise InputError([_absence(result, asked, wanted)])
+    if asked.table is None:
+        return ChosenCurves(tuple(columns), degrees)
+    order = {name: i for i, name in enumerate(wanted)}
+    columns = sorted(columns, key=lambda column: order[column.entry.name])
+    members = tuple(dict.fromkeys(column.member for column in columns if column.member))
+    whole = tuple(name for name in members if not any(name.startswith(f"{other}.") for other in members))
+    if asked.of is not None and asked.of not in members:
+        raise InputError([unlisted("--of", asked.of, whole)])
+    member = asked.of if asked.of is not None else next(iter(whole), "")
+    own = [column for column in of_member(columns, member) if not np.all(np.isnan(column.values))]
+    return ChosenCurves(tuple(own), degrees, member, tuple(name for name in whole if name != member))
+
+
+def _absence(result: Result, asked: CurvesAsked, names: Sequence[str]) -> Problem:
+    """Say why there are no curves."""
+    needs = [need for missing in result.missing if not set(names).isdisjoint(missing.results) for need in missing.needs]
+    said = _("needs {needs} in the file", needs=", ".join(dict.fromkeys(needs)))
+    option, given = ("--at", asked.at) if asked.table is None else ("--table", asked.table)
+    return Problem(option, given, said if needs else _("has no curve that this machine has"))
+
+
+def show_curves(result: Result, asked: CurvesAsked, names: tuple[str, ...] | None, chosen: ChosenCurves) -> None:
+    """Show curves at some crank angles."""
+    with page(title(result.machines[0])) as console:
+        width = console.width - INDENT
+        if asked.table is None and chosen.angles.size == 1:
+            heading = _("At {angle}", angle=f"{chosen.angles[0]:g}°")
+            facts = CurvesAtAngle(
+                result,
+                round(float(chosen.angles[0] / result.crank_angle[1])) % result.crank_angle.size,
+                by_default(result) if names is None else names,
+            )
+            section(console, heading, fact_tables(facts, tuple(facts.catalogue), width))
+            return
+        tables = {chosen.member: chosen.columns} if asked.table is not None else _by_member(chosen.columns)
+        for member, columns in tables.items():
+            section(console, _heading(asked, chosen, member), _lines(columns, chosen.angles, width))
+
+
+def _by_member(columns: Sequence[CurveColumn]) -> dict[str, list[CurveColumn]]:
+    """Columns by whose they are."""
+    return grouped((column.member, column) for column in columns)
+
+
+def _heading(asked: CurvesAsked, chosen: ChosenCurves, member: str) -> str:
+    """Say what a table is of."""
+    if asked.table is None:
+        return member or _("Machine")
+    if not member:
+        return _("Table {table}", table=asked.table)
+    if not chosen.others:
+        return _("Table {table} of {member}", table=asked.table, member=member)
+    named = ", ".join((*chosen.others[:_NAMED], *(["…"] if len(chosen.others) > _NAMED else [])))
+    return _("Table {table} of {member} (others by --of: {others})", table=asked.table, member=member, others=named)
+
+
+def _lines(columns: Sequence[CurveColumn], angles: Array, width: int) -> Iterator[str | Text]:
+    """Lay out columns, as many side by side as there is room for, and what they are below."""
+    labels = [f"{angle:g}" for angle in angles.tolist()]
+    each: list[Column] = []
+    for column in columns:
+        shown = figures(column.values, column.entry.shown)
+        each.append(Column(column.entry.symbol or column.entry.name, shown.unit, shown.texts, column.entry.name))
+    for i, part in enumerate(side_by_side(each, width - max(map(len, labels)))):
+        if i:
+            yield ""
+        yield from column_table(part, labels, "φ °")
+        yield ", ".join(f"{column.head} {column.name}" for column in part)

@@ -1,0 +1,80 @@
+"""A result as data frames: its curves over the crank angle, and its facts one below the other."""
+
+from collections.abc import Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, cast
+
+from cranktrain.analysis import Result
+from cranktrain.analysis.curve_columns import by_default, curve_columns
+from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.io.tables import HEADS, fact_rows
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.quantities import nearest
+from cranktrain.saying.scales import in_asked_unit
+
+if TYPE_CHECKING:
+    import pandas
+
+
+class _OneDesign:
+    """A result of several designs as one of one of them."""
+
+    def __init__(self, result: Result, design: int) -> None:
+        self._result, self._design = result, design
+
+    def __getattr__(self, name: str) -> Any:
+        """Give what the result has, of its quantities those of the design."""
+        found = getattr(self._result, name)
+        return found[self._design] if name in self._result.catalogue else found
+
+
+def curves_frame(
+    result: Result, names: Sequence[str], *, design: int = 0, of_each_method: bool = False
+) -> "pandas.DataFrame":
+    """Give curves as a data frame; parameters as of `Result.curves`."""
+    pandas = _imported_pandas()
+    known = [name for name, entry in result.catalogue.items() if not entry.is_fact]
+    refuse(_unknown(name, known) for name in names if name not in known)
+    wanted = names or by_default(result)
+    columns: dict[tuple[str, str], Array] = {}
+    units: dict[str, str] = {}
+    for column in curve_columns(_of(result, design), wanted, of_each_method=of_each_method):
+        entry = column.entry
+        whose = column.of if of_each_method else column.member
+        units[entry.name], columns[entry.name, whose] = in_asked_unit(entry.unit, column.values, entry.shown)
+    heads = pandas.MultiIndex.from_tuples(list(columns), names=["quantity", "of"])
+    index = pandas.Index(result.crank_angle, name="crank_angle")
+    frame = pandas.DataFrame(dict(enumerate(columns.values())), index=index).set_axis(heads, axis=1)
+    frame.attrs["units"] = {"crank_angle": "deg", **units}
+    return frame
+
+
+def facts_frame(result: Result, *, design: int = 0) -> "pandas.DataFrame":
+    """Give facts as a data frame; parameters as of `Result.facts_table`."""
+    pandas = _imported_pandas()
+    return pandas.DataFrame(list(fact_rows(_of(result, design), tuple(result.catalogue))), columns=list(HEADS))
+
+
+def _of(result: Result, design: int) -> Result:
+    """The result of one design."""
+    if not 0 <= design < len(result.machines):
+        allowed = _("must be from 0 to {last}", last=len(result.machines) - 1)
+        raise InputError([Problem("design", str(design), allowed)])
+    return cast(Result, _OneDesign(result, design)) if result.has_designs else result
+
+
+def _unknown(name: str, known: Sequence[str]) -> Problem:
+    """Refuse a name that no curve has."""
+    meant = nearest(name, known)
+    repair = _('write "{text}"', text=meant) if meant else _("`result.catalogue` names all")
+    return Problem("curves", name, _("is no curve of this result"), repair)
+
+
+def _imported_pandas() -> Any:
+    """Import what makes data frames, or say how to have it."""
+    try:
+        return import_module("pandas")
+    except ModuleNotFoundError:
+        repair = _("pip install 'cranktrain[dataset]', or take arrays by their names")
+        raise InputError([Problem("curves", None, _("needs the package pandas"), repair)]) from None
