@@ -10,6 +10,7 @@ from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.options import (
     AllTables,
     At,
+    AtTimes,
     Checks,
     CurveTable,
     Decimal,
@@ -226,6 +227,7 @@ add_compare(_app)
         "\b\n"
         "  cranktrain start tilting_table\n"
         '  cranktrain start tilting_table --set "drive.start.angle=60 deg"\n'
+        "  cranktrain start tilting_table --at 0,0.1..1\n"
         "  cranktrain start tilting_table -o start.csv\n"
         "  cranktrain start tilting_table -o start.png"
     ),
@@ -235,6 +237,7 @@ def _start(
     file: File,
     output: StartOutput = None,
     settings: Settings = None,
+    at: AtTimes = None,
     decimal: Decimal = "point",
     full: Annotated[bool, typer.Option("--full", help=_("Show every event."))] = False,
     units: Units = None,
@@ -251,6 +254,7 @@ def _start(
             units=units,
             decimal=decimal,
             full=full,
+            at=at,
         )
     )
 

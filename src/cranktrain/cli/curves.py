@@ -17,6 +17,7 @@ from cranktrain.analysis.curve_columns import (
     curve_columns,
     of_member,
 )
+from cranktrain.cli.number_lists import exact, numbers_listed
 from cranktrain.cli.screen.amounts import figures
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.facts import fact_tables
@@ -32,9 +33,6 @@ from cranktrain.record import record
 
 _HUNDREDTHS = 100
 """Parts of a degree of which angles that can be asked for are whole numbers."""
-_ROUNDING = 1e-12
-_MOST = 100_000
-"""Angles at once."""
 _NAMED = 5
 """Members that a heading names."""
 _LINES = 24
@@ -79,47 +77,29 @@ class CurvesAsked:
 def angles_asked(asked: CurvesAsked, cycle: int) -> list[Fraction]:
     """Crank angles that are asked for, within a cycle of so many degrees; refuse what is none. [deg]"""
     if asked.at is not None:
-        return list(_listed("--at", asked.at, cycle))
-    if asked.every is None:
-        every = Fraction(cycle, _LINES)
-    else:
-        every = _number("--every", asked.every)
-        if not Fraction(1, _HUNDREDTHS) <= every <= cycle:
-            allowed = _("must be a number of degrees from 0.01 to {cycle}", cycle=cycle)
-            raise InputError([Problem("--every", asked.every, allowed)])
+        example = f"0,30..{cycle}"
+        allowed = _(
+            "must be crank angles from 0 to {cycle} deg, such as 140 or {example}", cycle=cycle, example=example
+        )
+        angles = numbers_listed("--at", asked.at, allowed, example, lambda word: _in_hundredths("--at", word))
+        refuse([] if all(0 <= angle <= cycle for angle in angles) else [Problem("--at", asked.at, allowed)])
+        return angles
+    every = Fraction(cycle, _LINES)
+    if asked.every is not None:
+        allowed = _("must be a number of degrees from 0.01 to {cycle}, such as 30", cycle=cycle)
+        (every,) = numbers_listed("--every", asked.every, allowed, "30", lambda word: _in_hundredths("--every", word))[
+            :1
+        ]
+        refuse([] if 0 < every <= cycle else [Problem("--every", asked.every, allowed)])
     return [every * line for line in range(math.floor(cycle / every) + 1)]
 
 
-def _listed(option: str, text: str, cycle: int) -> Iterator[Fraction]:
-    """Angles of a list such as `5,10,0,30..720`: numbers, and as far as a last one in steps of the two before it."""
-    allowed = _("must be crank angles from 0 to {cycle} deg, such as 140 or 0,30..{cycle}", cycle=cycle)
-    found: list[Fraction] = []
-    for word in text.split(","):
-        first, dots, last = word.partition("..")
-        found.append(_number(option, first, text, allowed))
-        if dots:
-            step = found[-1] - found[-2] if len(found) > 1 else Fraction(0)
-            end = _number(option, last, text, allowed)
-            if step <= 0 or (end - found[-1]) / step > _MOST:
-                repair = _("write the first two before the dots: 0,30..{cycle}", cycle=cycle)
-                raise InputError([Problem(option, text, allowed, repair)])
-            found += [found[-1] + step * (line + 1) for line in range(math.floor((end - found[-1]) / step))]
-    if not all(0 <= angle <= cycle for angle in found):
-        raise InputError([Problem(option, text, allowed)])
-    yield from found
-
-
-def _number(option: str, word: str, text: str | None = None, allowed: str | None = None) -> Fraction:
-    """Read a number of degrees that is a whole number of hundredths."""
-    try:
-        hundredths = float(word) * _HUNDREDTHS
-        whole = round(hundredths)
-    except (ValueError, OverflowError):
-        said = _("must be a number of degrees, such as 30") if allowed is None else allowed
-        raise InputError([Problem(option, word if text is None else text, said)]) from None
-    if abs(hundredths - whole) > _ROUNDING * max(1.0, abs(hundredths)):
+def _in_hundredths(option: str, word: str) -> Fraction:
+    """Read a number that is a whole number of hundredths."""
+    number = exact(word)
+    if (number * _HUNDREDTHS).denominator != 1:
         raise InputError([Problem(option, word, _("must be a whole number of hundredths of a degree"))])
-    return Fraction(whole, _HUNDREDTHS)
+    return number
 
 
 def step_for(angles: Sequence[Fraction]) -> float:

@@ -55,6 +55,9 @@ At = Annotated[
     str | None,
     typer.Option("--at", metavar="ANGLES", help=_("Curves at these crank angles, in degrees: 140, or 0,30..720.")),
 ]
+AtTimes = Annotated[
+    str | None, typer.Option("--at", metavar="TIMES", help=_("Curves at these times, in seconds: 0.5, or 0,0.1..2."))
+]
 CurveTable = Annotated[
     str | None,
     typer.Option("--table", metavar="NAME", help=_("A table of curves: motion, forces, bearings, drive or pumping.")),

@@ -1,6 +1,7 @@
 """`start`: run a machine with its motor over time, write it where asked, and show what became of it."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial as with_arguments
 from pathlib import PurePath
 
@@ -9,10 +10,13 @@ from rich.text import Text
 
 from cranktrain.cli.asked import Asked, units_asked_for
 from cranktrain.cli.how_far import says_how_far
+from cranktrain.cli.number_lists import numbers_listed
+from cranktrain.cli.screen.amounts import figures
+from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.text import page, show_lines
 from cranktrain.cli.screen.title import title
-from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.how_far import say_how_far
 from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile, read_machine
@@ -36,6 +40,7 @@ class StartRequest(Asked):
 
     decimal: str = "point"
     full: bool = False
+    at: str | None = None
 
 
 def show_start(request: StartRequest) -> None:
@@ -43,16 +48,42 @@ def show_start(request: StartRequest) -> None:
     suffix = _suffix(request)
     asked = units_asked_for(request.units)
     file = read_machine(request.file, request.settings)
+    times = None if request.at is None else _times(request.at)
     with shown_as_in(units_of(file.machine)), shown_by(asked):
-        with problems_as(file.document.located), says_how_far():
-            found = start(file.machine, progress=_progress)
+        with problems_as(_at_option), problems_as(file.document.located), says_how_far():
+            found = start(file.machine, at=times, progress=_progress)
         if request.output is not None:
             _write(found, file, request, suffix)
             print(_("written: {name}", name=one_line(request.output)))
             return
         with page(title(file.machine)) as console:
+            if times is not None:
+                section_of_columns(console, _("Start"), *_at_times(found))
+                return
             show_lines(console, group_lines([RowGroup(_("Start"), found.rows())], console.width))
             show_lines(console, map(Text, _event_lines(found, request)))
+
+
+def _times(text: str) -> list[float]:
+    """Read times that are asked for; refuse what is none. [s]"""
+    allowed = _("must be times in seconds from 0 on, such as 0.5 or 0,0.1..2")
+    times = [float(time) for time in numbers_listed("--at", text, allowed, "0,0.1..2")]
+    refuse([] if min(times) >= 0 else [Problem("--at", text, allowed)])
+    return times
+
+
+def _at_option(problem: Problem) -> Problem:
+    """Put what is wrong with the times to the option that asks for them."""
+    return replace(problem, path="", position=Position("--at")) if problem.path == "at" else problem
+
+
+def _at_times(found: Start) -> tuple[list[Column], list[str]]:
+    """Curves at the times that were asked for, and these as labels."""
+    columns: list[Column] = []
+    for name, entry in found.catalogue.items():
+        shown = figures(getattr(found, name), entry.shown)
+        columns.append(Column(entry.symbol or name, shown.unit, shown.texts, name))
+    return columns, [f"{time:g} s" for time in found.time.tolist()]
 
 
 def _suffix(request: StartRequest) -> str:

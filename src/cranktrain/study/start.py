@@ -1,6 +1,6 @@
 """A start over time: what was asked of a machine with its motor, and what became of it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -31,7 +31,7 @@ from cranktrain.questions.start.notes import start_notes
 from cranktrain.questions.start.parts import DeclaredStart
 from cranktrain.questions.start.record import StartCurves, StartEvent, StartRun
 from cranktrain.questions.start.rows import start_rows
-from cranktrain.questions.start.starting import asked_times, run_start
+from cranktrain.questions.start.starting import asked_times, run_start, until
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry, entries
 from cranktrain.saying.rows import AnswerLine
@@ -102,13 +102,15 @@ class Start:
         return list(start_rows(self.run))
 
 
-def start(machine: Machine, *, progress: Progress | None = None) -> Start:
+def start(machine: Machine, *, at: Sequence[float] | None = None, progress: Progress | None = None) -> Start:
     """Run a machine with its motor over time, as [drive.start] says.
 
     Parameters
     ----------
     machine : Machine
         With [drive].
+    at : sequence of float, optional
+        Times at which curves stand, rising; those that the file's interval gives, or evenly, unless given. [s]
     progress : callable, optional
         Told the time, the crank angle and the speed that the run has come to; with it Ctrl-C ends the run, and what was
         computed so far is kept. [s, rad, rad/s]
@@ -123,9 +125,10 @@ def start(machine: Machine, *, progress: Progress | None = None) -> Start:
         With everything that is wrong with the machine, or what it lacks.
     """
     parts, found = parts_and_stages(machine)
+    times = None if at is None else np.unique(np.asarray(at, dtype=np.float64))
     if DeclaredStroke in parts:
-        return _stroke(machine, parts, found)
-    case = start_case(parts, found)
+        return _stroke(machine, parts, found, times)
+    case = replace(start_case(parts, found), times=times)
     run = run_start(case, progress)
     run = replace(run, notes=tuple(start_notes(parts, run)))
     return Start(machine, run, case.motor, overall_ratio(case.gearing))
@@ -146,7 +149,7 @@ def parts_and_stages(machine: Machine) -> tuple[Mapping[type, Any], Mapping[type
     return parts, run_stages(leading_to(stages, wanted), parts, absent)
 
 
-def _stroke(machine: Machine, parts: Mapping[type, Any], found: Mapping[type, Any]) -> Start:
+def _stroke(machine: Machine, parts: Mapping[type, Any], found: Mapping[type, Any], times: Array | None) -> Start:
     """The start of a press, which is a stroke."""
     strokes: PressStrokes = found[PressStrokes]
     case, settled = strokes.cases[0], strokes.settled[0]
@@ -155,7 +158,11 @@ def _stroke(machine: Machine, parts: Mapping[type, Any], found: Mapping[type, An
     end = settled.stroke.run.end.time if settled.pace is None else settled.pace.waiting.end.time
     start: DeclaredStart = parts[DeclaredStart]
     interval = start.of(0).interval
-    run = run_stroke(case, settled, None if np.isinf(interval) else asked_times(interval, start.texts["interval"], end))
+    if times is not None:
+        times = until(times, end)
+    elif not np.isinf(interval):
+        times = asked_times(interval, start.texts["interval"], end)
+    run = run_stroke(case, settled, times)
     if not settled.is_found:
         run = replace(run, reason=strokes.flags[0])
     run = replace(run, notes=tuple(start_notes(parts, run)))

@@ -94,13 +94,17 @@ def test_curves_at_one_angle_are_told_as_facts_are(typed):
         (("--at", "-1"), "must be crank angles from 0 to 720 deg"),
         (("--at", "nan"), "must be crank angles from 0 to 720 deg"),
         (("--at", "1e999999999"), "must be crank angles from 0 to 720 deg"),
+        (("--at", "1e-300,2"), "--at = 1e-300: must be a whole number of hundredths of a degree"),
         (("--at", "13.377"), "--at = 13.377: must be a whole number of hundredths of a degree"),
         (("--table", "force"), "--table = force: must be one of: motion, forces"),
         (("--table", "forces", "--of", "9"), "--of = 9: must be one of: 1, 2, 3, 4"),
         (("--every", "3"), "--every = 3: is for a table; name one, such as --table forces"),
         (("--of", "1"), "--of = 1: is for a table"),
-        (("--table", "forces", "--every", "0"), "--every = 0: must be a number of degrees from 0.01 to 720"),
-        (("--table", "forces", "--every", "much"), "--every = much: must be a number of degrees, such as 30"),
+        (
+            ("--table", "forces", "--every", "0"),
+            "--every = 0: must be a number of degrees from 0.01 to 720, such as 30",
+        ),
+        (("--table", "forces", "--every", "much"), "--every = much: must be a number of degrees from 0.01 to 720"),
         (("--table", "forces", "--every", "2", "--at", "3"), "must be left out beside --at"),
         (("--table", "forces", "--full"), "leave --full and"),
         (("--table", "forces", "-o", "forces.json"), "write a .csv or an .xlsx"),
@@ -166,3 +170,29 @@ def test_a_data_frame_of_all_combinations_is_refused():
     with pytest.raises(ct.InputError, match=r"to_dataframe: would have .* rows, one for each combination of piston,"):
         dataset.to_dataframe()
     assert len(dataset[["piston_velocity"]].to_dataframe()) == 4 * 720
+
+
+def test_a_start_at_some_times(typed, tmp_path):
+    """By the interval of the file the same states; none after its end."""
+    typed("start", "tilting_table", "--at", "0.25,0.5..1.25", "-o", "at.csv")
+    typed("start", "tilting_table", "--set", "drive.start.interval=0.25 s", "-o", "every.csv")
+    at, every = (columns_of(tmp_path / name) for name in ("at.csv", "every.csv"))
+    assert at["time [s]"].tolist() == [0.25, 0.5, 0.75, 1.0, 1.25]
+    for head, values in at.items():
+        np.testing.assert_allclose(values, every[head][1:6], rtol=1e-9, atol=1e-9 * np.max(np.abs(every[head])))
+    output = typed("start", "tilting_table", "--at", "0.5").output
+    assert re.search(r"0\.5 s +17\.11", output)
+
+
+@pytest.mark.parametrize(
+    ("machine", "times", "said"),
+    [
+        ("tilting_table", "99", "--at: 99.000 s: must be at most 4.912 s, when it ends"),
+        ("high_slip_press", "99", "must be at most"),
+        ("tilting_table", "-1", "--at = -1: must be times in seconds from 0 on, such as 0.5 or 0,0.1..2"),
+        ("tilting_table", "soon", "must be times in seconds"),
+        ("tilting_table", "1e400", "must be times in seconds"),
+    ],
+)
+def test_times_that_cannot_be(typed, machine, times, said):
+    assert said in " ".join(typed("start", machine, "--at", times).errors.split())

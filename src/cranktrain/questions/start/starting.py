@@ -79,13 +79,21 @@ def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
     first = list(_runs(case, run_by, _NO_TIMES, np.inf, progress, steps))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
-    asked = asked_times(case.start.interval, case.interval_text, end)
+    asked = asked_times(case.start.interval, case.interval_text, end) if case.times is None else until(case.times, end)
     samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close_times(case, steps)]))
     again = list(_runs(case, run_by, samples, end if last.reason == endings.STOPPED else np.inf, None))
     return _together(case, again, last.reason, asked)
 
 
 _NO_TIMES = np.empty(0)
+
+
+def until(times: Array, end: float) -> Array:
+    """Times at which curves are asked for, none of them after the end of a run. [s]"""
+    if np.any(times > end):
+        allowed = _("must be at most {end}, when it ends", end=number(end, "s"))
+        raise InputError([Problem("at", number(float(np.max(times)), "s"), allowed)])
+    return times
 
 
 def asked_times(interval: float, text: str, end: float) -> Array:
