@@ -88,7 +88,7 @@ def _lacks(needs: Sequence[str]) -> str:
 def _behind(stage: Stage, takes: Sequence[type], declared: Mapping[type, Sequence[str]]) -> StageBehind:
     """Describe a stage that goes on from some parts and outcomes."""
     function = stage.function
-    found = _CITED.findall(" ".join((inspect.getdoc(function) or "").split()))
+    found: list[tuple[str, str]] = _CITED.findall(" ".join((inspect.getdoc(function) or "").split()))
     found = found or [(entry.source, entry.numbers) for entry in entries(stage.gives)]
     return StageBehind(
         function.__name__,
