@@ -1,5 +1,6 @@
 """All results in tables, from the catalogue that the program itself reads: `{results}`."""
 
+import re
 from collections.abc import Iterator
 
 from docutils import nodes
@@ -44,7 +45,9 @@ def _cells(entry: Entry) -> tuple[str, ...]:
     """Give what is said of a result; a curve has its angle in the symbol."""
     symbol = entry.symbol if entry.is_fact else f"{entry.symbol}(φ)"
     page = entry.source.removeprefix("docs/")
-    return f"`{entry.name}`", symbol, entry.unit, entry.sentence, f"[{page.rpartition('/')[2]}](/{page}.md)"
+    linked = re.sub(r"\((.+?)\)", r"{eq}`\1`", entry.numbers)
+    where = f"[{page.rpartition('/')[2]}](/{page}.md) {linked}".rstrip()
+    return f"`{entry.name}`", symbol, entry.unit, entry.sentence, where
 
 
 def _line(cells: tuple[str, ...]) -> str:

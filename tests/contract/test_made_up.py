@@ -142,7 +142,7 @@ from cranktrain.record import record
 class Loudness(StageResult):
     """How loud it is."""
 
-    rattle: Array = quantity("v_r", "m/s", ("ear",), "Speed of the loosest joint", "docs/conventions")
+    rattle: Array = quantity("v_r", "m/s", ("ear",), "Speed of the loosest joint", "docs/conventions", "definition")
 
 
 def loudness(noise: DeclaredNoise, speed: Speed) -> Loudness:

@@ -186,12 +186,16 @@ def test_a_name_that_is_read_is_refused(unread):
 class Paces(StageResult):
     """A result that has a speed, a frequency, a place and an end, none of which is called so."""
 
-    pace: Array = quantity("n_p", "rad/s", ("piston",), "Pace", "docs/conventions", shown="rpm", worst="smallest")
-    beat: Array = quantity("f_b", "rad/s", (), "Beat", "docs/conventions", shown="Hz")
-    doors: Array = quantity("φ_d", "deg", (), "Crank angle at which doors open", "docs/conventions", is_place=True)
-    width: Array = quantity("γ_w", "deg", (), "How long they are open", "docs/conventions")
-    hum: Array = quantity("h", "N", ("crank_angle",), "Hum", "docs/conventions")
-    din: Extreme = extreme("h_d", "N", (), "Din", "Crank angle of the din", "docs/conventions", of="hum")
+    pace: Array = quantity(
+        "n_p", "rad/s", ("piston",), "Pace", "docs/conventions", "definition", shown="rpm", worst="smallest"
+    )
+    beat: Array = quantity("f_b", "rad/s", (), "Beat", "docs/conventions", "definition", shown="Hz")
+    doors: Array = quantity(
+        "φ_d", "deg", (), "Crank angle at which doors open", "docs/conventions", "definition", is_place=True
+    )
+    width: Array = quantity("γ_w", "deg", (), "How long they are open", "docs/conventions", "definition")
+    hum: Array = quantity("h", "N", ("crank_angle",), "Hum", "docs/conventions", "definition")
+    din: Extreme = extreme("h_d", "N", (), "Din", "Crank angle of the din", "docs/conventions", "definition", of="hum")
 
 
 def made_up(factor=1.0):

@@ -189,8 +189,8 @@ def test_examples_do_not_depend_on_the_step(name):
 class Seen(StageResult):
     """On what grid a stage was asked: of its fact, and of its curve."""
 
-    n_of_fact: Array = quantity("n", "1", (), "Points", "docs/conventions")
-    n_of_curve: Array = quantity("n", "1", ("crank_angle",), "Points", "docs/conventions")
+    n_of_fact: Array = quantity("n", "1", (), "Points", "docs/conventions", "definition")
+    n_of_curve: Array = quantity("n", "1", ("crank_angle",), "Points", "docs/conventions", "definition")
 
 
 def seen(grid: CrankAngle) -> Seen:

@@ -2,7 +2,7 @@
 
 import inspect
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,7 @@ from cranktrain.language import _
 from cranktrain.layout.question import Stage, tables_of
 from cranktrain.machine import Machine
 from cranktrain.paths import is_table, path_text
-from cranktrain.saying.catalogue import entries
+from cranktrain.saying.catalogue import cited, entries
 
 _CITED = re.compile(r"(docs/theory/[\w-]+)(?:, eqs?\. (\([\d.]+\)(?:(?:,| to| and|, and) \([\d.]+\))*))?")
 _ANY = "NAME"
@@ -88,8 +88,8 @@ def _lacks(needs: Sequence[str]) -> str:
 def _behind(stage: Stage, takes: Sequence[type], declared: Mapping[type, Sequence[str]]) -> StageBehind:
     """Describe a stage that goes on from some parts and outcomes."""
     function = stage.function
-    cited = _CITED.findall(" ".join((inspect.getdoc(function) or "").split()))
-    cited = cited or [(entry.source, "") for entry in entries(stage.gives)]
+    found: list[tuple[str, str]] = _CITED.findall(" ".join((inspect.getdoc(function) or "").split()))
+    found = found or [(entry.source, entry.numbers) for entry in entries(stage.gives)]
     return StageBehind(
         function.__name__,
         _sentence(function),
@@ -98,14 +98,8 @@ def _behind(stage: Stage, takes: Sequence[type], declared: Mapping[type, Sequenc
         stage.word,
         tuple(one.__name__ for one in takes),
         tuple(dict.fromkeys(table for one in takes for table in declared.get(one, ()))),
-        tuple(_citation(page, dict.fromkeys(filter(None, each))) for page, each in grouped(cited).items()),
+        tuple(cited(page, ", ".join(dict.fromkeys(filter(None, each)))) for page, each in grouped(found).items()),
     )
-
-
-def _citation(page: str, equations: Iterable[str]) -> str:
-    """Cite a page with its equations, if any."""
-    said = ", ".join(equations)
-    return f"{page}, {'eq.' if said.count('(') == 1 else 'eqs.'} {said}" if said else page
 
 
 def _sentence(thing: Callable[..., Any]) -> str:

@@ -1,4 +1,4 @@
-"""A result as an xarray dataset, with units, symbols, sentences and sources as attributes."""
+"""A result as an xarray dataset, with units, symbols, sentences, sources and equations as attributes."""
 
 from collections.abc import Sequence
 from importlib import import_module
@@ -66,7 +66,13 @@ def imported_xarray() -> Any:
 def with_attributes(entry: Entry, values: Array) -> tuple[Array, dict[str, str]]:
     """Give values in the unit that was asked for, else in the catalogue's, and what that says of them."""
     unit, given = in_asked_unit(entry.unit, values, entry.shown)
-    return given, {"units": unit, "symbol": entry.symbol, "long_name": entry.sentence, "source": entry.source}
+    return given, {
+        "units": unit,
+        "symbol": entry.symbol,
+        "long_name": entry.sentence,
+        "source": entry.source,
+        "equation": entry.equation,
+    }
 
 
 def _coordinate(dimension: str, labels: Sequence[str]) -> list[str] | list[int] | list[float]:

@@ -55,7 +55,8 @@ class StageBehind:
     tables : tuple of str
         Of the machine file of which its own parts are made.
     sources : tuple of str
-        What its docstring cites, as `docs/theory/gas, eq. (14.8)`; if that is nothing, the pages of its quantities.
+        What its docstring cites, as `docs/theory/gas, eq. (14.8)`; if that is nothing, what those of its
+        quantities are.
     """
 
     name: str
@@ -99,6 +100,7 @@ class Pipeline:
         str
         """
         yield from wrap(f"{self.entry.name} {self.entry.symbol} [{self.entry.unit}]: {self.entry.sentence}", width)
+        yield from _indented((self.entry.citation,), width)
         yield from ("", _("What the machine file declares"))
         for part in self.declared:
             yield from _titled("    ", part.name, part.place, width)

@@ -282,7 +282,7 @@ class Result:
 
     @property
     def dataset(self) -> "xarray.Dataset":
-        """Give the quantities that were asked for, or all, as an xarray dataset with units, symbols and sources.
+        """Give the quantities that were asked for, or all, as an xarray dataset with what the catalogue says of them.
 
         In SI and degrees unless a table [units] of the machine, or `ct.units`, asks for other units. xarray comes with
         `pip install 'cranktrain[dataset]'`.

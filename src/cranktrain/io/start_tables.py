@@ -36,8 +36,9 @@ def start_json(start: Start, machine: Mapping[str, object]) -> Iterator[str]:
     quantities: dict[str, object] = {}
     for name, entry in start.catalogue.items():
         unit, values = in_asked_unit(entry.unit, getattr(start, name), entry.shown)
-        said = {"unit": unit, "symbol": entry.symbol, "sentence": entry.sentence, "source": entry.source}
-        quantities[name] = {**said, "values": values.tolist()}
+        said = {"unit": unit, "symbol": entry.symbol, "sentence": entry.sentence}
+        where = {"source": entry.source, "equation": entry.equation}
+        quantities[name] = {**said, **where, "values": values.tolist()}
     whole = {
         "cranktrain": VERSION,
         "machine": machine,

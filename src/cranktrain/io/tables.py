@@ -139,6 +139,7 @@ def _described(result: Result, entry: Entry) -> dict[str, object]:
         "labels": result.labels_of(entry),
         "sentence": entry.sentence,
         "source": entry.source,
+        "equation": entry.equation,
         "values": _nested(values),
     }
 

@@ -1,4 +1,4 @@
-"""What a result holds, as data beside each array: symbol, unit, dimensions, sentence, source."""
+"""What a result holds, as data beside each array: symbol, unit, dimensions, sentence, source, equation."""
 
 import re
 from dataclasses import dataclass, field, fields
@@ -11,6 +11,10 @@ from cranktrain.language import _
 Worst: TypeAlias = Literal["smallest", "largest"]
 """Which end of the values of several members is the worst, and says more than the other."""
 
+DEFINITION = "definition"
+"""The equation of what has none: an input as given, a count, a label, or what its sentence alone defines."""
+
+_NUMBER = re.compile(r"\d+\.\d+")
 _COORDINATE = re.compile("displacement|angle|position")
 """The word in a coordinate's name for which the names of its derivatives have another."""
 _DERIVATIVES = {".first": "velocity_coefficient", ".second": "acceleration_coefficient"}
@@ -31,7 +35,10 @@ class Entry:
     sentence : str
         What it is, in the user's language.
     source : str
-        Where its formula is derived: a page of docs/theory or an equation of a source.
+        Where its formula is derived: a page of docs/theory, or the conventions.
+    equation : str
+        Numbers of that page's equations which give it, `13.35, 13.36` or `1.4 to 1.6`; of the end or the mean of a
+        curve those of the curve; `definition` where no equation has a number.
     path : str
         Where in a stage's result its array is: `stroke`, or `rod_angle.first` where a field holds several.
     shown : str
@@ -50,6 +57,7 @@ class Entry:
     dimensions: tuple[str, ...]
     sentence: str
     source: str
+    equation: str
     path: str
     shown: str
     worst: Worst | None = None
@@ -65,6 +73,16 @@ class Entry:
         """Its name in words; what has the symbol GD² is called so, as an inertia has kg·m², too."""
         words = self.name.replace("_", " ")
         return f"{words} GD²" if "GD²" in self.symbol else words
+
+    @property
+    def numbers(self) -> str:
+        """Numbers of its equations as texts cite them, `(1.4) to (1.6)`; nothing where it has none."""
+        return "" if self.equation == DEFINITION else _NUMBER.sub(r"(\g<0>)", self.equation)
+
+    @property
+    def citation(self) -> str:
+        """Where its formula stands: `docs/theory/gas, eq. (14.8)`; the page alone where it has no number."""
+        return cited(self.source, self.numbers)
 
     @property
     def at(self) -> str:
@@ -83,6 +101,7 @@ def quantity(
     dimensions: tuple[str, ...],
     sentence: str,
     source: str,
+    equation: str,
     *,
     shown: str | None = None,
     worst: Worst | None = None,
@@ -92,7 +111,9 @@ def quantity(
 
     It is shown in its own unit unless another is given.
     """
-    return _declared(dimensions, source, _Part("", symbol, unit, sentence, shown or unit, worst, is_place=is_place))
+    return _declared(
+        dimensions, source, equation, _Part("", symbol, unit, sentence, shown or unit, worst, is_place=is_place)
+    )
 
 
 def extreme(
@@ -102,6 +123,7 @@ def extreme(
     value: str,
     angle: str,
     source: str,
+    equation: str,
     *,
     shown: str | None = None,
     worst: Worst | None = None,
@@ -115,24 +137,33 @@ def extreme(
     return _declared(
         dimensions,
         source,
+        equation,
         _Part(".value", symbol, unit, value, shown or unit, worst, of),
         _Part(".angle", f"φ({symbol})", "deg", angle, "deg", worst, is_place=True),
     )
 
 
 def coefficients(
-    symbol: str, unit: str, dimensions: tuple[str, ...], value: str, first: str, second: str, source: str
+    symbol: str,
+    unit: str,
+    dimensions: tuple[str, ...],
+    value: str,
+    first: str,
+    second: str,
+    source: str,
+    equation: str,
 ) -> Any:
     """Declare a field that holds a `Coefficient` as three quantities: a coordinate and its derivatives.
 
     Of `rod_angle` these are `rod_velocity_coefficient` and `rod_acceleration_coefficient`; of a displacement or a
     position likewise; of `point_x` they are `point_x_velocity_coefficient` and so on. `value`, `first` and `second` are
-    their sentences.
+    their sentences, `equation` is that of all three.
     """
     by_angle, by_its_square = f"{unit}/rad", f"{unit}/rad^2"
     return _declared(
         dimensions,
         source,
+        equation,
         _Part(".value", symbol, unit, value, unit),
         _Part(".first", f"{symbol}′", by_angle, first, by_angle),
         _Part(".second", f"{symbol}″", by_its_square, second, by_its_square),
@@ -152,9 +183,9 @@ class _Part(NamedTuple):
     is_place: bool = False
 
 
-def _declared(dimensions: tuple[str, ...], source: str, *parts: _Part) -> Any:
+def _declared(dimensions: tuple[str, ...], source: str, equation: str, *parts: _Part) -> Any:
     """Field with the quantities that it holds."""
-    return field(metadata={"entries": [(part, dimensions, source) for part in parts]})
+    return field(metadata={"entries": [(part, dimensions, source, equation) for part in parts]})
 
 
 @cache
@@ -168,6 +199,7 @@ def entries(result_class: type) -> tuple[Entry, ...]:
             dimensions,
             _(part.sentence),
             source,
+            equation,
             held.name + part.path,
             part.shown,
             part.worst,
@@ -175,8 +207,13 @@ def entries(result_class: type) -> tuple[Entry, ...]:
             part.is_place,
         )
         for held in fields(result_class)
-        for part, dimensions, source in held.metadata.get("entries", ())
+        for part, dimensions, source, equation in held.metadata.get("entries", ())
     )
+
+
+def cited(page: str, numbers: str) -> str:
+    """Cite a page with the numbers of its equations, if any: `docs/theory/groups, eqs. (1.4) to (1.6)`."""
+    return f"{page}, {'eq.' if numbers.count('(') == 1 else 'eqs.'} {numbers}" if numbers else page
 
 
 def _name(held: str, part: str) -> str:

@@ -89,6 +89,7 @@ class TextbookMotion(Flagged):
         N_("Piston velocity for each rad/s of the crank, by each method"),
         N_("Piston acceleration for each (rad/s)² of the crank, by each method"),
         _THEORY,
+        "6.1 to 6.25",
     )
     displacement_error: Extreme = extreme(
         "Δx",
@@ -97,6 +98,7 @@ class TextbookMotion(Flagged):
         N_("Largest error of the method's displacement, in parts of the stroke"),
         N_("Crank angle of the largest error of displacement"),
         _THEORY,
+        "6.1 to 6.25",
     )
     velocity_error: Extreme = extreme(
         "Δv",
@@ -105,6 +107,7 @@ class TextbookMotion(Flagged):
         N_("Largest error of the method's velocity, in parts of the exact peak"),
         N_("Crank angle of the largest error of velocity"),
         _THEORY,
+        "6.1 to 6.25",
     )
     acceleration_error: Extreme = extreme(
         "Δj",
@@ -113,6 +116,7 @@ class TextbookMotion(Flagged):
         N_("Largest error of the method's acceleration, in parts of the exact peak"),
         N_("Crank angle of the largest error of acceleration"),
         _THEORY,
+        "6.1 to 6.25",
     )
 
     def answer(self, names: Names, design: int) -> str | None:

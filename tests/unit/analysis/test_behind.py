@@ -91,6 +91,26 @@ def test_a_stage_names_its_equations():
     assert stage.sources == ("docs/theory/balance, eq. (16.15)",)
 
 
+def test_a_stage_that_cites_nothing_names_the_equations_of_what_it_gives():
+    assert ct.behind("rod_angle").stages[-1].sources == (
+        "docs/theory/groups, eqs. (1.4) to (1.6)",
+        "docs/theory/slider-crank, eq. (2.12)",
+    )
+
+
+@pytest.mark.parametrize(
+    ("quantity", "said"),
+    [
+        ("gear_torque", "docs/theory/forces, eq. (13.39)"),
+        ("side_force", "docs/theory/forces, eqs. (13.10), (13.31)"),
+        ("firing_angle", "docs/conventions"),
+    ],
+)
+def test_a_page_begins_with_the_equation(quantity, said):
+    about, _blank, _rest = str(ct.behind(quantity)).partition("\n\n")
+    assert about.splitlines()[-1].strip() == said
+
+
 @pytest.mark.parametrize("width", [70, 80])
 def test_a_page_keeps_its_width(bearing_load, width):
     lines = list(bearing_load.lines(width))

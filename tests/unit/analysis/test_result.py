@@ -99,6 +99,7 @@ def test_dataset(v12):
         "symbol": "x",
         "long_name": "Travel of the piston from its true top toward the shaft",
         "source": "docs/theory/slider-crank",
+        "equation": "2.3 to 2.5",
     }
     assert data["crank_angle"].attrs["units"] == "deg"
     assert "design" not in data.dims

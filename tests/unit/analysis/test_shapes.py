@@ -18,8 +18,10 @@ ENGINE = ct.Machine(bank={"A": {"mechanism": slider()}}, shaft={"main": {"throws
 
 @record
 class Tones(StageResult):
-    pitch: Array = quantity("p", "1", ("tone", "crank_angle"), "Pitch", "docs/conventions")
-    place: Coefficient = coefficients("x", "m", ("tone",), "Place", "Velocity", "Acceleration", "docs/conventions")
+    pitch: Array = quantity("p", "1", ("tone", "crank_angle"), "Pitch", "docs/conventions", "definition")
+    place: Coefficient = coefficients(
+        "x", "m", ("tone",), "Place", "Velocity", "Acceleration", "docs/conventions", "definition"
+    )
 
 
 def stage_of(pitch, first, labels):

@@ -24,17 +24,17 @@ class Other:
 
 @dataclass(frozen=True)
 class Area:
-    area: float = quantity("A", "m^2", (), "Area", "docs/conventions")
+    area: float = quantity("A", "m^2", (), "Area", "docs/conventions", "definition")
 
 
 @dataclass(frozen=True)
 class Force:
-    force: float = quantity("F", "N", (), "Force", "docs/conventions")
+    force: float = quantity("F", "N", (), "Force", "docs/conventions", "definition")
 
 
 @dataclass(frozen=True)
 class Odd:
-    odd: float = quantity("O", "1", (), "Odd", "docs/conventions")
+    odd: float = quantity("O", "1", (), "Odd", "docs/conventions", "definition")
 
 
 def area(bore: Bore) -> Area:

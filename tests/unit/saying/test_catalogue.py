@@ -15,25 +15,31 @@ CURVE = ("piston", "crank_angle")
 @dataclass(frozen=True)
 class Swings:
     width: float
-    lever_angle: Coefficient = coefficients("θ", "rad", CURVE, "Angle", "Velocity", "Acceleration", "docs/a")
-    largest_load: Extreme = extreme("P_max", "N", ("piston",), "Largest load", "Crank angle of it", "docs/b")
-    stroke: Array = quantity("S", "m", (), "Stroke", "docs/c")
+    lever_angle: Coefficient = coefficients(
+        "θ", "rad", CURVE, "Angle", "Velocity", "Acceleration", "docs/a", "1.4 to 1.6"
+    )
+    largest_load: Extreme = extreme(
+        "P_max", "N", ("piston",), "Largest load", "Crank angle of it", "docs/b", "2.1, 2.3"
+    )
+    stroke: Array = quantity("S", "m", (), "Stroke", "docs/c", "definition")
 
 
 @dataclass(frozen=True)
 class ByMethod:
-    displacement_by_method: Coefficient = coefficients("x", "m", CURVE, "Travel", "Velocity", "Acceleration", "docs/a")
-    slider_position: Coefficient = coefficients("t_s", "m", CURVE, "Place", "Velocity", "Acceleration", "docs/a")
+    displacement_by_method: Coefficient = coefficients(
+        "x", "m", CURVE, "Travel", "Velocity", "Acceleration", "docs/a", "1.4"
+    )
+    slider_position: Coefficient = coefficients("t_s", "m", CURVE, "Place", "Velocity", "Acceleration", "docs/a", "1.4")
 
 
 def test_a_field_is_one_quantity_or_several_in_its_place():
-    assert [astuple(entry)[:6] for entry in entries(Swings)] == [
-        ("lever_angle", "θ", "rad", CURVE, "Angle", "docs/a"),
-        ("lever_velocity_coefficient", "θ′", "rad/rad", CURVE, "Velocity", "docs/a"),
-        ("lever_acceleration_coefficient", "θ″", "rad/rad^2", CURVE, "Acceleration", "docs/a"),
-        ("largest_load", "P_max", "N", ("piston",), "Largest load", "docs/b"),
-        ("largest_load_at", "φ(P_max)", "deg", ("piston",), "Crank angle of it", "docs/b"),
-        ("stroke", "S", "m", (), "Stroke", "docs/c"),
+    assert [astuple(entry)[:7] for entry in entries(Swings)] == [
+        ("lever_angle", "θ", "rad", CURVE, "Angle", "docs/a", "1.4 to 1.6"),
+        ("lever_velocity_coefficient", "θ′", "rad/rad", CURVE, "Velocity", "docs/a", "1.4 to 1.6"),
+        ("lever_acceleration_coefficient", "θ″", "rad/rad^2", CURVE, "Acceleration", "docs/a", "1.4 to 1.6"),
+        ("largest_load", "P_max", "N", ("piston",), "Largest load", "docs/b", "2.1, 2.3"),
+        ("largest_load_at", "φ(P_max)", "deg", ("piston",), "Crank angle of it", "docs/b", "2.1, 2.3"),
+        ("stroke", "S", "m", (), "Stroke", "docs/c", "definition"),
     ]
 
 
@@ -64,3 +70,13 @@ def test_every_quantity_has_its_array(name, expected):
     outcome = Swings(0.0, Coefficient(one, two, three), Extreme(angle=four, value=five), six)
     (entry,) = (entry for entry in entries(Swings) if entry.name == name)
     np.testing.assert_array_equal(values(outcome, entry), expected)
+
+
+def test_pages_are_cited_with_the_numbers_of_equations():
+    assert {entry.name: entry.citation for entry in entries(Swings) if entry.is_fact} == {
+        "largest_load": "docs/b, eqs. (2.1), (2.3)",
+        "largest_load_at": "docs/b, eqs. (2.1), (2.3)",
+        "stroke": "docs/c",
+    }
+    assert entries(Swings)[0].citation == "docs/a, eqs. (1.4) to (1.6)"
+    assert entries(ByMethod)[0].citation == "docs/a, eq. (1.4)"

@@ -24,12 +24,24 @@ class ArticulatedRods(Members[ArticulatedRod]):
 class Articulation(Checked):
     """Where the knuckle pin stands, and where it would have to stand for an unshifted dead centre."""
 
-    offset_angle: Array = quantity("ψ", "rad", _ROD, N_("Articulation angle less bank angle, ζ − γ"), _THEORY)
+    offset_angle: Array = quantity(
+        "ψ", "rad", _ROD, N_("Articulation angle less bank angle, ζ − γ"), _THEORY, "definition"
+    )
     articulation_angle_without_top_shift: Array = quantity(
-        "ζ_T", "rad", _ROD, N_("Articulation angle that would leave the slave's top dead centre unshifted"), _THEORY
+        "ζ_T",
+        "rad",
+        _ROD,
+        N_("Articulation angle that would leave the slave's top dead centre unshifted"),
+        _THEORY,
+        "4.8",
     )
     articulation_angle_without_bottom_shift: Array = quantity(
-        "ζ_B", "rad", _ROD, N_("Articulation angle that would leave the slave's bottom dead centre unshifted"), _THEORY
+        "ζ_B",
+        "rad",
+        _ROD,
+        N_("Articulation angle that would leave the slave's bottom dead centre unshifted"),
+        _THEORY,
+        "4.9",
     )
 
     def answer(self, names: Names, design: int) -> str | None:

@@ -45,12 +45,13 @@ class Transmission(Checked):
         _LINKAGE,
         N_("Grashof class: 0 crank-rocker, 1 double crank, 2 double rocker, 3 rocker-crank, 4 change point, 5 none"),
         _THEORY,
+        "3.4",
     )
     smallest_transmission_angle: Array = quantity(
-        "μ_min", "rad", _LINKAGE, N_("Smallest angle between rod and rocker"), _THEORY, worst="smallest"
+        "μ_min", "rad", _LINKAGE, N_("Smallest angle between rod and rocker"), _THEORY, "3.8", worst="smallest"
     )
     largest_transmission_angle: Array = quantity(
-        "μ_max", "rad", _LINKAGE, N_("Largest angle between rod and rocker"), _THEORY, worst="largest"
+        "μ_max", "rad", _LINKAGE, N_("Largest angle between rod and rocker"), _THEORY, "3.8", worst="largest"
     )
 
     def answer(self, names: Names, design: int) -> str:

@@ -32,13 +32,15 @@ _ORDER = ("balance", "order")
 class ShakingForces(Shaken):
     """Force of the moving masses on the frame, without and with balance weights."""
 
-    shaking_force_x: Array = quantity("F_X", "N", _CURVE, N_("Shaking force on the frame, to the right"), _THEORY)
-    shaking_force_y: Array = quantity("F_Y", "N", _CURVE, N_("Shaking force on the frame, up"), _THEORY)
+    shaking_force_x: Array = quantity(
+        "F_X", "N", _CURVE, N_("Shaking force on the frame, to the right"), _THEORY, "16.5, 16.7"
+    )
+    shaking_force_y: Array = quantity("F_Y", "N", _CURVE, N_("Shaking force on the frame, up"), _THEORY, "16.5, 16.7")
     shaking_force_forward: Array = quantity(
-        "F_f", "N", _ORDER, N_("Part of the order's shaking force that turns with the crank"), _THEORY
+        "F_f", "N", _ORDER, N_("Part of the order's shaking force that turns with the crank"), _THEORY, "16.4"
     )
     shaking_force_backward: Array = quantity(
-        "F_b", "N", _ORDER, N_("Part of the order's shaking force that turns against the crank"), _THEORY
+        "F_b", "N", _ORDER, N_("Part of the order's shaking force that turns against the crank"), _THEORY, "16.4"
     )
     shaking_force_largest: Array = quantity(
         "F_n",
@@ -46,6 +48,7 @@ class ShakingForces(Shaken):
         _ORDER,
         N_("Largest shaking force of the order: half the long axis of its ellipse"),
         _THEORY,
+        "16.3",
         worst="largest",
     )
     shaking_force_smallest: Array = quantity(
@@ -54,10 +57,11 @@ class ShakingForces(Shaken):
         _ORDER,
         N_("Smallest shaking force of the order: half the short axis of its ellipse"),
         _THEORY,
+        "16.3",
         worst="smallest",
     )
     shaking_force_direction: Array = quantity(
-        "δ_F", "rad", _ORDER, N_("Of the order's largest shaking force, from Y in the normal sense"), _THEORY
+        "δ_F", "rad", _ORDER, N_("Of the order's largest shaking force, from Y in the normal sense"), _THEORY, "16.3"
     )
 
     def answer(self, labels: Names, design: int) -> str:
@@ -73,16 +77,21 @@ class ShakingCouples(Shaken):
     """Couple of the moving masses on the frame about the throws' mid-plane, without and with balance weights."""
 
     shaking_couple_x: Array = quantity(
-        "C_X", "N*m", _CURVE, N_("Shaking couple: first moment of the forces to the right along the shaft"), _THEORY
+        "C_X",
+        "N*m",
+        _CURVE,
+        N_("Shaking couple: first moment of the forces to the right along the shaft"),
+        _THEORY,
+        "16.5, 16.7",
     )
     shaking_couple_y: Array = quantity(
-        "C_Y", "N*m", _CURVE, N_("Shaking couple: first moment of the forces up along the shaft"), _THEORY
+        "C_Y", "N*m", _CURVE, N_("Shaking couple: first moment of the forces up along the shaft"), _THEORY, "16.5, 16.7"
     )
     shaking_couple_forward: Array = quantity(
-        "C_f", "N*m", _ORDER, N_("Part of the order's shaking couple that turns with the crank"), _THEORY
+        "C_f", "N*m", _ORDER, N_("Part of the order's shaking couple that turns with the crank"), _THEORY, "16.4"
     )
     shaking_couple_backward: Array = quantity(
-        "C_b", "N*m", _ORDER, N_("Part of the order's shaking couple that turns against the crank"), _THEORY
+        "C_b", "N*m", _ORDER, N_("Part of the order's shaking couple that turns against the crank"), _THEORY, "16.4"
     )
     shaking_couple_largest: Array = quantity(
         "C_n",
@@ -90,6 +99,7 @@ class ShakingCouples(Shaken):
         _ORDER,
         N_("Largest shaking couple of the order: half the long axis of its ellipse"),
         _THEORY,
+        "16.3",
         worst="largest",
     )
     shaking_couple_smallest: Array = quantity(
@@ -98,6 +108,7 @@ class ShakingCouples(Shaken):
         _ORDER,
         N_("Smallest shaking couple of the order: half the short axis of its ellipse"),
         _THEORY,
+        "16.3",
         worst="smallest",
     )
     shaking_couple_direction: Array = quantity(
@@ -106,6 +117,7 @@ class ShakingCouples(Shaken):
         _ORDER,
         N_("Of the forces of the order's largest shaking couple, from Y in the normal sense"),
         _THEORY,
+        "16.3",
     )
 
     def answer(self, labels: Names, design: int) -> str:
@@ -156,7 +168,12 @@ class RollingMoment(StageResult):
     """What rolls the frame about the crankshaft: gas, inertia and weights, without and with balance weights."""
 
     rolling_moment: Array = quantity(
-        "M_roll", "N*m", _CURVE, N_("Moment on the frame about the crankshaft, in the sense of rotation"), _THEORY
+        "M_roll",
+        "N*m",
+        _CURVE,
+        N_("Moment on the frame about the crankshaft, in the sense of rotation"),
+        _THEORY,
+        "16.16",
     )
 
 

@@ -184,7 +184,7 @@ class BalanceWeights(StageResult):
     """Weights that balance the machine, given and solved for."""
 
     balance_weight_moment: Array = quantity(
-        "u", "kg*m", _WEIGHT, N_("Mass times radius of the balance weight"), _THEORY
+        "u", "kg*m", _WEIGHT, N_("Mass times radius of the balance weight"), _THEORY, "16.9 to 16.12"
     )
     balance_weight_angle: Array = quantity(
         "ψ",
@@ -192,12 +192,18 @@ class BalanceWeights(StageResult):
         _WEIGHT,
         N_("Where the balance weight stands at crank angle 0 of throw 1, ahead of throw 1 in the normal sense"),
         _THEORY,
+        "16.9 to 16.12",
     )
     balance_weight_position: Array = quantity(
-        "z_u", "m", _WEIGHT, N_("Along the shaft, from throw 1 toward the flywheel"), _THEORY
+        "z_u", "m", _WEIGHT, N_("Along the shaft, from throw 1 toward the flywheel"), _THEORY, "definition"
     )
     balance_weight_ratio: Array = quantity(
-        "κ", "1", _WEIGHT, N_("Turns of the balance weight for one of the crank; less than 0 against it"), _THEORY
+        "κ",
+        "1",
+        _WEIGHT,
+        N_("Turns of the balance weight for one of the crank; less than 0 against it"),
+        _THEORY,
+        "definition",
     )
     weights: RotatingWeights = field(kw_only=True)
 

@@ -86,6 +86,7 @@ class Firing:
         _CYLINDER,
         N_("Crank angle of nominal firing, the (exhaust) crank along the cylinder"),
         _THEORY,
+        "definition",
         is_place=True,
     )
     firing_dead_centre: Array = quantity(
@@ -94,10 +95,11 @@ class Firing:
         _CYLINDER,
         N_("Crank angle of the least volume at firing: the true dead centre"),
         _THEORY,
+        "definition",
         is_place=True,
     )
     firing_interval: Array = quantity(
-        "Δφ_f", "deg", _CYLINDER, N_("From this cylinder's firing to the next one in the order"), _THEORY
+        "Δφ_f", "deg", _CYLINDER, N_("From this cylinder's firing to the next one in the order"), _THEORY, "definition"
     )
     order: tuple[int, ...] = ()
     numbers: tuple[str, ...] = ()

@@ -25,7 +25,7 @@ class VolumetricDeadCentres:
     """Where the room between two pistons is least and greatest, and by how much they part."""
 
     lead: Array = quantity(
-        "Δ", "deg", _CYLINDER, N_("By how much the exhaust crank is ahead of the scavenge crank"), _THEORY
+        "Δ", "deg", _CYLINDER, N_("By how much the exhaust crank is ahead of the scavenge crank"), _THEORY, "18.8"
     )
     combined_stroke: Array = quantity(
         "S_Σ",
@@ -33,15 +33,16 @@ class VolumetricDeadCentres:
         _CYLINDER,
         N_("By how much both pistons together part, between the volumetric dead centres"),
         _THEORY,
+        "18.2",
     )
     nominal_stroke: Array = quantity(
-        "S_e + S_s", "m", _CYLINDER, N_("Sum of both pistons' own strokes, as makers publish it"), _THEORY
+        "S_e + S_s", "m", _CYLINDER, N_("Sum of both pistons' own strokes, as makers publish it"), _THEORY, "definition"
     )
     inner_volumetric_dead_centre: Array = quantity(
-        "φ_i", "deg", _CYLINDER, N_("Crank angle of the least volume"), _THEORY, is_place=True
+        "φ_i", "deg", _CYLINDER, N_("Crank angle of the least volume"), _THEORY, "18.1", is_place=True
     )
     outer_volumetric_dead_centre: Array = quantity(
-        "φ_o", "deg", _CYLINDER, N_("Crank angle of the greatest volume"), _THEORY, is_place=True
+        "φ_o", "deg", _CYLINDER, N_("Crank angle of the greatest volume"), _THEORY, "18.1", is_place=True
     )
     inner_volumetric_shift: Array = quantity(
         "α_i",
@@ -49,6 +50,7 @@ class VolumetricDeadCentres:
         _CYLINDER,
         N_("Least volume after the exhaust crank's inner dead centre; the texts say Δ/2"),
         _THEORY,
+        "18.1",
     )
     outer_volumetric_shift: Array = quantity(
         "α_o − π",
@@ -56,6 +58,7 @@ class VolumetricDeadCentres:
         _CYLINDER,
         N_("Greatest volume after the exhaust crank's outer dead centre; the texts say Δ/2"),
         _THEORY,
+        "18.1",
     )
     least_combined_travel: Array = quantity(
         "σ_i",
@@ -63,6 +66,7 @@ class VolumetricDeadCentres:
         _CYLINDER,
         N_("How far both pistons together stand from their own inner dead centres at φ_i"),
         _THEORY,
+        "18.1",
     )
 
     def answer(self, names: Names, design: int) -> str:
@@ -133,6 +137,7 @@ class CombinedMotion(Checked):
         N_("Velocity at which they part for each rad/s of the crank"),
         N_("Acceleration at which they part for each (rad/s)² of the crank"),
         _THEORY,
+        "18.1",
     )
 
 
@@ -159,9 +164,11 @@ def combined_motion(
 class CombinedSpeeds:
     """Velocity and acceleration at which opposed pistons part."""
 
-    combined_velocity: Array = quantity("v_Σ", "m/s", _CURVE, N_("Velocity at which both pistons part"), _THEORY)
+    combined_velocity: Array = quantity(
+        "v_Σ", "m/s", _CURVE, N_("Velocity at which both pistons part"), _THEORY, "definition"
+    )
     combined_acceleration: Array = quantity(
-        "j_Σ", "m/s^2", _CURVE, N_("Acceleration at which both pistons part"), _THEORY
+        "j_Σ", "m/s^2", _CURVE, N_("Acceleration at which both pistons part"), _THEORY, "definition"
     )
 
 

@@ -45,16 +45,16 @@ class PortTiming(Flagged):
     """When ports open and close; NaN for a port that is never shut."""
 
     exhaust_opens: Array = quantity(
-        "φ_eo", "deg", _CYLINDER, N_("Crank angle at which the exhaust ports open"), _THEORY
+        "φ_eo", "deg", _CYLINDER, N_("Crank angle at which the exhaust ports open"), _THEORY, "18.5"
     )
     exhaust_closes: Array = quantity(
-        "φ_ec", "deg", _CYLINDER, N_("Crank angle at which the exhaust ports close"), _THEORY
+        "φ_ec", "deg", _CYLINDER, N_("Crank angle at which the exhaust ports close"), _THEORY, "18.5"
     )
     scavenge_opens: Array = quantity(
-        "φ_so", "deg", _CYLINDER, N_("Crank angle at which the scavenge ports open"), _THEORY
+        "φ_so", "deg", _CYLINDER, N_("Crank angle at which the scavenge ports open"), _THEORY, "18.5"
     )
     scavenge_closes: Array = quantity(
-        "φ_sc", "deg", _CYLINDER, N_("Crank angle at which the scavenge ports close"), _THEORY
+        "φ_sc", "deg", _CYLINDER, N_("Crank angle at which the scavenge ports close"), _THEORY, "18.5"
     )
     exhaust_opens_before: Array = quantity(
         "δ_o",
@@ -62,6 +62,7 @@ class PortTiming(Flagged):
         _CYLINDER,
         N_("By how much the exhaust ports open before the scavenge ports; negative: after them"),
         _THEORY,
+        "18.6",
     )
     exhaust_closes_before: Array = quantity(
         "δ_c",
@@ -69,6 +70,7 @@ class PortTiming(Flagged):
         _CYLINDER,
         N_("By how much the exhaust ports close before the scavenge ports; negative: after them"),
         _THEORY,
+        "18.6",
     )
 
     def answer(self, names: Names, design: int) -> str:
@@ -165,7 +167,7 @@ class EffectiveCompression:
     """What is compressed after the last port has closed."""
 
     effective_compression_ratio: Array = quantity(
-        "ε_eff", "1", ("chamber",), N_("Volume where the last port closes over the smallest volume"), _THEORY
+        "ε_eff", "1", ("chamber",), N_("Volume where the last port closes over the smallest volume"), _THEORY, "18.7"
     )
 
     def answer(self, names: Names, design: int) -> str:

@@ -12,7 +12,7 @@ from cranktrain.motion import Array
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
-from cranktrain.references import CONVENTIONS as _THEORY
+from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged, Limit, flagged
 from cranktrain.saying.wording import Names, ranged, shared
@@ -142,10 +142,10 @@ class SweptVolumes:
     """What the pistons sweep between their true dead centres."""
 
     swept_volume: Array = quantity(
-        "V_h", "m^3", _CHAMBER, N_("Swept volume of the chamber, by the true stroke"), _THEORY
+        "V_h", "m^3", _CHAMBER, N_("Swept volume of the chamber, by the true stroke"), _THEORY, "14.25"
     )
-    bank_swept_volume: Array = quantity("V_b", "m^3", ("bank",), N_("Swept volume of the bank"), _THEORY)
-    displacement: Array = quantity("V_H", "m^3", (), N_("Swept volume of all chambers"), _THEORY)
+    bank_swept_volume: Array = quantity("V_b", "m^3", ("bank",), N_("Swept volume of the bank"), _THEORY, "14.25")
+    displacement: Array = quantity("V_H", "m^3", (), N_("Swept volume of all chambers"), _THEORY, "14.25")
 
     def answer(self, names: Names, design: int) -> str:
         """Say displacement, in all and by bank."""
@@ -176,10 +176,12 @@ class ChamberVolumes(Flagged):
         Whether the file speaks of clearance, the smallest volume over the swept one, and not of compression ratios.
     """
 
-    chamber_volume: Array = quantity("V", "m^3", ("chamber", "crank_angle"), N_("Volume of the chamber"), _THEORY)
-    clearance_volume: Array = quantity("V_c", "m^3", _CHAMBER, N_("Smallest volume of the chamber"), _THEORY)
+    chamber_volume: Array = quantity(
+        "V", "m^3", ("chamber", "crank_angle"), N_("Volume of the chamber"), _THEORY, "14.25"
+    )
+    clearance_volume: Array = quantity("V_c", "m^3", _CHAMBER, N_("Smallest volume of the chamber"), _THEORY, "14.25")
     compression_ratio: Array = quantity(
-        "ε", "1", _CHAMBER, N_("Geometric compression ratio, largest volume over smallest"), _THEORY
+        "ε", "1", _CHAMBER, N_("Geometric compression ratio, largest volume over smallest"), _THEORY, "14.25"
     )
 
     is_clearance: bool = False

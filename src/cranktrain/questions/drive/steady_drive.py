@@ -19,6 +19,8 @@ from cranktrain.questions.drive.steady_turn import DriveInTurn
 from cranktrain.questions.reduction.gear_train import lost_torque
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_EVENNESS as _EVENNESS
+from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Check, Checked, Flagged
 from cranktrain.saying.wording import Names, number
@@ -41,33 +43,52 @@ class SteadyDrive(Checked, Flagged):
 
     running: tuple[SpeedOverTurn | None, ...]
     drive_speed: Array = quantity(
-        "ω_s", "rad/s", _CURVE, N_("Speed of the crank over the cycle, with its motor"), _THEORY, shown="rpm"
+        "ω_s",
+        "rad/s",
+        _CURVE,
+        N_("Speed of the crank over the cycle, with its motor"),
+        _THEORY,
+        "31.6 to 31.8",
+        shown="rpm",
     )
     drive_acceleration: Array = quantity(
-        "ε_s", "rad/s^2", _CURVE, N_("Angular acceleration of the crank, with its motor"), _THEORY
+        "ε_s", "rad/s^2", _CURVE, N_("Angular acceleration of the crank, with its motor"), _THEORY, "31.6"
     )
-    motor_speed: Array = quantity("ω_m", "rad/s", _CURVE, N_("Speed of the motor"), _THEORY, shown="rpm")
-    motor_torque: Array = quantity("M_m", "N*m", _CURVE, N_("Torque of the motor at its own shaft"), _THEORY)
+    motor_speed: Array = quantity(
+        "ω_m", "rad/s", _CURVE, N_("Speed of the motor"), _THEORY, "31.6 to 31.8", shown="rpm"
+    )
+    motor_torque: Array = quantity(
+        "M_m", "N*m", _CURVE, N_("Torque of the motor at its own shaft"), _TRANSIENTS, "26.5"
+    )
     transmitted_torque: Array = quantity(
-        "x", "N*m", _CURVE, N_("Torque that the drive passes on to the crank, load and inertia together"), _THEORY
+        "x",
+        "N*m",
+        _CURVE,
+        N_("Torque that the drive passes on to the crank, load and inertia together"),
+        _TRANSIENTS,
+        "26.5",
     )
-    cycle_time: Array = quantity("T", "s", (), N_("Time of a cycle in steady running"), _THEORY)
+    cycle_time: Array = quantity("T", "s", (), N_("Time of a cycle in steady running"), _EVENNESS, "17.5")
     mean_motor_speed: Array = quantity(
-        "ω_m,mean", "rad/s", (), N_("Mean speed of the motor over time"), _THEORY, shown="rpm"
+        "ω_m,mean", "rad/s", (), N_("Mean speed of the motor over time"), _EVENNESS, "17.5", shown="rpm"
     )
     drive_fluctuation: Array = quantity(
-        "δ_s", "1", (), N_("Coefficient of fluctuation of the crank's speed, with its motor"), _THEORY
+        "δ_s", "1", (), N_("Coefficient of fluctuation of the crank's speed, with its motor"), _EVENNESS, "17.5"
     )
-    mean_motor_torque: Array = quantity("M_m,mean", "N*m", (), N_("Mean torque of the motor over time"), _THEORY)
+    mean_motor_torque: Array = quantity(
+        "M_m,mean", "N*m", (), N_("Mean torque of the motor over time"), _TRANSIENTS, "26.5"
+    )
     rms_motor_torque: Array = quantity(
-        "M_m,rms", "N*m", (), N_("Root mean square of the motor's torque over time"), _THEORY
+        "M_m,rms", "N*m", (), N_("Root mean square of the motor's torque over time"), _TRANSIENTS, "26.5"
     )
-    largest_motor_torque: Array = quantity("M_m,max", "N*m", (), N_("Largest torque of the motor"), _THEORY)
-    smallest_motor_torque: Array = quantity("M_m,min", "N*m", (), N_("Smallest torque of the motor"), _THEORY)
-    motor_power: Array = quantity("P_m", "W", (), N_("Mean power of the motor at its shaft"), _THEORY)
-    driven_power: Array = quantity("P_Q", "W", (), N_("Mean power that the loads take"), _THEORY)
-    lost_power: Array = quantity("P_v", "W", (), N_("Mean power that the drive's stages lose"), _THEORY)
-    motor_heat: Array = quantity("P_w", "W", (), N_("Mean power that heats the motor's rotor"), _THEORY)
+    largest_motor_torque: Array = quantity("M_m,max", "N*m", (), N_("Largest torque of the motor"), _TRANSIENTS, "26.5")
+    smallest_motor_torque: Array = quantity(
+        "M_m,min", "N*m", (), N_("Smallest torque of the motor"), _TRANSIENTS, "26.5"
+    )
+    motor_power: Array = quantity("P_m", "W", (), N_("Mean power of the motor at its shaft"), _TRANSIENTS, "26.10")
+    driven_power: Array = quantity("P_Q", "W", (), N_("Mean power that the loads take"), _TRANSIENTS, "26.10")
+    lost_power: Array = quantity("P_v", "W", (), N_("Mean power that the drive's stages lose"), _TRANSIENTS, "26.10")
+    motor_heat: Array = quantity("P_w", "W", (), N_("Mean power that heats the motor's rotor"), _TRANSIENTS, "26.10")
 
     needs_motor: ClassVar[str] = DeclaredMotor.needs
 

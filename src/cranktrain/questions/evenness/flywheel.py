@@ -38,16 +38,26 @@ class FlywheelSize(Flagged):
     exact: Flywheel
     wanted: Array
     flywheel_inertia: Array = quantity(
-        "J_f", "kg*m^2", (_METHOD,), N_("Flywheel for the coefficient of fluctuation wanted"), _THEORY
+        "J_f",
+        "kg*m^2",
+        (_METHOD,),
+        N_("Flywheel for the coefficient of fluctuation wanted"),
+        _THEORY,
+        "17.7, 17.9, 17.10",
     )
     wanted_flywheel_moment: Array = quantity(
-        "GD²_f", "kg*m^2", (_METHOD,), N_("Flywheel moment of that flywheel, GD² = 4 J"), _THEORY
+        "GD²_f", "kg*m^2", (_METHOD,), N_("Flywheel moment of that flywheel, GD² = 4 J"), _THEORY, "17.14"
     )
     flywheel_inertia_error: Array = quantity(
-        "ΔJ_f/J_f", "1", (_METHOD,), N_("Error of the textbook's flywheel, relative to the exact one"), _THEORY
+        "ΔJ_f/J_f",
+        "1",
+        (_METHOD,),
+        N_("Error of the textbook's flywheel, relative to the exact one"),
+        _THEORY,
+        "17.7, 17.9, 17.10",
     )
     flywheel_fluctuation: Array = quantity(
-        "δ_f", "1", (_METHOD,), N_("Coefficient of fluctuation that each flywheel really gives"), _THEORY
+        "δ_f", "1", (_METHOD,), N_("Coefficient of fluctuation that each flywheel really gives"), _THEORY, "17.5"
     )
 
     def answer(self, _names: Names, design: int) -> str:
@@ -118,14 +128,19 @@ def _size_flags(driven: DrivenByMotor | None, given: LoadTorque | None) -> Itera
 class RimSize(Flagged):
     """Rim of the flywheel that is wanted, or where none is, of the one that there is."""
 
-    rim_height: Array = quantity("h", "m", (), N_("Height of the rim's section"), _THEORY)
-    rim_width: Array = quantity("b", "m", (), N_("Width of the rim along the shaft"), _THEORY)
-    rim_outer_diameter: Array = quantity("D_o", "m", (), N_("Outer diameter of the rim"), _THEORY)
-    rim_mass: Array = quantity("m", "kg", (), N_("Mass of the rim"), _THEORY)
+    rim_height: Array = quantity("h", "m", (), N_("Height of the rim's section"), _THEORY, "17.15")
+    rim_width: Array = quantity("b", "m", (), N_("Width of the rim along the shaft"), _THEORY, "17.15")
+    rim_outer_diameter: Array = quantity("D_o", "m", (), N_("Outer diameter of the rim"), _THEORY, "17.21")
+    rim_mass: Array = quantity("m", "kg", (), N_("Mass of the rim"), _THEORY, "17.14")
     rim_mass_by_mean_diameter: Array = quantity(
-        "m_D", "kg", (), N_("Mass of the rim by the textbooks' GD² = mD², with its mean diameter"), _THEORY
+        "m_D",
+        "kg",
+        (),
+        N_("Mass of the rim by the textbooks' GD² = mD², with its mean diameter"),
+        _THEORY,
+        "definition",
     )
-    rim_speed: Array = quantity("v", "m/s", (), N_("Speed of the rim's outside at the largest speed"), _THEORY)
+    rim_speed: Array = quantity("v", "m/s", (), N_("Speed of the rim's outside at the largest speed"), _THEORY, "17.21")
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the rim's section, mass and speed."""

@@ -18,6 +18,7 @@ class FlywheelMoment:
         ("crank_angle",),
         N_("Flywheel moment GD² of all moving parts, four times their reduced inertia"),
         _THEORY,
+        "17.14",
     )
 
 

@@ -41,19 +41,29 @@ class RunningSpeed(Checked, Flagged):
     """Speed of the shaft over the cycle, with the flywheel that there is; load says against what, as answers begin."""
 
     load: str
-    crank_speed: Array = quantity("ω", "rad/s", _CURVE, N_("Speed of the crank over the cycle"), _THEORY, shown="rpm")
-    crank_acceleration: Array = quantity("ε", "rad/s^2", _CURVE, N_("Angular acceleration of the crank"), _THEORY)
+    crank_speed: Array = quantity(
+        "ω", "rad/s", _CURVE, N_("Speed of the crank over the cycle"), _THEORY, "17.4, 17.11", shown="rpm"
+    )
+    crank_acceleration: Array = quantity(
+        "ε", "rad/s^2", _CURVE, N_("Angular acceleration of the crank"), _THEORY, "17.1"
+    )
     coefficient_of_fluctuation: Array = quantity(
-        "δ", "1", (), N_("Coefficient of fluctuation: largest less smallest speed over the mean"), _THEORY
+        "δ", "1", (), N_("Coefficient of fluctuation: largest less smallest speed over the mean"), _THEORY, "17.5"
     )
     mean_speed_over_time: Array = quantity(
-        "ω_t", "rad/s", (), N_("Mean speed over time, as a counter of revolutions shows it"), _THEORY, shown="rpm"
+        "ω_t",
+        "rad/s",
+        (),
+        N_("Mean speed over time, as a counter of revolutions shows it"),
+        _THEORY,
+        "17.5",
+        shown="rpm",
     )
     mean_speed_over_angle: Array = quantity(
-        "ω_φ", "rad/s", (), N_("Mean speed over the crank angle"), _THEORY, shown="rpm"
+        "ω_φ", "rad/s", (), N_("Mean speed over the crank angle"), _THEORY, "17.5", shown="rpm"
     )
     mean_speed_of_extremes: Array = quantity(
-        "ω_a", "rad/s", (), N_("Half the sum of largest and smallest speed"), _THEORY, shown="rpm"
+        "ω_a", "rad/s", (), N_("Half the sum of largest and smallest speed"), _THEORY, "17.5", shown="rpm"
     )
     largest_crank_speed: Extreme = extreme(
         "ω_M",
@@ -62,6 +72,7 @@ class RunningSpeed(Checked, Flagged):
         N_("Largest speed of the crank"),
         N_("Crank angle of the largest speed"),
         _THEORY,
+        "17.4, 17.11",
         shown="rpm",
         of="crank_speed",
     )
@@ -72,6 +83,7 @@ class RunningSpeed(Checked, Flagged):
         N_("Smallest speed of the crank"),
         N_("Crank angle of the smallest speed"),
         _THEORY,
+        "17.4, 17.11",
         shown="rpm",
         of="crank_speed",
     )

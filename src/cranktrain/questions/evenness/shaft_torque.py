@@ -48,6 +48,7 @@ class AppliedTorque:
         ("crank_angle",),
         N_("Torque of gas, weight and friction on the shaft, without inertia"),
         _THEORY,
+        "17.16",
     )
 
 
@@ -106,7 +107,12 @@ class LoadTorque(Flagged):
     has_motor: bool
     mean_torque: Array
     load_torque: Array = quantity(
-        "M_r", "N*m", ("crank_angle",), N_("Torque of the loads on the shaft, positive where it resists"), _THEORY
+        "M_r",
+        "N*m",
+        ("crank_angle",),
+        N_("Torque of the loads on the shaft, positive where it resists"),
+        _THEORY,
+        "17.17",
     )
     load_factor: Array = quantity(
         "c_r",
@@ -114,14 +120,18 @@ class LoadTorque(Flagged):
         (),
         N_("What the torques of a load that is listed are multiplied by, to balance the machine"),
         _THEORY,
+        "17.17",
     )
-    largest_load_torque: Array = quantity("M_r,max", "N*m", (), N_("Largest torque of the loads on the shaft"), _THEORY)
+    largest_load_torque: Array = quantity(
+        "M_r,max", "N*m", (), N_("Largest torque of the loads on the shaft"), _THEORY, "17.17"
+    )
     remaining_torque: Array = quantity(
         "M_0",
         "N*m",
         (),
         N_("Mean of the machine's torque that its loads leave; less than 0 where the shaft is driven besides"),
         _THEORY,
+        "17.17",
     )
 
     def answer(self, _names: Names, design: int) -> str:

@@ -42,10 +42,20 @@ class ShaftWork:
     excess: ExcessWork
     inertia: PeriodicCurve
     excess_work: Array = quantity(
-        "A", "J", ("crank_angle",), N_("Work of that torque, less that of loads on the shaft, less its mean"), _THEORY
+        "A",
+        "J",
+        ("crank_angle",),
+        N_("Work of that torque, less that of loads on the shaft, less its mean"),
+        _THEORY,
+        "17.2, 17.17",
     )
     largest_excess_work: Array = quantity(
-        "ΔA", "J", (), N_("Largest excess work: from the least to the most that is stored within a cycle"), _THEORY
+        "ΔA",
+        "J",
+        (),
+        N_("Largest excess work: from the least to the most that is stored within a cycle"),
+        _THEORY,
+        "17.2",
     )
 
     def answer(self, _names: Names, design: int) -> str:

@@ -23,6 +23,7 @@ from cranktrain.questions.forces.pin_load import (
 from cranktrain.questions.forces.rod_masses import weighed_ends
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_CRANKSHAFT as _CRANKSHAFT
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.saying.catalogue import extreme, quantity
 from cranktrain.saying.wording import Names, number
@@ -43,10 +44,10 @@ class CrankPinLoads:
     """
 
     crankpin_load_radial: Array = quantity(
-        "K_R", "N", _CURVE, N_("Load of the crank pin toward the shaft, the whole rod's"), _THEORY
+        "K_R", "N", _CURVE, N_("Load of the crank pin toward the shaft, the whole rod's"), _THEORY, "13.35"
     )
     crankpin_load_tangential: Array = quantity(
-        "T_R", "N", _CURVE, N_("Load of the crank pin in the sense of rotation"), _THEORY
+        "T_R", "N", _CURVE, N_("Load of the crank pin in the sense of rotation"), _THEORY, "13.35"
     )
     crankpin_radial_without_rod: Array = quantity(
         "K",
@@ -54,9 +55,15 @@ class CrankPinLoads:
         _CURVE,
         N_("Load of the crank pin toward the shaft without the rod's rotating mass, which then goes with the crank"),
         _THEORY,
+        "13.35, 13.36",
     )
     crankpin_tangential_without_rod: Array = quantity(
-        "T", "N", _CURVE, N_("Load of the crank pin in the sense of rotation without the rod's rotating mass"), _THEORY
+        "T",
+        "N",
+        _CURVE,
+        N_("Load of the crank pin in the sense of rotation without the rod's rotating mass"),
+        _THEORY,
+        "13.35, 13.36",
     )
     crankpin_share_radial: Array = quantity(
         "K_i",
@@ -64,19 +71,31 @@ class CrankPinLoads:
         _CURVE,
         N_("Share of this piston and rod in the crank pin's load toward the shaft, a slave's through its master"),
         _THEORY,
+        "13.3, 13.35",
     )
     crankpin_share_tangential: Array = quantity(
-        "T_i", "N", _CURVE, N_("Share of this piston and rod in the crank pin's load in the sense of rotation"), _THEORY
+        "T_i",
+        "N",
+        _CURVE,
+        N_("Share of this piston and rod in the crank pin's load in the sense of rotation"),
+        _THEORY,
+        "13.3, 13.35",
     )
     rod_bearing_load_along: Array = quantity(
-        "R_L", "N", _CURVE, N_("Load of the crank pin on the rod's bearing, along the rod to its other pin"), _THEORY
+        "R_L",
+        "N",
+        _CURVE,
+        N_("Load of the crank pin on the rod's bearing, along the rod to its other pin"),
+        _CRANKSHAFT,
+        "24.45",
     )
     rod_bearing_load_across: Array = quantity(
         "R_A",
         "N",
         _CURVE,
         N_("Load of the crank pin on the rod's bearing, across the rod, 90° from its line in the sense of rotation"),
-        _THEORY,
+        _CRANKSHAFT,
+        "24.45",
     )
     largest_crankpin_load: Extreme = extreme(
         "R_max",
@@ -85,6 +104,7 @@ class CrankPinLoads:
         N_("Largest load of the crank pin"),
         N_("Crank angle of the largest load of the crank pin"),
         _THEORY,
+        "13.35",
         worst="largest",
     )
 

@@ -35,6 +35,7 @@ class GuideEdges(Flagged):
         _GUIDE,
         N_("Normal force of the guide's edge ahead, as the slider's position counts"),
         _THEORY,
+        "13.43",
     )
     guide_edge_force_behind: Array = quantity(
         "N₋",
@@ -42,9 +43,15 @@ class GuideEdges(Flagged):
         _GUIDE,
         N_("Normal force of the guide's edge behind, as the slider's position counts"),
         _THEORY,
+        "13.43",
     )
     guide_pressing: Array = quantity(
-        "N_Σ", "N", _GUIDE, N_("Sum of what both edges of the guide press, of which friction is the share μ"), _THEORY
+        "N_Σ",
+        "N",
+        _GUIDE,
+        N_("Sum of what both edges of the guide press, of which friction is the share μ"),
+        _THEORY,
+        "13.43",
     )
     largest_guide_edge_force: Peak = extreme(
         "N_max",
@@ -53,6 +60,7 @@ class GuideEdges(Flagged):
         N_("Largest normal force of an edge of the guide"),
         N_("Crank angle of the largest normal force of an edge of the guide"),
         _THEORY,
+        "13.43",
         worst="largest",
     )
 

@@ -30,10 +30,19 @@ _NO_ARM = 1e-9
 class JointForces(Flagged):
     """Reaction in every joint, in the axes of its mechanism."""
 
-    joint_force_x: Array = quantity("F_x", "N", _JOINT, N_("Force in the joint along its mechanism's x"), _THEORY)
-    joint_force_y: Array = quantity("F_y", "N", _JOINT, N_("Force in the joint along its mechanism's y"), _THEORY)
+    joint_force_x: Array = quantity(
+        "F_x", "N", _JOINT, N_("Force in the joint along its mechanism's x"), _THEORY, "13.5, 13.8 to 13.24"
+    )
+    joint_force_y: Array = quantity(
+        "F_y", "N", _JOINT, N_("Force in the joint along its mechanism's y"), _THEORY, "13.5, 13.8 to 13.24"
+    )
     joint_moment: Array = quantity(
-        "M_J", "N*m", _JOINT, N_("Moment in the joint: of a guide on what slides in it, about its pin"), _THEORY
+        "M_J",
+        "N*m",
+        _JOINT,
+        N_("Moment in the joint: of a guide on what slides in it, about its pin"),
+        _THEORY,
+        "13.11, 13.15, 13.20, 13.21, 13.24",
     )
     largest_joint_force: Peak = extreme(
         "F_max",
@@ -42,6 +51,7 @@ class JointForces(Flagged):
         N_("Largest force in the joint"),
         N_("Crank angle of the largest force in the joint"),
         _THEORY,
+        "13.5, 13.8 to 13.24",
         worst="largest",
     )
 

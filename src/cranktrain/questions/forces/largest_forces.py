@@ -43,6 +43,7 @@ class LargestForces(Flagged):
         N_("Largest force along the cylinder, either way"),
         N_("Crank angle of the largest force along the cylinder"),
         _THEORY,
+        "13.30",
         worst="largest",
     )
     largest_side_force: Extreme = extreme(
@@ -52,6 +53,7 @@ class LargestForces(Flagged):
         N_("Largest force of the wall, on either side"),
         N_("Crank angle of the largest force of the wall"),
         _THEORY,
+        "13.10",
         worst="largest",
     )
     largest_rod_force: Extreme = extreme(
@@ -61,6 +63,7 @@ class LargestForces(Flagged):
         N_("Largest force along the rod at either pin, in compression or tension"),
         N_("Crank angle of the largest force along the rod"),
         _THEORY,
+        "13.50",
         worst="largest",
     )
     side_force_formula_error: Array = quantity(
@@ -69,6 +72,7 @@ class LargestForces(Flagged):
         _ERROR,
         N_("Largest error of the method's side force, at whole degrees, in parts of the exact peak"),
         _THEORY,
+        "13.10, 13.31",
     )
     tangential_force_formula_error: Array = quantity(
         "ΔT_f",
@@ -76,6 +80,7 @@ class LargestForces(Flagged):
         _ERROR,
         N_("Largest error of the method's tangential force, at whole degrees, in parts of the exact peak"),
         _THEORY,
+        "13.31, 13.35, 13.36",
     )
     is_master: NDArray[np.bool_] = field(kw_only=True)
 

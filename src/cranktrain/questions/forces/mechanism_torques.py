@@ -30,16 +30,26 @@ class MechanismTorques(Checked):
 
     from_mechanisms: Array
     mechanism_torque: Array = quantity(
-        "M_i", "N*m", ("mechanism", "crank_angle"), N_("Torque of the mechanism on its shaft, by virtual work"), _THEORY
+        "M_i",
+        "N*m",
+        ("mechanism", "crank_angle"),
+        N_("Torque of the mechanism on its shaft, by virtual work"),
+        _THEORY,
+        "13.7",
     )
     driving_torque: Array = quantity(
-        "M", "N*m", ("crank_angle",), N_("Torque that must be applied to the shaft, by the reactions"), _THEORY
+        "M", "N*m", ("crank_angle",), N_("Torque that must be applied to the shaft, by the reactions"), _THEORY, "13.5"
     )
     reduced_inertia: Array = quantity(
-        "J", "kg*m^2", ("crank_angle",), N_("Inertia of all moving parts reduced to the crank"), _THEORY
+        "J", "kg*m^2", ("crank_angle",), N_("Inertia of all moving parts reduced to the crank"), _THEORY, "13.4"
     )
     reduced_inertia_slope: Array = quantity(
-        "J′", "kg*m^2/rad", ("crank_angle",), N_("Derivative of the reduced inertia by the crank angle"), _THEORY
+        "J′",
+        "kg*m^2/rad",
+        ("crank_angle",),
+        N_("Derivative of the reduced inertia by the crank angle"),
+        _THEORY,
+        "13.4",
     )
 
 

@@ -55,14 +55,26 @@ class PistonForceSet(Checked):
     """
 
     inertia_force: Array = quantity(
-        "P_j", "N", _CURVE, N_("Inertia of piston and the rod's reciprocating share, toward the shaft"), _THEORY
+        "P_j",
+        "N",
+        _CURVE,
+        N_("Inertia of piston and the rod's reciprocating share, toward the shaft"),
+        _THEORY,
+        "13.30, 13.34",
     )
     piston_force: Array = quantity(
-        "P", "N", _CURVE, N_("Force of gas, loads, inertia and weight along the cylinder, toward the shaft"), _THEORY
+        "P",
+        "N",
+        _CURVE,
+        N_("Force of gas, loads, inertia and weight along the cylinder, toward the shaft"),
+        _THEORY,
+        "13.30, 13.34",
     )
-    side_force: Array = quantity("N", "N", _CURVE, N_("Force of the wall on the piston toward +y"), _THEORY)
+    side_force: Array = quantity(
+        "N", "N", _CURVE, N_("Force of the wall on the piston toward +y"), _THEORY, "13.10, 13.31"
+    )
     rod_force_at_piston_pin: Array = quantity(
-        "S", "N", _CURVE, N_("Force along the rod at the piston pin, positive in compression"), _THEORY
+        "S", "N", _CURVE, N_("Force along the rod at the piston pin, positive in compression"), _THEORY, "13.31, 13.50"
     )
     rod_force_at_crank_pin: Array = quantity(
         "S_A",
@@ -70,12 +82,23 @@ class PistonForceSet(Checked):
         _CURVE,
         N_("Force along the rod at the crank pin, positive in compression; of a master another than at the piston pin"),
         _THEORY,
+        "13.31, 13.50",
     )
     radial_force: Array = quantity(
-        "K", "N", _CURVE, N_("Force at the crank pin toward the shaft, without the rod's rotating mass"), _THEORY
+        "K",
+        "N",
+        _CURVE,
+        N_("Force at the crank pin toward the shaft, without the rod's rotating mass"),
+        _THEORY,
+        "13.31, 13.35, 13.36",
     )
     tangential_force: Array = quantity(
-        "T", "N", _CURVE, N_("Force at the crank pin in the sense of rotation, without that mass"), _THEORY
+        "T",
+        "N",
+        _CURVE,
+        N_("Force at the crank pin in the sense of rotation, without that mass"),
+        _THEORY,
+        "13.31, 13.35, 13.36",
     )
 
 

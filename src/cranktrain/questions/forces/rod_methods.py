@@ -41,6 +41,7 @@ class RodMethods(StageResult):
         _FACT,
         N_("Largest error of the guide's force, at whole degrees, with the rod replaced by the method's masses"),
         _THEORY,
+        "13.37",
     )
     driving_torque_error: Array = quantity(
         "ΔM",
@@ -48,6 +49,7 @@ class RodMethods(StageResult):
         _FACT,
         N_("Largest error of the piston's driving torque, at whole degrees, with the rod so replaced"),
         _THEORY,
+        "13.37",
     )
 
     def answer(self, names: Names, design: int) -> str | None:

@@ -29,16 +29,26 @@ class CompressorCapacity(Flagged):
     """What each chamber of a compressor takes in; NaN of chambers with another gas."""
 
     suction_line_pressure: Array = quantity(
-        "p_s", "Pa", _CHAMBER, N_("Absolute pressure of the line that a compressor's chamber takes from"), _THEORY
+        "p_s",
+        "Pa",
+        _CHAMBER,
+        N_("Absolute pressure of the line that a compressor's chamber takes from"),
+        _THEORY,
+        "14.21",
     )
     discharge_line_pressure: Array = quantity(
-        "p_d", "Pa", _CHAMBER, N_("Absolute pressure of the line that it delivers into"), _THEORY
+        "p_d", "Pa", _CHAMBER, N_("Absolute pressure of the line that it delivers into"), _THEORY, "14.21"
     )
     volumetric_efficiency: Array = quantity(
-        "λ_v", "1", _CHAMBER, N_("Part of the swept volume that it takes in, as the gas is in the chamber"), _THEORY
+        "λ_v",
+        "1",
+        _CHAMBER,
+        N_("Part of the swept volume that it takes in, as the gas is in the chamber"),
+        _THEORY,
+        "14.18",
     )
     suction_end_temperature: Array = quantity(
-        "T_1", "K", _CHAMBER, N_("Temperature at the end of suction, with which the masses close"), _THEORY
+        "T_1", "K", _CHAMBER, N_("Temperature at the end of suction, with which the masses close"), _THEORY, "14.20"
     )
 
     def answer(self, names: Names, design: int) -> str:
@@ -96,7 +106,7 @@ class CompressorFlow:
     """What the compressors of a machine move at the mean speed."""
 
     inlet_flow: Array = quantity(
-        "Q_s", "m^3/s", _CHAMBER, N_("Volume taken in, as the gas is in the line it comes from"), _THEORY
+        "Q_s", "m^3/s", _CHAMBER, N_("Volume taken in, as the gas is in the line it comes from"), _THEORY, "definition"
     )
 
     def answer(self, names: Names, design: int) -> str:

@@ -16,10 +16,17 @@ _CHAMBER = ("chamber",)
 class HeatBalance:
     """Heat of each chamber over a cycle; NaN of chambers with another gas."""
 
-    released_heat: Array = quantity("Q_b", "J", _CHAMBER, N_("Heat that comes in over a cycle"), _THEORY)
-    wall_loss: Array = quantity("Q_w", "J", _CHAMBER, N_("Heat that the walls take in the working turn"), _THEORY)
+    released_heat: Array = quantity("Q_b", "J", _CHAMBER, N_("Heat that comes in over a cycle"), _THEORY, "14.22")
+    wall_loss: Array = quantity(
+        "Q_w", "J", _CHAMBER, N_("Heat that the walls take in the working turn"), _THEORY, "14.22"
+    )
     working_turn_efficiency: Array = quantity(
-        "η_i", "1", _CHAMBER, N_("Work of the gas in the working turn over the heat that comes in"), _THEORY
+        "η_i",
+        "1",
+        _CHAMBER,
+        N_("Work of the gas in the working turn over the heat that comes in"),
+        _THEORY,
+        "definition",
     )
 
     def answer(self, names: Names, design: int) -> str:

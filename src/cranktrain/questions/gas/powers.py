@@ -23,10 +23,17 @@ from cranktrain.saying.wording import Names, number, shared
 class IndicatedPowers:
     """Power of the gas on the pistons at the mean speed."""
 
-    indicated_power: Array = quantity("P_i", "W", (), N_("Power of the gas on all pistons"), _THEORY)
-    bank_indicated_power: Array = quantity("P_b", "W", ("bank",), N_("Power of the gas on the bank's pistons"), _THEORY)
+    indicated_power: Array = quantity("P_i", "W", (), N_("Power of the gas on all pistons"), _THEORY, "14.8")
+    bank_indicated_power: Array = quantity(
+        "P_b", "W", ("bank",), N_("Power of the gas on the bank's pistons"), _THEORY, "14.8"
+    )
     mean_indicated_pressure: Array = quantity(
-        "p_mi", "Pa", (), N_("Indicated mean effective pressure of all chambers: work over displacement"), _THEORY
+        "p_mi",
+        "Pa",
+        (),
+        N_("Indicated mean effective pressure of all chambers: work over displacement"),
+        _THEORY,
+        "14.8",
     )
 
     def answer(self, names: Names, design: int) -> str:
@@ -83,13 +90,13 @@ def losses_of(designs: Designs) -> Losses | None:
 class BrakePowers:
     """What friction takes of the indicated power, and what the shaft gives; a driven machine takes it."""
 
-    friction_power: Array = quantity("P_f", "W", (), N_("Power that friction takes"), _THEORY)
+    friction_power: Array = quantity("P_f", "W", (), N_("Power that friction takes"), _THEORY, "14.15")
     brake_power: Array = quantity(
-        "P_e", "W", (), N_("Power that the shaft gives; negative where it is driven"), _THEORY
+        "P_e", "W", (), N_("Power that the shaft gives; negative where it is driven"), _THEORY, "14.15"
     )
-    brake_torque: Array = quantity("T_e", "N*m", (), N_("Mean torque that the shaft gives"), _THEORY)
+    brake_torque: Array = quantity("T_e", "N*m", (), N_("Mean torque that the shaft gives"), _THEORY, "14.26")
     mean_brake_pressure: Array = quantity(
-        "p_me", "Pa", (), N_("Brake mean effective pressure: the shaft's work over displacement"), _THEORY
+        "p_me", "Pa", (), N_("Brake mean effective pressure: the shaft's work over displacement"), _THEORY, "14.15"
     )
     brake_efficiency: Array = quantity(
         "η_m",
@@ -97,6 +104,7 @@ class BrakePowers:
         (),
         N_("Mechanical efficiency: brake over indicated power; of a driven machine the inverse"),
         _THEORY,
+        "14.15",
     )
 
     def answer(self, names: Names, design: int) -> str:

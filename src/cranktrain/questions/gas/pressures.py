@@ -16,6 +16,7 @@ from cranktrain.questions.gas.events import GasEvents
 from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _FORCES
 from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.saying.catalogue import extreme, quantity
 from cranktrain.saying.checks import Flagged, Limit, flagged
@@ -43,16 +44,28 @@ _PEAK_PRESSURE = Limit(
 class GasPressures(Flagged):
     """Pressure of the gas, and what it does."""
 
-    gas_pressure: Array = quantity("p", "Pa", _CURVE, N_("Absolute pressure in the chamber"), _THEORY)
+    gas_pressure: Array = quantity(
+        "p", "Pa", _CURVE, N_("Absolute pressure in the chamber"), _THEORY, "14.4, 14.12, 14.16, 14.22"
+    )
     gas_pressure_slope: Array = quantity(
-        "p′", "Pa/rad", _CURVE, N_("Derivative of the pressure by the crank angle, where it does not jump"), _THEORY
+        "p′",
+        "Pa/rad",
+        _CURVE,
+        N_("Derivative of the pressure by the crank angle, where it does not jump"),
+        _THEORY,
+        "14.24",
     )
     gas_force: Array = quantity(
-        "P_g", "N", ("piston", "crank_angle"), N_("Force of the gas less ambient pressure, toward the shaft"), _THEORY
+        "P_g",
+        "N",
+        ("piston", "crank_angle"),
+        N_("Force of the gas less ambient pressure, toward the shaft"),
+        _FORCES,
+        "13.30",
     )
-    indicated_work: Array = quantity("W_i", "J", _CHAMBER, N_("Work of the gas over a cycle, ∮p dV"), _THEORY)
+    indicated_work: Array = quantity("W_i", "J", _CHAMBER, N_("Work of the gas over a cycle, ∮p dV"), _THEORY, "14.8")
     indicated_mean_pressure: Array = quantity(
-        "p_i", "Pa", _CHAMBER, N_("Indicated mean effective pressure: work over swept volume"), _THEORY
+        "p_i", "Pa", _CHAMBER, N_("Indicated mean effective pressure: work over swept volume"), _THEORY, "14.8"
     )
     peak_pressure: Extreme = extreme(
         "p_max",
@@ -61,11 +74,18 @@ class GasPressures(Flagged):
         N_("Largest pressure"),
         N_("Crank angle of the largest pressure"),
         _THEORY,
+        "14.4, 14.12, 14.16, 14.22",
         worst="largest",
         of="gas_pressure",
     )
     peak_pressure_after: Array = quantity(
-        "α(p_max)", "deg", _CHAMBER, N_("Largest pressure after the least volume"), _THEORY, worst="largest"
+        "α(p_max)",
+        "deg",
+        _CHAMBER,
+        N_("Largest pressure after the least volume"),
+        _THEORY,
+        "14.4, 14.12, 14.16, 14.22",
+        worst="largest",
     )
     steepest_pressure_rise: Extreme = extreme(
         "p′_max",
@@ -74,6 +94,7 @@ class GasPressures(Flagged):
         N_("Largest rise of the pressure by the crank angle, where it does not jump"),
         N_("Crank angle of the largest rise of the pressure"),
         _THEORY,
+        "14.24",
     )
 
     def answer(self, names: Names, design: int) -> str:

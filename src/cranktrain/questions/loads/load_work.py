@@ -44,11 +44,17 @@ class LoadWork(Flagged):
     on_shafts: tuple[TorqueOnShaft, ...]
     speed: Array
     load_torque_on_crank: Array = quantity(
-        "Q_l", "N*m", _CURVE, N_("Torque of the load on the crank, by virtual work"), _THEORY
+        "Q_l", "N*m", _CURVE, N_("Torque of the load on the crank, by virtual work"), _THEORY, "13.52"
     )
-    load_power: Array = quantity("P_l", "W", _CURVE, N_("Power of the load; less than 0 where it takes it"), _THEORY)
-    load_work: Array = quantity("W_l", "J", _LOAD, N_("Work of the load over a cycle, by exact quadrature"), _THEORY)
-    mean_load_power: Array = quantity("P_l,m", "W", _LOAD, N_("Mean power of the load over the cycle"), _THEORY)
+    load_power: Array = quantity(
+        "P_l", "W", _CURVE, N_("Power of the load; less than 0 where it takes it"), _THEORY, "13.52"
+    )
+    load_work: Array = quantity(
+        "W_l", "J", _LOAD, N_("Work of the load over a cycle, by exact quadrature"), _THEORY, "13.52"
+    )
+    mean_load_power: Array = quantity(
+        "P_l,m", "W", _LOAD, N_("Mean power of the load over the cycle"), _THEORY, "13.52"
+    )
     largest_load_power: Peak = extreme(
         "P_l,max",
         "W",
@@ -56,6 +62,7 @@ class LoadWork(Flagged):
         N_("Largest power of the load, of either sign"),
         N_("Crank angle of that power"),
         _THEORY,
+        "13.52",
         worst="largest",
         of="load_power",
     )
@@ -66,6 +73,7 @@ class LoadWork(Flagged):
         N_("Largest size of a load that is a force"),
         N_("Crank angle of that force"),
         _THEORY,
+        "definition",
         worst="largest",
     )
     largest_load_moment: Peak = extreme(
@@ -75,6 +83,7 @@ class LoadWork(Flagged):
         N_("Largest size of a load that is a torque"),
         N_("Crank angle of that torque"),
         _THEORY,
+        "definition",
         worst="largest",
     )
 

@@ -18,6 +18,7 @@ class AxialPositions:
         ("mechanism",),
         N_("Along the shaft, from throw 1 toward the flywheel"),
         CONVENTIONS,
+        "definition",
     )
 
 

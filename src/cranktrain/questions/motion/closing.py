@@ -36,10 +36,15 @@ class Closing(Flagged):
     """
 
     closing_margin: Array = quantity(
-        "m", "1", _MECHANISM, N_("Smallest relative change of one length after which the crank cannot turn"), _THEORY
+        "m",
+        "1",
+        _MECHANISM,
+        N_("Smallest relative change of one length after which the crank cannot turn"),
+        _THEORY,
+        "5.1",
     )
     closing_angle: Array = quantity(
-        "φ_m", "deg", _MECHANISM, N_("Crank angle at which the links would part"), _THEORY, is_place=True
+        "φ_m", "deg", _MECHANISM, N_("Crank angle at which the links would part"), _THEORY, "5.1", is_place=True
     )
     length_names: tuple[tuple[str, ...], ...] = ()
 

@@ -29,6 +29,7 @@ class CouplerMotion:
         N_("Rod's angular velocity for each rad/s of the crank"),
         N_("Rod's angular acceleration for each (rad/s)² of the crank"),
         _THEORY,
+        "3.1 to 3.3",
     )
 
 
@@ -47,9 +48,11 @@ def coupler_motion(rockers: Rockers, motion: GridMotion) -> CouplerMotion:
 class CouplerSpeeds:
     """Angular velocities and accelerations of the rods."""
 
-    coupler_angular_velocity: Array = quantity("ω_2", "rad/s", _CURVE, N_("Angular velocity of the rod"), _THEORY)
+    coupler_angular_velocity: Array = quantity(
+        "ω_2", "rad/s", _CURVE, N_("Angular velocity of the rod"), _THEORY, "definition"
+    )
     coupler_angular_acceleration: Array = quantity(
-        "ε_2", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _THEORY
+        "ε_2", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _THEORY, "definition"
     )
 
 

@@ -129,24 +129,24 @@ class DeadCentres(Flagged):
     """Where each piston truly turns back, and how far it travels; outputs: what each is."""
 
     outputs: tuple[OutputPart, ...]
-    stroke: Array = quantity("S", "m", _PISTON, N_("Stroke, between the true dead centres"), _THEORY)
+    stroke: Array = quantity("S", "m", _PISTON, N_("Stroke, between the true dead centres"), _THEORY, "2.7")
     top_dead_centre: Array = quantity(
-        "φ_T", "deg", _PISTON, N_("Crank angle of the true top dead centre"), _THEORY, is_place=True
+        "φ_T", "deg", _PISTON, N_("Crank angle of the true top dead centre"), _THEORY, "2.6", is_place=True
     )
     bottom_dead_centre: Array = quantity(
-        "φ_B", "deg", _PISTON, N_("Crank angle of the true bottom dead centre"), _THEORY, is_place=True
+        "φ_B", "deg", _PISTON, N_("Crank angle of the true bottom dead centre"), _THEORY, "2.6", is_place=True
     )
     top_shift: Array = quantity(
-        "ε_T", "deg", _PISTON, N_("Top dead centre after the crank points along the cylinder"), _THEORY
+        "ε_T", "deg", _PISTON, N_("Top dead centre after the crank points along the cylinder"), _THEORY, "2.6"
     )
     bottom_shift: Array = quantity(
-        "ε_B", "deg", _PISTON, N_("Bottom dead centre after the crank points away from the cylinder"), _THEORY
+        "ε_B", "deg", _PISTON, N_("Bottom dead centre after the crank points away from the cylinder"), _THEORY, "2.6"
     )
     top_position: Array = quantity(
-        "H", "m", _PISTON, N_("Distance from shaft centre to piston pin at top dead centre"), _THEORY
+        "H", "m", _PISTON, N_("Distance from shaft centre to piston pin at top dead centre"), _THEORY, "2.7"
     )
     bottom_position: Array = quantity(
-        "h", "m", _PISTON, N_("Distance from shaft centre to piston pin at bottom dead centre"), _THEORY
+        "h", "m", _PISTON, N_("Distance from shaft centre to piston pin at bottom dead centre"), _THEORY, "2.7"
     )
 
     def answer(self, names: Names, design: int) -> str:

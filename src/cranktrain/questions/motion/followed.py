@@ -91,6 +91,7 @@ class LinkMotion:
         N_("Link's angular velocity for each rad/s of the crank"),
         N_("Link's angular acceleration for each (rad/s)² of the crank"),
         _THEORY,
+        "7.1 to 7.3, 7.10 to 7.16",
     )
 
 
@@ -112,6 +113,7 @@ class SliderMotion:
         N_("Velocity along the guide or slot for each rad/s of the crank"),
         N_("Second derivative of the position by the crank angle"),
         _THEORY,
+        "7.1, 7.4, 7.6 to 7.9, 7.17",
     )
 
 

@@ -39,6 +39,7 @@ class PistonMotion(Checked):
         N_("Piston velocity for each rad/s of the crank"),
         N_("Piston acceleration for each (rad/s)² of the crank"),
         _THEORY,
+        "2.3 to 2.5",
     )
 
 
@@ -76,9 +77,11 @@ class PistonSpeeds(Flagged):
     """Velocities and accelerations of pistons; outputs: as of `DeadCentres`."""
 
     outputs: tuple[OutputPart, ...]
-    piston_velocity: Array = quantity("v", "m/s", _CURVE, N_("Piston velocity toward the shaft"), _THEORY)
-    piston_acceleration: Array = quantity("j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY)
-    mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY)
+    piston_velocity: Array = quantity("v", "m/s", _CURVE, N_("Piston velocity toward the shaft"), _THEORY, "2.5")
+    piston_acceleration: Array = quantity(
+        "j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY, "2.5"
+    )
+    mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY, "definition")
     largest_piston_speed: Extreme = extreme(
         "|v|_max",
         "m/s",
@@ -86,6 +89,7 @@ class PistonSpeeds(Flagged):
         N_("Largest piston speed, toward the shaft or away from it"),
         N_("Crank angle of the largest piston speed"),
         _THEORY,
+        "2.5",
         worst="largest",
     )
     largest_piston_velocity: Extreme = extreme(
@@ -95,6 +99,7 @@ class PistonSpeeds(Flagged):
         N_("Largest piston velocity toward the shaft"),
         N_("Crank angle of the largest velocity toward the shaft"),
         _THEORY,
+        "2.5",
         worst="largest",
         of="piston_velocity",
     )
@@ -105,6 +110,7 @@ class PistonSpeeds(Flagged):
         N_("Largest piston velocity away from the shaft, negative"),
         N_("Crank angle of the largest velocity away from the shaft"),
         _THEORY,
+        "2.5",
         worst="smallest",
         of="piston_velocity",
     )
@@ -115,6 +121,7 @@ class PistonSpeeds(Flagged):
         N_("Largest piston acceleration toward the shaft"),
         N_("Crank angle of the largest acceleration toward the shaft"),
         _THEORY,
+        "2.5",
         worst="largest",
         of="piston_acceleration",
     )
@@ -125,6 +132,7 @@ class PistonSpeeds(Flagged):
         N_("Largest piston acceleration away from the shaft, negative"),
         N_("Crank angle of the largest acceleration away from the shaft"),
         _THEORY,
+        "2.5",
         worst="smallest",
         of="piston_acceleration",
     )

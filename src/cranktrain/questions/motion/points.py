@@ -87,6 +87,7 @@ class PointMotion:
         N_("Derivative of x by the crank angle"),
         N_("Second derivative of x by the crank angle"),
         _THEORY,
+        "1.2, 1.3",
     )
     point_y: Coefficient = coefficients(
         "y_P",
@@ -96,6 +97,7 @@ class PointMotion:
         N_("Derivative of y by the crank angle"),
         N_("Second derivative of y by the crank angle"),
         _THEORY,
+        "1.2, 1.3",
     )
 
 

@@ -11,7 +11,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import extremes
 from cranktrain.questions.motion.rockers import DeadPositions, RockerMotion, RockerTurn, rocker_angle
 from cranktrain.record import record
-from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
+from cranktrain.references import THEORY_OF_PUMPING_UNITS as _THEORY
 from cranktrain.saying.catalogue import coefficients, quantity
 from cranktrain.saying.wording import Names, shared
 
@@ -50,18 +50,20 @@ class LoadMotion:
         N_("Load velocity for each rad/s of the crank: the torque factor of a pumping unit"),
         N_("Load acceleration for each (rad/s)² of the crank"),
         _THEORY,
+        "28.1, 28.2",
     )
-    load_stroke: Array = quantity("S_Q", "m", _ROCKER, N_("Stroke of the load"), _THEORY)
+    load_stroke: Array = quantity("S_Q", "m", _ROCKER, N_("Stroke of the load"), _THEORY, "28.1")
     largest_torque_factor: Array = quantity(
         "TF_max",
         "m",
         _ROCKER,
         N_("Largest torque factor, crank torque for each newton of load"),
         _THEORY,
+        "28.2",
         worst="largest",
     )
     smallest_torque_factor: Array = quantity(
-        "TF_min", "m", _ROCKER, N_("Smallest (largest negative) torque factor"), _THEORY, worst="smallest"
+        "TF_min", "m", _ROCKER, N_("Smallest (largest negative) torque factor"), _THEORY, "28.2", worst="smallest"
     )
 
     def answer(self, names: Names, design: int) -> str:

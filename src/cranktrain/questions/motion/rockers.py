@@ -80,9 +80,9 @@ _SWING = Limit(
 class DeadPositions(Flagged):
     """Between which positions each rocker swings; NaN for a rocker that turns with the crank."""
 
-    swing: Array = quantity("ψ", "rad", _ROCKER, N_("Angle through which the rocker swings"), _THEORY)
+    swing: Array = quantity("ψ", "rad", _ROCKER, N_("Angle through which the rocker swings"), _THEORY, "3.6")
     time_ratio: Array = quantity(
-        "k", "1", _ROCKER, N_("Crank travel of the slower swing over that of the faster one"), _THEORY
+        "k", "1", _ROCKER, N_("Crank travel of the slower swing over that of the faster one"), _THEORY, "3.7"
     )
     largest_rocker_angle: Extreme = extreme(
         "θ_max",
@@ -91,6 +91,7 @@ class DeadPositions(Flagged):
         N_("Rocker angle at its dead position farthest in the sense of rotation"),
         N_("Crank angle of the dead position farthest in the sense of rotation"),
         _THEORY,
+        "3.5, 3.6",
         worst="largest",
         of="rocker_angle",
     )
@@ -101,6 +102,7 @@ class DeadPositions(Flagged):
         N_("Rocker angle at its other dead position"),
         N_("Crank angle of the other dead position"),
         _THEORY,
+        "3.5, 3.6",
         worst="smallest",
         of="rocker_angle",
     )
@@ -152,6 +154,7 @@ class RockerMotion(Checked):
         N_("Rocker's angular velocity for each rad/s of the crank"),
         N_("Rocker's angular acceleration for each (rad/s)² of the crank"),
         _THEORY,
+        "3.1 to 3.3",
     )
 
 
@@ -186,9 +189,11 @@ def _derivatives_check(rockers: Rockers) -> Check:
 class RockerSpeeds:
     """Velocities and accelerations of rockers."""
 
-    rocker_angular_velocity: Array = quantity("ω_3", "rad/s", _CURVE, N_("Angular velocity of the rocker"), _THEORY)
+    rocker_angular_velocity: Array = quantity(
+        "ω_3", "rad/s", _CURVE, N_("Angular velocity of the rocker"), _THEORY, "definition"
+    )
     rocker_angular_acceleration: Array = quantity(
-        "ε_3", "rad/s^2", _CURVE, N_("Angular acceleration of the rocker"), _THEORY
+        "ε_3", "rad/s^2", _CURVE, N_("Angular acceleration of the rocker"), _THEORY, "definition"
     )
 
 

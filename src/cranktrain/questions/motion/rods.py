@@ -73,6 +73,7 @@ class RodMotion(Flagged):
         N_("Rod's angular velocity for each rad/s of the crank"),
         N_("Rod's angular acceleration for each (rad/s)² of the crank"),
         _GROUPS,
+        "1.4 to 1.6",
     )
     largest_pressure_angle: Extreme = extreme(
         "β_max",
@@ -81,6 +82,7 @@ class RodMotion(Flagged):
         N_("Largest angle between rod and cylinder axis; positive where the crank-side pin stands toward +y"),
         N_("Crank angle of the largest pressure angle"),
         _THEORY,
+        "2.12",
         worst="largest",
     )
     opposite_pressure_angle: Extreme = extreme(
@@ -90,6 +92,7 @@ class RodMotion(Flagged):
         N_("Largest angle between rod and cylinder axis to the other side"),
         N_("Crank angle of the largest pressure angle to the other side"),
         _THEORY,
+        "2.12",
     )
 
 
@@ -126,8 +129,12 @@ def rod_motion(
 class RodSpeeds:
     """Angular velocities and accelerations of the rods."""
 
-    rod_angular_velocity: Array = quantity("ω_r", "rad/s", _CURVE, N_("Angular velocity of the rod"), _GROUPS)
-    rod_angular_acceleration: Array = quantity("ε_r", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _GROUPS)
+    rod_angular_velocity: Array = quantity(
+        "ω_r", "rad/s", _CURVE, N_("Angular velocity of the rod"), _GROUPS, "definition"
+    )
+    rod_angular_acceleration: Array = quantity(
+        "ε_r", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _GROUPS, "definition"
+    )
 
 
 def rod_speeds(motion: RodMotion, speed: Speed, crank_angle: CrankAngle) -> RodSpeeds:

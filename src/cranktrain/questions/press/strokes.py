@@ -16,6 +16,7 @@ from cranktrain.questions.press.case import PressCase, PressParts, hindrance, pr
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.start.parts import DeclaredStart
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Check, Checked, Flagged
 from cranktrain.saying.wording import Names, number
@@ -38,44 +39,65 @@ class PressStrokes(Checked, Flagged):
     cases: tuple[PressCase | None, ...]
     settled: tuple[SettledStroke | None, ...]
     command_angle: Array = quantity(
-        "φ_c", "rad", (), N_("Crank angle of the command that ends the stroke, counted on from its start"), _THEORY
+        "φ_c",
+        "rad",
+        (),
+        N_("Crank angle of the command that ends the stroke, counted on from its start"),
+        _THEORY,
+        "30.13",
     )
     clutch_slip_time: Array = quantity(
-        "t_K", "s", (), N_("Time in which the clutch slips while the crank turns"), _THEORY
+        "t_K", "s", (), N_("Time in which the clutch slips while the crank turns"), _THEORY, "30.1, 30.2, 30.6"
     )
     clutch_lock_angle: Array = quantity(
-        "φ_K", "rad", (), N_("Crank angle from the start until the clutch locks"), _THEORY
+        "φ_K", "rad", (), N_("Crank angle from the start until the clutch locks"), _THEORY, "30.1, 30.2, 30.6"
     )
-    clutch_heat: Array = quantity("Q_K", "J", (), N_("Heat in the clutch from a stroke"), _THEORY)
-    brake_heat: Array = quantity("Q_B", "J", (), N_("Heat in the brake from a stroke"), _THEORY)
+    clutch_heat: Array = quantity("Q_K", "J", (), N_("Heat in the clutch from a stroke"), _THEORY, "30.8")
+    brake_heat: Array = quantity("Q_B", "J", (), N_("Heat in the brake from a stroke"), _THEORY, "30.8")
     stroke_speed_drop: Array = quantity(
-        "δ_Ω", "1", (), N_("By how much the flywheel slows in a stroke, of its speed at the start"), _THEORY
+        "δ_Ω", "1", (), N_("By how much the flywheel slows in a stroke, of its speed at the start"), _THEORY, "30.11"
     )
     pressing_speed_drop: Array = quantity(
-        "δ_Ω,p", "1", (), N_("By how much it slows after the clutch has locked, in the same parts"), _THEORY
+        "δ_Ω,p", "1", (), N_("By how much it slows after the clutch has locked, in the same parts"), _THEORY, "30.11"
     )
-    braking_angle: Array = quantity("Δφ_B", "rad", (), N_("Crank angle from the command until it rests"), _THEORY)
-    braking_time: Array = quantity("t_B", "s", (), N_("Time from the command until the crank rests"), _THEORY)
+    braking_angle: Array = quantity(
+        "Δφ_B", "rad", (), N_("Crank angle from the command until it rests"), _THEORY, "30.10"
+    )
+    braking_time: Array = quantity("t_B", "s", (), N_("Time from the command until the crank rests"), _THEORY, "30.10")
     stop_angle: Array = quantity(
-        "Δφ_e", "rad", (), N_("Where the crank rests, from where it started: below 0 before it"), _THEORY
+        "Δφ_e", "rad", (), N_("Where the crank rests, from where it started: below 0 before it"), _THEORY, "30.10"
     )
-    stroke_time: Array = quantity("t_s", "s", (), N_("Time of a stroke, from its command until it rests"), _THEORY)
+    stroke_time: Array = quantity(
+        "t_s", "s", (), N_("Time of a stroke, from its command until it rests"), _THEORY, "definition"
+    )
     recovery_time: Array = quantity(
-        "t_r", "s", (), N_("Time from then until the flywheel has 99 % of its speed at the start"), _THEORY
+        "t_r",
+        "s",
+        (),
+        N_("Time from then until the flywheel has 99 % of its speed at the start"),
+        _THEORY,
+        "definition",
     )
     flywheel_start_speed: Array = quantity(
-        "Ω_0", "rad/s", (), N_("Speed of the flywheel at the start of a stroke"), _THEORY, shown="rpm"
+        "Ω_0", "rad/s", (), N_("Speed of the flywheel at the start of a stroke"), _THEORY, "30.15", shown="rpm"
     )
     stroke_motor_power: Array = quantity(
-        "P_m,s", "W", (), N_("Mean power of the motor at the required pace of strokes"), _THEORY
+        "P_m,s", "W", (), N_("Mean power of the motor at the required pace of strokes"), _THEORY, "30.8"
     )
     stroke_motor_heat: Array = quantity(
-        "P_w,s", "W", (), N_("Mean power that heats the motor's rotor at that pace"), _THEORY
+        "P_w,s", "W", (), N_("Mean power that heats the motor's rotor at that pace"), _TRANSIENTS, "26.10"
     )
-    clutch_heating: Array = quantity("P_K", "W", (), N_("Mean power that heats the clutch at that pace"), _THEORY)
-    brake_heating: Array = quantity("P_B", "W", (), N_("Mean power that heats the brake at that pace"), _THEORY)
+    clutch_heating: Array = quantity(
+        "P_K", "W", (), N_("Mean power that heats the clutch at that pace"), _THEORY, "30.8"
+    )
+    brake_heating: Array = quantity("P_B", "W", (), N_("Mean power that heats the brake at that pace"), _THEORY, "30.8")
     most_strokes_per_minute: Array = quantity(
-        "n_max", "1", (), N_("Strokes a minute that the flywheel's recovery and the given mean powers allow"), _THEORY
+        "n_max",
+        "1",
+        (),
+        N_("Strokes a minute that the flywheel's recovery and the given mean powers allow"),
+        _THEORY,
+        "30.12",
     )
 
     def answer(self, _names: Names, design: int) -> str:

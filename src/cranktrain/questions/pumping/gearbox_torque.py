@@ -37,47 +37,57 @@ _APART = 0.01
 class GearboxTorque(Checked, Flagged):
     """Torque of the gearbox, quasi-static: of loads, without inertia and weight of masses."""
 
-    rod_position: Array = quantity("PR", "1", _CURVE, N_("Position of the polished rod, 0 lowest, 1 highest"), _THEORY)
+    rod_position: Array = quantity(
+        "PR", "1", _CURVE, N_("Position of the polished rod, 0 lowest, 1 highest"), _THEORY, "28.1"
+    )
     torque_factor: Array = quantity(
-        "TF", "m", _CURVE, N_("Torque factor: rise of the polished rod for each radian of the crank"), _THEORY
+        "TF", "m", _CURVE, N_("Torque factor: rise of the polished rod for each radian of the crank"), _THEORY, "28.2"
     )
-    polished_rod_load: Array = quantity("W", "N", _CURVE, N_("Pull of the well at the polished rod"), _THEORY)
+    polished_rod_load: Array = quantity(
+        "W", "N", _CURVE, N_("Pull of the well at the polished rod"), _THEORY, "definition"
+    )
     rod_torque: Array = quantity(
-        "T_W", "N*m", _CURVE, N_("Torque for the polished rod, less that of the structural unbalance"), _THEORY
+        "T_W", "N*m", _CURVE, N_("Torque for the polished rod, less that of the structural unbalance"), _THEORY, "28.5"
     )
-    counterbalance_torque: Array = quantity("T_M", "N*m", _CURVE, N_("Torque for the counterbalance"), _THEORY)
-    gearbox_torque: Array = quantity("T", "N*m", _CURVE, N_("Net torque of the gearbox at the crank"), _THEORY)
+    counterbalance_torque: Array = quantity("T_M", "N*m", _CURVE, N_("Torque for the counterbalance"), _THEORY, "28.5")
+    gearbox_torque: Array = quantity("T", "N*m", _CURVE, N_("Net torque of the gearbox at the crank"), _THEORY, "28.4")
     permissible_load: Array = quantity(
         "W_p",
         "N",
         _CURVE,
         N_("Rod load that brings the gearbox to its rated torque: a most going up, a least going down"),
         _THEORY,
+        "28.11, 28.12",
     )
     upstroke_angle: Array = quantity(
-        "φ_u", "deg", _POSITION, N_("Crank angle at a position on the upstroke"), _THEORY, is_place=True
+        "φ_u", "deg", _POSITION, N_("Crank angle at a position on the upstroke"), _THEORY, "28.1", is_place=True
     )
     downstroke_angle: Array = quantity(
-        "φ_d", "deg", _POSITION, N_("Crank angle at a position on the downstroke"), _THEORY, is_place=True
+        "φ_d", "deg", _POSITION, N_("Crank angle at a position on the downstroke"), _THEORY, "28.1", is_place=True
     )
     upstroke_permissible_load: Array = quantity(
-        "W_p,u", "N", _POSITION, N_("Most that the rod may pull going up, by the rated torque"), _THEORY
+        "W_p,u", "N", _POSITION, N_("Most that the rod may pull going up, by the rated torque"), _THEORY, "28.11, 28.12"
     )
     downstroke_permissible_load: Array = quantity(
-        "W_p,d", "N", _POSITION, N_("Least that the rod must pull going down, by the rated torque"), _THEORY
+        "W_p,d",
+        "N",
+        _POSITION,
+        N_("Least that the rod must pull going down, by the rated torque"),
+        _THEORY,
+        "28.11, 28.12",
     )
-    rod_stroke: Array = quantity("S_PR", "m", (), N_("Stroke of the polished rod"), _THEORY)
+    rod_stroke: Array = quantity("S_PR", "m", (), N_("Stroke of the polished rod"), _THEORY, "28.1")
     bottom_angle: Array = quantity(
-        "φ_b", "deg", (), N_("Crank angle at which the polished rod is lowest"), _THEORY, is_place=True
+        "φ_b", "deg", (), N_("Crank angle at which the polished rod is lowest"), _THEORY, "28.2", is_place=True
     )
     top_angle: Array = quantity(
-        "φ_t", "deg", (), N_("Crank angle at which the polished rod is highest"), _THEORY, is_place=True
+        "φ_t", "deg", (), N_("Crank angle at which the polished rod is highest"), _THEORY, "28.2", is_place=True
     )
     upstroke_peak: Extreme = extreme(
-        "T_u", "N*m", (), N_("Largest net torque of the upstroke"), N_("Crank angle of that torque"), _THEORY
+        "T_u", "N*m", (), N_("Largest net torque of the upstroke"), N_("Crank angle of that torque"), _THEORY, "28.4"
     )
     downstroke_peak: Extreme = extreme(
-        "T_d", "N*m", (), N_("Largest net torque of the downstroke"), N_("Crank angle of that torque"), _THEORY
+        "T_d", "N*m", (), N_("Largest net torque of the downstroke"), N_("Crank angle of that torque"), _THEORY, "28.4"
     )
     least_gearbox_torque: Extreme = extreme(
         "T_min",
@@ -86,33 +96,44 @@ class GearboxTorque(Checked, Flagged):
         N_("Smallest net torque; less than 0 where the machine drives the gearbox"),
         N_("Crank angle of that torque"),
         _THEORY,
+        "28.4",
     )
-    mean_gearbox_torque: Array = quantity("T_m", "N*m", (), N_("Mean net torque"), _THEORY)
-    rms_gearbox_torque: Array = quantity("T_rms", "N*m", (), N_("Root mean square of the net torque"), _THEORY)
+    mean_gearbox_torque: Array = quantity("T_m", "N*m", (), N_("Mean net torque"), _THEORY, "28.4")
+    rms_gearbox_torque: Array = quantity("T_rms", "N*m", (), N_("Root mean square of the net torque"), _THEORY, "28.4")
     cyclic_load_factor: Array = quantity(
-        "CLF", "1", (), N_("Cyclic load factor: root mean square of the net torque over its mean"), _THEORY
+        "CLF", "1", (), N_("Cyclic load factor: root mean square of the net torque over its mean"), _THEORY, "28.7"
     )
-    card_work: Array = quantity("W_c", "J", (), N_("Work of a turn at the polished rod: area of its card"), _THEORY)
-    polished_rod_power: Array = quantity("P_PR", "W", (), N_("Mean power at the polished rod"), _THEORY)
+    card_work: Array = quantity(
+        "W_c", "J", (), N_("Work of a turn at the polished rod: area of its card"), _THEORY, "28.6"
+    )
+    polished_rod_power: Array = quantity("P_PR", "W", (), N_("Mean power at the polished rod"), _THEORY, "definition")
     counterbalance_moment: Array = quantity(
-        "M", "N*m", (), N_("Largest moment of the counterbalance about the crankshaft"), _THEORY
+        "M", "N*m", (), N_("Largest moment of the counterbalance about the crankshaft"), _THEORY, "definition"
     )
     weights_phase: Array = quantity(
-        "τ", "deg", (), N_("How far the weights are ahead of the line from shaft to crank pin"), _THEORY
+        "τ", "deg", (), N_("How far the weights are ahead of the line from shaft to crank pin"), _THEORY, "definition"
     )
     equal_peaks_moment: Array = quantity(
-        "M_eq", "N*m", (), N_("Moment of the counterbalance that makes both peaks equal"), _THEORY
+        "M_eq", "N*m", (), N_("Moment of the counterbalance that makes both peaks equal"), _THEORY, "28.9"
     )
-    equal_peaks_torque: Array = quantity("T_eq", "N*m", (), N_("Both peaks with that counterbalance"), _THEORY)
+    equal_peaks_torque: Array = quantity(
+        "T_eq", "N*m", (), N_("Both peaks with that counterbalance"), _THEORY, "28.8, 28.9"
+    )
     least_rms_moment: Array = quantity(
-        "M_rms", "N*m", (), N_("Moment of the counterbalance that makes the root mean square least"), _THEORY
+        "M_rms", "N*m", (), N_("Moment of the counterbalance that makes the root mean square least"), _THEORY, "28.10"
     )
-    least_rms_torque: Array = quantity("T_rms,0", "N*m", (), N_("Root mean square with that counterbalance"), _THEORY)
-    least_rms_peak: Array = quantity("T_rms,max", "N*m", (), N_("Largest torque with that counterbalance"), _THEORY)
+    least_rms_torque: Array = quantity(
+        "T_rms,0", "N*m", (), N_("Root mean square with that counterbalance"), _THEORY, "28.8, 28.10"
+    )
+    least_rms_peak: Array = quantity(
+        "T_rms,max", "N*m", (), N_("Largest torque with that counterbalance"), _THEORY, "28.8, 28.10"
+    )
     torque_share: Array = quantity(
-        "T/T_r", "1", (), N_("Largest torque of either sign, of the gearbox's rating"), _THEORY
+        "T/T_r", "1", (), N_("Largest torque of either sign, of the gearbox's rating"), _THEORY, "definition"
     )
-    load_share: Array = quantity("W/W_r", "1", (), N_("Largest pull at the polished rod, of its rating"), _THEORY)
+    load_share: Array = quantity(
+        "W/W_r", "1", (), N_("Largest pull at the polished rod, of its rating"), _THEORY, "definition"
+    )
 
     def answer(self, names: Names, design: int) -> str:
         """Say both peaks, and the least torque."""

@@ -29,13 +29,23 @@ class HalfPeriods(StageResult):
     """Between two changes of sign of the static torque at the motor; in general they are not equal."""
 
     half_period_start: Array = quantity(
-        "φ_h", "deg", _OF_EACH, N_("Crank angle at which the static torque at the motor changes its sign"), _THEORY
+        "φ_h",
+        "deg",
+        _OF_EACH,
+        N_("Crank angle at which the static torque at the motor changes its sign"),
+        _THEORY,
+        "31.9",
     )
     half_period_length: Array = quantity(
-        "Δφ_h", "deg", _OF_EACH, N_("Crank angle over which the static torque at the motor keeps its sign"), _THEORY
+        "Δφ_h",
+        "deg",
+        _OF_EACH,
+        N_("Crank angle over which the static torque at the motor keeps its sign"),
+        _THEORY,
+        "31.9",
     )
     half_period_work: Array = quantity(
-        "W_h", "J", _OF_EACH, N_("Work of the static torque at the motor while it keeps its sign"), _THEORY
+        "W_h", "J", _OF_EACH, N_("Work of the static torque at the motor while it keeps its sign"), _THEORY, "31.12"
     )
     half_period_peak: Extreme = extreme(
         "M_h",
@@ -44,6 +54,7 @@ class HalfPeriods(StageResult):
         N_("Peak of the static torque at the motor while it keeps its sign"),
         N_("Crank angle of that peak"),
         _THEORY,
+        "31.9",
         worst="largest",
     )
 

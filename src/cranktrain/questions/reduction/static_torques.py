@@ -46,7 +46,12 @@ class StaticTorques(Flagged):
     """Static torque and inertia at every shaft of the drive."""
 
     static_torque: Array = quantity(
-        "M_st", "N*m", _CURVE, N_("Torque that holds the machine against its loads, at each shaft of the drive"), THEORY
+        "M_st",
+        "N*m",
+        _CURVE,
+        N_("Torque that holds the machine against its loads, at each shaft of the drive"),
+        THEORY,
+        "31.9",
     )
     static_motor_torque: Array = quantity(
         "M_st,m",
@@ -54,6 +59,7 @@ class StaticTorques(Flagged):
         ("loss_rule", "crank_angle"),
         N_("Static torque at the motor, by where losses go"),
         THEORY,
+        "31.9",
     )
     largest_static_motor_torque: Array = quantity(
         "M_st,m,max",
@@ -61,6 +67,7 @@ class StaticTorques(Flagged):
         ("loss_rule",),
         N_("Largest static torque at the motor, by where losses go"),
         THEORY,
+        "31.9",
         worst="largest",
     )
     smallest_static_motor_torque: Array = quantity(
@@ -69,16 +76,17 @@ class StaticTorques(Flagged):
         ("loss_rule",),
         N_("Smallest static torque at the motor, by where losses go"),
         THEORY,
+        "31.9",
         worst="smallest",
     )
     driven_inertia: Array = quantity(
-        "J_k", "kg*m^2", _CURVE, N_("Inertia of drive and machine together, reduced to each shaft"), THEORY
+        "J_k", "kg*m^2", _CURVE, N_("Inertia of drive and machine together, reduced to each shaft"), THEORY, "31.10"
     )
     driven_flywheel_moment: Array = quantity(
-        "GD²", "kg*m^2", _CURVE, N_("Flywheel moment GD² at each shaft, four times the inertia"), THEORY
+        "GD²", "kg*m^2", _CURVE, N_("Flywheel moment GD² at each shaft, four times the inertia"), THEORY, "31.10"
     )
     gear_flywheel_moment: Array = quantity(
-        "(GD²)₀", "kg*m^2", _SHAFT, N_("Flywheel moment GD² of the drive without the machine"), THEORY
+        "(GD²)₀", "kg*m^2", _SHAFT, N_("Flywheel moment GD² of the drive without the machine"), THEORY, "31.10"
     )
     largest_static_torque: Extreme = extreme(
         "M_st,max",
@@ -87,6 +95,7 @@ class StaticTorques(Flagged):
         N_("Largest static torque"),
         N_("Crank angle of the largest static torque"),
         THEORY,
+        "31.9",
         worst="largest",
         of="static_torque",
     )
@@ -97,14 +106,15 @@ class StaticTorques(Flagged):
         N_("Smallest static torque, or largest that drives"),
         N_("Crank angle of the smallest static torque"),
         THEORY,
+        "31.9",
         worst="smallest",
         of="static_torque",
     )
     mean_static_torque: Array = quantity(
-        "M_st,mean", "N*m", _SHAFT, N_("Mean static torque over the crank angle"), THEORY
+        "M_st,mean", "N*m", _SHAFT, N_("Mean static torque over the crank angle"), THEORY, "31.9"
     )
     rms_static_torque: Array = quantity(
-        "M_st,rms", "N*m", _SHAFT, N_("Root mean square of the static torque over the crank angle"), THEORY
+        "M_st,rms", "N*m", _SHAFT, N_("Root mean square of the static torque over the crank angle"), THEORY, "31.9"
     )
 
 

@@ -11,6 +11,7 @@ from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.servo.demand import ServoDemand, rocking_demand
 from cranktrain.questions.servo.stages import THEORY
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import StageResult
 from cranktrain.saying.wording import Names, number
@@ -23,18 +24,18 @@ class RockingCrank(StageResult):
     """How a rocking crank moves; courses, of each design, at 721 times of a period from its beginning to its end."""
 
     courses: tuple[CrankMotion, ...]
-    rocking_period: Array = quantity("T_r", "s", (), N_("Period of the rocking motion"), THEORY)
+    rocking_period: Array = quantity("T_r", "s", (), N_("Period of the rocking motion"), THEORY, "definition")
     least_rocking_angle: Array = quantity(
-        "φ_r,min", "deg", (), N_("Least angle of the rocking crank, φ"), THEORY, is_place=True
+        "φ_r,min", "deg", (), N_("Least angle of the rocking crank, φ"), THEORY, "29.10", is_place=True
     )
     greatest_rocking_angle: Array = quantity(
-        "φ_r,max", "deg", (), N_("Greatest angle of the rocking crank, φ"), THEORY, is_place=True
+        "φ_r,max", "deg", (), N_("Greatest angle of the rocking crank, φ"), THEORY, "29.10", is_place=True
     )
     largest_rocking_speed: Array = quantity(
-        "ω_r", "rad/s", (), N_("Largest speed of the rocking crank"), THEORY, shown="rpm"
+        "ω_r", "rad/s", (), N_("Largest speed of the rocking crank"), THEORY, "29.3", shown="rpm"
     )
     largest_rocking_acceleration: Array = quantity(
-        "ε_r", "rad/s^2", (), N_("Largest angular acceleration of the rocking crank"), THEORY
+        "ε_r", "rad/s^2", (), N_("Largest angular acceleration of the rocking crank"), THEORY, "29.3"
     )
 
     def answer(self, _names: Names, design: int) -> str:
@@ -79,13 +80,23 @@ class RockingDrive(StageResult):
 
     demands: tuple[ServoDemand, ...]
     rocking_rms_torque: Array = quantity(
-        "M_r,rms", "N*m", (), N_("Root mean square over time of the motor's torque for the rocking motion"), THEORY
+        "M_r,rms",
+        "N*m",
+        (),
+        N_("Root mean square over time of the motor's torque for the rocking motion"),
+        THEORY,
+        "29.8",
     )
     rocking_peak_torque: Array = quantity(
-        "M_r,max", "N*m", (), N_("Largest size of the motor's torque for the rocking motion"), THEORY
+        "M_r,max", "N*m", (), N_("Largest size of the motor's torque for the rocking motion"), THEORY, "29.8"
     )
     rocking_peak_power: Array = quantity(
-        "P_r,max", "W", (), N_("Largest power of the motor for the rocking motion, driving or braking"), THEORY
+        "P_r,max",
+        "W",
+        (),
+        N_("Largest power of the motor for the rocking motion, driving or braking"),
+        _TRANSIENTS,
+        "26.10",
     )
 
     def answer(self, _names: Names, design: int) -> str:

@@ -18,6 +18,7 @@ from cranktrain.questions.reduction.at_angles import reduced_at
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.servo.demand import ServoDemand, crank_torque, motor_torque, servo_demand
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Check, Checked
 from cranktrain.saying.wording import Names, number
@@ -37,17 +38,19 @@ _N_STEPS = 40
 class WantedCrank(Checked):
     """How the crank moves so that its output moves as wanted."""
 
-    wanted_time: Array = quantity("t", "s", _CURVE, N_("Time, from the beginning of the wanted motion"), THEORY)
+    wanted_time: Array = quantity(
+        "t", "s", _CURVE, N_("Time, from the beginning of the wanted motion"), THEORY, "29.10"
+    )
     wanted_crank_speed: Array = quantity(
-        "ω_w", "rad/s", _CURVE, N_("Speed of the crank that is wanted"), THEORY, shown="rpm"
+        "ω_w", "rad/s", _CURVE, N_("Speed of the crank that is wanted"), THEORY, "29.3, 29.6", shown="rpm"
     )
     wanted_crank_acceleration: Array = quantity(
-        "ε_w", "rad/s^2", _CURVE, N_("Angular acceleration of the crank that is wanted"), THEORY
+        "ε_w", "rad/s^2", _CURVE, N_("Angular acceleration of the crank that is wanted"), THEORY, "29.3, 29.6"
     )
-    wanted_period: Array = quantity("T_w", "s", (), N_("Period of the wanted motion"), THEORY)
-    resting_time: Array = quantity("t_0", "s", (), N_("How long the crank rests in a period"), THEORY)
+    wanted_period: Array = quantity("T_w", "s", (), N_("Period of the wanted motion"), THEORY, "definition")
+    resting_time: Array = quantity("t_0", "s", (), N_("How long the crank rests in a period"), THEORY, "definition")
     largest_wanted_speed: Array = quantity(
-        "ω_w,max", "rad/s", (), N_("Largest wanted speed of the crank"), THEORY, shown="rpm"
+        "ω_w,max", "rad/s", (), N_("Largest wanted speed of the crank"), THEORY, "29.3, 29.6", shown="rpm"
     )
     constant_speed_miss: Array = quantity(
         "Δ_s",
@@ -55,6 +58,7 @@ class WantedCrank(Checked):
         (),
         N_("By how much a crank at a constant speed would miss the wanted position, in parts of the stroke"),
         THEORY,
+        "29.9",
     )
 
     def answer(self, _names: Names, design: int) -> str:
@@ -123,17 +127,25 @@ class ServoDrive(Checked):
 
     demands: tuple[ServoDemand, ...]
     servo_crank_torque: Array = quantity(
-        "M_w", "N*m", _CURVE, N_("Torque on the crank that the wanted motion takes"), THEORY
+        "M_w", "N*m", _CURVE, N_("Torque on the crank that the wanted motion takes"), THEORY, "29.8"
     )
-    servo_torque: Array = quantity("M_s", "N*m", _CURVE, N_("Torque of the motor for the wanted motion"), THEORY)
+    servo_torque: Array = quantity(
+        "M_s", "N*m", _CURVE, N_("Torque of the motor for the wanted motion"), THEORY, "29.8"
+    )
     servo_rms_torque: Array = quantity(
-        "M_s,rms", "N*m", (), N_("Root mean square of that torque over time, rests counted"), THEORY
+        "M_s,rms", "N*m", (), N_("Root mean square of that torque over time, rests counted"), THEORY, "29.8"
     )
-    servo_peak_torque: Array = quantity("M_s,max", "N*m", (), N_("Largest size of that torque"), THEORY)
-    servo_peak_speed: Array = quantity("ω_s,max", "rad/s", (), N_("Largest speed of the motor"), THEORY, shown="rpm")
-    servo_peak_power: Array = quantity("P_s,max", "W", (), N_("Largest power of the motor, driving or braking"), THEORY)
-    servo_mean_power: Array = quantity("P_s", "W", (), N_("Mean power of the motor over time"), THEORY)
-    servo_energy_back: Array = quantity("W_s", "J", (), N_("Energy that the motor takes back in a period"), THEORY)
+    servo_peak_torque: Array = quantity("M_s,max", "N*m", (), N_("Largest size of that torque"), THEORY, "29.8")
+    servo_peak_speed: Array = quantity(
+        "ω_s,max", "rad/s", (), N_("Largest speed of the motor"), THEORY, "29.3, 29.6", shown="rpm"
+    )
+    servo_peak_power: Array = quantity(
+        "P_s,max", "W", (), N_("Largest power of the motor, driving or braking"), _TRANSIENTS, "26.10"
+    )
+    servo_mean_power: Array = quantity("P_s", "W", (), N_("Mean power of the motor over time"), _TRANSIENTS, "26.10")
+    servo_energy_back: Array = quantity(
+        "W_s", "J", (), N_("Energy that the motor takes back in a period"), _TRANSIENTS, "26.10"
+    )
 
     def answer(self, _names: Names, design: int) -> str:
         """Say what the motor needs."""

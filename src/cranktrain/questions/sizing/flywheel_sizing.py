@@ -20,6 +20,7 @@ from cranktrain.questions.sizing.motor_checks import mean_inertia
 from cranktrain.questions.sizing.parts import WantedFlywheel
 from cranktrain.questions.sizing.peaky_load import PeakyLoad, SlipLine, recovered_inertia
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged
 from cranktrain.saying.rows import Amount
@@ -43,19 +44,28 @@ class DriveFlywheel(Flagged):
     """Flywheel for a wanted largest torque of the motor, or a wanted evenness; infinite where none is large enough."""
 
     needed_inertia: Array = quantity(
-        "J_F", "kg*m^2", (), N_("Moment of inertia of the flywheel that is to be added on its shaft"), _THEORY
+        "J_F", "kg*m^2", (), N_("Moment of inertia of the flywheel that is to be added on its shaft"), _THEORY, "25.39"
     )
     formula_inertia: Array = quantity(
-        "J_F,rec", "kg*m^2", (), N_("The same by the formula for one peak after a full recovery"), _THEORY
+        "J_F,rec",
+        "kg*m^2",
+        (),
+        N_("The same by the formula for one peak after a full recovery"),
+        _THEORY,
+        "25.35, 25.36",
     )
-    formula_error: Array = quantity("Δ_F", "1", (), N_("Error of that formula, relative"), _THEORY)
-    peak_with_flywheel: Array = quantity("M_F,max", "N*m", (), N_("Largest torque of the motor with it"), _THEORY)
+    formula_error: Array = quantity(
+        "Δ_F", "1", (), N_("Error of that formula, relative"), _THEORY, "25.35, 25.36, 25.39"
+    )
+    peak_with_flywheel: Array = quantity(
+        "M_F,max", "N*m", (), N_("Largest torque of the motor with it"), _THEORY, "25.39"
+    )
     rms_with_flywheel: Array = quantity(
-        "M_F,rms", "N*m", (), N_("Root mean square of the motor's torque over time with it"), _THEORY
+        "M_F,rms", "N*m", (), N_("Root mean square of the motor's torque over time with it"), _THEORY, "25.39"
     )
-    rms_without_flywheel: Array = quantity("M_0,rms", "N*m", (), N_("The same without it"), _THEORY)
+    rms_without_flywheel: Array = quantity("M_0,rms", "N*m", (), N_("The same without it"), _TRANSIENTS, "26.5")
     fluctuation_with_flywheel: Array = quantity(
-        "δ_F", "1", (), N_("Coefficient of fluctuation of the crank's speed with it"), _THEORY
+        "δ_F", "1", (), N_("Coefficient of fluctuation of the crank's speed with it"), _THEORY, "25.39"
     )
 
     def words_and_numbers(self, design: int) -> tuple[str, dict[str, Amount]]:

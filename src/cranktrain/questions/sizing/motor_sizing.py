@@ -32,6 +32,7 @@ from cranktrain.questions.sizing.motor_checks import (
 )
 from cranktrain.questions.sizing.parts import DeclaredDuty
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged
 from cranktrain.saying.labels import titled
@@ -56,25 +57,45 @@ class MotorSizing(Flagged):
     """Checks of the declared motor, of the smallest typical four-pole motor that passes, and of the next smaller."""
 
     sizing_share: Array = quantity(
-        "u", "1", ("sized_motor", "sizing_check"), N_("What is asked of a motor over what it can do"), _THEORY
+        "u",
+        "1",
+        ("sized_motor", "sizing_check"),
+        N_("What is asked of a motor over what it can do"),
+        _THEORY,
+        "25.26, 25.32 to 25.34",
     )
     largest_share: Array = quantity(
-        "u_max", "1", _EACH, N_("Largest of these: up to 1 the motor is enough"), _THEORY, worst="largest"
+        "u_max",
+        "1",
+        _EACH,
+        N_("Largest of these: up to 1 the motor is enough"),
+        _THEORY,
+        "25.26, 25.32 to 25.34",
+        worst="largest",
     )
-    sized_power: Array = quantity("P_n", "W", _EACH, N_("Rated power of the motor that is checked"), _THEORY)
-    sized_torque: Array = quantity("M_n", "N*m", _EACH, N_("Rated torque of the motor that is checked"), _THEORY)
+    sized_power: Array = quantity(
+        "P_n", "W", _EACH, N_("Rated power of the motor that is checked"), _THEORY, "definition"
+    )
+    sized_torque: Array = quantity(
+        "M_n", "N*m", _EACH, N_("Rated torque of the motor that is checked"), _THEORY, "definition"
+    )
     sized_rms_torque: Array = quantity(
-        "M_rms", "N*m", _EACH, N_("Root mean square of its torque over time, from its own steady cycle"), _THEORY
+        "M_rms",
+        "N*m",
+        _EACH,
+        N_("Root mean square of its torque over time, from its own steady cycle"),
+        _TRANSIENTS,
+        "26.5",
     )
     sized_peak_torque: Array = quantity(
-        "M_max", "N*m", _EACH, N_("Largest torque in that cycle"), _THEORY, worst="largest"
+        "M_max", "N*m", _EACH, N_("Largest torque in that cycle"), _TRANSIENTS, "26.5", worst="largest"
     )
     sized_start_time: Array = quantity(
-        "t_st", "s", _EACH, N_("Time of a start at the lowest voltage against the mean static torque"), _THEORY
+        "t_st", "s", _EACH, N_("Time of a start at the lowest voltage against the mean static torque"), _THEORY, "25.26"
     )
-    sized_rotor_heat: Array = quantity("Q_st", "J", _EACH, N_("Heat of the rotor in such a start"), _THEORY)
+    sized_rotor_heat: Array = quantity("Q_st", "J", _EACH, N_("Heat of the rotor in such a start"), _THEORY, "25.26")
     sized_inertia_ratio: Array = quantity(
-        "λ_J", "1", _EACH, N_("Mean inertia of what is driven over that of the rotor, at the motor"), _THEORY
+        "λ_J", "1", _EACH, N_("Mean inertia of what is driven over that of the rotor, at the motor"), _THEORY, "25.34"
     )
 
     unknown: str = field(default="", kw_only=True)

@@ -3,11 +3,11 @@
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_TRANSIENTS as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.transient.clutched.settled import SettledStroke
 from cranktrain.transient.clutched.stopping import WorstStop
 
-_THEORY = "docs/theory/transient"
 _TIME = ("time",)
 
 
@@ -16,18 +16,20 @@ class StartCurves:
     """A run over time; all arrays of shape (time,)."""
 
     crank_angle_turned: Array = quantity(
-        "φ", "rad", _TIME, N_("Crank angle as shown, counted on through all turns"), _THEORY
+        "φ", "rad", _TIME, N_("Crank angle as shown, counted on through all turns"), _THEORY, "26.9"
     )
-    crank_speed: Array = quantity("ω", "rad/s", _TIME, N_("Speed of the crank"), _THEORY, shown="rpm")
-    motor_speed: Array = quantity("ω_m", "rad/s", _TIME, N_("Speed of the motor"), _THEORY, shown="rpm")
-    motor_torque: Array = quantity("M_m", "N*m", _TIME, N_("Torque of the motor at its own shaft"), _THEORY)
-    load_torque: Array = quantity("M_Q", "N*m", _TIME, N_("Torque that the loads take at the crank"), _THEORY)
-    motor_power: Array = quantity("P_m", "W", _TIME, N_("Power of the motor at its shaft"), _THEORY)
-    motor_work: Array = quantity("W_m", "J", _TIME, N_("Work of the motor since the beginning"), _THEORY)
-    load_work: Array = quantity("W_Q", "J", _TIME, N_("Work that the loads have taken"), _THEORY)
-    lost_work: Array = quantity("W_v", "J", _TIME, N_("Work that gearing, clutch and brake have lost"), _THEORY)
-    kinetic_energy: Array = quantity("T", "J", _TIME, N_("Kinetic energy of machine and drive"), _THEORY)
-    motor_heat: Array = quantity("Q_m", "J", _TIME, N_("Heat in the motor's rotor"), _THEORY)
+    crank_speed: Array = quantity("ω", "rad/s", _TIME, N_("Speed of the crank"), _THEORY, "26.9", shown="rpm")
+    motor_speed: Array = quantity("ω_m", "rad/s", _TIME, N_("Speed of the motor"), _THEORY, "26.9", shown="rpm")
+    motor_torque: Array = quantity("M_m", "N*m", _TIME, N_("Torque of the motor at its own shaft"), _THEORY, "26.5")
+    load_torque: Array = quantity("M_Q", "N*m", _TIME, N_("Torque that the loads take at the crank"), _THEORY, "26.9")
+    motor_power: Array = quantity("P_m", "W", _TIME, N_("Power of the motor at its shaft"), _THEORY, "26.10")
+    motor_work: Array = quantity("W_m", "J", _TIME, N_("Work of the motor since the beginning"), _THEORY, "26.10")
+    load_work: Array = quantity("W_Q", "J", _TIME, N_("Work that the loads have taken"), _THEORY, "26.10")
+    lost_work: Array = quantity(
+        "W_v", "J", _TIME, N_("Work that gearing, clutch and brake have lost"), _THEORY, "26.10"
+    )
+    kinetic_energy: Array = quantity("T", "J", _TIME, N_("Kinetic energy of machine and drive"), _THEORY, "26.11")
+    motor_heat: Array = quantity("Q_m", "J", _TIME, N_("Heat in the motor's rotor"), _THEORY, "26.10")
 
 
 @record

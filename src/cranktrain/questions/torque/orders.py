@@ -34,7 +34,7 @@ class TorqueOrders(StageResult):
     """Harmonics of the machine's torque: amplitude · cos(kφ − ψ), φ as shown; gross as of `ShaftTorques`."""
 
     torque_order_amplitude: Array = quantity(
-        "T_k", "N*m", _ORDER, N_("Amplitude of the order in the machine's torque"), _THEORY
+        "T_k", "N*m", _ORDER, N_("Amplitude of the order in the machine's torque"), _THEORY, "15.17, 15.18"
     )
     torque_order_phase: Array = quantity(
         "ψ_k",
@@ -42,6 +42,7 @@ class TorqueOrders(StageResult):
         _ORDER,
         N_("Phase of the order in the torque, T_k cos(kφ − ψ_k), φ as the tables count it"),
         _THEORY,
+        "15.17, 15.18",
     )
     gross: Array = field(kw_only=True)
 
@@ -81,7 +82,7 @@ class PhaseStarSums(StageResult):
     """How far the cylinders' torques of one order add up by their firing: as many as cylinders where all do."""
 
     phase_star_sum: Array = quantity(
-        "S_k", "1", _ORDER, N_("Sum of the cylinders' phase vectors of the order, by nominal firing"), _THEORY
+        "S_k", "1", _ORDER, N_("Sum of the cylinders' phase vectors of the order, by nominal firing"), _THEORY, "15.14"
     )
     is_major: NDArray[np.bool_] = field(kw_only=True)
 

@@ -20,10 +20,10 @@ class RodOrders(StageResult):
     """Harmonics of pistons by the angle of their own cranks from the top; NaN but for central slider-cranks."""
 
     acceleration_harmonic: Array = quantity(
-        "A_k", "1", _FACT, N_("Harmonic of a central piston's acceleration, x″ = R Σ A_k cos kα"), _THEORY
+        "A_k", "1", _FACT, N_("Harmonic of a central piston's acceleration, x″ = R Σ A_k cos kα"), _THEORY, "15.2, 15.4"
     )
     inertia_torque_harmonic: Array = quantity(
-        "D_k", "1", _FACT, N_("Harmonic of its inertia's torque, T = m R² ω² Σ D_k sin kα"), _THEORY
+        "D_k", "1", _FACT, N_("Harmonic of its inertia's torque, T = m R² ω² Σ D_k sin kα"), _THEORY, "15.7"
     )
 
 

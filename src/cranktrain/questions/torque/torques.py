@@ -20,6 +20,7 @@ from cranktrain.questions.forces.torque_curves import TorqueCurves, passed_torqu
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
+from cranktrain.references import THEORY_OF_HARMONICS as _HARMONICS
 from cranktrain.saying.catalogue import extreme, quantity
 from cranktrain.saying.checks import Flagged, StageResult
 from cranktrain.saying.wording import Names, number
@@ -40,12 +41,22 @@ class ShaftTorques(Flagged):
     """
 
     shaft_torque: Array = quantity(
-        "T", "N*m", ("shaft", "crank_angle"), N_("Torque of the machine on the shaft, in its sense of running"), _THEORY
+        "T",
+        "N*m",
+        ("shaft", "crank_angle"),
+        N_("Torque of the machine on the shaft, in its sense of running"),
+        _THEORY,
+        "13.38",
     )
     machine_torque: Array = quantity(
-        "T_Σ", "N*m", ("crank_angle",), N_("Torque of the machine on all shafts together, at the main shaft"), _THEORY
+        "T_Σ",
+        "N*m",
+        ("crank_angle",),
+        N_("Torque of the machine on all shafts together, at the main shaft"),
+        _THEORY,
+        "13.38",
     )
-    mean_torque: Array = quantity("T_m", "N*m", (), N_("Mean torque of the machine over a cycle"), _THEORY)
+    mean_torque: Array = quantity("T_m", "N*m", (), N_("Mean torque of the machine over a cycle"), _THEORY, "13.38")
     largest_torque: Peak = extreme(
         "T_max",
         "N*m",
@@ -53,6 +64,7 @@ class ShaftTorques(Flagged):
         N_("Largest torque of the machine"),
         N_("Crank angle of the largest torque"),
         _THEORY,
+        "13.38",
         of="machine_torque",
     )
     smallest_torque: Peak = extreme(
@@ -62,6 +74,7 @@ class ShaftTorques(Flagged):
         N_("Smallest torque of the machine"),
         N_("Crank angle of the smallest torque"),
         _THEORY,
+        "13.38",
         of="machine_torque",
     )
     gross: Array = field(kw_only=True)
@@ -137,7 +150,12 @@ class JournalTorques(StageResult):
     """Torque that each main journal passes on toward the flywheel, gathered from the free end."""
 
     journal_torque: Array = quantity(
-        "T_J", "N*m", ("journal", "crank_angle"), N_("Torque that the main journal passes on to the flywheel"), _THEORY
+        "T_J",
+        "N*m",
+        ("journal", "crank_angle"),
+        N_("Torque that the main journal passes on to the flywheel"),
+        _HARMONICS,
+        "15.13",
     )
     largest_journal_torque: Peak = extreme(
         "T_J,max",
@@ -145,7 +163,8 @@ class JournalTorques(StageResult):
         ("journal",),
         N_("Largest torque in the journal, of either sense"),
         N_("Crank angle of the largest torque in the journal"),
-        _THEORY,
+        _HARMONICS,
+        "15.13",
         worst="largest",
         of="journal_torque",
     )
@@ -172,11 +191,14 @@ class GearTorques:
         ("shaft", "crank_angle"),
         N_("Torque that the gear passes from the shaft to the main one"),
         _THEORY,
+        "13.39",
     )
     gear_reversals: Array = quantity(
-        "n_r", "1", _SHAFT, N_("How often the gear's torque changes its sign over a cycle"), _THEORY
+        "n_r", "1", _SHAFT, N_("How often the gear's torque changes its sign over a cycle"), _THEORY, "definition"
     )
-    work_share: Array = quantity("W/W_Σ", "1", _SHAFT, N_("Share of the shaft in the work of all"), _THEORY)
+    work_share: Array = quantity(
+        "W/W_Σ", "1", _SHAFT, N_("Share of the shaft in the work of all"), _THEORY, "definition"
+    )
 
     def answer(self, names: Names, design: int) -> str:
         """Say what the gear passes, how often it reverses, and who does the work."""

@@ -28,7 +28,12 @@ class WorkBalance(Checked):
     """Work of the gas over a cycle, without any step of the grid, and whether the torque does it."""
 
     gas_work: Array = quantity(
-        "W", "J", (), N_("Work of the gas in all chambers over a cycle, in closed form or by exact quadrature"), _THEORY
+        "W",
+        "J",
+        (),
+        N_("Work of the gas in all chambers over a cycle, in closed form or by exact quadrature"),
+        _THEORY,
+        "13.40",
     )
 
 

@@ -42,6 +42,7 @@ class ModeVectorSums(StageResult):
         _ORDER,
         N_("Sum of the cylinders' phase vectors of the order, each times its mode's amplitude"),
         _THEORY,
+        "23.10",
     )
 
     def answer(self, names: Names, design: int) -> str | None:
@@ -71,6 +72,7 @@ class CriticalSpeeds(StageResult):
         _ORDER,
         N_("Speed of the crank at which the order has the mode's natural frequency"),
         _THEORY,
+        "23.9",
         shown="rpm",
     )
     speed: Array | None = field(kw_only=True)

@@ -46,15 +46,21 @@ class TorsionalTrain(StageResult):
     """Discs and shafts, referred to the crank, by the rows of Holzer's table."""
 
     disc_inertia: Array = quantity(
-        "J_i", "kg*m^2", _DISC, N_("Inertia of the disc, referred to the crank; of a throw the mean of a turn"), _THEORY
+        "J_i",
+        "kg*m^2",
+        _DISC,
+        N_("Inertia of the disc, referred to the crank; of a throw the mean of a turn"),
+        _THEORY,
+        "23.1",
     )
-    disc_ratio: Array = quantity("i", "1", _DISC, N_("Turns of the disc for one of the crank"), _THEORY)
+    disc_ratio: Array = quantity("i", "1", _DISC, N_("Turns of the disc for one of the crank"), _THEORY, "definition")
     disc_stiffness: Array = quantity(
         "k_i",
         "N*m/rad",
         _DISC,
         N_("Stiffness of the shaft that leads on from the disc, referred to the crank"),
         _THEORY,
+        "23.13 to 23.21",
     )
     train: Train = field(kw_only=True)
 
@@ -129,22 +135,37 @@ class TorsionalModes(Checked, Flagged):
     """
 
     natural_frequency: Array = quantity(
-        "ω_n", "rad/s", ("mode",), N_("Natural frequency of the torsional vibration"), _THEORY, shown="Hz"
+        "ω_n", "rad/s", ("mode",), N_("Natural frequency of the torsional vibration"), _THEORY, "23.4", shown="Hz"
     )
     mode_shape: Array = quantity(
-        "a", "1", _MODE, N_("Amplitude of the disc, referred to the crank; 1 at the free end"), _THEORY
+        "a", "1", _MODE, N_("Amplitude of the disc, referred to the crank; 1 at the free end"), _THEORY, "23.3, 23.4"
     )
     mode_node: Array = quantity(
-        "s", "1", _MODE, N_("Where on the shaft that leads on the node is: share of the shaft from the disc"), _THEORY
+        "s",
+        "1",
+        _MODE,
+        N_("Where on the shaft that leads on the node is: share of the shaft from the disc"),
+        _THEORY,
+        "23.8",
     )
     holzer_torque: Array = quantity(
-        "Jω²a", "N*m/rad", _MODE, N_("Holzer's table: torque of the disc's inertia"), _THEORY
+        "Jω²a", "N*m/rad", _MODE, N_("Holzer's table: torque of the disc's inertia"), _THEORY, "23.6"
     )
     holzer_sum: Array = quantity(
-        "ΣJω²a", "N*m/rad", _MODE, N_("Holzer's table: torque in the shaft that leads on from the disc"), _THEORY
+        "ΣJω²a",
+        "N*m/rad",
+        _MODE,
+        N_("Holzer's table: torque in the shaft that leads on from the disc"),
+        _THEORY,
+        "23.6",
     )
     holzer_twist: Array = quantity(
-        "Δa", "1", _MODE, N_("Holzer's table: twist of the shaft that leads on, taken off the amplitude"), _THEORY
+        "Δa",
+        "1",
+        _MODE,
+        N_("Holzer's table: twist of the shaft that leads on, taken off the amplitude"),
+        _THEORY,
+        "23.7",
     )
     unit: NDArray[np.intp] = field(kw_only=True)
 

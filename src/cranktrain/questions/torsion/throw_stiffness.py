@@ -38,6 +38,7 @@ class ThrowStiffness(Flagged):
         ("throw_method", "throw_gap"),
         N_("Stiffness of the crankshaft from the middle of a throw's pin to that of the next"),
         _THEORY,
+        "23.13 to 23.21",
     )
     throw_stiffness_spread: Array = quantity(
         "Δk/k",
@@ -45,6 +46,7 @@ class ThrowStiffness(Flagged):
         ("throw_gap",),
         N_("By how much the largest stiffness by any method is above the smallest, relative to this"),
         _THEORY,
+        "23.13 to 23.21",
     )
     chosen: int = field(kw_only=True)
 

@@ -22,13 +22,14 @@ _FACT, _RAYS = ("mechanism",), ("mechanism", "ray")
 class CrankPinWear(StageResult):
     """Means over the cycle of what rods and crank pins do to each other; NaN for what has no rod on a crank pin."""
 
-    mean_crankpin_load: Array = quantity("R_m", "N", _FACT, N_("Mean size of the crank pin's load"), _THEORY)
+    mean_crankpin_load: Array = quantity("R_m", "N", _FACT, N_("Mean size of the crank pin's load"), _THEORY, "24.45")
     crankpin_wear: Array = quantity(
         "W",
         "N",
         _RAYS,
         N_("Mean load on each ray of the crank pin, from its outermost point in the sense of rotation"),
         _THEORY,
+        "24.46, 24.47",
     )
     crankpin_oil_hole: Array = quantity(
         "γ_h",
@@ -36,6 +37,7 @@ class CrankPinWear(StageResult):
         _FACT,
         N_("Place for the oil hole of the crank pin, from its outermost point in the sense of rotation"),
         _THEORY,
+        "24.46, 24.47",
     )
     rod_bearing_wear: Array = quantity(
         "W_S",
@@ -43,6 +45,7 @@ class CrankPinWear(StageResult):
         _RAYS,
         N_("Mean load on each ray of the rod's bearing, from the rod's line in the sense of rotation"),
         _THEORY,
+        "24.46, 24.47",
     )
 
 

@@ -25,10 +25,12 @@ _TOO_MUCH = 1.5
 class CrankSizes(Flagged):
     """Masses of pins and webs from the sizes of the crankshaft, in none of the forces: those are of [masses.crank]."""
 
-    pin_mass: Array = quantity("m_p", "kg", _PIN, N_("Mass of the crank pin by its sizes"), _THEORY)
-    web_mass: Array = quantity("m_w", "kg", _PIN, N_("Mass of the webs of the crank pin by their sizes"), _THEORY)
+    pin_mass: Array = quantity("m_p", "kg", _PIN, N_("Mass of the crank pin by its sizes"), _THEORY, "24.51")
+    web_mass: Array = quantity(
+        "m_w", "kg", _PIN, N_("Mass of the webs of the crank pin by their sizes"), _THEORY, "24.51"
+    )
     crank_moment: Array = quantity(
-        "u_c", "kg*m", _PIN, N_("Mass of pin and webs times radius of their centroid, by their sizes"), _THEORY
+        "u_c", "kg*m", _PIN, N_("Mass of pin and webs times radius of their centroid, by their sizes"), _THEORY, "24.52"
     )
 
 

@@ -14,10 +14,20 @@ class HousingSpread:
     """Largest bearing loads in softer and in stiffer housings, by the most trusted method of elastic bearings."""
 
     bearing_load_soft_housing: Array = quantity(
-        "Q_½", "N", ("bearing",), N_("Largest load of the main bearing if all housings were half as stiff"), _THEORY
+        "Q_½",
+        "N",
+        ("bearing",),
+        N_("Largest load of the main bearing if all housings were half as stiff"),
+        _THEORY,
+        "24.6, 24.10",
     )
     bearing_load_stiff_housing: Array = quantity(
-        "Q_2", "N", ("bearing",), N_("Largest load of the main bearing if all housings were twice as stiff"), _THEORY
+        "Q_2",
+        "N",
+        ("bearing",),
+        N_("Largest load of the main bearing if all housings were twice as stiff"),
+        _THEORY,
+        "24.6, 24.10",
     )
 
 

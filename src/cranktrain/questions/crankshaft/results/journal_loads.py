@@ -33,6 +33,7 @@ class JournalLoads(StageResult):
         _CURVE,
         N_("Load of the journal on the main bearing in the direction of the crank of throw 1"),
         _THEORY,
+        "24.44",
     )
     journal_load_across: Array = quantity(
         "Q_A",
@@ -40,6 +41,7 @@ class JournalLoads(StageResult):
         _CURVE,
         N_("Load of the journal on the main bearing, 90° from the crank of throw 1 in the sense of rotation"),
         _THEORY,
+        "24.44",
     )
 
 
@@ -48,10 +50,20 @@ class JournalWear(StageResult):
     """Means over the cycle of what journals and main bearings do to each other, by each method."""
 
     journal_wear: Array = quantity(
-        "W_J", "N", _RAYS, N_("Mean load on each ray of the journal, from throw 1 in the sense of rotation"), _THEORY
+        "W_J",
+        "N",
+        _RAYS,
+        N_("Mean load on each ray of the journal, from throw 1 in the sense of rotation"),
+        _THEORY,
+        "24.46, 24.47",
     )
     journal_oil_hole: Array = quantity(
-        "γ_J", "rad", _FACT, N_("Place for the oil hole of the journal, from throw 1 in the sense of rotation"), _THEORY
+        "γ_J",
+        "rad",
+        _FACT,
+        N_("Place for the oil hole of the journal, from throw 1 in the sense of rotation"),
+        _THEORY,
+        "24.46, 24.47",
     )
     bearing_wear: Array = quantity(
         "W_B",
@@ -59,6 +71,7 @@ class JournalWear(StageResult):
         _RAYS,
         N_("Mean load on each ray of the main bearing, from upward in the sense of rotation"),
         _THEORY,
+        "24.46, 24.47",
     )
     bearing_oil_hole: Array = quantity(
         "γ_B",
@@ -66,6 +79,7 @@ class JournalWear(StageResult):
         _FACT,
         N_("Place for the oil hole of the main bearing, from upward in the sense of rotation"),
         _THEORY,
+        "24.46, 24.47",
     )
 
 

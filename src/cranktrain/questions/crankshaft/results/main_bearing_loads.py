@@ -35,10 +35,20 @@ class MainBearingLoads(Checked, Flagged):
     """Load of the journals on the main bearings, by each method."""
 
     main_bearing_load_x: Array = quantity(
-        "Q_X", "N", _CURVE, N_("Load of the journal on the main bearing, to the right"), _THEORY
+        "Q_X",
+        "N",
+        _CURVE,
+        N_("Load of the journal on the main bearing, to the right"),
+        _THEORY,
+        "24.6, 24.10, 24.39 to 24.43",
     )
     main_bearing_load_y: Array = quantity(
-        "Q_Y", "N", _CURVE, N_("Load of the journal on the main bearing, upward"), _THEORY
+        "Q_Y",
+        "N",
+        _CURVE,
+        N_("Load of the journal on the main bearing, upward"),
+        _THEORY,
+        "24.6, 24.10, 24.39 to 24.43",
     )
     largest_bearing_load: Peak = extreme(
         "Q_max",
@@ -47,9 +57,12 @@ class MainBearingLoads(Checked, Flagged):
         N_("Largest load of the main bearing"),
         N_("Crank angle of that load"),
         _THEORY,
+        "24.6, 24.10, 24.39 to 24.43",
         worst="largest",
     )
-    mean_bearing_load: Array = quantity("Q_m", "N", _FACT, N_("Mean size of the main bearing's load"), _THEORY)
+    mean_bearing_load: Array = quantity(
+        "Q_m", "N", _FACT, N_("Mean size of the main bearing's load"), _THEORY, "24.6, 24.10, 24.39 to 24.43"
+    )
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say which bearing carries most, by every method."""

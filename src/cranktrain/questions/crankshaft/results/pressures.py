@@ -31,10 +31,11 @@ class CrankPinPressures(StageResult):
         _PIN,
         N_("Largest specific pressure of the rod's bearing on the crank pin"),
         _THEORY,
+        "24.48",
         worst="largest",
     )
     mean_crankpin_pressure: Array = quantity(
-        "p_P,m", "Pa", _PIN, N_("Mean specific pressure of the rod's bearing on the crank pin"), _THEORY
+        "p_P,m", "Pa", _PIN, N_("Mean specific pressure of the rod's bearing on the crank pin"), _THEORY, "24.48"
     )
 
     def answer(self, names: Names, design: int) -> str | None:
@@ -55,10 +56,10 @@ class MainBearingPressures(StageResult):
     """Specific pressure of the main bearings, by each method; NaN where no width is given."""
 
     largest_bearing_pressure: Array = quantity(
-        "p_max", "Pa", _BEARING, N_("Largest specific pressure of the main bearing"), _THEORY, worst="largest"
+        "p_max", "Pa", _BEARING, N_("Largest specific pressure of the main bearing"), _THEORY, "24.48", worst="largest"
     )
     mean_bearing_pressure: Array = quantity(
-        "p_m", "Pa", _BEARING, N_("Mean specific pressure of the main bearing"), _THEORY
+        "p_m", "Pa", _BEARING, N_("Mean specific pressure of the main bearing"), _THEORY, "24.48"
     )
 
     def answer(self, names: Names, design: int) -> str | None:

@@ -44,6 +44,7 @@ class SectionTorques(Checked):
         _CURVE,
         N_("Torque in the journal or crank pin about its own axis, in the sense of rotation"),
         _THEORY,
+        "24.37, 24.38",
     )
     largest_section_torque: Peak = extreme(
         "M_max",
@@ -52,6 +53,7 @@ class SectionTorques(Checked):
         N_("Largest torque in the journal or crank pin"),
         N_("Crank angle of the largest torque in the journal or crank pin"),
         _THEORY,
+        "24.37, 24.38",
         worst="largest",
         of="section_torque",
     )
@@ -62,9 +64,15 @@ class SectionTorques(Checked):
         N_("Least torque in the journal or crank pin"),
         N_("Crank angle of the least torque in the journal or crank pin"),
         _THEORY,
+        "24.37, 24.38",
     )
     section_torque_range: Array = quantity(
-        "ΔM", "N*m", _FACT, N_("Range of the torque in the journal or crank pin, largest less least"), _THEORY
+        "ΔM",
+        "N*m",
+        _FACT,
+        N_("Range of the torque in the journal or crank pin, largest less least"),
+        _THEORY,
+        "24.37, 24.38",
     )
 
     def answer(self, names: Names, design: int) -> str | None:

@@ -18,10 +18,15 @@ class ShaftPlaces(StageResult):
     """Places along the shaft of what loads it and of what bears it; a slave's rod loads its master's pin."""
 
     rod_place: Array = quantity(
-        "z_r", "m", ("mechanism",), N_("Place of the rod along its shaft, from throw 1 toward the flywheel"), _THEORY
+        "z_r",
+        "m",
+        ("mechanism",),
+        N_("Place of the rod along its shaft, from throw 1 toward the flywheel"),
+        _THEORY,
+        "definition",
     )
     bearing_place: Array = quantity(
-        "z_b", "m", ("bearing",), N_("Place of the main bearing along its shaft, from throw 1"), _THEORY
+        "z_b", "m", ("bearing",), N_("Place of the main bearing along its shaft, from throw 1"), _THEORY, "definition"
     )
 
 

@@ -26,6 +26,7 @@ class ThrowBending(StageResult):
         _THROW,
         N_("EI of the straight beam that bends as the throw by equal moments at both ends"),
         _THEORY,
+        "24.25",
     )
     bending_by_end_moment: Array = quantity(
         "EI_e",
@@ -33,9 +34,15 @@ class ThrowBending(StageResult):
         _THROW,
         N_("EI of the straight beam that turns at an end as the throw by a moment there"),
         _THEORY,
+        "24.26",
     )
     bending_by_pin_force: Array = quantity(
-        "EI_p", "N*m^2", _THROW, N_("EI of the straight beam that sags as the throw by a force in mid-pin"), _THEORY
+        "EI_p",
+        "N*m^2",
+        _THROW,
+        N_("EI of the straight beam that sags as the throw by a force in mid-pin"),
+        _THEORY,
+        "24.28",
     )
 
 
