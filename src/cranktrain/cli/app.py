@@ -31,6 +31,7 @@ from cranktrain.cli.options import (
     SpeedCurve,
     StartOutput,
     Units,
+    Why,
     degrees,
     listed,
 )
@@ -165,6 +166,7 @@ def _check(file: File) -> None:
         "  cranktrain run 3d12 --quantities stroke,piston_displacement\n"
         "  cranktrain run 3d12 --at 140 --quantities piston_force,side_force\n"
         "  cranktrain run 3d12 --table forces --piston 1R --every 15\n"
+        '  cranktrain run 3d12 --why "side force"\n'
         "  cranktrain run 3d12 -o 3d12.csv --step 0.5\n"
         "  cranktrain run 3d12 -o facts.csv --facts --decimal comma\n"
         "  cranktrain run 3d12 --running-speed"
@@ -192,6 +194,7 @@ def _run(
     checks: Checks = False,
     inputs: Inputs = False,
     missing: Missing = False,
+    why: Why = None,
     units: Units = None,
     force: Force = False,
 ) -> None:
@@ -213,6 +216,7 @@ def _run(
         decimal=decimal,
         facts=facts,
         curves=CurvesAsked(at, table, of, every),
+        why=why,
     )
     show_run(request, Shown(full=full, checks=checks, inputs=inputs, missing=missing))
 

@@ -69,6 +69,11 @@ Every = Annotated[
     str | None, typer.Option("--every", metavar="DEGREES", help=_("How far apart lines of the table are."))
 ]
 
+Why = Annotated[
+    str | None,
+    typer.Option("--why", metavar="WORDS", help=_("Show where a number is from: its equation, stages and inputs.")),
+]
+
 Quantities = Annotated[
     str | None,
     typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),

@@ -34,6 +34,7 @@ class RunRequest(AskedAtSpeed):
     decimal: str = "point"
     facts: bool = False
     curves: CurvesAsked = CurvesAsked()
+    why: str | None = None
 
 
 @record
@@ -54,6 +55,9 @@ def show_run(request: RunRequest, shown: Shown | None = None) -> None:
     """Compute, write and show."""
     form = _form(request)
     refuse(request.curves.problems())
+    if request.why is not None and (request.output is not None or request.curves or shown):
+        repair = _("leave -o, --at, --table and options of what is shown out")
+        raise InputError([Problem("--why", request.why, _("is shown alone"), repair)])
     if request.curves and shown:
         raise InputError(
             [Problem("--at", None, _("and --table show curves alone"), _("leave --full and the like out"))]
@@ -64,7 +68,11 @@ def show_run(request: RunRequest, shown: Shown | None = None) -> None:
     asked = units_asked_for(request.units)
     file = request.read()
     with shown_as_in(units_of(file.machine)), shown_by(asked):
-        if request.curves:
+        if request.why is not None:
+            from cranktrain.cli.why import show_why
+
+            show_why(file, request.result(file, step_degrees=request.step_degrees), request.why)
+        elif request.curves:
             _show_curves(file, request, form)
         else:
             _show(file, request, shown, form)

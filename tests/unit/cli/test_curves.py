@@ -187,7 +187,7 @@ def test_a_start_at_some_times(typed, tmp_path):
 @pytest.mark.parametrize(
     ("machine", "times", "said"),
     [
-        ("tilting_table", "99", "--at: 99.000 s: must be at most 4.912 s, when it ends"),
+        ("tilting_table", "99", "--at 99.000 s: must be at most 4.912 s, when it ends"),
         ("high_slip_press", "99", "must be at most"),
         ("tilting_table", "-1", "--at = -1: must be times in seconds from 0 on, such as 0.5 or 0,0.1..2"),
         ("tilting_table", "soon", "must be times in seconds"),

@@ -78,7 +78,7 @@ def show_checks(console: Console, result: Result) -> None:
 
 def show_inputs(console: Console, file: MachineFile) -> None:
     """Show every number of the file and where it is from."""
-    section(console, _("What this rests on"), _input_table(inputs_of(file), console.width - INDENT))
+    section(console, _("What this rests on"), input_table(inputs_of(file), console.width - INDENT))
 
 
 def show_missing(console: Console, result: Result) -> None:
@@ -159,10 +159,10 @@ def _provenance(file: MachineFile, width: int) -> Iterator[str | Text]:
     yield _("{n} numbers of the file: {counted}", n=len(inputs), counted=counted)
     listed = [one for status in _LISTED for one in inputs if one.given.status == status]
     if listed:
-        yield from _input_table(listed, width)
+        yield from input_table(listed, width)
 
 
-def _input_table(inputs: Sequence[Input], width: int) -> list[Text]:
+def input_table(inputs: Sequence[Input], width: int) -> list[Text]:
     """Path, value, status and note of numbers of a file, in a width of columns."""
     notes = ["; ".join(one_line(word) for word in (given.note, given.source) if word) for _path, given in inputs]
     rows = [

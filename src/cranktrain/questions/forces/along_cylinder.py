@@ -25,7 +25,7 @@ class PistonLoads:
     """Loads on the pistons of rods."""
 
     load_force: Array = quantity(
-        "F", "N", _CURVE, N_("Force of loads on the piston along the cylinder, toward the shaft"), _THEORY
+        "F", "N", _CURVE, N_("Force of loads on the piston along the cylinder, toward the shaft"), _THEORY, "13.30"
     )
 
 
@@ -39,6 +39,7 @@ class PistonWeights:
         _CURVE,
         N_("Weight of piston and the rod's reciprocating share along the cylinder, toward the shaft"),
         _THEORY,
+        "13.30",
     )
 
 

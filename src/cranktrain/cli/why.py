@@ -1,0 +1,69 @@
+"""`run --why`: where a printed number is from: its quantity, its equation, the stages and the inputs behind it."""
+
+from collections.abc import Iterator, Mapping
+
+from rich.text import Text
+
+from cranktrain.analysis import Result
+from cranktrain.analysis.behind import behind
+from cranktrain.analysis.pipeline import Pipeline
+from cranktrain.cli.screen.report import input_table, show_numbers
+from cranktrain.cli.screen.text import INDENT, page, section
+from cranktrain.cli.screen.title import title
+from cranktrain.errors import InputError, Problem
+from cranktrain.io.machine_file import Input, MachineFile, inputs_of
+from cranktrain.language import _
+from cranktrain.quantities import nearest
+from cranktrain.saying.catalogue import Entry, cited
+
+_NAMED = 6
+"""Other quantities that the words fit."""
+_OF_A_BANK = 2
+"""Keys in the path of a bank, of which nothing below is its own."""
+
+
+def show_why(file: MachineFile, result: Result, words: str) -> None:
+    """Show where a number is from."""
+    entry, *others = quantities_called(words, result.catalogue)
+    found = behind(entry.name, file.machine)
+    with page(title(file.machine)) as console:
+        show_numbers(console, result, [entry.name], is_all=False)
+        section(console, _("Where it is from"), _origin(entry, found, others))
+        inputs = list(_inputs(file, found))
+        section(console, _("What this rests on"), input_table(inputs, console.width - INDENT))
+
+
+def quantities_called(words: str, catalogue: Mapping[str, Entry]) -> list[Entry]:
+    """Quantities that words may mean, the one that is meant first: by its name, its symbol, or words in its name."""
+    asked = words.lower().replace("_", " ").split()
+    fitting = [entry for entry in catalogue.values() if set(asked) <= set(entry.name.split("_"))] if asked else []
+    by_symbol = [entry for entry in catalogue.values() if entry.symbol == words.strip()]
+    found = sorted(fitting, key=lambda entry: len(entry.name.split("_"))) + by_symbol
+    if not found:
+        meant = nearest("_".join(asked), list(catalogue))
+        allowed = _("must be words in the name of a result, or its symbol; `cranktrain list results` names all")
+        raise InputError([Problem("--why", words, allowed, _('write "{text}"', text=meant) if meant else None)])
+    return found
+
+
+def _origin(entry: Entry, found: Pipeline, others: list[Entry]) -> Iterator[str | Text]:
+    """What a quantity is, its equation, and the stages that lead to it."""
+    yield f"{entry.symbol or entry.name} [{entry.unit}]: {entry.sentence}"
+    yield cited(entry.source, entry.numbers)
+    yield _("Stages: {stages}", stages=" → ".join(stage.name for stage in found.stages))
+    yield _("More: cranktrain list results --behind {name}", name=entry.name)
+    if others:
+        named = [other.name for other in others[:_NAMED]] + (["…"] if len(others) > _NAMED else [])
+        yield _("The words fit these, too: {names}", names=", ".join(named))
+
+
+def _inputs(file: MachineFile, found: Pipeline) -> Iterator[Input]:
+    """Numbers of the file in the tables that are read on the way."""
+    read = {table.strip("[]") for part in found.declared for table in part.tables}
+    for one in inputs_of(file):
+        path = one.path.partition("[")[0].split(".")
+        above = [".".join(path[:length]) for length in range(1, len(path) + 1)]
+        # Of a bank or a shaft its own keys; of what else has a name all that stands in it.
+        own = above if path[0] not in ("bank", "shaft") else [above[-2], *above[_OF_A_BANK:]]
+        if not read.isdisjoint(own):
+            yield one

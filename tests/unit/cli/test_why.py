@@ -1,0 +1,47 @@
+"""`run --why`: from a printed number to its quantity, equation, stages and inputs."""
+
+import pytest
+
+
+def test_where_a_side_force_is_from(typed):
+    output = typed("run", "3d12", "--why", "side force").output
+    assert "N [N]: Force of the wall on the piston toward +y" in output
+    assert "docs/theory/forces, eqs. (13.10), (13.31)" in output
+    assert "piston_force_set" in output
+    assert "5.572  kN" in output  # as the screen of the machine says it
+    assert "largest_side_force" in output
+    rests = output[output.index("What this rests on") :]
+    assert "masses.piston.mass" in rests
+    assert "gas.cut_off_ratio" in rests
+
+
+def test_a_stroke_rests_on_no_gas(typed):
+    output = typed("run", "3d12", "--why", "stroke").output
+    rests = output[output.index("What this rests on") :]
+    assert "bank.L.mechanism.stroke" in rests
+    assert "bank.R.mechanism.knuckle_radius" in rests
+    assert "gas." not in rests
+    assert "masses." not in rests
+
+
+@pytest.mark.parametrize("words", ["largest side force", "force side LARGEST", "largest_side_force", "N_max"])
+def test_words_in_any_order_a_name_or_a_symbol(typed, words):
+    assert "Largest force of the wall, on either side" in typed("run", "vaz_21213", "--why", words).output
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (
+            ("--why", "sid forc"),
+            "must be words in the name of a result, or its symbol; `cranktrain list results` names",
+        ),
+        (("--why", "sid forc"), 'write "side_force"'),
+        (("--why", ""), "must be words in the name of a result"),
+        (("--why", "stroke", "-o", "stroke.csv"), "--why = stroke: is shown alone; leave -o, --at, --table"),
+        (("--why", "stroke", "--full"), "is shown alone"),
+        (("--why", "stroke", "--table", "motion"), "is shown alone"),
+    ],
+)
+def test_what_cannot_be(typed, given, said):
+    assert said in " ".join(typed("run", "3d12", *given).errors.split())
