@@ -28,8 +28,8 @@ class Entry:
         Unit in files. Arrays are SI and radians inside; a crank angle is written in `deg`.
     dimensions : tuple of str
         Of the array, after the leading design axis.
-    sentence : str
-        What it is, in the user's language.
+    message : str
+        What it is, as it is translated for people.
     source : str
         Where its formula is derived: a page of docs/theory or an equation of a source.
     path : str
@@ -48,7 +48,7 @@ class Entry:
     symbol: str
     unit: str
     dimensions: tuple[str, ...]
-    sentence: str
+    message: str
     source: str
     path: str
     shown: str
@@ -59,6 +59,11 @@ class Entry:
     def __repr__(self) -> str:
         """Show name, symbol, unit and sentence."""
         return f"<{self.name} {self.symbol} [{self.unit}]: {self.sentence}>"
+
+    @property
+    def sentence(self) -> str:
+        """What it is, in the reader's language."""
+        return _(self.message)
 
     @property
     def words(self) -> str:
@@ -166,7 +171,7 @@ def entries(result_class: type) -> tuple[Entry, ...]:
             part.symbol,
             part.unit,
             dimensions,
-            _(part.sentence),
+            part.sentence,
             source,
             held.name + part.path,
             part.shown,
