@@ -14,6 +14,7 @@ from types import SimpleNamespace
 import pytest
 
 from cranktrain import language
+from cranktrain.cli.said_names import said_names
 
 PSEUDO = "pseudo"
 
@@ -39,8 +40,8 @@ def marked(message: str) -> str:
 
 @cache
 def messages() -> frozenset[str]:
-    """All messages that translators are given: what stands in `_()` and `N_()`."""
-    return frozenset(_messages())
+    """All messages that translators are given: what stands in `_()` and `N_()`, and names that are said in words."""
+    return frozenset((*_messages(), *said_names()))
 
 
 def _messages() -> Iterator[str]:

@@ -7,6 +7,7 @@ from operator import attrgetter
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from cranktrain.language import _
+from cranktrain.saying.names import said_name
 
 Worst: TypeAlias = Literal["smallest", "largest"]
 """Which end of the values of several members is the worst, and says more than the other."""
@@ -68,7 +69,7 @@ class Entry:
     @property
     def words(self) -> str:
         """Its name in words; what has the symbol GD² is called so, as an inertia has kg·m², too."""
-        words = self.name.replace("_", " ")
+        words = said_name(self.name)
         return f"{words} GD²" if "GD²" in self.symbol else words
 
     @property
