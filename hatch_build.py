@@ -1,7 +1,7 @@
 """What is made when the package is built: lists for which the program would else import all of itself, and a template.
 
 The lists are of the names that shells complete, and of the questions that most machine files do not ask; the template
-is of all messages, and of the names that are said in words, for translators.
+is of all messages, for translators.
 """
 
 import sys
@@ -28,7 +28,7 @@ class MadeWhenBuilt(BuildHookInterface):
     def _write_template(self) -> None:
         from babel.messages.frontend import CommandLineInterface
         from babel.messages.pofile import read_po, write_po
-        from cranktrain.cli.said_names import said_names
+        from cranktrain.cli.other_messages import other_messages
 
         source, of = Path(self.root, "src/cranktrain"), self.metadata
         (author,) = of.core.authors
@@ -39,7 +39,7 @@ class MadeWhenBuilt(BuildHookInterface):
         CommandLineInterface().run(["pybabel", "-q", "extract", *options, "-o", str(template), str(source)])
         with template.open("rb") as file:
             messages = read_po(file)
-        for name in said_names():
-            messages.add(name)
+        for message in other_messages():
+            messages.add(message)
         with template.open("wb") as file:
             write_po(file, messages, sort_output=True)

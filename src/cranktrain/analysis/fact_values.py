@@ -39,7 +39,7 @@ class FactValues:
     @property
     def name(self) -> str:
         """The fact in words, with whose it is."""
-        return f"{self.entry.words}, {said_name(self.of)}" if self.of else self.entry.words
+        return ", ".join((self.entry.words, *map(said_name, self.of.split(", ")))) if self.of else self.entry.words
 
     @property
     def texts(self) -> tuple[tuple[str, ...], str]:

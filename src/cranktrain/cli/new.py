@@ -6,6 +6,7 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.kind import AnyKind
 from cranktrain.quantities import unlisted
+from cranktrain.saying.comments import with_said_comments
 
 _SCHEMA_FILE = "cranktrain.schema.json"
 
@@ -65,8 +66,8 @@ def starting_file(kind: AnyKind, *, full: bool = False) -> str:
             _(_MACHINE, title=_(kind.title)),
             _(_GRAVITY) if full else "",
             _(_SHAFT, speed=f'speed = "{kind.speed}"'),
-            f"\n{kind.example}",
-            tables if tables.strip() else "",
+            f"\n{with_said_comments(kind.example)}",
+            with_said_comments(tables) if tables.strip() else "",
         )
     )
 
