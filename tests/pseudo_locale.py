@@ -8,6 +8,7 @@ import ast
 import contextlib
 import io
 import re
+import tomllib
 from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
@@ -18,6 +19,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
+import cranktrain as ct
 from cranktrain import language
 from cranktrain.analysis import every_stage
 from cranktrain.cli import main
@@ -27,22 +29,27 @@ from cranktrain.cli.other_messages import other_messages
 from cranktrain.cli.synthesis.command import app as synthesis
 from cranktrain.cli.task import commands_of
 from cranktrain.io.examples import example_document, example_names
+from cranktrain.mechanisms import KINDS
 from cranktrain.quantities.dimensions import Dimension
 from cranktrain.references import REFERENCES
 from cranktrain.saying.catalogue import entries
 from cranktrain.texts.contents import TEXTS
+from cranktrain.texts.example_tables import example_table
 from cranktrain.viz import PICTURES
 
 PSEUDO = "pseudo"
 
 _SOURCES = Path(language.__file__).parent
-_ACCENTED = "äḃčďëḟġḧïĵķľṁňöṗꞯřšťüṽẅẋÿž"
+_ACCENTED = "äḃčďëḟġḧïĵķľṁňöṗǫřšťüṽẅẋÿž"
 _LETTERS = str.maketrans(ascii_lowercase + ascii_lowercase.upper(), _ACCENTED + _ACCENTED.upper())
 _KEPT = re.compile(r"\{[^{}]*\}|\$[^$\n]*\$|\x08")
 """Pieces, formulas, and the sign that a paragraph of a help is not to be wrapped."""
 
-_TYPED = re.compile(r"(?<!\w)--?[a-z][\w-]*|\[[a-z]+(?:-[a-z]+)+\]|docs/[\w/-]+|\S+\.(?:toml|csv|json|png|svg|pdf)\b")
-"""Options, sources, pages, files."""
+_CITED = "|".join(map(re.escape, REFERENCES))
+_FILE = r"\S*\.(?:toml|csv|json|xlsx|png|svg|pdf)\b"
+_TYPED = re.compile(rf"(?<!\w)--?[a-z][\w-]*|\[(?:{_CITED})\]|docs/[\w/-]+|{_FILE}|\w+…")
+"""Options, sources, pages, files, names that are cut."""
+_FORMULA = re.compile(r"\$[^$\n]*\$")
 _WORD = re.compile(r"\w+")
 _PLAIN = re.compile("[A-Za-z]{2,}")
 _POINTS = re.compile("[A-Z]{2,3}")
@@ -79,14 +86,11 @@ def _messages() -> Iterator[str]:
                         yield message
 
 
-def _said(message: str) -> str:
-    return marked(message) if message in messages() else message
-
-
 @pytest.fixture
 def pseudo(monkeypatch):
     """Let `in_language(PSEUDO)` say in letters with accents what translators are given."""
-    catalogue, of_pseudo = language._catalogue, SimpleNamespace(gettext=_said)
+    catalogue, there = language._catalogue, messages()
+    of_pseudo = SimpleNamespace(gettext=lambda message: marked(message) if message in there else message)
     monkeypatch.setattr(language, "_catalogue", lambda of: of_pseudo if of == PSEUDO else catalogue(of))
 
 
@@ -103,7 +107,7 @@ def unmarked(text: str, *names: Iterable[str]) -> list[str]:
     known = symbols().union(*names)
     return [
         word
-        for word in _WORD.findall(_TYPED.sub(" ", text))
+        for word in _WORD.findall(_TYPED.sub(" ", _FORMULA.sub(" ", text)))
         if _PLAIN.fullmatch(word) and not _POINTS.fullmatch(word) and word not in known
     ]
 
@@ -144,9 +148,10 @@ def names_of(example: str) -> frozenset[str]:
 
 @cache
 def keys() -> frozenset[str]:
-    """What people type: commands with what they take, kinds, keys of files, quantities, examples; numbers of formulas."""
+    """What people type: commands with what they take, kinds, keys of files, quantities, examples, formulas."""
     listed = completed()
     every = [
+        "source",  # of `plot --at`
         *(listed[what] for what in ("results", "kinds", "units", "keys")),
         *listed["keys"].values(),
         *example_names(),
@@ -154,11 +159,19 @@ def keys() -> frozenset[str]:
         *(picture.name for picture in PICTURES),
         *(formula.number for text in TEXTS for formula in text.formulas),
         "cranktrain",
+        *(reaction.name for kind in KINDS for reaction in kind.dynamics.reactions),
+        *(key for of in ("drive", "throw") for key in tomllib.loads(example_table(of))),
     ]
     for group in (commands(), commands_of(synthesis)):
         for name, command in group.commands.items():
             every += [name, *(option.metavar or option.name for option in command.params)]
     return frozenset(word for names in every for word in words_in([*names] if isinstance(names, dict) else names))
+
+
+def joints_of(result: ct.Result) -> frozenset[str]:
+    """Labels of joints, and of what has no balance weights."""
+    labels = (*result.labels.get("joint", ()), *result.labels.get("balance", ()))
+    return frozenset(word for label in labels for word in _WORD.findall(label))
 
 
 @cache
@@ -174,5 +187,6 @@ def words_of_typer() -> frozenset[str]:
     def other() -> None:
         pass
 
-    asked = (["--help"], ["one", "--help"], ["three"], ["one"], ["one", "--numbr"], ["one", "x", "--number", "x"])
-    return frozenset(word for typed in asked for word in words_in(CliRunner().invoke(app, typed).output.lower()))
+    asked = (["--help"], ["one", "--help"], ["othr"], ["one"], ["one", "--numbr", "2"], ["one", "x", "--number", "x"])
+    said = [word for typed in asked for word in words_in(CliRunner().invoke(app, typed).output)]
+    return frozenset((*said, *map(str.lower, said)))

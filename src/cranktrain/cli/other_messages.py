@@ -51,11 +51,10 @@ def _members() -> Iterator[str]:
     yield from (*BALANCE, *METHODS, *FORCE_METHODS, *ROD_METHODS, *FORMS)
     yield from (method.name for method in (*BEARING_METHODS, *THROW_METHODS))
     for kind in KINDS:
-        if kind.dynamics is not None:
-            yield from kind.dynamics.moving
-            if kind.is_direct:  # others may hang on its rod
-                yield from (f"{MASTER}{link}" for link in kind.dynamics.moving)
-            yield from (reaction.name.partition("/")[0] for reaction in kind.dynamics.reactions)
+        yield from kind.dynamics.moving
+        if kind.is_direct:  # others may hang on its rod
+            yield from (f"{MASTER}{link}" for link in kind.dynamics.moving)
+        yield from (reaction.name.partition("/")[0] for reaction in kind.dynamics.reactions)
 
 
 def _tables() -> Iterator[str]:
