@@ -28,6 +28,7 @@ class MadeWhenBuilt(BuildHookInterface):
     def _write_template(self) -> None:
         from babel.messages.frontend import CommandLineInterface
         from babel.messages.pofile import read_po, write_po
+
         from cranktrain.cli.other_messages import other_messages
 
         source, of = Path(self.root, "src/cranktrain"), self.metadata

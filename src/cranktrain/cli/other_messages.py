@@ -1,12 +1,14 @@
 """Messages that stand in no `_()`: names in words, comments of TOML, docstrings that people are shown."""
 
 from collections.abc import Iterator
+from typing import Any
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import every_stage
 from cranktrain.analysis.behind import first_sentence
 from cranktrain.analysis.stages import key_of
-from cranktrain.io.schema import machine_schema, summary_of
+from cranktrain.io.schema import machine_schema
+from cranktrain.language import in_language
 from cranktrain.mechanisms import KINDS
 from cranktrain.plans.acted_links import MASTER
 from cranktrain.questions.balance.shaken import BALANCE
@@ -18,7 +20,6 @@ from cranktrain.questions.forces.rod_masses import ROD_METHODS
 from cranktrain.saying.catalogue import entries
 from cranktrain.saying.comments import comments_in
 from cranktrain.saying.names import spelled
-from cranktrain.spec import Spec
 from cranktrain.texts.comparison import FORMS
 from cranktrain.texts.example_tables import example_table
 
@@ -35,8 +36,8 @@ def _all() -> Iterator[str]:
         yield from comments_in(text)
     for stage in every_stage():
         yield from map(first_sentence, (stage.function, *stage.needs.values()))
-    machine_schema()  # which loads the tables of all kinds
-    yield from map(summary_of, _specs(Spec))
+    with in_language("en"):
+        yield from _descriptions(machine_schema())
 
 
 def _names() -> Iterator[str]:
@@ -66,7 +67,13 @@ def _tables() -> Iterator[str]:
     yield from map(example_table, ("drive", "throw"))
 
 
-def _specs(spec: type[Spec]) -> Iterator[type[Spec]]:
-    for each in spec.__subclasses__():
-        yield each
-        yield from _specs(each)
+def _descriptions(schema: object) -> Iterator[str]:
+    """What a schema says of tables."""
+    inner: Any = schema
+    if isinstance(schema, dict):
+        if "properties" in inner:
+            yield inner.get("description", "")
+        inner = list(inner.values())
+    if isinstance(inner, list):
+        for each in inner:
+            yield from _descriptions(each)

@@ -60,7 +60,7 @@ class _Writer:
     def table(self, spec: type[Spec]) -> Schema:
         """Describe a table: its keys, and what stands under keys of the user's own."""
         fields = {field.alias or name: self._field(spec, name) for name, field in spec.model_fields.items()}
-        schema: Schema = {"type": "object", "description": _(summary_of(spec)), "properties": fields}
+        schema: Schema = {"type": "object", "description": _summary(spec), "properties": fields}
         required = [field.alias or name for name, field in spec.model_fields.items() if field.is_required()]
         others: Schema | bool = False
         if spec.others is not None:
@@ -182,6 +182,6 @@ def _default(field: FieldInfo) -> object:
     return default.text if isinstance(default, Given) else default
 
 
-def summary_of(spec: type[Spec]) -> str:
-    """First sentence of a spec's docstring, as it is translated for people."""
-    return " ".join((spec.__doc__ or "").partition("\n\n")[0].split())
+def _summary(spec: type[Spec]) -> str:
+    """First sentence of a spec's docstring."""
+    return _(" ".join((spec.__doc__ or "").partition("\n\n")[0].split()))
