@@ -54,7 +54,7 @@ COMMANDS = (
     "textbook --drive example --full",
     "textbook --drive tilting_table --full",
     "textbook errata --full",
-    "compare 3d12 kamaz_740",
+    pytest.param("compare 3d12 kamaz_740", marks=pytest.mark.quick),
     "compare vaz_21213 --set shaft.main.speed=3000rpm",
     "run 3d12 --inputs --checks --missing",
     "run pumping_unit_c57 --full",
