@@ -1,7 +1,7 @@
 """Messages that stand in no `_()`: names in words, comments of TOML, docstrings that people are shown."""
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, cast
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import every_stage
@@ -67,13 +67,13 @@ def _tables() -> Iterator[str]:
     yield from map(example_table, ("drive", "throw"))
 
 
-def _descriptions(schema: object) -> Iterator[str]:
+def _descriptions(schema: Any) -> Iterator[str]:
     """What a schema says of tables."""
-    inner: Any = schema
     if isinstance(schema, dict):
-        if "properties" in inner:
-            yield inner.get("description", "")
-        inner = list(inner.values())
-    if isinstance(inner, list):
-        for each in inner:
+        whole = cast("dict[str, Any]", schema)
+        if "properties" in whole:
+            yield whole.get("description", "")
+        schema = list(whole.values())
+    if isinstance(schema, list):
+        for each in cast("list[Any]", schema):
             yield from _descriptions(each)
