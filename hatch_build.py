@@ -27,11 +27,20 @@ class MadeWhenBuilt(BuildHookInterface):
 
     def _write_template(self) -> None:
         from babel.messages.frontend import CommandLineInterface
+        from babel.messages.pofile import read_po, write_po
+
+        from cranktrain.cli.other_messages import other_messages
 
         source, of = Path(self.root, "src/cranktrain"), self.metadata
         (author,) = of.core.authors
         options = ["-k", "N_", "--no-location", "--sort-output", "--copyright-holder", author["name"]]
         options += ["--project", of.name, "--version", of.version]
-        template = str(source / "locale/cranktrain.pot")
+        template = source / "locale/cranktrain.pot"
         (source / "locale").mkdir(exist_ok=True)
-        CommandLineInterface().run(["pybabel", "-q", "extract", *options, "-o", template, str(source)])
+        CommandLineInterface().run(["pybabel", "-q", "extract", *options, "-o", str(template), str(source)])
+        with template.open("rb") as file:
+            messages = read_po(file)
+        for message in other_messages():
+            messages.add(message)
+        with template.open("wb") as file:
+            write_po(file, messages, sort_output=True)

@@ -21,6 +21,11 @@ def in_language(language: str) -> Generator[None]:
         _chosen.reset(token)
 
 
+def chosen_language() -> str | None:
+    """Which language words are said in here: what is kept of them is kept for it alone."""
+    return _chosen.get()
+
+
 @cache
 def _catalogue(language: str | None) -> gettext.NullTranslations:
     """Words of a language; those of the code where there are none."""

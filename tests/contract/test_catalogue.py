@@ -58,9 +58,11 @@ EVERYTHING = {
         "Z": {"compression_ratio": 9},
     },
     "masses": {"piston": {"mass": "0.4 kg"}},
+    "gravity": True,
     "guide": {"piston": {"length": "60 mm"}},
     "load": {
         "work": {"on": "rocker", "torque": "20 N*m"},
+        "drag": {"on": "piston", "force": "20 N"},
         "on_shaft": {"on": "main", "file": "load.csv", "text": "angle;torque [N·m]\n0;100\n360;100"},
     },
     "gas": {

@@ -42,6 +42,9 @@ OTHERS = {
 }
 """Modules that read names of other things, which have words in common with quantities'."""
 
+WRITING = ("cranktrain.saying.catalogue", "cranktrain.saying.names")
+"""Who makes names of quantities, and who writes them in words."""
+
 DO_INSTEAD = (
     "declare what the name is read for with the field, as shown=, worst=, of= or is_place= of quantity() and extreme() "
     "in saying/catalogue.py, and ask the Entry; if these are names of something else, say of what in OTHERS"
@@ -128,7 +131,7 @@ def _refusing(method):
     def refuse(self, *given):
         caller = sys._getframe(1).f_globals.get("__name__", "")
         is_private = (method, given) == ("startswith", ("_",))
-        if caller.startswith("cranktrain.") and caller != "cranktrain.saying.catalogue" and not is_private:
+        if caller.startswith("cranktrain.") and caller not in WRITING and not is_private:
             raise AssertionError(f"{caller} takes the name {self} apart by {method}: {DO_INSTEAD}")
         return getattr(str, method)(self, *given)
 

@@ -67,7 +67,9 @@ def behind(quantity: str, machine: Machine | None = None) -> Pipeline:
     }
     return Pipeline(
         entry,
-        tuple(PartBehind(part.__name__, _sentence(part), _place(part), names) for part, names in declared.items()),
+        tuple(
+            PartBehind(part.__name__, _(first_sentence(part)), _place(part), names) for part, names in declared.items()
+        ),
         tuple(_behind(one, [need for need in one.needs.values() if is_known[need]], declared) for one in way),
     )
 
@@ -92,7 +94,7 @@ def _behind(stage: Stage, takes: Sequence[type], declared: Mapping[type, Sequenc
     found = found or [(entry.source, entry.numbers) for entry in entries(stage.gives)]
     return StageBehind(
         function.__name__,
-        _sentence(function),
+        _(first_sentence(function)),
         _place(function),
         stage.gives.__name__,
         stage.word,
@@ -102,7 +104,7 @@ def _behind(stage: Stage, takes: Sequence[type], declared: Mapping[type, Sequenc
     )
 
 
-def _sentence(thing: Callable[..., Any]) -> str:
+def first_sentence(thing: Callable[..., Any]) -> str:
     """Give the first sentence of a docstring, which stands in its first line, without what it cites at its end."""
     said, cites, _cited = (inspect.getdoc(thing) or "").partition("\n")[0].partition("; docs/theory/")
     return f"{said}." if cites else said

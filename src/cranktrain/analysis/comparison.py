@@ -155,7 +155,7 @@ class Comparison:
         heads = (first.rjust(widths[0]), second.rjust(widths[1]), difference_head, "%".rjust(widths[4]))
         yield _GAP.join(("".ljust(room), *heads)).rstrip()
         for question, rows in grouped((row.question, (row, texts)) for row, texts in cells).items():
-            yield question.capitalize() or _("More")
+            yield _(question.capitalize()) or _("More")
             for row, texts in rows:
                 name = f"  {row.name}"
                 if len(name) > room:
@@ -187,7 +187,7 @@ class Comparison:
         heads = "".join(f"<th>{escape(text)}</th>" for text in ("", *self._heads(), "", _("difference"), "%"))
         parts = [f"<p>{escape(' — '.join(self.names))}</p><table><thead><tr>{heads}</tr></thead><tbody>"]
         for question, rows in grouped((row.question, row) for row in self._rows).items():
-            title = question.capitalize() or _("More")
+            title = _(question.capitalize()) or _("More")
             parts.append(f'<tr><th colspan="6" style="text-align:left">{escape(title)}</th></tr>')
             for row in rows:
                 with shown_as_in(self._units):

@@ -13,9 +13,6 @@ from cranktrain.analysis.result import Result
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
 
-_COMPARED = "_by_method"
-"""End of the names of curves that stand there to be compared: the one that is meant has a name of its own."""
-
 
 class CurveColumn(NamedTuple):
     """A curve of one member.
@@ -46,7 +43,11 @@ class CurveColumn(NamedTuple):
 
 def by_default(result: Result) -> tuple[str, ...]:
     """Name the curves that nobody has to ask for: all but those that are there to be compared."""
-    return tuple(name for name, entry in result.catalogue.items() if not entry.is_fact and not name.endswith(_COMPARED))
+    return tuple(
+        name
+        for name, entry in result.catalogue.items()
+        if not entry.is_fact and not any(dimension_named(one).is_compared for one in result.labels_of(entry))
+    )
 
 
 def curve_columns(result: Result, names: Collection[str], *, of_each_method: bool = True) -> Iterator[CurveColumn]:

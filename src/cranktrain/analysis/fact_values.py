@@ -13,6 +13,7 @@ from cranktrain.grouping import grouped
 from cranktrain.layout.question import Question
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.names import said_name
 
 
 @record
@@ -38,7 +39,7 @@ class FactValues:
     @property
     def name(self) -> str:
         """The fact in words, with whose it is."""
-        return f"{self.entry.words}, {self.of.replace('_', ' ')}" if self.of else self.entry.words
+        return ", ".join((self.entry.words, *map(said_name, self.of.split(", ")))) if self.of else self.entry.words
 
     @property
     def texts(self) -> tuple[tuple[str, ...], str]:

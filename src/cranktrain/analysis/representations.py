@@ -93,7 +93,7 @@ def _trust(result: Result) -> Iterator[str]:
 def _table(rows: Iterable[FactValues]) -> Iterator[str]:
     """Rows of a table, question by question."""
     for question, of_question in grouped((row.question, row) for row in rows).items():
-        yield f'<tr><th colspan="3" style="text-align:left">{escape(question.capitalize())}</th></tr>'
+        yield f'<tr><th colspan="3" style="text-align:left">{escape(_(question.capitalize()))}</th></tr>'
         for row in of_question:
             (text,), unit = row.texts
             cells = f"<td>{escape(text)}</td><td style='text-align:left'>{escape(unit)}</td>"

@@ -175,8 +175,8 @@ class Result:
     def _absence(self, wanted: str, needs: Sequence[str], there: Iterable[str]) -> str:
         """Say why there is no such quantity, or stage's result."""
         if needs:
-            return f"this result has no {wanted}, which needs {', '.join(needs)}"
-        return f"this result has no {wanted}; it has {', '.join(there)}"
+            return _("this result has no {wanted}, which needs {needs}", wanted=wanted, needs=", ".join(needs))
+        return _("this result has no {wanted}; it has {there}", wanted=wanted, there=", ".join(there))
 
     def _unknown(self, wanted: str) -> str:
         """Say why there is no such attribute, and which was probably meant."""
@@ -185,10 +185,14 @@ class Result:
         if needs := self.needs_of(wanted):
             return self._absence(wanted, needs, ())
         if any(wanted in stage.results for stage in every_stage()):
-            return f"this result has no {wanted}, which other machines have, or other `quantities` would give"
+            return _(
+                "this result has no {wanted}, which other machines have, or other `quantities` would give",
+                wanted=wanted,
+            )
         others = (name for name in object.__dir__(self) if not name.startswith("_"))
-        meant = nearest(wanted, (*self._homes, *others))
-        return f"this result has no {wanted}; " + (f"did you mean {meant}?" if meant else "its `catalogue` names all")
+        if meant := nearest(wanted, (*self._homes, *others)):
+            return _("this result has no {wanted}; did you mean {meant}?", wanted=wanted, meant=meant)
+        return _("this result has no {wanted}; its `catalogue` names all", wanted=wanted)
 
     def __dir__(self) -> list[str]:
         """List the quantities too, for completion in a notebook."""

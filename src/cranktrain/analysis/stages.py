@@ -17,6 +17,7 @@ from cranktrain.language import _
 from cranktrain.layout.question import NOT_FOR_IT, Applies, Stage
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
+from cranktrain.saying.names import said_name
 
 KEPT = 64
 """Of how many sorts of machines, or ways of asking, it is kept what of all stages they take or lack."""
@@ -172,7 +173,12 @@ def _by_needs(steps: tuple[Step, ...]) -> tuple[Step, ...]:
 
 def spoken(outcome: type) -> str:
     """Name of a result in words: `DeadCentres` are dead centres."""
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", outcome.__name__).lower()
+    return said_name(key_of(outcome))
+
+
+def key_of(outcome: type) -> str:
+    """Name of a result's class as other names of the program are written: of `DeadCentres`, `dead_centres`."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", outcome.__name__).lower()
 
 
 def missing_results(steps: Sequence[Step], absent: Mapping[str, tuple[str, ...]]) -> tuple[Missing, ...]:

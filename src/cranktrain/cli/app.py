@@ -38,7 +38,7 @@ from cranktrain.cli.options import (
 from cranktrain.cli.task import Task, commands_of, put_off, task_of
 from cranktrain.cli.texts import add_textbook
 from cranktrain.cli.tools import add_tools
-from cranktrain.language import _
+from cranktrain.language import N_
 from cranktrain.version import VERSION
 
 # Typer's own handlers would swallow Ctrl-C and closed pipes, so that nothing runs before it has returned; its Rich help
@@ -68,7 +68,7 @@ def _version(asked: bool) -> None:
 
 
 @_app.callback(
-    help=_(
+    help=N_(
         "Exact mechanics of any machine with a crank in it.\n\n"
         "\b\n"
         "To start:\n"
@@ -79,7 +79,7 @@ def _version(asked: bool) -> None:
 )
 def _cranktrain(
     version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help=_("Say the version and end."))
+        bool, typer.Option("--version", callback=_version, is_eager=True, help=N_("Say the version and end."))
     ] = False,
 ) -> None:
     del version
@@ -87,7 +87,7 @@ def _cranktrain(
 
 @_app.command(
     "list",
-    help=_(
+    help=N_(
         "List examples (unless said otherwise), kinds of mechanism, or results; or all that leads to one of these.\n\n"
         "\b\n"
         "  cranktrain list\n"
@@ -104,11 +104,11 @@ def _list(
         typer.Option(
             "--behind",
             metavar="RESULT",
-            help=_("What leads to this result: tables of the file, stages in their order, with file and equation."),
+            help=N_("What leads to this result: tables of the file, stages in their order, with file and equation."),
         ),
     ] = None,
     of: Annotated[
-        str | None, typer.Option("--of", metavar="FILE", help=_("With --behind: in this machine file, or example."))
+        str | None, typer.Option("--of", metavar="FILE", help=N_("With --behind: in this machine file, or example."))
     ] = None,
 ) -> None:
     from cranktrain.cli.lists import show_list
@@ -118,7 +118,7 @@ def _list(
 
 @_app.command(
     "new",
-    help=_(
+    help=N_(
         "Give a commented machine file of one KIND of mechanism, ready to run.\n\n"
         "`cranktrain list kinds` names the kinds.\n\n"
         "\b\n"
@@ -141,7 +141,7 @@ def _new(
 
 @_app.command(
     "check",
-    help=_(
+    help=N_(
         "Say all that is wrong with a machine file, or what it allows to compute.\n\n"
         "\b\n"
         "  cranktrain check 3d12\n"
@@ -157,7 +157,7 @@ def _check(file: File) -> None:
 
 @_app.command(
     "run",
-    help=_(
+    help=N_(
         "Compute all that a machine file allows, and show the answer on one screen.\n\n"
         "\b\n"
         "  cranktrain run 3d12\n"
@@ -179,7 +179,7 @@ def _run(
     settings: Settings = None,
     quantities: Quantities = None,
     step: Annotated[
-        float, typer.Option(metavar="DEGREES", parser=degrees, help=_("Of the crank angle, in curves."))
+        float, typer.Option(metavar="DEGREES", parser=degrees, help=N_("Of the crank angle, in curves."))
     ] = 1.0,
     at: At = None,
     table: CurveTable = None,
@@ -226,7 +226,7 @@ add_compare(_app)
 
 @_app.command(
     "start",
-    help=_(
+    help=N_(
         "Run a machine with its motor over time: start, stall, coasting or braking, as [drive.start] says.\n\n"
         "\b\n"
         "  cranktrain start tilting_table\n"
@@ -243,7 +243,7 @@ def _start(
     settings: Settings = None,
     at: AtTimes = None,
     decimal: Decimal = "point",
-    full: Annotated[bool, typer.Option("--full", help=_("Show every event."))] = False,
+    full: Annotated[bool, typer.Option("--full", help=N_("Show every event."))] = False,
     units: Units = None,
     force: Force = False,
 ) -> None:
@@ -265,7 +265,7 @@ def _start(
 
 @_app.command(
     "plot",
-    help=_(
+    help=N_(
         "Draw a machine: its sheet, a plan, a moving picture or a DXF; the file's name says which.\n\n"
         "\b\n"
         "  cranktrain plot 3d12 -o 3d12.png\n"
@@ -287,47 +287,47 @@ def _plot(
             "-o",
             "--output",
             metavar="FILE",
-            help=_("Needed. .png, .svg or .pdf: a sheet, or a plan; .gif: one turn; .dxf: all plans in one."),
+            help=N_("Needed. .png, .svg or .pdf: a sheet, or a plan; .gif: one turn; .dxf: all plans in one."),
         ),
     ] = None,
     plan: Annotated[
         str | None,
         typer.Option(
             metavar="PLAN",
-            help=_("A plan, a construction of the old texts or a diagram: {pictures}."),
+            help=N_("A plan, a construction of the old texts or a diagram: {pictures}."),
         ),
     ] = None,
     sheet: Annotated[
         str | None,
-        typer.Option(metavar="SHEET", help=_("The sheet of the machine, unless given; one of: {pictures}.")),
+        typer.Option(metavar="SHEET", help=N_("The sheet of the machine, unless given; one of: {pictures}.")),
     ] = None,
     at: Annotated[
         str | None,
         typer.Option(
             metavar="ANGLES",
-            help=_(
+            help=N_(
                 "Crank angles in degrees, such as 30,60; `source` the source's twelve, "
                 "`source 30` at that permissible pressure angle."
             ),
         ),
     ] = None,
     count: Annotated[
-        str | None, typer.Option(metavar="N", help=_("Of a plan: at how many crank angles, evenly over a turn."))
+        str | None, typer.Option(metavar="N", help=N_("Of a plan: at how many crank angles, evenly over a turn."))
     ] = None,
     mechanism: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help=_("Which one a plan, the sheet of forces or a .dxf is of, such as 1R.")),
+        typer.Option(metavar="NAME", help=N_("Which one a plan, the sheet of forces or a .dxf is of, such as 1R.")),
     ] = None,
-    size: Annotated[str | None, typer.Option(metavar="A4|A3", help=_("Of the paper; A4 unless given."))] = None,
+    size: Annotated[str | None, typer.Option(metavar="A4|A3", help=N_("Of the paper; A4 unless given."))] = None,
     scale: Annotated[
         str | None,
         typer.Option(
-            metavar="1:N", help=_("Of a sheet, positions and constructions; the largest that fits unless given.")
+            metavar="1:N", help=N_("Of a sheet, positions and constructions; the largest that fits unless given.")
         ),
     ] = None,
     letters: Annotated[
         str | None,
-        typer.Option(metavar="SOURCE", help=_("Of a scheme: letters as a source has them, such as bolotin.")),
+        typer.Option(metavar="SOURCE", help=N_("Of a scheme: letters as a source has them, such as bolotin.")),
     ] = None,
     units: Units = None,
     running_speed: RunningSpeed = False,
@@ -363,7 +363,7 @@ def _plot(
     "synthesise",
     add_help_option=False,
     context_settings={"ignore_unknown_options": True, "allow_extra_args": True, "allow_interspersed_args": False},
-    help=_("Find dimensions for what a mechanism is to do, and write its machine file."),
+    help=N_("Find dimensions for what a mechanism is to do, and write its machine file."),
 )
 @put_off
 def _synthesise(context: typer.Context) -> None:

@@ -6,7 +6,7 @@ import typer
 
 from cranktrain.cli.options import File, Force, Partial, Quantities, Settings, Units, listed
 from cranktrain.cli.task import put_off
-from cranktrain.language import _
+from cranktrain.language import N_
 
 
 def add_compare(app: typer.Typer) -> None:
@@ -14,7 +14,7 @@ def add_compare(app: typer.Typer) -> None:
 
     @app.command(
         "compare",
-        help=_(
+        help=N_(
             "Put two machines side by side, or one and itself with other values: rows with their difference.\n\n"
             "With two machines --set goes for both; with one the second is that one with the values set.\n\n"
             "\b\n"
@@ -28,7 +28,7 @@ def add_compare(app: typer.Typer) -> None:
     def _compare(
         file: File,
         other: Annotated[
-            str | None, typer.Argument(metavar="OTHER", help=_("The second machine."), show_default=False)
+            str | None, typer.Argument(metavar="OTHER", help=N_("The second machine."), show_default=False)
         ] = None,
         settings: Settings = None,
         quantities: Quantities = None,
@@ -38,7 +38,7 @@ def add_compare(app: typer.Typer) -> None:
                 "-o",
                 "--output",
                 metavar="FILE",
-                help=_("Draw the curves of both over each other instead: .png, .svg or .pdf."),
+                help=N_("Draw the curves of both over each other instead: .png, .svg or .pdf."),
             ),
         ] = None,
         partial_turn: Partial = False,

@@ -2,14 +2,15 @@
 
 from cranktrain.errors import InputError
 from cranktrain.io.output import write_machine_file, write_whole
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.kind import AnyKind
 from cranktrain.quantities import unlisted
+from cranktrain.saying.comments import with_said_comments
 
 _SCHEMA_FILE = "cranktrain.schema.json"
 
-_HEAD = _("""\
+_HEAD = N_("""\
 #:schema ./{schema}
 # For editors that complete as you type: cranktrain schema -o {schema}
 # What the machine does: cranktrain run FILE; what is still missing: cranktrain check FILE
@@ -17,22 +18,22 @@ _HEAD = _("""\
 # {{ value = "90 mm", status = "published", note = "…", source = "…" }}; or derived, assumed, fitted
 """)
 
-_MARKS = _("""\
+_MARKS = N_("""\
 # What stands behind a comment mark, `# key = …` or `# [table]` with its keys, works when the mark is taken away.
 """)
 
-_MACHINE = _("""
+_MACHINE = N_("""
 name = "My machine"              # {title}
 rotation = "clockwise"            # or "anticlockwise", as seen from the free end of the shaft
 # running = "astern"              # against that sense
 """)
 
-_GRAVITY = _("""\
+_GRAVITY = N_("""\
 # gravity = true                  # weights count, downward
 # crank_zero = "Y"                # angles count from where the crank points up
 """)
 
-_SHAFT = _("""
+_SHAFT = N_("""
 [shaft.main]
 {speed:33} # with it: velocities and accelerations
 """)
@@ -60,13 +61,13 @@ def starting_file(kind: AnyKind, *, full: bool = False) -> str:
         tables = tables.partition("\n# [")[0].rstrip("\n") + "\n"
     return "".join(
         (
-            _HEAD.format(schema=_SCHEMA_FILE),
-            _MARKS if full else "",
-            _MACHINE.format(title=_(kind.title)),
-            _GRAVITY if full else "",
-            _SHAFT.format(speed=f'speed = "{kind.speed}"'),
-            f"\n{kind.example}",
-            tables if tables.strip() else "",
+            _(_HEAD, schema=_SCHEMA_FILE),
+            _(_MARKS) if full else "",
+            _(_MACHINE, title=_(kind.title)),
+            _(_GRAVITY) if full else "",
+            _(_SHAFT, speed=f'speed = "{kind.speed}"'),
+            f"\n{with_said_comments(kind.example)}",
+            with_said_comments(tables) if tables.strip() else "",
         )
     )
 

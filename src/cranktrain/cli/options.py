@@ -5,21 +5,21 @@ from typing import Annotated
 
 import typer
 
-from cranktrain.language import _
+from cranktrain.language import N_, _
 
 File = Annotated[
-    str, typer.Argument(metavar="FILE", help=_("A machine file, or the name of an example."), show_default=False)
+    str, typer.Argument(metavar="FILE", help=N_("A machine file, or the name of an example."), show_default=False)
 ]
-Output = Annotated[str | None, typer.Option("-o", "--output", metavar="FILE", help=_("Write to this file."))]
-Force = Annotated[bool, typer.Option("--force", help=_("Replace a file that is there."))]
+Output = Annotated[str | None, typer.Option("-o", "--output", metavar="FILE", help=N_("Write to this file."))]
+Force = Annotated[bool, typer.Option("--force", help=N_("Replace a file that is there."))]
 Settings = Annotated[
     list[str] | None,
-    typer.Option("--set", metavar="PATH=VALUE", help=_("Another value for this run; as often as needed.")),
+    typer.Option("--set", metavar="PATH=VALUE", help=N_("Another value for this run; as often as needed.")),
 ]
-Partial = Annotated[bool, typer.Option("--partial", help=_("Accept links that do not close all round: NaN there."))]
+Partial = Annotated[bool, typer.Option("--partial", help=N_("Accept links that do not close all round: NaN there."))]
 
 AllTables = Annotated[
-    bool, typer.Option("--full", help=_("With every table that suits the kind, behind comment marks."))
+    bool, typer.Option("--full", help=N_("With every table that suits the kind, behind comment marks."))
 ]
 
 ResultsOutput = Annotated[
@@ -28,7 +28,7 @@ ResultsOutput = Annotated[
         "-o",
         "--output",
         metavar="FILE",
-        help=_("Write curves to .csv, or all results to .json or .xlsx; by each method only if named."),
+        help=N_("Write curves to .csv, or all results to .json or .xlsx; by each method only if named."),
     ),
 ]
 StartOutput = Annotated[
@@ -37,57 +37,58 @@ StartOutput = Annotated[
         "-o",
         "--output",
         metavar="FILE",
-        help=_("Write curves over time to .csv or .json, or draw them: .png, .svg, .pdf."),
+        help=N_("Write curves over time to .csv or .json, or draw them: .png, .svg, .pdf."),
     ),
 ]
 Decimal = Annotated[
-    str, typer.Option(metavar="point|comma", help=_("In a .csv; a comma as spreadsheets take it, with semicolons."))
+    str, typer.Option(metavar="point|comma", help=N_("In a .csv; a comma as spreadsheets take it, with semicolons."))
 ]
-Facts = Annotated[bool, typer.Option("--facts", help=_("Into a .csv facts instead of curves."))]
+Facts = Annotated[bool, typer.Option("--facts", help=N_("Into a .csv facts instead of curves."))]
 Full = Annotated[
-    bool, typer.Option("--full", help=_("Show all instead: answers, facts, peaks, checks, inputs, what is missing."))
+    bool, typer.Option("--full", help=N_("Show all instead: answers, facts, peaks, checks, inputs, what is missing."))
 ]
-Checks = Annotated[bool, typer.Option("--checks", help=_("Show how well each check holds."))]
-Inputs = Annotated[bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))]
-Missing = Annotated[bool, typer.Option("--missing", help=_("Show what the file could say, and what that would give."))]
+Checks = Annotated[bool, typer.Option("--checks", help=N_("Show how well each check holds."))]
+Inputs = Annotated[bool, typer.Option("--inputs", help=N_("Show every number of the file and where it is from."))]
+Missing = Annotated[bool, typer.Option("--missing", help=N_("Show what the file could say, and what that would give."))]
 
 At = Annotated[
     str | None,
-    typer.Option("--at", metavar="ANGLES", help=_("Curves at these crank angles, in degrees: 140, or 0,30..720.")),
+    typer.Option("--at", metavar="ANGLES", help=N_("Curves at these crank angles, in degrees: 140, or 0,30..720.")),
 ]
 AtTimes = Annotated[
-    str | None, typer.Option("--at", metavar="TIMES", help=_("Curves at these times, in seconds: 0.5, or 0,0.1..2."))
+    str | None, typer.Option("--at", metavar="TIMES", help=N_("Curves at these times, in seconds: 0.5, or 0,0.1..2."))
 ]
 CurveTable = Annotated[
     str | None,
-    typer.Option("--table", metavar="NAME", help=_("A table of curves: motion, forces, bearings, drive or pumping.")),
+    typer.Option("--table", metavar="NAME", help=N_("A table of curves: motion, forces, bearings, drive or pumping.")),
 ]
 OfMember = Annotated[
-    str | None, typer.Option("--of", "--piston", metavar="NAME", help=_("Whose curves the table has; the first one's."))
+    str | None,
+    typer.Option("--of", "--piston", metavar="NAME", help=N_("Whose curves the table has; the first one's.")),
 ]
 Every = Annotated[
-    str | None, typer.Option("--every", metavar="DEGREES", help=_("How far apart lines of the table are."))
+    str | None, typer.Option("--every", metavar="DEGREES", help=N_("How far apart lines of the table are."))
 ]
 
 Why = Annotated[
     str | None,
-    typer.Option("--why", metavar="WORDS", help=_("Show where a number is from: its equation, stages and inputs.")),
+    typer.Option("--why", metavar="WORDS", help=N_("Show where a number is from: its equation, stages and inputs.")),
 ]
 
 Quantities = Annotated[
     str | None,
-    typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),
+    typer.Option(metavar="A,B,…", help=N_("Only these results; `cranktrain list results` names all.")),
 ]
 
 Units = Annotated[
     str | None,
-    typer.Option("--units", metavar="UNIT,…", help=_("Show numbers in these units: bar,kW,in; the rest as usual.")),
+    typer.Option("--units", metavar="UNIT,…", help=N_("Show numbers in these units: bar,kW,in; the rest as usual.")),
 ]
 
 RunningSpeed = Annotated[
     bool,
     typer.Option(
-        "--running-speed", help=_("All at the speed of steady running that [evenness] gives, not a constant one.")
+        "--running-speed", help=N_("All at the speed of steady running that [evenness] gives, not a constant one.")
     ),
 ]
 
@@ -96,7 +97,7 @@ SpeedCurve = Annotated[
     typer.Option(
         "--speed-curve",
         metavar="FILE",
-        help=_("All at the speed over the crank angle that this file of two columns has."),
+        help=N_("All at the speed over the crank angle that this file of two columns has."),
     ),
 ]
 

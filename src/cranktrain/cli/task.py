@@ -8,7 +8,7 @@ import typer
 from typer.main import get_command
 
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.language import _
+from cranktrain.language import _, chosen_language
 
 Task = Callable[[], None]
 _Given = ParamSpec("_Given")
@@ -53,10 +53,19 @@ def task_of(app: typer.Typer, arguments: Sequence[str], name: str) -> Task:
     return cast("Task", given) if callable(given) else _nothing
 
 
-@cache
 def commands_of(app: typer.Typer) -> Any:
-    """All commands of an app with their arguments and options, as Typer's group of them; which is laid out once."""
-    return get_command(app)
+    """All commands of an app with their arguments and options, as Typer's group of them, in the reader's language."""
+    return _laid_out(app, chosen_language())
+
+
+@cache
+def _laid_out(app: typer.Typer, _language: str | None) -> Any:
+    """Those commands, which are laid out once for each language."""
+    group: Any = get_command(app)
+    for command in (group, *getattr(group, "commands", {}).values()):
+        for helped in (command, *command.params):
+            helped.help = _(getattr(helped, "help", None) or "")
+    return group
 
 
 def put_off(command: Callable[_Given, None]) -> Callable[_Given, Task]:

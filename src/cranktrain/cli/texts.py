@@ -9,7 +9,7 @@ from typer.core import TyperCommand
 
 from cranktrain.cli.options import Force, Settings, degrees
 from cranktrain.cli.task import put_off
-from cranktrain.language import _
+from cranktrain.language import N_
 
 _OPTION = "--source"
 
@@ -47,7 +47,7 @@ def add_textbook(app: typer.Typer) -> None:
 
     @app.command(
         "textbook",
-        help=_(
+        help=N_(
             "Compare the sources' own formulas with the exact motion: ranges and largest errors.\n\n"
             "Or list the formulas of a source, with what is right and which command shows each. There are five:\n\n"
             "\b\n"
@@ -81,7 +81,7 @@ def add_textbook(app: typer.Typer) -> None:
             str,
             typer.Argument(
                 metavar="[FILE|errata]",
-                help=_("A machine file, the name of an example, or `errata` for the sources' errors."),
+                help=N_("A machine file, the name of an example, or `errata` for the sources' errors."),
                 show_default=False,
             ),
         ] = "",
@@ -90,7 +90,7 @@ def add_textbook(app: typer.Typer) -> None:
             str | None,
             typer.Option(
                 metavar="[NAME]",
-                help=_(
+                help=N_(
                     "Of one source alone; without FILE its formulas one by one, without NAME a list of the sources."
                 ),
             ),
@@ -99,23 +99,23 @@ def add_textbook(app: typer.Typer) -> None:
             str | None,
             typer.Option(
                 metavar="NUMBER",
-                help=_(
+                help=N_(
                     "Show instead a formula or figure by its number, such as 337 or I.13, of every source that has it."
                 ),
             ),
         ] = None,
         table: Annotated[
-            bool, typer.Option("--table", help=_("Show instead the motion over the turn, in steps of 30°."))
+            bool, typer.Option("--table", help=N_("Show instead the motion over the turn, in steps of 30°."))
         ] = False,
         full: Annotated[
-            bool, typer.Option("--full", help=_("Show all, not one screen: every formula, form, table or error."))
+            bool, typer.Option("--full", help=N_("Show all, not one screen: every formula, form, table or error."))
         ] = False,
-        errata: Annotated[bool, typer.Option("--errata", help=_("Show the sources' errors, too."))] = False,
+        errata: Annotated[bool, typer.Option("--errata", help=N_("Show the sources' errors, too."))] = False,
         forces: Annotated[
             str | None,
             typer.Option(
                 metavar="UNIT",
-                help=_(
+                help=N_(
                     "Show instead P, N, S, K, T and M of a piston, exact and by two harmonics: N, kN, kgf, or over the "
                     "piston's area MPa, bar, kgf/cm2."
                 ),
@@ -124,28 +124,28 @@ def add_textbook(app: typer.Typer) -> None:
         step: Annotated[
             float | None,
             typer.Option(
-                metavar="10|15|30", parser=degrees, help=_("Degrees between the rows of forces; 30 unless given.")
+                metavar="10|15|30", parser=degrees, help=N_("Degrees between the rows of forces; 30 unless given.")
             ),
         ] = None,
         piston: Annotated[
-            str | None, typer.Option(metavar="NAME", help=_("Whose forces, such as 2L; the first unless given."))
+            str | None, typer.Option(metavar="NAME", help=N_("Whose forces, such as 2L; the first unless given."))
         ] = None,
         harmonics: Annotated[
             bool,
             typer.Option(
                 "--harmonics",
-                help=_("Show instead the harmonics of acceleration and inertia torque: exact, series, two harmonics."),
+                help=N_("Show instead the harmonics of acceleration and inertia torque: exact, series, two harmonics."),
             ),
         ] = False,
         crank_to_rod_ratio: Annotated[
             str | None,
-            typer.Option(metavar="NUMBER", help=_("Show harmonics for this λ = R/L instead of a machine's.")),
+            typer.Option(metavar="NUMBER", help=N_("Show harmonics for this λ = R/L instead of a machine's.")),
         ] = None,
         throw: Annotated[
             str | None,
             typer.Option(
                 metavar="FILE|example",
-                help=_(
+                help=N_(
                     "Show instead the reactions of a throw's supports, (44) to (53): from a table of its symbols, or "
                     "of a machine's crankshaft."
                 ),
@@ -154,14 +154,14 @@ def add_textbook(app: typer.Typer) -> None:
         throw_number: Annotated[
             str | None,
             typer.Option(
-                metavar="NUMBER", help=_("Which throw of a machine, such as 3, or main.3; the first unless given.")
+                metavar="NUMBER", help=N_("Which throw of a machine, such as 3, or main.3; the first unless given.")
             ),
         ] = None,
         crank_masses: Annotated[
             str | None,
             typer.Option(
                 metavar="given|sizes",
-                help=_(
+                help=N_(
                     "Of a machine's throw: whether cranks weigh what [masses.crank] says, or by [crankshaft]'s sizes."
                 ),
             ),
@@ -170,7 +170,7 @@ def add_textbook(app: typer.Typer) -> None:
             str | None,
             typer.Option(
                 metavar="FILE|example",
-                help=_(
+                help=N_(
                     "Show instead the drive of a crank-rocker, (1) to (21): from a table of its symbols, or a machine."
                 ),
             ),
@@ -180,7 +180,7 @@ def add_textbook(app: typer.Typer) -> None:
             typer.Option(
                 metavar="DEG",
                 parser=degrees,
-                help=_(
+                help=N_(
                     "Of a drive: crank angle from the line of the pivots; 60 unless given. Of a machine's throw: crank "
                     "angle; that of the largest load unless given."
                 ),
@@ -192,7 +192,7 @@ def add_textbook(app: typer.Typer) -> None:
                 "-o",
                 "--output",
                 metavar="FILE",
-                help=_(
+                help=N_(
                     "Of a throw: its table as .toml, or its scheme, fig. 35, as .png, .svg or .pdf; of a machine's its "
                     "loads over the cycle as .csv. Of a drive: its table, its curves as .csv, or fig. 2."
                 ),

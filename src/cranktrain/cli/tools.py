@@ -6,7 +6,7 @@ import typer
 
 from cranktrain.cli.options import Force, Output
 from cranktrain.cli.task import put_off
-from cranktrain.language import _
+from cranktrain.language import N_
 
 
 def add_tools(app: typer.Typer) -> None:
@@ -14,7 +14,7 @@ def add_tools(app: typer.Typer) -> None:
 
     @app.command(
         "completion",
-        help=_(
+        help=N_(
             "Give the script by which a shell completes commands, examples, kinds, results and paths.\n\n"
             "\b\n"
             '  eval "$(cranktrain completion bash)"          in ~/.bashrc; zsh likewise in ~/.zshrc\n'
@@ -29,7 +29,7 @@ def add_tools(app: typer.Typer) -> None:
 
     @app.command(
         "schema",
-        help=_(
+        help=N_(
             "Give the JSON schema of machine files, for editors that complete and check TOML.\n\n"
             "A file whose first line is `#:schema ./cranktrain.schema.json` is checked as it is typed.\n\n"
             "\b\n"

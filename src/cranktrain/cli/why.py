@@ -15,6 +15,7 @@ from cranktrain.io.machine_file import Input, MachineFile, inputs_of
 from cranktrain.language import _
 from cranktrain.quantities import nearest
 from cranktrain.saying.catalogue import Entry, cited
+from cranktrain.saying.names import spelled
 
 _NAMED = 6
 """Other quantities that the words fit."""
@@ -35,10 +36,10 @@ def show_why(file: MachineFile, result: Result, words: str) -> None:
 
 def quantities_called(words: str, catalogue: Mapping[str, Entry]) -> list[Entry]:
     """Quantities that words may mean, the one that is meant first: by its name, its symbol, or words in its name."""
-    asked = words.lower().replace("_", " ").split()
-    fitting = [entry for entry in catalogue.values() if set(asked) <= set(entry.name.split("_"))] if asked else []
+    asked = spelled(words).lower().split()
+    fitting = [entry for entry in catalogue.values() if set(asked) <= set(entry.words.lower().split())] if asked else []
     by_symbol = [entry for entry in catalogue.values() if entry.symbol == words.strip()]
-    found = sorted(fitting, key=lambda entry: len(entry.name.split("_"))) + by_symbol
+    found = sorted(fitting, key=lambda entry: len(entry.words.split())) + by_symbol
     if not found:
         meant = nearest("_".join(asked), list(catalogue))
         allowed = _("must be words in the name of a result, or its symbol; `cranktrain list results` names all")

@@ -94,8 +94,9 @@ def _refuse(found: TextSpans, place: TextSpan, parts: PathParts) -> NoReturn:
         repair = _('set it whole: {path}={{ value = "…", status = "…", note = "…" }}', path=here)
     elif place.kind in ("list", "sections"):
         last = place.n_items - 1
-        items = _("only {path}[0] to {path}[{last}]") if last else _("only {path}[0]")
-        allowed = _("{path} is a list: ", path=here) + items.format(path=here, last=last)
+        allowed = _("{path} is a list: only {path}[0]", path=here)
+        if last:
+            allowed = _("{path} is a list: only {path}[0] to {path}[{last}]", path=here, last=last)
         if not place.n_items:
             allowed = _("{path} is an empty list", path=here)
         if place.kind == "list":

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from cranktrain.io.tables import csv_lines
+from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.saying.scales import in_asked_unit
 from cranktrain.study.start import Start
@@ -60,9 +61,14 @@ def _about(start: Start) -> Iterator[tuple[str, str]]:
     yield "cranktrain", VERSION
     yield "machine", start.machine.name
     yield "ended", start.run.reason
-    yield "energy left over", f"{start.run.residual:.3g} J of {start.run.supplied:.6g} J"
+    yield (
+        "energy left over",
+        _("{residual:.3g} J of {supplied:.6g} J", residual=start.run.residual, supplied=start.run.supplied),
+    )
     for event in start.events:
-        yield "event", f"{event.name} at {event.time!r} s, crank angle {float(np.degrees(event.angle))!r} deg"
+        angle = float(np.degrees(event.angle))
+        said = _("{name} at {time!r} s, crank angle {angle!r} deg", name=event.name, time=event.time, angle=angle)
+        yield "event", said
 
 
 def _columns(start: Start) -> Iterator[tuple[str, Array]]:

@@ -184,6 +184,8 @@ class ResultDimension(NamedTuple):
         one that is meant where none is named. No table takes anything over them all.
     is_apart : bool
         Whether each member is of its own size, as modes are: nothing is rounding beside what is of another.
+    is_compared : bool
+        Whether its rivals are there to be compared: that which is meant is a quantity of its own.
     titles : Titles
         What people call members whose labels are keys of the program; all others are called by their labels.
     """
@@ -194,6 +196,7 @@ class ResultDimension(NamedTuple):
     family: str = ""
     own: int | None = None
     is_apart: bool = False
+    is_compared: bool = False
     titles: Titles = {}  # noqa: RUF012 - nobody changes them
 
     def called(self, labels: Sequence[str]) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from cranktrain.plans.force_sides import PolygonForce
 from cranktrain.plans.vectors import pair
 from cranktrain.record import record
 
-_CRANK, _ROD, _MASTER = "crank", "rod", "master_"
+_CRANK, _ROD, MASTER = "crank", "rod", "master_"
 """What a master calls its crank and rod; before what its slaves call its rod and slider."""
 
 
@@ -44,7 +44,7 @@ def seen_by_itself(one: LoadedMechanism, after: int = 1) -> Seen:
 def seen_by_slave(master: LoadedMechanism, slave: Seen) -> Seen:
     """Give a master with the numbers that its slave has for its links."""
     own = link_numbers(master.place)
-    names = {name: name if name in (FRAME, _CRANK) else f"{_MASTER}{name}" for name in own}
+    names = {name: name if name in (FRAME, _CRANK) else f"{MASTER}{name}" for name in own}
     numbers = {name: slave.numbers[names[name]] for name in own}
     return Seen(master, numbers, names, {slave.one.place.name: slave.numbers[_ROD]})
 

@@ -7,6 +7,7 @@ from operator import attrgetter
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from cranktrain.language import _
+from cranktrain.saying.names import said_name
 
 Worst: TypeAlias = Literal["smallest", "largest"]
 """Which end of the values of several members is the worst, and says more than the other."""
@@ -32,8 +33,8 @@ class Entry:
         Unit in files. Arrays are SI and radians inside; a crank angle is written in `deg`.
     dimensions : tuple of str
         Of the array, after the leading design axis.
-    sentence : str
-        What it is, in the user's language.
+    message : str
+        What it is, as it is translated for people.
     source : str
         Where its formula is derived: a page of docs/theory, or the conventions.
     equation : str
@@ -55,7 +56,7 @@ class Entry:
     symbol: str
     unit: str
     dimensions: tuple[str, ...]
-    sentence: str
+    message: str
     source: str
     equation: str
     path: str
@@ -69,9 +70,14 @@ class Entry:
         return f"<{self.name} {self.symbol} [{self.unit}]: {self.sentence}>"
 
     @property
+    def sentence(self) -> str:
+        """What it is, in the reader's language."""
+        return _(self.message)
+
+    @property
     def words(self) -> str:
         """Its name in words; what has the symbol GD² is called so, as an inertia has kg·m², too."""
-        words = self.name.replace("_", " ")
+        words = said_name(self.name)
         return f"{words} GD²" if "GD²" in self.symbol else words
 
     @property
@@ -197,7 +203,7 @@ def entries(result_class: type) -> tuple[Entry, ...]:
             part.symbol,
             part.unit,
             dimensions,
-            _(part.sentence),
+            part.sentence,
             source,
             equation,
             held.name + part.path,

@@ -70,7 +70,12 @@ class Start:
 
     def __repr__(self) -> str:
         """Show whose it is, how long it took and why it ended, in one line."""
-        return f"<Start of {short(self.machine.name)}: {self.run.whole_time[-1]:.4g} s, {self.run.reason}>"
+        return _(
+            "<Start of {name}: {time:.4g} s, {reason}>",
+            name=short(self.machine.name),
+            time=self.run.whole_time[-1],
+            reason=self.run.reason,
+        )
 
     @property
     def time(self) -> Array:

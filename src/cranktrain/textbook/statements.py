@@ -150,7 +150,8 @@ class Statements:
 
     def __repr__(self) -> str:
         """Show what they are of and how many there are, in one line."""
-        return f"<Statements: {self.title}; {len(self.each)} numbers, {len(self.curves)} curves>"
+        n, n_curves = len(self.each), len(self.curves)
+        return _("<Statements: {title}; {n} numbers, {n_curves} curves>", title=self.title, n=n, n_curves=n_curves)
 
     @property
     def frame(self) -> "pandas.DataFrame":

@@ -6,4 +6,4 @@ from cranktrain.questions.motion.rods import on_rods
 from cranktrain.texts.comparison import textbook_motion
 
 STAGES = (Stage(textbook_motion, applies=on_rods),)
-DIMENSIONS = (ResultDimension("motion_method", N_("method"), own=0),)
+DIMENSIONS = (ResultDimension("motion_method", N_("method"), own=0, is_compared=True),)

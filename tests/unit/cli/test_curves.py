@@ -5,6 +5,7 @@ import re
 
 import numpy as np
 import pytest
+from tests.sentences import WHOLE_NUMBER
 
 import cranktrain as ct
 from cranktrain.analysis.curve_columns import by_default
@@ -94,8 +95,8 @@ def test_curves_at_one_angle_are_told_as_facts_are(typed):
         (("--at", "-1"), "must be crank angles from 0 to 720 deg"),
         (("--at", "nan"), "must be crank angles from 0 to 720 deg"),
         (("--at", "1e999999999"), "must be crank angles from 0 to 720 deg"),
-        (("--at", "1e-300,2"), "--at = 1e-300: must be a whole number of hundredths of a degree"),
-        (("--at", "13.377"), "--at = 13.377: must be a whole number of hundredths of a degree"),
+        (("--at", "1e-300,2"), f"--at = 1e-300: {WHOLE_NUMBER} of hundredths of a degree"),
+        (("--at", "13.377"), f"--at = 13.377: {WHOLE_NUMBER} of hundredths of a degree"),
         (("--table", "force"), "--table = force: must be one of: motion, forces"),
         (("--table", "forces", "--of", "9"), "--of = 9: must be one of: 1, 2, 3, 4"),
         (("--every", "3"), "--every = 3: is for a table; name one, such as --table forces"),

@@ -14,7 +14,7 @@ from cranktrain.cli.options import File, Force
 from cranktrain.cli.synthesis.proposals import give_proposal
 from cranktrain.cli.synthesis.requirements import form_of, is_of_machine, option_of, requirements_of
 from cranktrain.cli.task import Task
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.spec import parts_of
 
 app = typer.Typer(
@@ -22,7 +22,7 @@ app = typer.Typer(
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    help=_(
+    help=N_(
         "Find dimensions for what a mechanism is to do, and write its machine file.\n\n"
         "Quantities have units. What is left free is chosen, and what else would do stands beside it.\n\n"
         "\b\n"
@@ -98,7 +98,7 @@ _HELP = {
 """What each problem is, with what may be typed for it."""
 
 _Textbook = Annotated[
-    bool, typer.Option("--textbook", help=_("Show the source's steps, wrong ones named; alone: its own example."))
+    bool, typer.Option("--textbook", help=N_("Show the source's steps, wrong ones named; alone: its own example."))
 ]
 _Output = Annotated[
     str | None,
@@ -106,7 +106,7 @@ _Output = Annotated[
         "-o",
         "--output",
         metavar="FILE",
-        help=_("Write the machine file here: .toml; or draw twelve positions: .png, .svg, .pdf."),
+        help=N_("Write the machine file here: .toml; or draw twelve positions: .png, .svg, .pdf."),
     ),
 ]
 
@@ -137,7 +137,7 @@ def _option(requirement: Parameter) -> Parameter:
     """Declare a requirement as an option that need not be typed: what is missing is told with all that is wrong."""
     parts = list(parts_of(requirement.annotation))
     is_truth = bool in parts
-    about = _(next((part for part in parts if isinstance(part, str)), ""))
+    about = next((part for part in parts if isinstance(part, str)), "")
     option = typer.Option(option_of(requirement.name), metavar=None if is_truth else form_of(requirement), help=about)
     return Parameter(
         requirement.name,
@@ -148,4 +148,4 @@ def _option(requirement: Parameter) -> Parameter:
 
 
 for _problem, _text in _HELP.items():
-    app.command(_problem, help=_(_text))(_command(_problem))
+    app.command(_problem, help=_text)(_command(_problem))

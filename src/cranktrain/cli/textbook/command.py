@@ -122,7 +122,8 @@ def _show_machine(
     file: str, settings: Sequence[str], text: Text | None, *, full: bool, with_table: bool, with_errata: bool
 ) -> None:
     """Show what the texts, or one of them, have for a machine: all, or the first screen."""
-    machine = machine_file(file, settings, "cranktrain textbook 3d12, or cranktrain textbook --source").machine
+    examples = _("{one}, or {other}", one="cranktrain textbook 3d12", other="cranktrain textbook --source")
+    machine = machine_file(file, settings, examples).machine
     with says_how_far():
         result = run(machine, step_degrees=_STEP, quantities=(*MOTION_NEEDED, *OPPOSED_NEEDED))
     with page(title(machine)) as console:

@@ -10,6 +10,7 @@ from cranktrain.io.document import Document
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.syntax import parsed
 from cranktrain.language import _
+from cranktrain.saying.comments import with_said_comments
 from cranktrain.texts.example_tables import example_table
 
 _Own = TypeVar("_Own")
@@ -76,7 +77,7 @@ def _document(kind: Literal["drive", "throw"], source: str, nothing: str) -> Doc
     """Read the text of an own table; a file that says nothing is refused."""
     is_file = os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
     if source.strip().casefold() == EXAMPLE and not is_file:
-        return Document.from_text(example_table(kind), EXAMPLE)
+        return Document.from_text(with_said_comments(example_table(kind)), EXAMPLE)
     repair = _("start with: {command}", command=f"cranktrain textbook --{kind} example -o {kind}.toml")
     with problems_as(lambda problem: replace(problem, repair=problem.repair or repair)):
         document = Document.read(source)

@@ -12,8 +12,8 @@ from cranktrain.mechanisms.walschaerts.spec import WalschaertsSpec, walschaerts_
 __all__ = ["KIND", "Walschaerts", "WalschaertsSpec"]
 
 _LENGTHS = {
-    "master.crank_radius": "crank_radius of the crosshead's bank",
-    "master.rod_length": "rod_length of the crosshead's bank",
+    "master.crank_radius": N_("crank_radius of the crosshead's bank"),
+    "master.rod_length": N_("rod_length of the crosshead's bank"),
     "eccentricity": "eccentricity",
     "rod_length": "eccentric_rod_length",
     "trunnion.x": "trunnion_x",

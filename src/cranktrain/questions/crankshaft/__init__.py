@@ -71,7 +71,7 @@ QUESTION = Question(
         ResultDimension("bearing", N_("bearing")),
         ResultDimension("pin", N_("pin")),
         ResultDimension("throw_plane", N_("plane of the throw")),
-        ResultDimension("section", N_("section")),
+        ResultDimension("section", N_("section"), titles=section_torques.SECTION_TITLES),
     ),
     headline=("largest_bearing_load",),
     title=N_("Main bearings"),

@@ -67,7 +67,7 @@ def _spread(most: Array, bearings: Sequence[str], best: BearingMethod) -> Answer
 def torque_rows(labels: Names, design: int, found: SectionTorques) -> Iterator[AnswerLine]:
     """The worst journal and the worst pin: those with the widest range of their torque."""
     ranges, sections = found.section_torque_range[design, 0], labels["section"]
-    journal, pin = widest_sections(ranges, sections)
+    journal, pin = widest_sections(ranges, found.labels["section"])
     yield worded(
         _("range of torque"),
         _("{journal} in {in_journal}, {pin} in {in_pin}"),

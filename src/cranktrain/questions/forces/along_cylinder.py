@@ -45,7 +45,7 @@ class PistonWeights:
 
 def are_loaded(pistons: Pistons, loads: Loads | None) -> bool:
     """Whether a load may act on a piston that hangs on a rod."""
-    return loads is not None and on_rods(pistons)
+    return loads is not None and any(load.is_slider for load in loads.each) and on_rods(pistons)
 
 
 def are_heavy(pistons: Pistons, masses: Masses | None) -> bool:

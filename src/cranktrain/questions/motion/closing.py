@@ -58,7 +58,7 @@ class Closing(Flagged):
             "Closing margin {margin} ({mechanism}: {length}, at {angle}).",
             margin=shared(("",), margins[least : least + 1], "%"),
             mechanism=names["mechanism"][least],
-            length=self.length_names[design][least],
+            length=_(self.length_names[design][least]),
             angle=shared(("",), around_turn(self.closing_angle[design, least : least + 1]), "deg"),
         )
 

@@ -112,6 +112,6 @@ def closing_rows(labels: Names, design: int, closing: Closing) -> Iterator[Answe
         (),
         _("of {length}, at {angle}") if len(margins) == 1 else _("of {name} {length}, at {angle}"),
         name=name,
-        length=closing.length_names[design][least],
+        length=_(closing.length_names[design][least]),
         angle=Amount(float(around_turn(closing.closing_angle[design, least])), "position"),
     )

@@ -11,6 +11,7 @@ from cranktrain.numerics.ties import largest_of
 from cranktrain.plans.centres import Centre, InstantCentres, TurningBody, instant_centres
 from cranktrain.plans.positions import PositionPlan, fitting
 from cranktrain.plans.vectors import angle_of, spoken_name
+from cranktrain.saying.names import said_name
 from cranktrain.saying.scales import scale_for
 from cranktrain.texts.crank_rocker import pin_velocity_ratio
 from cranktrain.viz.figures import figure
@@ -142,7 +143,7 @@ def _body_words(body: TurningBody) -> str:
     """Name a body."""
     words = {
         "frame": _("frame"),
-        "link": body.name.replace("_", " "),
+        "link": said_name(body.name),
         "slider": _("slider {name}", name=body.name),
         "block": _("block {name}", name=body.name),
     }

@@ -8,6 +8,7 @@ from cranktrain.one_line import short
 from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.vectors import spoken_name
+from cranktrain.saying.names import said_name
 from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.viz.figures import column, figure, rounded
 from cranktrain.viz.paper.head import first_that_holds
@@ -102,7 +103,7 @@ def _name(load: str) -> str:
 
 def _headings(polygon: ForcePolygon, *, has_names: bool) -> list[str]:
     """Numbers and names of a group's links, on as many lines as they need; of several mechanisms theirs too."""
-    named = [f"{number} {link.replace('_', ' ')}" for number, link in zip(polygon.numbers, polygon.links, strict=True)]
+    named = [f"{number} {said_name(link)}" for number, link in zip(polygon.numbers, polygon.links, strict=True)]
     if has_names:
         named[0] = f"{polygon.mechanism}: {named[0]}"
     *lines, last = packed(named, lambda words: len(", ".join(words)) <= _HEADING)
@@ -111,7 +112,7 @@ def _headings(polygon: ForcePolygon, *, has_names: bool) -> list[str]:
 
 def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
     """Cause of a force, how a part of a reaction lies, or the joint of a reaction."""
-    pin = letters.get(force.about) or spoken_name(force.about).replace("_", " ")
+    pin = letters.get(force.about) or said_name(spoken_name(force.about))
     return first_that_holds(
         (force.cause == "gas", _("gas")),
         (force.cause == "load", _name(force.name)),
@@ -120,5 +121,5 @@ def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
         (bool(force.about), short(_("about {pin}", pin=in_words(pin)), _LETTERS)),
         (force.symbol.endswith("^n"), _("along the link")),
         (force.symbol.startswith("f_"), _("friction")),
-        (True, short(spoken_name(force.joint.partition("/")[0]).replace("_", " "), _LETTERS)),
+        (True, short(said_name(spoken_name(force.joint.partition("/")[0])), _LETTERS)),
     )

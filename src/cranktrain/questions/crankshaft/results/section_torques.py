@@ -77,18 +77,26 @@ class SectionTorques(Checked):
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say which journal and which pin have the widest range, by the first method."""
-        ranges, sections = self.section_torque_range[design, 0], names["section"]
+        ranges = self.section_torque_range[design, 0]
         if not np.all(np.isfinite(ranges)):
             return None
         said = (
-            _("{range} in {section}", range=number(float(ranges[i]), "N*m"), section=sections[i])
-            for i in widest_sections(ranges, sections)
+            _("{range} in {section}", range=number(float(ranges[i]), "N*m"), section=names["section"][i])
+            for i in widest_sections(ranges, self.labels["section"])
         )
         return _("Widest range of the shaft's torque: {found}.", found=", ".join(said))
 
 
 SECTIONS = ("journal", "pin")
 """How names of sections begin, by whether a piece lies on the shaft's axis."""
+
+SECTION_TITLES = {
+    "journal {n}": N_("journal {n}"),
+    "pin {n}": N_("pin {n}"),
+    "{shaft}.journal {n}": N_("{shaft}.journal {n}"),
+    "{shaft}.pin {n}": N_("{shaft}.pin {n}"),
+}
+"""What people call sections."""
 
 
 def widest_sections(ranges: Array, sections: Sequence[str]) -> tuple[int, int]:

@@ -128,7 +128,7 @@ def of_shafts(names: Sequence[str]) -> list[tuple[str, str]]:
 def torque_panels(shown: OneDesign) -> Iterator[Panel]:
     """Torque in journals, and in pins if there is any, by the first method; that of the widest range is thick."""
     torque, ranges = shown("section_torque")[0], shown("section_torque_range")[0]
-    names, journals = shown.result.labels["section"], on_journals(shown)
+    names, journals = shown.result.titles["section"], on_journals(shown)
     for title, which in ((_("Torque in journals"), journals), (_("Torque in crank pins"), ~journals)):
         own = np.flatnonzero(which)
         if not np.any(torque[own]):

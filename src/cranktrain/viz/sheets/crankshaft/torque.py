@@ -103,7 +103,7 @@ def _write_table(page: Page, shown: OneDesign, room: Box) -> None:
     """Write range, largest and least of every section; where there is no room for all, of those with the widest."""
     kinds = ("section_torque_range", "largest_section_torque", "least_section_torque")
     ranges, largest, least = (shown(name)[0] for name in kinds)
-    names, method = shown.result.labels["section"], title_of(shown.result.labels["bearing_method"][0])
+    names, method = shown.result.titles["section"], title_of(shown.result.labels["bearing_method"][0])
     n_fit = int((room.height - 16.0) / LEAST_ROW)
     members: Sequence[int] = sorted(falling(ranges)[:n_fit])
     unit = scale_for("N*m", float(np.max(np.abs(largest))))

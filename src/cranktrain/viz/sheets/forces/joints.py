@@ -11,6 +11,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, largest_first
 from cranktrain.questions.forces.joint_forces import joint_label
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.saying.names import said_name
 from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.viz.figures import figure
 from cranktrain.viz.panel import Curve, OneDesign, Panel, Role, closed
@@ -120,7 +121,7 @@ def joint_diagrams(shown: OneDesign, joints: Sequence[JointForce]) -> list[Polar
     angle = shown.cycle
     return [
         PolarDiagram(
-            _("R{number} in {name}", number=joint.number, name=joint.names[0].replace("_", " ")),
+            _("R{number} in {name}", number=joint.number, name=said_name(joint.names[0])),
             (PolarCurve("", joint.force),),
             joint.force[:, joint.largest_at],
             float(angle[joint.largest_at]),
@@ -142,4 +143,4 @@ def joint_rows(shown: OneDesign, joints: Sequence[JointForce]) -> Iterator[tuple
     for joint in joints:
         most, least = (figure(float(unit.of(value))) for value in (np.max(joint.size), np.min(joint.size)))
         for name in joint.names:
-            yield f"R{joint.number}  {name.replace('_', ' ')}", most, f"{shown.cycle[joint.largest_at]:.0f}°", least
+            yield f"R{joint.number}  {said_name(name)}", most, f"{shown.cycle[joint.largest_at]:.0f}°", least

@@ -12,6 +12,7 @@ from cranktrain.numerics.ties import first_largest
 from cranktrain.one_line import short
 from cranktrain.plans.drawn_throws import drawn_throws
 from cranktrain.plans.vectors import pair
+from cranktrain.saying.names import said_name
 from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.panel import OneDesign
@@ -92,7 +93,7 @@ def _write_loads(page: Page, shown: OneDesign, curves: CurvesOfLoads, room: Box)
         rows.append(
             (
                 short(f"{i + 1}  {one.name.replace('_', ' ')}", _NAME),
-                short(part.replace("_", " "), _PART),
+                short(said_name(part), _PART),
                 with_unit(largest, scale_for("N*m" if one.is_torque else "N", largest)),
                 figure(float(work.of(works[i]))),
                 figure(float(power.of(most[i]))),
