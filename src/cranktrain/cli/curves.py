@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 import numpy as np
+from numpy.typing import NDArray
 from rich.text import Text
 
 from cranktrain.analysis import Result
@@ -87,10 +88,10 @@ def angles_asked(asked: CurvesAsked, cycle: int) -> list[Fraction]:
     every = Fraction(cycle, _LINES)
     if asked.every is not None:
         allowed = _("must be a number of degrees from 0.01 to {cycle}, such as 30", cycle=cycle)
-        (every,) = numbers_listed("--every", asked.every, allowed, "30", lambda word: _in_hundredths("--every", word))[
-            :1
-        ]
-        refuse([] if 0 < every <= cycle else [Problem("--every", asked.every, allowed)])
+        every, *more = numbers_listed(
+            "--every", asked.every, allowed, "30", lambda word: _in_hundredths("--every", word)
+        )
+        refuse([] if 0 < every <= cycle and not more else [Problem("--every", asked.every, allowed)])
     return [every * line for line in range(math.floor(cycle / every) + 1)]
 
 
@@ -127,6 +128,8 @@ class ChosenCurves:
         With values at these angles alone.
     angles : Array, shape (n,)
         [deg]
+    places : array of int, shape (n,)
+        Of these angles on the result's grid.
     member : str
         Of whom a table is; empty where it is no table, or of the machine.
     others : tuple of str
@@ -135,6 +138,7 @@ class ChosenCurves:
 
     columns: tuple[CurveColumn, ...]
     angles: Array
+    places: NDArray[np.intp]
     member: str = ""
     others: tuple[str, ...] = ()
 
@@ -143,14 +147,14 @@ def chosen_curves(
     result: Result, asked: CurvesAsked, names: tuple[str, ...] | None, angles: Sequence[Fraction]
 ) -> ChosenCurves:
     """Pick what is asked for from a result on whose grid the angles stand."""
-    place = np.array([round(float(angle) / float(result.crank_angle[1])) for angle in angles], dtype=np.intp)
     degrees = np.array([float(angle) for angle in angles])
+    places = np.rint(degrees / result.crank_angle[1]).astype(np.intp) % result.crank_angle.size
     wanted = by_default(result) if names is None else names
-    columns = at_angles(curve_columns(result, wanted, of_each_method=False), place % result.crank_angle.size)
+    columns = at_angles(curve_columns(result, wanted, of_each_method=False), places)
     if not columns:
         raise InputError([_absence(result, asked, wanted)])
     if asked.table is None:
-        return ChosenCurves(tuple(columns), degrees)
+        return ChosenCurves(tuple(columns), degrees, places)
     order = {name: i for i, name in enumerate(wanted)}
     columns = sorted(columns, key=lambda column: order[column.entry.name])
     members = tuple(dict.fromkeys(column.member for column in columns if column.member))
@@ -159,7 +163,7 @@ def chosen_curves(
         raise InputError([unlisted("--of", asked.of, whole)])
     member = asked.of if asked.of is not None else next(iter(whole), "")
     own = [column for column in of_member(columns, member) if not np.all(np.isnan(column.values))]
-    return ChosenCurves(tuple(own), degrees, member, tuple(name for name in whole if name != member))
+    return ChosenCurves(tuple(own), degrees, places, member, tuple(name for name in whole if name != member))
 
 
 def _absence(result: Result, asked: CurvesAsked, names: Sequence[str]) -> Problem:
@@ -176,11 +180,8 @@ def show_curves(result: Result, asked: CurvesAsked, names: tuple[str, ...] | Non
         width = console.width - INDENT
         if asked.table is None and chosen.angles.size == 1:
             heading = _("At {angle}", angle=f"{chosen.angles[0]:g}°")
-            facts = CurvesAtAngle(
-                result,
-                round(float(chosen.angles[0] / result.crank_angle[1])) % result.crank_angle.size,
-                by_default(result) if names is None else names,
-            )
+            wanted = by_default(result) if names is None else names
+            facts = CurvesAtAngle(result, int(chosen.places[0]), wanted)
             section(console, heading, fact_tables(facts, tuple(facts.catalogue), width))
             return
         tables = {chosen.member: chosen.columns} if asked.table is not None else _by_member(chosen.columns)

@@ -105,6 +105,7 @@ def test_curves_at_one_angle_are_told_as_facts_are(typed):
             ("--table", "forces", "--every", "0"),
             "--every = 0: must be a number of degrees from 0.01 to 720, such as 30",
         ),
+        (("--table", "forces", "--every", "2,4"), "--every = 2,4: must be a number of degrees from 0.01 to 720"),
         (("--table", "forces", "--every", "much"), "--every = much: must be a number of degrees from 0.01 to 720"),
         (("--table", "forces", "--every", "2", "--at", "3"), "must be left out beside --at"),
         (("--table", "forces", "--full"), "leave --full and"),
