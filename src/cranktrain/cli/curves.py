@@ -198,12 +198,17 @@ def _heading(asked: CurvesAsked, chosen: ChosenCurves, member: str) -> str:
     """Say what a table is of."""
     if asked.table is None:
         return member or _("Machine")
-    if not member:
-        return _("Table {table}", table=asked.table)
     if not chosen.others:
-        return _("Table {table} of {member}", table=asked.table, member=member)
+        return table_title(asked, chosen)
     named = ", ".join((*chosen.others[:_NAMED], *(["…"] if len(chosen.others) > _NAMED else [])))
     return _("Table {table} of {member} (others by --of: {others})", table=asked.table, member=member, others=named)
+
+
+def table_title(asked: CurvesAsked, chosen: ChosenCurves) -> str:
+    """Say what a table is of, alone."""
+    if not chosen.member:
+        return _("Table {table}", table=asked.table)
+    return _("Table {table} of {member}", table=asked.table, member=chosen.member)
 
 
 def _lines(columns: Sequence[CurveColumn], angles: Array, width: int) -> Iterator[str | Text]:

@@ -10,7 +10,15 @@ from rich.text import Text
 
 from cranktrain.analysis import Result
 from cranktrain.cli.asked import AskedAtSpeed, at_running_speed, units_asked_for
-from cranktrain.cli.curves import CurvesAsked, angles_asked, chosen_curves, names_asked, show_curves, step_for
+from cranktrain.cli.curves import (
+    CurvesAsked,
+    angles_asked,
+    chosen_curves,
+    names_asked,
+    show_curves,
+    step_for,
+    table_title,
+)
 from cranktrain.cli.screen.text import page, show_lines
 from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.io.description import units_of
@@ -93,6 +101,12 @@ def _show_curves(file: MachineFile, request: RunRequest, form: "Form | None") ->
         from cranktrain.io.writers import written_curves
 
         write_whole(request.output, written_curves(form, result, chosen.columns, chosen.angles), force=request.force)
+    elif request.output is not None:
+        from cranktrain.viz.curve_table import curve_table
+        from cranktrain.viz.output import save
+
+        sheet = curve_table(result, table_title(asked, chosen), chosen.columns, chosen.angles)
+        save(sheet, request.output, force=request.force)
     _show_minded(result)
     if request.output is None:
         show_curves(result, asked, request.quantities, chosen)
@@ -173,10 +187,20 @@ def _form(request: RunRequest) -> "Form | None":
         return None
     form = Form(PurePath(request.output).suffix.lower(), request.decimal, request.facts)
     if form.suffix not in SUFFIXES:
-        allowed = _("must end in one of: {suffixes}", suffixes=", ".join(SUFFIXES))
+        pictures = _pictures() if request.curves.table is not None else ()
+        if form.suffix in pictures:
+            return None
+        allowed = _("must end in one of: {suffixes}", suffixes=", ".join((*SUFFIXES, *pictures)))
         raise InputError([Problem("-o", request.output, allowed)])
     refuse(form.problems())
     return form
+
+
+def _pictures() -> tuple[str, ...]:
+    """Suffixes of sheets of paper, which a table may be on."""
+    from cranktrain.viz.output import FORMATS
+
+    return FORMATS
 
 
 def _computed(file: MachineFile, request: RunRequest, *, is_answer: bool = False) -> Result:

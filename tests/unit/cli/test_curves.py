@@ -5,10 +5,12 @@ import re
 
 import numpy as np
 import pytest
-from tests.sentences import WHOLE_NUMBER
+from matplotlib.text import Text
+from tests.sentences import ENDS_IN, WHOLE_NUMBER
 
 import cranktrain as ct
-from cranktrain.analysis.curve_columns import by_default
+from cranktrain.analysis.curve_columns import at_angles, by_default, curve_columns, of_member
+from cranktrain.viz.curve_table import curve_table
 
 
 def columns_of(path):
@@ -76,6 +78,20 @@ def test_tables_of_other_questions(typed, machine, table, names):
     assert all(re.search(rf"\b{name}\b", words) for name in names)
 
 
+def test_a_table_on_paper(typed, tmp_path):
+    """In two parts beside each other where one is too low; every number of the screen on it."""
+    typed("run", "vaz_21213", "--table", "forces", "--every", "15", "-o", "forces.svg")
+    assert (tmp_path / "forces.svg").read_text(encoding="utf-8").startswith("<?xml")
+    result = ct.run("vaz_21213")
+    columns = of_member(curve_columns(result, ("gas_force", "side_force"), of_each_method=False), "1")
+    places = np.arange(0, 720, 15)
+    figure = curve_table(result, "Table forces of 1", at_angles(columns, places), places.astype(float))
+    texts = {text.get_text() for text in figure.findobj(Text)}
+    assert {f"{angle}" for angle in places} <= texts
+    assert {"33.33", "0.2078", "kN"} <= texts
+    assert len([text for text in figure.findobj(Text) if text.get_text() == "°"]) == 2
+
+
 def test_curves_at_one_angle_are_told_as_facts_are(typed):
     output = typed("run", "vaz_21213", "--at", "140").output
     assert "At 140°" in output
@@ -110,6 +126,9 @@ def test_curves_at_one_angle_are_told_as_facts_are(typed):
         (("--table", "forces", "--every", "2", "--at", "3"), "must be left out beside --at"),
         (("--table", "forces", "--full"), "leave --full and"),
         (("--table", "forces", "-o", "forces.json"), "write a .csv or an .xlsx"),
+        (("--table", "forces", "-o", "forces.gif"), f"{ENDS_IN}.csv, .json, .xlsx, .png, .svg, .pdf"),
+        (("--at", "30", "-o", "at.png"), f"{ENDS_IN}.csv, .json, .xlsx"),
+        (("--table", "forces", "--every", "1", "-o", "f.svg"), "of 721 lines does not fit on a sheet, which holds 62"),
         (("--at", "3", "--quantities", "stroke"), "--at = 3: has no curve that this machine has"),
     ],
 )
