@@ -16,9 +16,11 @@ _HEADS = 2
 """Rows of a head: symbols, and units."""
 _HEAD = 8.0
 """Height of the rule below it, and above the first row. [mm]"""
-_GAP = 12.0
+_GAP = 10.0
 """Between two tables side by side. [mm]"""
-_MOST_BESIDE = 11
+_ANGLE = 0.05
+"""Width of the column of angles, in parts of a table's."""
+_MOST_BESIDE = 10
 """Columns of a table of which there is room for two."""
 _LETTERS, _SYMBOL = 150, 6
 """In a line of names below; and about how many of them a symbol takes."""
@@ -63,10 +65,11 @@ def curve_table(
     rows = list(_rows(columns, angles))
     in_each = -(-angles.size // n_beside)
     width = (box.width - _GAP * (n_beside - 1)) / n_beside
+    ends = tuple(_ANGLE + (1 - _ANGLE) * (i + 1) / len(columns) for i in range(len(columns)))
     for place in range(n_beside):
         own = rows[_HEADS + place * in_each : _HEADS + (place + 1) * in_each]
         left = box.left + place * (width + _GAP)
-        write_table(page, [*rows[:_HEADS], *own], (left, top, width), line=LEAST_ROW, n_heads=_HEADS)
+        write_table(page, [*rows[:_HEADS], *own], (left, top, width), ends, LEAST_ROW, n_heads=_HEADS)
     page.notes(box.left, box.bottom + LINE * (len(notes) - 1), notes)
     return page.figure
 
