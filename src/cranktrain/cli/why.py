@@ -14,7 +14,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.io.machine_file import Input, MachineFile, inputs_of
 from cranktrain.language import _
 from cranktrain.quantities import nearest
-from cranktrain.saying.catalogue import Entry, cited
+from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import spelled
 
 _NAMED = 6
@@ -50,7 +50,7 @@ def quantities_called(words: str, catalogue: Mapping[str, Entry]) -> list[Entry]
 def _origin(entry: Entry, found: Pipeline, others: list[Entry]) -> Iterator[str | Text]:
     """What a quantity is, its equation, and the stages that lead to it."""
     yield f"{entry.symbol or entry.name} [{entry.unit}]: {entry.sentence}"
-    yield cited(entry.source, entry.numbers)
+    yield entry.citation
     yield _("Stages: {stages}", stages=" → ".join(stage.name for stage in found.stages))
     yield _("More: cranktrain list results --behind {name}", name=entry.name)
     if others:
