@@ -35,7 +35,7 @@ def dataset_of(result: Result) -> "xarray.Dataset":
     InputError
         If xarray is not installed.
     """
-    imported_xarray()
+    imported("xarray", "dataset")
     from cranktrain.analysis.guarded_dataset import Dataset  # which needs xarray
 
     design = ("design",) if result.has_designs else ()
@@ -54,13 +54,13 @@ def dataset_of(result: Result) -> "xarray.Dataset":
     return Dataset(variables, coordinates, about)
 
 
-def imported_xarray() -> Any:
-    """Import what makes datasets, or say how to have it."""
+def imported(package: str, asked: str) -> Any:
+    """Import what makes datasets and data frames for what is asked, or say how to have it."""
     try:
-        return import_module("xarray")
+        return import_module(package)
     except ModuleNotFoundError:
         repair = _("pip install 'cranktrain[dataset]', or take arrays by their names")
-        raise InputError([Problem("dataset", None, _("needs the package xarray"), repair)]) from None
+        raise InputError([Problem(asked, None, _("needs the package {package}", package=package), repair)]) from None
 
 
 def with_attributes(entry: Entry, values: Array) -> tuple[Array, dict[str, str]]:

@@ -1,11 +1,11 @@
 """A result as data frames: its curves over the crank angle, and its facts one below the other."""
 
 from collections.abc import Sequence
-from importlib import import_module
 from typing import TYPE_CHECKING, Any, cast
 
 from cranktrain.analysis import Result
 from cranktrain.analysis.curve_columns import by_default, curve_columns
+from cranktrain.analysis.dataset import imported
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.tables import HEADS, fact_rows
 from cranktrain.language import _
@@ -33,7 +33,7 @@ def curves_frame(
     result: Result, names: Sequence[str], *, design: int = 0, of_each_method: bool = False
 ) -> "pandas.DataFrame":
     """Give curves as a data frame; parameters as of `Result.curves`."""
-    pandas = _imported_pandas()
+    pandas = imported("pandas", "curves")
     known = [name for name, entry in result.catalogue.items() if not entry.is_fact]
     refuse(_unknown(name, known) for name in names if name not in known)
     wanted = names or by_default(result)
@@ -52,7 +52,7 @@ def curves_frame(
 
 def facts_frame(result: Result, *, design: int = 0) -> "pandas.DataFrame":
     """Give facts as a data frame; parameters as of `Result.facts_table`."""
-    pandas = _imported_pandas()
+    pandas = imported("pandas", "facts_table")
     return pandas.DataFrame(list(fact_rows(_of(result, design), tuple(result.catalogue))), columns=list(HEADS))
 
 
@@ -69,12 +69,3 @@ def _unknown(name: str, known: Sequence[str]) -> Problem:
     meant = nearest(name, known)
     repair = _('write "{text}"', text=meant) if meant else _("`result.catalogue` names all")
     return Problem("curves", name, _("is no curve of this result"), repair)
-
-
-def _imported_pandas() -> Any:
-    """Import what makes data frames, or say how to have it."""
-    try:
-        return import_module("pandas")
-    except ModuleNotFoundError:
-        repair = _("pip install 'cranktrain[dataset]', or take arrays by their names")
-        raise InputError([Problem("curves", None, _("needs the package pandas"), repair)]) from None

@@ -40,10 +40,7 @@ def csv_text(
     str
         Lines: `#` lines with the conventions, a head `name(index) [unit]`, then the numbers; NaN is written `nan`.
     """
-    # Of some angles alone nobody expects all curves.
-    names = {column.entry.name for column in columns} if angles is None else result.catalogue
-    shown = headed(columns, result.crank_angle if angles is None else angles)
-    yield from csv_lines(about(result, names).items(), shown, comma=comma)
+    yield from csv_lines(about(result, columns, angles).items(), headed(result, columns, angles), comma=comma)
 
 
 def csv_lines(said: Iterable[tuple[str, str]], columns: Mapping[str, Array], *, comma: bool) -> Iterator[str]:
@@ -63,16 +60,20 @@ def csv_lines(said: Iterable[tuple[str, str]], columns: Mapping[str, Array], *, 
         row.truncate()
 
 
-def about(result: Result, names: Collection[str]) -> dict[str, str]:
-    """Say what a table of curves is of, what its numbers count from, and which curves are left out."""
+def about(result: Result, columns: Iterable[CurveColumn], angles: Array | None) -> dict[str, str]:
+    """Say what a table of curves is of, what its numbers count from, and which curves are left out; of `csv_text`."""
     said = {"cranktrain": VERSION, "machine": result.machines[0].name, **conventions(result)}
+    # Of some angles alone nobody expects all curves.
+    if angles is not None:
+        return said
+    names = {column.entry.name for column in columns}
     left_out = [name for name, entry in result.catalogue.items() if name not in names and not entry.is_fact]
     return said | ({"left out": ", ".join(left_out)} if left_out else {})
 
 
-def headed(columns: Iterable[CurveColumn], angles: Array) -> dict[str, Array]:
-    """Give the crank angle [deg] and every column by its head, `name(index) [unit]`."""
-    found = {"crank_angle [deg]": angles}
+def headed(result: Result, columns: Iterable[CurveColumn], angles: Array | None) -> dict[str, Array]:
+    """Give the crank angle [deg] and every column by its head, `name(index) [unit]`; parameters as of `csv_text`."""
+    found = {"crank_angle [deg]": result.crank_angle if angles is None else angles}
     for column in columns:
         entry = column.entry
         unit, values = in_asked_unit(entry.unit, column.values, entry.shown)

@@ -44,7 +44,7 @@ def workbook_bytes(
         If openpyxl is not installed.
     """
     book = _openpyxl().Workbook(write_only=True)
-    shown = headed(columns, result.crank_angle if angles is None else angles)
+    shown = headed(result, columns, angles)
     curves = book.create_sheet(_("curves"))
     curves.freeze_panes = "B2"
     curves.append(list(map(_text, shown)))
@@ -57,8 +57,7 @@ def workbook_bytes(
         for name, of, value, unit, meaning in fact_rows(result, facts):
             sheet.append((name, _text(of), _cell(value), unit, meaning))
     head = book.create_sheet(_("about"))
-    names = {column.entry.name for column in columns} if angles is None else result.catalogue
-    for word, sentence in about(result, names).items():
+    for word, sentence in about(result, columns, angles).items():
         head.append((word, _text(sentence)))
     content = io.BytesIO()
     book.save(content)

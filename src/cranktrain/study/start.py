@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cranktrain.analysis.dataset import imported_xarray, with_attributes
+from cranktrain.analysis.dataset import imported, with_attributes
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of, refuse_wrong
@@ -95,7 +95,7 @@ class Start:
     @cached_property
     def dataset(self) -> "xarray.Dataset":
         """As a dataset over the time, with units, symbols, sentences and sources."""
-        xarray = imported_xarray()
+        xarray = imported("xarray", "dataset")
         variables = {
             name: (("time",), *with_attributes(entry, getattr(self, name))) for name, entry in self.catalogue.items()
         }

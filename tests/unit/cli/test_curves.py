@@ -9,6 +9,7 @@ from matplotlib.text import Text
 from tests.sentences import ENDS_IN, WHOLE_NUMBER
 
 import cranktrain as ct
+from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis.curve_columns import at_angles, by_default, curve_columns, of_member
 from cranktrain.viz.curve_table import curve_table
 
@@ -47,6 +48,13 @@ def test_a_table_of_forces_closes(typed, tmp_path):
     assert np.max(np.abs(parts["load_force"])) == pytest.approx(60.0, rel=1e-12)
     # The first line and the last are one crank angle of the cycle.
     assert all(values[0] == values[-1] for head, values in parts.items() if head != "crank_angle [deg]")
+
+
+def test_help_names_every_table(typed):
+    tables = {name for question in QUESTIONS for name in question.curve_tables}
+    words = " ".join(typed("run", "--help").output.split())
+    (named,) = re.findall(r"A table of curves: ([\w, ]+)\.", words)
+    assert set(re.split(r", | or ", named)) == tables
 
 
 def test_a_table_on_the_screen(typed):
