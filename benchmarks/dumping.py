@@ -106,8 +106,8 @@ def said(result):
         "labels": lines(f"{one}: {', '.join(map(str, result.labels[one]))}" for one in sorted(used)),
         "answers": lines(result.summary(design) for design in range(n_designs)),
         "checks": lines(f"{c.name}: {c.sentence}: {[c.verdict(d) for d in range(n_designs)]}" for c in result.checks),
-        "flags": lines(result.flags),
-        "missing": lines(f"{', '.join(one.needs)}: {', '.join(one.results)}" for one in result.missing),
+        "flags": lines(map(str, result.flags)),
+        "missing": lines(f"{', '.join(map(str, one.needs))}: {', '.join(one.results)}" for one in result.missing),
     }
 
 

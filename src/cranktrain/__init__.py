@@ -34,8 +34,8 @@ Results
     ((1, 360), (360,))
     >>> result.facts["mean_piston_speed"]
     <mean_piston_speed c_m = <1> m/s>
-    >>> print(result.summary().splitlines()[0])
-    Strokes: 12.00 in. ...
+    >>> print(result.summary().splitlines()[1])
+      stroke: 12.00 in
     >>> [check.verdict() for check in result.checks]
     ['holds']
     >>> len(result.flags) > 0
@@ -52,12 +52,12 @@ Part of it, and many designs
     2 designs of a pump
     largest piston speed: 1.942 m/s (design 2) to 1.953 m/s (design 1)
 
-Units
+Units and language
     What is shown has the units of the machine's file, or others that are asked for; arrays have those of the catalogue.
 
-    >>> with ct.units("cm, ft/s"):
-    ...     print(result.summary().splitlines()[0])
-    Strokes: 30.48 cm. ...
+    >>> with ct.units("cm, ft/s"), ct.in_language("en"):
+    ...     print(result.summary().splitlines()[1])
+      stroke: 30.48 cm
 
 A motor
     With `[drive]`, `run` knows how the machine runs with its motor, and `start` runs it over time, a `Start`.
@@ -106,6 +106,7 @@ if TYPE_CHECKING:
     from cranktrain.errors import InputError, Problem
     from cranktrain.io.any_machine import load
     from cranktrain.io.examples import example_names
+    from cranktrain.language import in_language
     from cranktrain.machine import Machine
     from cranktrain.public import behind, compare, run, start, units
     from cranktrain.study.start import Start
@@ -121,6 +122,7 @@ __all__ = [
     "behind",
     "compare",
     "example_names",
+    "in_language",
     "load",
     "run",
     "start",
@@ -142,6 +144,7 @@ _HOMES = {
     "behind": "public",
     "compare": "public",
     "example_names": "io.examples",
+    "in_language": "language",
     "load": "io.any_machine",
     "run": "public",
     "start": "public",

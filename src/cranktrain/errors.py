@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import islice
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.one_line import one_line, short
 
 MOST_TOLD = 50
@@ -38,29 +38,29 @@ class Problem:
     ----------
     path : str
         Dotted path of the value in the machine file, e.g. `bank.R.mechanism.rod_length`; empty for the file itself.
-    given : str or None
+    given : Words or None
         What was given, as the user wrote it; None where nothing was.
-    allowed : str
+    allowed : Words
         What is allowed there, as a clause: "must be more than 50 mm, or the crank cannot turn".
-    repair : str or None
+    repair : Words or None
         What to write instead, where one thing is the likely cure.
     position : Position or None
         Where it stands.
     """
 
     path: str
-    given: str | None
-    allowed: str
-    repair: str | None = None
+    given: Words | None
+    allowed: Words
+    repair: Words | None = None
     position: Position | None = None
 
     def __str__(self) -> str:
         """Say it in one line, what is long cut: `file:line:column  path = given: allowed; repair`."""
-        path, given = _short_path(one_line(self.path)), None if self.given is None else short(self.given)
+        path, given = _short_path(one_line(self.path)), None if self.given is None else short(str(self.given))
         subject = path if given is None else f"{path} = {given}" if path else given
-        said = ": ".join(part for part in (subject, one_line(self.allowed)) if part)
+        said = ": ".join(part for part in (subject, one_line(str(self.allowed))) if part)
         place = f"{one_line(str(self.position))}  " if self.position else ""
-        return place + said + (f"; {one_line(self.repair)}" if self.repair else "")
+        return place + said + (f"; {one_line(str(self.repair))}" if self.repair else "")
 
 
 def _short_path(path: str) -> str:
@@ -74,10 +74,18 @@ class InputError(ValueError):
 
     def __init__(self, problems: Iterable[Problem]) -> None:
         self.problems: Sequence[Problem] = tuple(problems)
+        super().__init__(self.problems)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """Let it be sent to other processes, whatever its own arguments are."""
+        return InputError, (self.problems,)
+
+    def __str__(self) -> str:
+        """Say each in a line, many by their number."""
         lines = [str(problem) for problem in self.problems[:MOST_TOLD]]
         if len(self.problems) > MOST_TOLD:
-            lines.append(_("and {n} more", n=len(self.problems) - MOST_TOLD))
-        super().__init__("\n".join(lines))
+            lines.append(str(_("and {n} more", n=len(self.problems) - MOST_TOLD)))
+        return "\n".join(lines)
 
 
 def first_of(problems: Iterable[Problem], more: Callable[[int], Problem]) -> Iterator[Problem]:

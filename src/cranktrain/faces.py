@@ -15,6 +15,7 @@ _HOMES = {
     "plot_result": "viz.curves",
     "result_html": "analysis.representations",
     "result_line": "analysis.representations",
+    "result_lines": "analysis.representations",
     "save_machine": "io.saving",
     "sheet_called": "viz.curves",
     "summary_of_designs": "analysis.designs_summary",

@@ -5,8 +5,8 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import TypeAlias
 
-Words: TypeAlias = Callable[[], str]
-"""How far a piece of work is, as of now."""
+Words: TypeAlias = Callable[[], object]
+"""How far a piece of work is, as of now: what `str` says."""
 
 _listener: ContextVar[Callable[[tuple[Words, ...]], None] | None] = ContextVar("listener", default=None)
 _around: ContextVar[tuple[Words, ...]] = ContextVar("around", default=())

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, TypeAlias, TypeGuard, cast
 
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.language import _
+from cranktrain.language import Words, _
 
 PathParts: TypeAlias = tuple[str | int, ...]
 
@@ -70,7 +70,7 @@ def parts_of(path: str) -> PathParts:
         return ()
 
 
-def too_many_parts() -> str:
+def too_many_parts() -> Words:
     """Say that a path leads deeper than any machine's."""
     return _("has more than {limit} parts with dots between", limit=DEEPEST_NESTING)
 
@@ -203,7 +203,7 @@ def with_values(data: object, values: Mapping[str, object]) -> tuple[Any, tuple[
     return data, tuple(done)
 
 
-def _no_way(data: object, here: str) -> str:
+def _no_way(data: object, here: str) -> Words:
     """Say why a path does not go on."""
     if isinstance(data, Mapping):
         return _("{path} is a table, whose keys are names", path=here)

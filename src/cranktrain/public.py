@@ -11,7 +11,7 @@ from cranktrain.analysis import Result
 from cranktrain.analysis.comparison import Comparison, compared
 from cranktrain.errors import InputError, Problem, problems_as
 from cranktrain.io.any_machine import sources_of, values_of
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.quantities import shown_by, units_by_dimension
 
 if TYPE_CHECKING:

@@ -26,7 +26,7 @@ from cranktrain.allowed import ALLOWED, OTHERWISE
 from cranktrain.brief import BriefSignature, brief_fields
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import Listed, Words, _
 from cranktrain.paths import path_text, value_at
 from cranktrain.quantities import Given, Quantity, nearest, one_of, unknown_key, unlisted, written
 from cranktrain.spec_class import SpecClass
@@ -97,15 +97,15 @@ class Refused(InputError):  # noqa: N818 - it is raised as a sentence: raise Ref
 
     Parameters
     ----------
-    allowed : str
+    allowed : Words
         What is allowed, as a clause: "must be more than crank_radius = 50 mm, or the crank cannot turn".
-    repair : str, optional
+    repair : Words, optional
         What to write instead.
     path : str, optional
         Path of the value below the spec, e.g. "rod_length" or "throws[3]"; the spec itself where left out.
     """
 
-    def __init__(self, allowed: str, repair: str | None = None, *, path: str = "") -> None:
+    def __init__(self, allowed: Words, repair: Words | None = None, *, path: str = "") -> None:
         super().__init__((Problem(path, None, allowed, repair),))
 
 
@@ -330,20 +330,20 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
         if kind in ("int_type", "float_type", "bool_type") and isinstance(detail["input"], str):
             given = f'"{given}"'  # the quotes are what is wrong with "5"
         allowed = _(ALLOWED.get(kind, OTHERWISE), **context)
-        yield Problem(where.path, given, allowed + _example_of_list(where) if kind == "tuple_type" else allowed)
+        yield Problem(where.path, given, _with_example(allowed, where) if kind == "tuple_type" else allowed)
     else:  # a validator's own PydanticCustomError
         yield Problem(where.path, given, detail["msg"])
 
 
-def _example_of_list(where: _Location) -> str:
+def _with_example(allowed: Words, where: _Location) -> Words:
     """Say how a list of quantities is written, with the example that suits the key."""
     items = get_args(bare(where.annotation).annotation)
     quantity = quantity_of(items[0]) if items else None
     if quantity is None:
-        return ""
+        return allowed
     key = where.path.rpartition(".")[2].partition("[")[0]
     example = quantity.of_field(key).example or quantity.dimension.example
-    return _(', such as ["{example}", …]', example=example)
+    return Listed((allowed, _(', such as ["{example}", …]', example=example)), "")
 
 
 def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:
@@ -359,7 +359,7 @@ def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:
     return Problem(path, None, _("is missing; {expected}", expected=one_of(kinds)), repair)
 
 
-def missing(annotation: object, key: str | None = None) -> str:
+def missing(annotation: object, key: str | None = None) -> Words:
     """Say that a value is missing, and what it could be; the key in the file, where it is known, gives the example."""
     quantity, words = quantity_of(annotation), words_of(annotation)
     if quantity is None and not words:

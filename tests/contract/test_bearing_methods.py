@@ -66,7 +66,7 @@ json.dump(
         "lines": [str(sorted(line_of_method(name, is_first=not place).items())) for place, name in enumerate(names)],
         "drawn": sorted({str(line) for line in drawn}),
         "words": words_of(method.annotation),
-        "relieved": counterweights(ct.load("vaz_21213"), method="heavier").remarks[0],
+        "relieved": str(counterweights(ct.load("vaz_21213"), method="heavier").remarks[0]),
     },
     sys.stdout,
 )
@@ -118,7 +118,7 @@ def test_it_is_computed(with_made_up):
 def test_it_is_titled(with_made_up):
     largest = max(with_made_up["loads"]["heavier"]) / 1000
     assert re.search(rf"on guessed bearings +{largest:.2f} kN in bearing \d", with_made_up["screen"])
-    assert f"split, and half more {largest:.2f} kN in bearing" in with_made_up["summary"]
+    assert f"on guessed bearings: {largest:.2f} kN in bearing" in with_made_up["summary"]
     assert "split, and half more" in with_made_up["written"]
 
 

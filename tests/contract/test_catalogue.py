@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from tests.dimensions import DIMENSIONS
 from tests.machines import ROCKER, V12, slave, slider, throws
+from tests.told import texts_of
 
 import cranktrain as ct
 from cranktrain import texts
@@ -168,9 +169,9 @@ def test_nothing_is_given_that_no_stage_declares(everything):
 def missing_of_declared(result, tables):
     """Results that are missing although the file has the table of all that they need, by what they need."""
     return {
-        missing.needs: set(missing.results)
+        texts_of(missing.needs): set(missing.results)
         for missing in result.missing
-        if all(re.match(r"\[(\w+)", need)[1] in tables for need in missing.needs)
+        if all(re.match(r"\[(\w+)", need)[1] in tables for need in texts_of(missing.needs))
     }
 
 
@@ -294,7 +295,7 @@ class TestMissing:
 
     def test_what_is_for_another_kind_of_machine_is_not_spoken_of(self):
         result = ct.run(ct.Machine(mechanism=ROCKER))
-        needs = {need for missing in result.missing for need in missing.needs}
+        needs = {need for missing in result.missing for need in texts_of(missing.needs)}
         assert not {need for need in needs if need.startswith(("[cylinder", "[gas", "[guide", "[friction", "[gravity"))}
         assert needs >= {
             "[balance]",

@@ -41,7 +41,7 @@ def idle_masses(machine):
     base, flags = inertia_of(machine) if tables else (np.zeros(1), ())
     found = []
     for path, body in tables.items():
-        is_told = any(f"[{path}]" in flag and "is used by none" in flag for flag in flags)
+        is_told = any(f"[{path}]" in flag and "is used by none" in flag for flag in map(str, flags))
         if is_felt(machine, base, {path: heavier(body)}) == is_told:
             found.append(path)
     return found

@@ -6,8 +6,8 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.cli import main
-from cranktrain.cli.screen.amounts import figures
 from cranktrain.io.examples import example_names
+from cranktrain.saying.amounts import figures
 from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import aligned, column
 

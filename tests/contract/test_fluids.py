@@ -99,7 +99,7 @@ def test_pressure_of_the_states_shape(kind, cycle):
     alone = mapped(lambda _name, part: part[0, 0], ready)
     of_one = gas.chamber_state(ENGINE.volume(ANGLE), ENGINE.limits, ANGLE, cycle)
     np.testing.assert_array_equal(kind.pressure(of_one, alone), pressure[0, 0, 0])
-    for sentence in (*kind.flags(spec), *kind.notes(ready)):
+    for sentence in map(str, (*kind.flags(spec), *kind.notes(ready))):
         assert sentence[0].isupper(), f"flags and notes are sentences: {sentence}"
         assert sentence[-1] in ".?", f"flags and notes are sentences: {sentence}"
 

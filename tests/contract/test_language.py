@@ -46,13 +46,13 @@ def test_each_thread_has_its_own_language(monkeypatch):
     def said(of):
         with language.in_language(of):
             ready.wait()
-            return [language._("Peak {x}", x="3 kN") for _time in range(1000)]
+            return [str(language._("Peak {x}", x="3 kN")) for _time in range(1000)]
 
     with ThreadPoolExecutor() as threads:
         first, second = threads.map(said, ["a", "b"])
     assert set(first) == {"Spitze 3 kN"}
     assert set(second) == {"3 kN au plus"}
-    assert language._("Peak {x}", x="3 kN") == "Peak 3 kN"
+    assert str(language._("Peak {x}", x="3 kN")) == "Peak 3 kN"
 
 
 @pytest.mark.parametrize("name", ct.example_names())

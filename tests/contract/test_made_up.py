@@ -152,12 +152,13 @@ def loudness(noise: DeclaredNoise, speed: Speed) -> Loudness:
     "rows.py": '''
 """What is said of it."""
 
+from cranktrain.language import _
 from cranktrain.questions.noise.loudness import Loudness
-from cranktrain.saying.rows import Amount, worded
+from cranktrain.saying.rows import worded
 
 
-def noise_rows(labels, design, found: Loudness):
-    yield worded("rattles", "with {speed}", speed=Amount(float(found.rattle[design, 0]), "m/s"))
+def noise_rows(of, found: Loudness):
+    yield worded(_("rattles"), _("with {speed}", speed=of.amount(found, "rattle", 0)))
 ''',
 }
 

@@ -65,6 +65,7 @@ NOT_COMPUTED = {
     "docs/lessons/steam.md": {"5 %": "said by the command before it"},
     "src/cranktrain/mechanisms/articulated_rod/README.md": {"0 mm": "a default"},
     "src/cranktrain/mechanisms/slider_crank/README.md": {"6.9 m/s": "the book's", "124.91 m/s²": "the book's"},
+    "src/cranktrain/mechanisms/slotted_lever/README.md": {"0 mm": "a default"},
     "src/cranktrain/questions/balance/README.md": {
         "1 rad/s": "the speed for which it is solved",
         "1 %": "a limit of the flag",

@@ -5,8 +5,8 @@ import pint
 import pytest
 
 from cranktrain.analysis import every_stage
-from cranktrain.cli.screen.amounts import figures
 from cranktrain.quantities import SHOWN, counted_from, shown_by, unit_names, units_by_dimension
+from cranktrain.saying.amounts import figures
 from cranktrain.saying.catalogue import entries
 from cranktrain.saying.scales import SCALES, in_asked_unit, scale_for
 from cranktrain.saying.wording import number
@@ -182,7 +182,7 @@ def test_every_sentence_in_it(si_of, unit, usual):
     own = next((name for of, name in units_by_dimension([unit]).items() if usual in unit_names(of)), None)
     if own:
         with shown_by(units_by_dimension([unit])):
-            said, label = number(SIZE, usual).rsplit(" ", 1)
+            said, label = str(number(SIZE, usual)).rsplit(" ", 1)
         assert label == own
         assert number_of(said) == pytest.approx(expected(si_of, unit, SIZE), rel=6e-4)
 

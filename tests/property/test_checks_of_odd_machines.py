@@ -140,7 +140,7 @@ ODD: dict[str, dict[str, Any]] = {
 
 
 def told(result: ct.Result) -> dict[str, str]:
-    return {check.name: check.verdict() for check in result.checks if not check.passed[0]}
+    return {check.name: str(check.verdict()) for check in result.checks if not check.passed[0]}
 
 
 @pytest.mark.parametrize("name", ODD)

@@ -151,8 +151,8 @@ def test_fields_of_a_star_that_are_lists():
     assert set(problems(**star(master=["M", "X"]))) == {"bank.S.mechanism.master[1]"}
     (short,) = problems(**star(rod_length=["135 mm"])).values()
     assert short.path == "bank.S.mechanism.rod_length"
-    assert short.given == "a list of 1"
-    assert "one for each angle of the bank: 2" in short.allowed
+    assert str(short.given) == "a list of 1"
+    assert "one for each angle of the bank: 2" in str(short.allowed)
 
 
 def test_provenance_in_a_list():
@@ -262,14 +262,14 @@ class TestWith:
 
 def test_a_machine_has_at_most_a_thousand_mechanisms():
     found = problems(shaft={"main": {"throws": ["0 deg"] * 1001}}, **bank())
-    assert found["shaft.main.throws"].allowed == "must have at most 1000 items"
+    assert str(found["shaft.main.throws"].allowed) == "must have at most 1000 items"
     found = problems(shaft={"main": {"throws": ["0 deg"] * 40}}, **bank(angle=["0 deg"] * 30))
-    assert found["bank"].allowed == "gives 1200 mechanisms; a machine may have at most 1000"
+    assert str(found["bank"].allowed) == "gives 1200 mechanisms; a machine may have at most 1000"
 
 
 def test_an_empty_balance_is_refused():
     found = problems(mechanism=slider(), balance={})
-    assert found["balance"].allowed == HOLDS_NOTHING
+    assert str(found["balance"].allowed) == HOLDS_NOTHING
 
 
 def test_an_empty_key_has_a_path():

@@ -97,17 +97,17 @@ class TestRun:
     @pytest.mark.parametrize("machine", [3, None, [["3d12"]]])
     def test_what_is_no_machine(self, machine):
         (problem,) = problems(lambda: ct.run(machine))
-        assert "a machine file, the name of an example, or the tables" in problem.allowed
+        assert "a machine file, the name of an example, or the tables" in str(problem.allowed)
 
     def test_text_of_a_file_is_no_name(self):
         (problem,) = problems(lambda: ct.run(FILE))
-        assert "is the text of a machine file" in problem.allowed
-        assert "tomllib.loads" in problem.repair
+        assert "is the text of a machine file" in str(problem.allowed)
+        assert "tomllib.loads" in str(problem.repair)
 
     def test_misspelt_example(self):
         (problem,) = problems(lambda: ct.run("kamaz740x"))
-        assert problem.allowed == NO_FILE
-        assert "kamaz_740" in problem.repair
+        assert str(problem.allowed) == NO_FILE
+        assert "kamaz_740" in str(problem.repair)
 
     def test_quantities_must_be_some(self):
         (problem,) = problems(lambda: ct.run(TABLES, quantities=[]))
@@ -131,11 +131,11 @@ class TestSet:
     def test_what_is_wrong_stands_at_set(self, use, values, path, said):
         found = problems(lambda: use("3d12", set=values))
         assert [(str(problem.position), problem.path) for problem in found] == [("set", path)]
-        assert said in found[0].allowed
+        assert said in str(found[0].allowed)
 
     def test_what_was_meant_stands_deeper(self):
         found = problems(lambda: ct.load("3d12", set={"mechanism.rod_length": "320 mm"}))
-        assert "bank.L.mechanism.rod_length" in found[-1].repair
+        assert "bank.L.mechanism.rod_length" in str(found[-1].repair)
 
     def test_what_is_wrong_in_the_file_keeps_its_line(self, tmp_path):
         path = tmp_path / "m.toml"
@@ -153,7 +153,7 @@ class TestSet:
 
     def test_no_mapping(self):
         (problem,) = problems(lambda: ct.run("3d12", set="shaft.main.speed=3 rpm"))
-        assert (problem.path, problem.repair[:9]) == ("set", "write set")
+        assert (problem.path, str(problem.repair)[:9]) == ("set", "write set")
 
 
 class TestCards:
@@ -171,7 +171,7 @@ class TestCards:
     def test_relative_to_where_one_works(self, folder, monkeypatch):
         tables = tomllib.loads(FILE)
         (problem,) = problems(lambda: ct.run(tables))
-        assert (problem.path, problem.allowed) == ("gas.file", NO_FILE)
+        assert (problem.path, str(problem.allowed)) == ("gas.file", NO_FILE)
         monkeypatch.chdir(folder)
         assert peak(tables) == pytest.approx(20.0, rel=1e-9)
         assert peak(ct.Machine(**tables)) == pytest.approx(20.0, rel=1e-9)
@@ -180,7 +180,10 @@ class TestCards:
     def test_one_that_is_not_there(self, folder):
         machine = ct.load(folder / "carded.toml")
         (problem,) = problems(lambda: machine.with_({"gas.file": "othr.csv"}))
-        assert (problem.path, problem.repair) == ("gas.file", f"is it other.csv? It {LOOKED_FOR} {folder.resolve()}")
+        assert (problem.path, str(problem.repair)) == (
+            "gas.file",
+            f"is it other.csv? It {LOOKED_FOR} {folder.resolve()}",
+        )
         (problem,) = problems(lambda: ct.load(folder / "carded.toml", set={"gas.file": "othr.csv"}))
         assert (str(problem.position), problem.path) == ("set", "gas.file")
 

@@ -16,6 +16,7 @@ from tests.sentences import (
     TRUE_OR_FALSE,
     WHOLE_NUMBER,
 )
+from tests.told import ToldProblem, problems_told
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.quantities import Angle, Given, Length, PositiveLength, PositiveRatio
@@ -103,11 +104,11 @@ SLIDER = {"kind": "slider", "crank_radius": "90 mm", "rod_length": "320 mm"}
 SLAVE = {"kind": "slave", "slave": "60 deg"}
 
 
-def refused(data: object) -> list[tuple[str, str | None, str, str | None]]:
+def refused(data: object) -> list[ToldProblem]:
     """What is wrong with some data."""
     with pytest.raises(InputError) as error:
         validated(Machine, data)
-    return [(problem.path, problem.given, problem.allowed, problem.repair) for problem in error.value.problems]
+    return problems_told(error.value.problems)
 
 
 def test_good_data_are_read_with_lists_as_tuples_and_where_numbers_are_from() -> None:
@@ -263,15 +264,16 @@ def test_all_problems_are_told_at_once_in_the_order_of_the_fields() -> None:
 def test_check_of_a_spec_made_in_python_has_the_value_too() -> None:
     with pytest.raises(ValidationError) as error:
         Slider(kind="slider", crank_radius=Given(0.09, "90 mm"), rod_length=Given(0.045, "45 mm"))
-    (problem,) = problems(error.value, Slider)
-    assert problem == Problem("rod_length", "45 mm", "must be more than crank_radius = 90 mm", "make it longer")
+    (problem,) = problems_told(problems(error.value, Slider))
+    assert problem == ("rod_length", "45 mm", "must be more than crank_radius = 90 mm", "make it longer")
 
 
 def test_spec_cannot_be_changed() -> None:
     slider = validated(Slider, SLIDER)
     with pytest.raises(ValidationError) as error:
         slider.kind = "slider"  # pyright: ignore[reportAttributeAccessIssue]
-    assert problems(error.value, Slider) == (Problem("kind", "slider", "must not be changed; make a new one"),)
+    (problem,) = problems_told(problems(error.value, Slider))
+    assert problem == ("kind", "slider", "must not be changed; make a new one", None)
 
 
 def test_json_schema_tells_kinds_and_refuses_unknown_keys() -> None:

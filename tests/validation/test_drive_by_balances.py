@@ -226,7 +226,7 @@ def test_a_start():
     how = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-12}
     first = solve_ivp(rates, (0, 2.0), [begin, 0, 0, 0], events=reached, **how)
     last = solve_ivp(rates, (first.t[-1], 2.0), first.y[:, -1] + np.array([1e-13, 0, 0, 0]), **how)
-    dead = next(event.time for event in run.events if event.name == "dead position")
+    dead = next(event.time for event in run.events if str(event.name) == "dead position")
     assert dead == pytest.approx(first.t[-1], abs=1e-8)
     ends = (run.crank_angle_turned, run.crank_speed, run.motor_work, run.lost_work)
     # losses have kinks where stages turn round, which both step over as closely as their tolerances ask

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from tests.reference_case import GOLDEN, Array, ReferenceCase
+from tests.told import line_of
 from tests.validation.test_machine_forces import kg, m
 from tests.validation.test_torque_orders import BORE, CYCLE, MASS, OMEGA, L, R, pressure
 
@@ -169,4 +170,4 @@ def test_orders_of_the_torque():
     assert np.max(result.torque_order_amplitude[others]) < 1e-11 * peak
     np.testing.assert_allclose(result.phase_star_sum[3::4], 4.0, rtol=1e-12)
     assert np.max(result.phase_star_sum[others]) < 1e-12
-    assert "add up: 2, 4, 6, 8, 10, 12" in result.summary()
+    assert line_of(result, "Torque", "major orders") == "2, 4, 6, 8, …"

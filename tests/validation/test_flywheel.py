@@ -141,7 +141,7 @@ def whole_machine(torque, speed, load: dict[str, Any] | None = None, **evenness:
     if LoadsOnShafts in known:
         loads = known[LoadsOnShafts]
         balance = shaft_balance(loads, None, sources, torques, known[Speed], angle)
-        given = load_torque(loads, None, applied, balance, known[Speed], angle)
+        given = load_torque(loads, applied, balance, known[Speed], angle)
     work = shaft_work(applied, sources, given, known[ForceEvents], torques, known[Speed], angle)
     if WantedCoefficient in known:
         known[FlywheelSize] = flywheel_size(balancing, known[WantedCoefficient], None, None, work, known[Speed])

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv, indicated_work, wiebe, wiebe_cycle
 from tests.reference_case import GOLDEN, ReferenceCase
+from tests.told import texts_of
 
 import cranktrain.fluids as gas
 from cranktrain.fluids.indicator import IndicatorSpec, card_of, diagram_work, indicator_diagram, pressure_at
@@ -82,7 +83,7 @@ def test_computed_diesel_with_firing_at_360_degrees():
     case.compare_value("imep_harmonic_Pa", work / swept)
     speed = case.machine["speed_rpm"] * np.pi / 30
     case.compare_value("indicated_power_harmonic_W", indicated_power(work, FOUR_STROKE, speed))
-    assert any("360°" in finding for finding in diagram.findings)
+    assert any("360°" in finding for finding in texts_of(diagram.findings))
 
 
 def test_gauge_table_gives_the_torque_of_the_multibody_solver():
@@ -139,7 +140,7 @@ def test_duplicate_endpoint_is_left_out():
     closed, open_ended = diagram_of(wiebe_text(more=1), ENGINE), diagram_of(wiebe_text(), ENGINE)
     np.testing.assert_array_equal(closed.curve.places, open_ended.curve.places)
     np.testing.assert_array_equal(closed.curve.starts, open_ended.curve.starts)
-    assert any("the last is left out" in finding for finding in closed.findings)
+    assert any("the last is left out" in finding for finding in texts_of(closed.findings))
     degrees = np.arange(721)
     torque = wiebe_cycle(ENGINE, WIEBE, np.radians(degrees)) * ENGINE.slope(np.radians(degrees))
     assert np.mean(torque) / np.mean(torque[:-1]) - 1 == pytest.approx(-0.0014, abs=5e-5)
@@ -191,7 +192,7 @@ def test_pressure_over_volume_is_unrolled():
     angle = np.radians(np.arange(-120, 120, 0.1))
     error = np.abs(pressure_at(diagram, angle) - wiebe(ENGINE, WIEBE, angle)) / WIEBE["p_max"]
     assert np.max(error) < 7e-4
-    assert not any("in one step" in flag for flag in diagram.flags)
+    assert not any("in one step" in flag for flag in texts_of(diagram.flags))
     outward = slice(0, 200)
     at = angle[angle > 0]
     linear = np.interp(ENGINE.volume(at).value, volume[outward], pressure[outward])
@@ -223,7 +224,7 @@ def test_coarse_rows_of_a_burning_cycle(shift):
     diagram = diagram_of(csv(degrees, wiebe_cycle(ENGINE, WIEBE, np.radians(degrees))), ENGINE)
     assert crest(diagram.curve)[1] == pytest.approx(WIEBE["p_max"], rel=0.015)
     assert diagram_work(diagram, ENGINE.slope) / ENGINE.swept == pytest.approx(IMPORT["imep_net"], rel=0.002)
-    assert not any("in one step" in flag for flag in diagram.flags)
+    assert not any("in one step" in flag for flag in texts_of(diagram.flags))
 
 
 OTTO = PRESSURE["ideal"]["cycles"]["otto"]
@@ -258,7 +259,7 @@ def test_otto_with_its_jumps_as_two_rows(jumps):
     assert crest(diagram.curve) == pytest.approx((0.0, OTTO["p3"]), rel=1e-12)
     assert pressure_at(diagram, np.array([-1e-12, 0.0])) == pytest.approx([OTTO["p2"], OTTO["p3"]], rel=1e-9)
     assert diagram.flags == ()
-    assert any("The pressure jumps where the file gives two" in finding for finding in diagram.findings)
+    assert any("The pressure jumps where the file gives two" in finding for finding in texts_of(diagram.findings))
 
 
 @pytest.mark.parametrize("shift", range(10))
@@ -266,7 +267,7 @@ def test_otto_with_its_jumps_lost_between_rows(shift):
     """2 % of the mean pressure, and a sentence that says where to look."""
     diagram = diagram_of(otto_text([], shift), ENGINE)
     assert diagram_work(diagram, ENGINE.slope) / ENGINE.swept == pytest.approx(OTTO["imep_net"], rel=0.02)
-    (told,) = (flag for flag in diagram.flags if "in one step" in flag)
+    (told,) = (flag for flag in texts_of(diagram.flags) if "in one step" in flag)
     assert f"Between {710 + shift}° and {720 + shift}°" in told
     assert crest(diagram.curve)[1] < 1.01 * np.max(diagram.curve.starts)
 
@@ -317,8 +318,8 @@ def test_the_spline_rings_for_those_who_want_it():
     text = csv(degrees, steam(degrees))
     by_spline = diagram_of(text, STEAM, TWO_STROKE, interpolation="spline")
     assert crest(by_spline.curve)[1] > 12.5e5
-    by_limits = diagram_of(text, STEAM, TWO_STROKE)
-    assert any("largest sample is 12.00 bar" in told and "crest 12.00 bar" in told for told in by_limits.findings)
+    by_limits = texts_of(diagram_of(text, STEAM, TWO_STROKE).findings)
+    assert any("largest sample is 12.00 bar" in told and "crest 12.00 bar" in told for told in by_limits)
 
 
 @pytest.mark.parametrize("n_points", [20, 50, 200])

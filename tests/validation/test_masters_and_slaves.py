@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from tests.machines import curve as of_piston
 from tests.reference_case import ReferenceCase
+from tests.told import line_of
 from tests.validation.test_machine_forces import articulated_pair, at_rows
 
 import cranktrain as ct
@@ -135,7 +136,6 @@ def test_the_formula_stands_beside_with_its_error():
         expected = np.max(np.abs(formula - true)) / np.max(np.abs(true))
         assert error[TEXTBOOK, row] == pytest.approx(expected, rel=1e-12)
         assert expected > 0.2
-    assert "which knows no slaves, is off by up to" in result.summary()
     assert np.all(np.isnan(result.side_force[TEXTBOOK:, result.labels["piston"].index("1S")]))
 
 
@@ -196,7 +196,7 @@ def test_a_master_alone_has_its_own_share():
 
 def test_the_headline_takes_all_rods():
     result = ct.run(ct.load("3d12"))
-    assert "71.31 kN (1R–6R) in the rod" in result.summary()
+    assert line_of(result, "Largest forces", "in the rod").endswith("71.31 kN (R)")
     slaves = [place for place, name in enumerate(result.labels["piston"]) if name.endswith("R")]
     # A kink, where burning ends: on a fine grid it stands higher by less than a step.
     fine = ct.run(ct.load("3d12"), step_degrees=0.02, quantities="rod_force_at_piston_pin")

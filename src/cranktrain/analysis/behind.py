@@ -12,7 +12,7 @@ from cranktrain.analysis.pipeline import PartBehind, Pipeline, Place, StageBehin
 from cranktrain.analysis.stages import every_stage, lacking, leading_to, ordered, stages_giving
 from cranktrain.errors import InputError, Problem
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import Listed, Words, _
 from cranktrain.layout.question import Stage, tables_of
 from cranktrain.machine import Machine
 from cranktrain.paths import is_table, path_text
@@ -80,10 +80,10 @@ def _needs(way: Sequence[Stage]) -> Iterator[type]:
         yield from one.needs.values()
 
 
-def _lacks(needs: Sequence[str]) -> str:
+def _lacks(needs: Sequence[Words]) -> Words:
     """Say why a machine has no such quantity."""
     if needs:
-        return _("is no result of this machine; it needs {needs}", needs=", ".join(needs))
+        return _("is no result of this machine; it needs {needs}", needs=Listed(needs))
     return _("is a result of other machines")
 
 

@@ -13,7 +13,7 @@ from cranktrain.analysis.result import Result
 from cranktrain.errors import Problem, refuse
 from cranktrain.faces import face
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.one_line import one_line, short
 from cranktrain.quantities import FileUnits, shown_as_in
 from cranktrain.record import record
@@ -206,7 +206,7 @@ def _absence(name: str, results: tuple[Result, Result]) -> Problem:
     needs = next((needs for result in results if (needs := result.needs_of(name))), ())
     allowed = _("is a result of neither machine")
     if needs:
-        allowed = _("is a result of neither machine; it needs {needs}", needs=", ".join(needs))
+        allowed = _("is a result of neither machine; it needs {needs}", needs=", ".join(map(str, needs)))
     return Problem("quantities", name, allowed)
 
 

@@ -50,7 +50,7 @@ def dataset_of(result: Result) -> "xarray.Dataset":
         name: _coordinate(name, words) for name, words in result.labels.items() if name in used
     }
     coordinates["crank_angle"] = ("crank_angle", result.crank_angle, {"units": "deg", "symbol": "φ"})
-    about = {"name": result.machines[0].name, "unused": sentences(result.unused)}
+    about = {"name": result.machines[0].name, "unused": [*map(str, sentences(result.unused))]}
     return Dataset(variables, coordinates, about)
 
 

@@ -9,7 +9,7 @@ from cranktrain.analysis.dimensions import rivals
 from cranktrain.analysis.figures import shown_in, text_in
 from cranktrain.analysis.members import ends, whose_of
 from cranktrain.analysis.result import Fact, Result
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line
 from cranktrain.saying.catalogue import Entry

@@ -6,7 +6,7 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts
 from cranktrain.motion import Array
@@ -58,7 +58,7 @@ def are_wide(shown: Array) -> bool:
     return float(shown[1] - shown[0]) > FACTS_STEP
 
 
-def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], shown: Array) -> tuple[str, ...]:
+def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], shown: Array) -> tuple[Words, ...]:
     """Say which curves lose more than a little between their points, beside those of the facts' grid.
 
     Parameters

@@ -102,7 +102,7 @@ def _flat_rows(entry: Entry, found: Sequence[Labelled | None]) -> Iterator[tuple
     else:
         sides = tuple(_SAID) if entry.worst is None else (entry.worst,)
     for side in sides:
-        said = "" if len(sides) == 1 else _(_SAID[side])
+        said = "" if len(sides) == 1 else str(_(_SAID[side]))
         yield said, tuple(_extreme(_meant(one), side) for one in found)
 
 

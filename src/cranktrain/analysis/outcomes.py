@@ -13,12 +13,11 @@ from cranktrain.analysis.grids import are_wide, coarse_curves, has_curves, with_
 from cranktrain.analysis.shapes import refuse_misshapen
 from cranktrain.analysis.stages import ordered, spoken
 from cranktrain.how_far import say_how_far
-from cranktrain.language import _
+from cranktrain.language import Said, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts, Stage
 from cranktrain.mechanisms.kind import Kind
 from cranktrain.motion import Array
-from cranktrain.quantities import shown_as_then, units_now
 from cranktrain.saying.catalogue import entries
 
 Labels = Mapping[str, tuple[str, ...]]
@@ -141,8 +140,7 @@ class Finding(NamedTuple):
 class Outcomes:
     """What the stages of a run give, by its type, in SI and radians, with the design axis.
 
-    Whatever is asked of it first, the same comes out; numbers in sentences have the units of the time of the run.
-    Threads may ask it together.
+    Whatever is asked of it first, the same comes out. Threads may ask it together.
 
     Parameters
     ----------
@@ -152,7 +150,7 @@ class Outcomes:
         Names along the dimensions of these, and of all parts.
     finding : Finding, optional
         How others are found.
-    coarse : tuple of str
+    coarse : tuple of Words
         What is to be said of wide steps, where there are no others.
     """
 
@@ -161,14 +159,13 @@ class Outcomes:
         given: Mapping[type, object],
         labels: Labels,
         finding: Finding | None = None,
-        coarse: tuple[str, ...] = (),
+        coarse: tuple[Words, ...] = (),
     ) -> None:
         self.kinds = (*given, *(finding.kinds if finding is not None else ()))
         self.labels, self._designs = FoundLabels(self, labels), labels["design"]
         self._shown: dict[type, Any] = dict(given)
         self._finding, self._coarse = finding, coarse
         self._frozen: set[type] = set()
-        self._units = units_now()
         self._lock = RLock()
 
     def __getitem__(self, kind: type) -> Any:
@@ -181,7 +178,7 @@ class Outcomes:
 
     def find(self, kinds: Iterable[type]) -> None:
         """Find outcomes, and all that they need."""
-        with self._lock, shown_as_then(self._units):
+        with self._lock:
             wanted = [kind for kind in kinds if kind not in self._shown]
             if not wanted or self._finding is None:
                 return
@@ -207,7 +204,7 @@ class Outcomes:
             self.labels.known.update(run.labels)
 
     @property
-    def coarse(self) -> tuple[str, ...]:
+    def coarse(self) -> tuple[Words, ...]:
         """What is to be said of curves for which the steps asked for are too wide; all are found for that."""
         if self._finding is None or not are_wide(self._finding.shown):
             return self._coarse
@@ -261,7 +258,7 @@ class FoundLabels(Mapping[str, tuple[str, ...]]):
         return sum(1 for _dimension in self)
 
 
-def _how_far(place: int, n_stages: int, outcome: type) -> str:
+def _how_far(place: int, n_stages: int, outcome: type) -> Words:
     """Which result is worked on."""
     return _("{place} of {n}, {name}", place=place, n=n_stages, name=spoken(outcome))
 
@@ -277,7 +274,7 @@ def read_only(outcome: object) -> None:
         for value in open_ends.pop():
             if isinstance(value, np.ndarray):
                 value.setflags(write=False)
-            elif not isinstance(value, str) and _may_hold_arrays(type(value)) and id(value) not in seen:
+            elif not isinstance(value, str | Said) and _may_hold_arrays(type(value)) and id(value) not in seen:
                 seen.add(id(value))
                 open_ends.append(
                     cast("tuple[object, ...]", value) if isinstance(value, tuple) else vars(value).values()

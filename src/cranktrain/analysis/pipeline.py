@@ -4,7 +4,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap
 from typing import NamedTuple
 
-from cranktrain.language import _
+from cranktrain.language import Words
+from cranktrain.language import said as _
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
 
@@ -34,7 +35,7 @@ class PartBehind:
     """
 
     name: str
-    sentence: str
+    sentence: Words
     place: Place
     tables: tuple[str, ...]
 
@@ -60,7 +61,7 @@ class StageBehind:
     """
 
     name: str
-    sentence: str
+    sentence: Words
     place: Place
     gives: str
     word: str
@@ -104,13 +105,13 @@ class Pipeline:
         yield from ("", _("What the machine file declares"))
         for part in self.declared:
             yield from _titled("    ", part.name, part.place, width)
-            yield from _indented((part.sentence, *_naming(_("reads {names}"), part.tables)), width)
+            yield from _indented((str(part.sentence), *_naming(_("reads {names}"), part.tables)), width)
         yield from ("", _("Stages, in the order in which they run"))
         for number, stage in enumerate(self.stages, start=1):
             yield from _titled(f"{number:3} ", stage.name, stage.place, width)
             gives = _("gives {name}, a {word}", name=stage.gives, word=_(stage.word))
             told = (*_naming(_("takes {names}"), stage.takes), *_naming(_("reads {names}"), stage.tables))
-            yield from _indented((stage.sentence, gives, *told, *stage.sources), width)
+            yield from _indented((str(stage.sentence), gives, *told, *stage.sources), width)
 
     def __repr__(self) -> str:
         """Say in one line what it is."""

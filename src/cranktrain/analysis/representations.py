@@ -9,10 +9,13 @@ from cranktrain.analysis.result import Result
 from cranktrain.analysis.unused import sentences
 from cranktrain.faces import face
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import Words
+from cranktrain.language import said as _
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line, short
-from cranktrain.saying.wording import as_given
+from cranktrain.saying.row_words import row_lines
+from cranktrain.saying.wording import all_of, as_given
 
 _LONGEST_NAME, _FEW = 70, 3
 
@@ -41,6 +44,13 @@ def result_line(result: Result) -> str:
     return f"<Result of {name}: {', '.join(words)}>"
 
 
+def result_lines(result: Result, design: int = 0) -> Iterator[str]:
+    """Say of one design at which speed all is, where that varies, and the rows of the answer."""
+    if (curve := result.get(SpeedCurve)) is not None:
+        yield str(curve.condition(design))
+    yield from row_lines(result.rows(design))
+
+
 def result_html(result: Result) -> str:
     """Give the answer: what to mind, the facts that say most, and how far it can be trusted."""
     machine = result.machines[0]
@@ -54,10 +64,10 @@ def result_html(result: Result) -> str:
     else:
         rows = fact_values([OneMachine(result)], headline_names([result]))
         parts += ["<table><tbody>", *_table(rows), "</tbody></table>"]
-        parts.append(_folded(_("In words"), result.answers()))
+        parts.append(_folded(_("In words"), result_lines(result)))
         if worth_asking := result.worth_asking:
             lacking = (
-                _("{needs}: gives {results}", needs=_(" and ").join(one.needs), results=", ".join(one.results))
+                _("{needs}: gives {results}", needs=all_of(one.needs), results=", ".join(one.results))
                 for one in worth_asking
             )
             parts.append(_folded(_("To learn more"), lacking))
@@ -100,9 +110,9 @@ def _table(rows: Iterable[FactValues]) -> Iterator[str]:
             yield f'<tr><td style="text-align:left">{escape(row.name)}</td>{cells}</tr>'
 
 
-def _folded(head: str, sentences: Iterable[str]) -> str:
+def _folded(head: str, sentences: Iterable[Words]) -> str:
     """Sentences that open below their head."""
-    items = "".join(f"<li>{escape(sentence)}</li>" for sentence in sentences)
+    items = "".join(f"<li>{escape(str(sentence))}</li>" for sentence in sentences)
     return f"<details><summary>{escape(head)}</summary><ul>{items}</ul></details>"
 
 

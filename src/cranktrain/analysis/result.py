@@ -14,7 +14,7 @@ from cranktrain.analysis.stages import Missing, every_stage
 from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.brief import brief
 from cranktrain.faces import face
-from cranktrain.language import _
+from cranktrain.language import Listed, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import needs_of
 from cranktrain.machine import Machine
@@ -24,8 +24,8 @@ from cranktrain.quantities import shown, shown_as_in, units_asked
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry, entries, values
 from cranktrain.saying.checks import Check, Checked, Flagged
-from cranktrain.saying.rows import AnswerLine
-from cranktrain.saying.wording import in_print
+from cranktrain.saying.rows import AnswerLine, Telling
+from cranktrain.saying.wording import Printed
 
 if TYPE_CHECKING:
     import pandas
@@ -143,7 +143,7 @@ class Result:
         if name.startswith("_"):
             raise AttributeError(name)
         if name not in self._homes:
-            raise AttributeError(self._unknown(name))
+            raise AttributeError(str(self._unknown(name)))
         entry, home = self._homes[name]
         inside: Array = values(self.computed[home], entry)
         given = _read_only(shown(inside, "deg")) if entry.unit == "deg" else inside
@@ -159,26 +159,30 @@ class Result:
         found = self.get(kind)
         if found is None:
             needs = self.needs_of(*(entry.name for entry in entries(kind)))
-            raise KeyError(self._absence(kind.__name__, needs, (one.__name__ for one in self.computed.kinds)))
+            raise KeyError(str(self._absence(kind.__name__, needs, (one.__name__ for one in self.computed.kinds))))
         return found
 
     @property
     def worth_asking(self) -> tuple[Missing, ...]:
         """Of what is missing, that which makes sense for this machine: a press is not asked when it fires."""
         design, questions = self.machines[0].design, self.machines[0].questions
-        return tuple(one for one in self.missing if all(question.is_for(one.needs, design) for question in questions))
+        return tuple(
+            one
+            for one in self.missing
+            if all(question.is_for([need.text for need in one.needs], design) for question in questions)
+        )
 
-    def needs_of(self, *quantities: str) -> tuple[str, ...]:
+    def needs_of(self, *quantities: str) -> tuple[Words, ...]:
         """What the machine file would have to say for quantities that are missing; nothing of others."""
         return next((one.needs for one in self.missing if not set(quantities).isdisjoint(one.results)), ())
 
-    def _absence(self, wanted: str, needs: Sequence[str], there: Iterable[str]) -> str:
+    def _absence(self, wanted: str, needs: Sequence[Words], there: Iterable[str]) -> Words:
         """Say why there is no such quantity, or stage's result."""
         if needs:
-            return _("this result has no {wanted}, which needs {needs}", wanted=wanted, needs=", ".join(needs))
+            return _("this result has no {wanted}, which needs {needs}", wanted=wanted, needs=Listed(needs))
         return _("this result has no {wanted}; it has {there}", wanted=wanted, there=", ".join(there))
 
-    def _unknown(self, wanted: str) -> str:
+    def _unknown(self, wanted: str) -> Words:
         """Say why there is no such attribute, and which was probably meant."""
         from cranktrain.quantities import nearest  # only after a mistake
 
@@ -216,17 +220,17 @@ class Result:
         return tuple(check for outcome in self._outcomes_of(Checked) for check in outcome.checks)
 
     @property
-    def flags(self) -> tuple[str, ...]:
+    def flags(self) -> tuple[Words, ...]:
         """Warnings of the stages: a textbook form outside its source's range, and the like."""
         found = ((*outcome.flags, *outcome.unlikely) for outcome in self._outcomes_of(Flagged))
-        return (*self.computed.coarse, *(in_print(flag) for flags in found for flag in flags))
+        return (*self.computed.coarse, *(Printed(flag) for flags in found for flag in flags))
 
     @property
-    def unlikely(self) -> tuple[str, ...]:
+    def unlikely(self) -> tuple[Words, ...]:
         """Those of the flags that ask whether a number of the file is right."""
-        return tuple(in_print(flag) for outcome in self._outcomes_of(Flagged) for flag in outcome.unlikely)
+        return tuple(Printed(flag) for outcome in self._outcomes_of(Flagged) for flag in outcome.unlikely)
 
-    def rows(self, design: int = 0) -> Iterator[tuple[str, list[AnswerLine]]]:
+    def rows(self, design: int = 0) -> Iterator[tuple[Words, list[AnswerLine]]]:
         """Give the lines of the answer for one design, question by question: titles and rows, if there are any.
 
         Questions with one title stand together; what kinds of mechanisms have of their own, with the first question.
@@ -250,17 +254,10 @@ class Result:
         found: dict[str, object] = {name: self.get(kind) for name, kind in needs.types.items()}
         if any(outcome is None and name not in needs.optional for name, outcome in found.items()):
             return ()
-        return function(self.titles, design, **found)
-
-    def answers(self, design: int = 0) -> Iterator[str]:
-        """Give the stages' answer sentences for one design."""
-        for kind in self.computed.kinds:
-            sentence = self.computed[kind].answer(self.titles, design) if hasattr(kind, "answer") else None
-            if sentence:
-                yield in_print(sentence)
+        return function(Telling(self.titles, design), **found)
 
     def summary(self, design: int | None = None) -> str:
-        """Say in sentences what is not used of the file, and what was found.
+        """Say what is not used of the file, and what was found, in a line each.
 
         Parameters
         ----------
@@ -273,8 +270,8 @@ class Result:
         """
         is_of_all = self.has_designs and design is None
         with self._in_its_units():
-            found = face("summary_of_designs")(self) if is_of_all else self.answers(design or 0)
-            return "\n".join([*sentences(self.unused), *found])
+            found = face("summary_of_designs")(self) if is_of_all else face("result_lines")(self, design or 0)
+            return "\n".join([*map(str, sentences(self.unused)), *found])
 
     def labels_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
         """Names along each dimension of a quantity, but for the crank angle."""

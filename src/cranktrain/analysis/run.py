@@ -30,7 +30,7 @@ from cranktrain.analysis.stages import (
 from cranktrain.analysis.unused import unused
 from cranktrain.errors import InputError, Problem
 from cranktrain.how_far import within
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Stage
 from cranktrain.layout.speed import SpeedCurve
@@ -101,7 +101,7 @@ def run(
     own = np.asarray(speed)
     blocks: list[Result] = []
     found: list[list[object]] = []
-    coarse: list[str] = []
+    coarse: list[Words] = []
     for start, end in zip([0, *ends], ends, strict=False):
         of_block = own[start:end] if own.ndim == _BY_DESIGN else speed
         with within(with_arguments(_designs, start + 1, end, len(machines))):
@@ -144,7 +144,7 @@ def _steps(
     return _Steps(every, known, chosen, chosen)
 
 
-def _designs(first: int, last: int, n_designs: int) -> str:
+def _designs(first: int, last: int, n_designs: int) -> Words:
     """Which of many designs are worked on."""
     return _("designs {first} to {last} of {n}", first=first, last=last, n=n_designs)
 

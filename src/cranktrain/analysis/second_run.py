@@ -10,7 +10,7 @@ from cranktrain.analysis.grids import on_grid
 from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.stages import lacking, leading_to
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import Listed, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts, Stage
 from cranktrain.layout.speed import Speed, SpeedCurve, SteadySpeed, speed_curve
@@ -86,11 +86,11 @@ def _found(parts: Parts, stages: Sequence[Stage]) -> SteadySpeed:
     needed = leading_to(stages, [SteadySpeed])
     absent = lacking(needed, parts)
     if SteadySpeed.__name__ in absent:
-        allowed = _("needs {needs} in the file", needs=", ".join(absent[SteadySpeed.__name__]))
+        allowed = _("needs {needs} in the file", needs=Listed(absent[SteadySpeed.__name__]))
         raise InputError([Problem("speed", "running", allowed)])
     found: Any = run_stages(needed, parts, absent)[SteadySpeed]
     if np.all(np.isnan(found.speed)):
-        reasons = " ".join(found.reasons) or _("The speed over the cycle is not known all round.")
+        reasons = Listed(found.reasons, " ") if found.reasons else _("The speed over the cycle is not known all round.")
         raise InputError([Problem("speed", "running", reasons)])
     return found
 

@@ -13,7 +13,7 @@ from cranktrain.analysis.unasked import UnaskedStage, unasked
 from cranktrain.brief import brief_fields
 from cranktrain.errors import Problem, refuse
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import Message, _
 from cranktrain.layout.question import NOT_FOR_IT, Applies, Stage
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
@@ -28,7 +28,7 @@ class Missing:
     """Results that a machine file does not allow yet: their names, and what the file would have to say."""
 
     results: tuple[str, ...]
-    needs: tuple[str, ...]
+    needs: tuple[Message, ...]
 
     def __repr__(self) -> str:
         """Show both in a line."""
@@ -110,7 +110,7 @@ def steps_of(questions: tuple[str, ...], kinds: tuple[str, ...]) -> tuple[Step, 
     return (*(step for steps in each for step in steps), *stages_of((), kinds))
 
 
-def lacking(steps: Sequence[Step], parts: Mapping[type, object]) -> dict[str, tuple[str, ...]]:
+def lacking(steps: Sequence[Step], parts: Mapping[type, object]) -> dict[str, tuple[Message, ...]]:
     """Which outcomes cannot be made of some parts, and what is missing for them.
 
     Parameters
@@ -122,16 +122,14 @@ def lacking(steps: Sequence[Step], parts: Mapping[type, object]) -> dict[str, tu
 
     Returns
     -------
-    dict of str to tuple of str
+    dict of str to tuple of Message
         By the names of outcomes, in words for what a machine file could say; none of an outcome that is not for this
         machine.
     """
     every = tuple(steps)
     answers = tuple(one.applies_to(parts) for one in _choosy(every).values())
     roots = _roots(every, frozenset(part.__name__ for part in parts), answers)
-    told = {
-        words: () if NOT_FOR_IT in words else tuple(sorted(_(word) for word in words)) for words in set(roots.values())
-    }
+    told = {words: () if NOT_FOR_IT in words else tuple(map(_, sorted(words))) for words in set(roots.values())}
     return {outcome: told[words] for outcome, words in roots.items()}
 
 
@@ -181,7 +179,7 @@ def key_of(outcome: type) -> str:
     return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", outcome.__name__).lower()
 
 
-def missing_results(steps: Sequence[Step], absent: Mapping[str, tuple[str, ...]]) -> tuple[Missing, ...]:
+def missing_results(steps: Sequence[Step], absent: Mapping[str, tuple[Message, ...]]) -> tuple[Missing, ...]:
     """Results that stages do not give, in their order, those that lack the same together.
 
     Parameters

@@ -10,7 +10,7 @@ from contextlib import suppress
 from types import FrameType
 
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.one_line import visible
 
 __all__ = ["main"]

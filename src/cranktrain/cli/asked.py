@@ -1,19 +1,21 @@
 """What is asked of the commands that compute, as typed: which machine, at which speed, and where to write."""
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.errors import Position, Problem, problems_as
+from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
+from cranktrain.quantities import UnitChoice, shown_as_in, shown_by
 from cranktrain.record import record
 
 if TYPE_CHECKING:
     from cranktrain.analysis import Result
-    from cranktrain.quantities import UnitChoice
 
 RUNNING_SPEED, SPEED_CURVE = "--running-speed", "--speed-curve"
 _TABLE = "shaft.main.speed_curve"
@@ -78,3 +80,16 @@ def units_asked_for(typed: str | None) -> "UnitChoice":
     from cranktrain.quantities import units_by_dimension
 
     return {} if typed is None else units_by_dimension([name.strip() for name in typed.split(",")])
+
+
+@contextmanager
+def in_units_of(file: MachineFile, asked: UnitChoice | None = None) -> Generator[None]:
+    """Show numbers in the units of a file, or in those that are asked for; what is wrong is said in them, too."""
+    with shown_as_in(units_of(file.machine)), shown_by(asked or {}), problems_as(_said_here):
+        yield
+
+
+def _said_here(problem: Problem) -> Problem:
+    """Say a problem here: it is told where these units are not."""
+    given, repair = (None if words is None else str(words) for words in (problem.given, problem.repair))
+    return replace(problem, given=given, allowed=str(problem.allowed), repair=repair)

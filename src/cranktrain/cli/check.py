@@ -4,9 +4,10 @@ from cranktrain.analysis import sentences
 from cranktrain.analysis.stages import spoken
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.io.machine_file import computed, read_machine
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.one_line import one_line
 from cranktrain.saying.catalogue import entries
+from cranktrain.saying.wording import all_of
 
 
 def show_check(source: str) -> None:
@@ -22,7 +23,7 @@ def show_check(source: str) -> None:
         result = computed(file)
     print(_("{file}: nothing wrong", file=one_line(file.document.name)))
     for sentence in (*sentences(result.unused), *result.unlikely):
-        print(f"! {one_line(sentence)}")
+        print(f"! {one_line(str(sentence))}")
     groups = ", ".join(spoken(kind) for kind in result.computed.kinds if entries(kind))
     print(_("can compute {n} results: {groups}", n=len(result.catalogue), groups=groups))
     for missing in result.worth_asking:
@@ -30,6 +31,6 @@ def show_check(source: str) -> None:
             _(
                 "missing for {results}: {needs}",
                 results=", ".join(missing.results),
-                needs=_(" and ").join(missing.needs),
+                needs=all_of(missing.needs),
             )
         )

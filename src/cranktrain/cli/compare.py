@@ -7,17 +7,15 @@ from rich.text import Text
 
 from cranktrain.analysis import Result, sentences
 from cranktrain.analysis.comparison import Comparison, compared
-from cranktrain.cli.asked import Asked, units_asked_for
+from cranktrain.cli.asked import Asked, in_units_of, units_asked_for
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.screen.text import page
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.io.description import units_of
 from cranktrain.io.examples import example_called
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.one_line import one_line
-from cranktrain.quantities import shown_as_in, shown_by
 from cranktrain.record import record
 
 
@@ -40,7 +38,7 @@ def show_comparison(request: CompareRequest) -> None:
     _check(request)
     asked = units_asked_for(request.units)
     files = _read(request)
-    with shown_as_in(units_of(files[0].machine)), shown_by(asked):
+    with in_units_of(files[0], asked):
         _show(files, request)
 
 

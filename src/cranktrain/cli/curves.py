@@ -19,18 +19,18 @@ from cranktrain.analysis.curve_columns import (
     of_member,
 )
 from cranktrain.cli.number_lists import exact, numbers_listed
-from cranktrain.cli.screen.amounts import figures
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.facts import fact_tables
 from cranktrain.cli.screen.text import INDENT, page, section
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.quantities import unlisted
 from cranktrain.record import record
+from cranktrain.saying.amounts import figures
 
 _HUNDREDTHS = 100
 """Parts of a degree of which angles that can be asked for are whole numbers."""
@@ -169,7 +169,7 @@ def chosen_curves(
 def _absence(result: Result, asked: CurvesAsked, names: Sequence[str]) -> Problem:
     """Say why there are no curves."""
     needs = [need for missing in result.missing if not set(names).isdisjoint(missing.results) for need in missing.needs]
-    said = _("needs {needs} in the file", needs=", ".join(dict.fromkeys(needs)))
+    said = _("needs {needs} in the file", needs=", ".join(dict.fromkeys(map(str, needs))))
     option, given = ("--at", asked.at) if asked.table is None else ("--table", asked.table)
     return Problem(option, given, said if needs else _("has no curve that this machine has"))
 

@@ -9,7 +9,7 @@ from time import monotonic, process_time
 from typing import TYPE_CHECKING
 
 from cranktrain.how_far import Words, listened_to
-from cranktrain.language import _
+from cranktrain.language import said as _
 
 if TYPE_CHECKING:
     from threading import Event
@@ -65,7 +65,7 @@ def _tell(latest: list[tuple[Words, ...]], done: "Event") -> None:
         taken = clock() - since
         if taken < next_at:
             continue
-        said = ": ".join(words() for words in latest[0]) or _("at work")
+        said = ": ".join(str(words()) for words in latest[0]) or _("at work")
         line = _("{seconds:.0f} s  {said}", seconds=taken, said=said)
         with suppress(OSError):  # nobody has to hear it
             if is_terminal:

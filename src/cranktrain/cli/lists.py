@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any, cast
 
 from cranktrain.errors import InputError, Problem, problems_as, refuse
-from cranktrain.language import _
+from cranktrain.language import said as _
 
 
 def show_list(what: str, behind: str | None = None, file: str | None = None) -> None:

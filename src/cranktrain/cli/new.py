@@ -2,7 +2,8 @@
 
 from cranktrain.errors import InputError
 from cranktrain.io.output import write_machine_file, write_whole
-from cranktrain.language import N_, _
+from cranktrain.language import N_
+from cranktrain.language import said as _
 from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.kind import AnyKind
 from cranktrain.quantities import unlisted

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import said as _
 
 _MOST = 100_000
 """Numbers at once."""

@@ -5,7 +5,8 @@ from typing import Annotated
 
 import typer
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
+from cranktrain.language import said as _
 
 File = Annotated[
     str, typer.Argument(metavar="FILE", help=N_("A machine file, or the name of an example."), show_default=False)

@@ -8,15 +8,21 @@ from pathlib import PurePath
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from cranktrain.analysis import Result
-from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, AskedAtSpeed, at_running_speed, units_asked_for
+from cranktrain.cli.asked import (
+    RUNNING_SPEED,
+    SPEED_CURVE,
+    AskedAtSpeed,
+    at_running_speed,
+    in_units_of,
+    units_asked_for,
+)
 from cranktrain.cli.quiet_pictures import hush
 from cranktrain.errors import InputError, Position, Problem, problems_as
-from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
-from cranktrain.quantities import Dimension, QuantityError, UnitChoice, read, shown, shown_as_in, shown_by, unlisted
+from cranktrain.quantities import Dimension, QuantityError, UnitChoice, read, shown, unlisted
 from cranktrain.record import record
 from cranktrain.viz import PICTURES, save, save_animation
 from cranktrain.viz.output import FORMATS
@@ -87,8 +93,7 @@ def write_picture(request: PlotRequest) -> None:
     hush()
     file = request.read()
     with (
-        shown_as_in(units_of(file.machine)),
-        shown_by(choice.units),
+        in_units_of(file, choice.units),
         problems_as(partial(_placed, file, request)),
         problems_as(at_running_speed),
         problems_as(partial(_with_texts, file.machine, request)),

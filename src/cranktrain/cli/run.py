@@ -9,7 +9,7 @@ import numpy as np
 from rich.text import Text
 
 from cranktrain.analysis import Result
-from cranktrain.cli.asked import AskedAtSpeed, at_running_speed, units_asked_for
+from cranktrain.cli.asked import AskedAtSpeed, at_running_speed, in_units_of, units_asked_for
 from cranktrain.cli.curves import (
     CurvesAsked,
     angles_asked,
@@ -21,12 +21,10 @@ from cranktrain.cli.curves import (
 )
 from cranktrain.cli.screen.text import page, show_lines
 from cranktrain.errors import InputError, Problem, problems_as, refuse
-from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.io.output import write_whole
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.one_line import one_line
-from cranktrain.quantities import shown_as_in, shown_by
 from cranktrain.record import record
 
 if TYPE_CHECKING:
@@ -75,7 +73,7 @@ def show_run(request: RunRequest, shown: Shown | None = None) -> None:
         raise InputError([Problem("--quantities", '""', allowed)])
     asked = units_asked_for(request.units)
     file = request.read()
-    with shown_as_in(units_of(file.machine)), shown_by(asked):
+    with in_units_of(file, asked):
         if request.why is not None:
             from cranktrain.cli.why import show_why
 
@@ -217,7 +215,7 @@ def _absence(name: str, result: Result, file: str) -> Problem:
     """Say what a quantity needs that the file does not give."""
     allowed = _("is no result of this machine; `cranktrain check {file}` names what is", file=file)
     if needs := result.needs_of(name):
-        allowed = _("needs {needs} in the file", needs=", ".join(needs))
+        allowed = _("needs {needs} in the file", needs=", ".join(map(str, needs)))
     return Problem("quantities", name, allowed)
 
 

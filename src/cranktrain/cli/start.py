@@ -8,24 +8,23 @@ from pathlib import PurePath
 import numpy as np
 from rich.text import Text
 
-from cranktrain.cli.asked import Asked, units_asked_for
+from cranktrain.cli.asked import Asked, in_units_of, units_asked_for
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.number_lists import numbers_listed
-from cranktrain.cli.screen.amounts import figures
 from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.text import page, show_lines
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.how_far import say_how_far
-from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import write_whole
 from cranktrain.io.start_tables import SUFFIXES, start_csv, start_json
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.one_line import one_line
-from cranktrain.quantities import shown_as_in, shown_by, unlisted
+from cranktrain.quantities import unlisted
 from cranktrain.record import record
+from cranktrain.saying.amounts import figures
 from cranktrain.saying.wording import number
 from cranktrain.study.start import Start, start
 
@@ -49,7 +48,7 @@ def show_start(request: StartRequest) -> None:
     asked = units_asked_for(request.units)
     file = read_machine(request.file, request.settings)
     times = None if request.at is None else _times(request.at)
-    with shown_as_in(units_of(file.machine)), shown_by(asked):
+    with in_units_of(file, asked):
         with problems_as(_at_option), problems_as(file.document.located), says_how_far():
             found = start(file.machine, at=times, progress=_progress)
         if request.output is not None:

@@ -8,7 +8,8 @@ import typer
 from typer.main import get_command
 
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.language import _, chosen_language
+from cranktrain.language import chosen_language
+from cranktrain.language import said as _
 
 Task = Callable[[], None]
 _Given = ParamSpec("_Given")

@@ -1,6 +1,6 @@
 """`run --why`: where a printed number is from: its quantity, its equation, the stages and the inputs behind it."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from rich.text import Text
 
@@ -12,7 +12,8 @@ from cranktrain.cli.screen.text import INDENT, page, section
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.machine_file import Input, MachineFile, inputs_of
-from cranktrain.language import _
+from cranktrain.language import said as _
+from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import spelled
@@ -25,7 +26,7 @@ _OF_A_BANK = 2
 
 def show_why(file: MachineFile, result: Result, words: str) -> None:
     """Show where a number is from."""
-    entry, *others = quantities_called(words, result.catalogue)
+    entry, *others = quantities_called(words, result)
     found = behind(entry.name, file.machine)
     with page(title(file.machine)) as console:
         show_numbers(console, result, [entry.name], is_all=False)
@@ -34,9 +35,14 @@ def show_why(file: MachineFile, result: Result, words: str) -> None:
         section(console, _("What this rests on"), input_table(inputs, console.width - INDENT))
 
 
-def quantities_called(words: str, catalogue: Mapping[str, Entry]) -> list[Entry]:
-    """Quantities that words may mean, the one that is meant first: by its name, its symbol, or words in its name."""
-    asked = spelled(words).lower().split()
+def quantities_called(words: str, result: Result) -> list[Entry]:
+    """Quantities that words may mean, the one that is meant first.
+
+    By its name, by the name of a line of the answer that tells it, by words in its name, or by its symbol.
+    """
+    catalogue, asked = result.catalogue, spelled(words).lower().split()
+    if "_".join(asked) not in catalogue and (found := _of_line(words, result)):
+        return found
     fitting = [entry for entry in catalogue.values() if set(asked) <= set(entry.words.lower().split())] if asked else []
     by_symbol = [entry for entry in catalogue.values() if entry.symbol == words.strip()]
     found = sorted(fitting, key=lambda entry: len(entry.words.split())) + by_symbol
@@ -45,6 +51,13 @@ def quantities_called(words: str, catalogue: Mapping[str, Entry]) -> list[Entry]
         allowed = _("must be words in the name of a result, or its symbol; `cranktrain list results` names all")
         raise InputError([Problem("--why", words, allowed, _('write "{text}"', text=meant) if meant else None)])
     return found
+
+
+def _of_line(words: str, result: Result) -> list[Entry]:
+    """What the lines of the answer tell that are called so."""
+    called = (row for _title, rows in result.rows() for row in rows if one_line(str(row.name)).lower() == words.lower())
+    names = dict.fromkeys(name for row in called for name in row.quantities)
+    return [result.catalogue[name] for name in names if name in result.catalogue]
 
 
 def _origin(entry: Entry, found: Pipeline, others: list[Entry]) -> Iterator[str | Text]:

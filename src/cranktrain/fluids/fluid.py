@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.errors import Problem
 from cranktrain.fluids.state import ChamberState, VolumeLimits
 from cranktrain.folders import member_named
+from cranktrain.language import Words
 from cranktrain.motion import Array, Coefficient
 from cranktrain.paths import path_text
 from cranktrain.record import record
@@ -129,7 +130,7 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
         ∮ p dV over a cycle, exactly. [J]
     example : str
         A commented `[gas]` table to start from.
-    flags : callable (spec) → tuple of str
+    flags : callable (spec) → tuple of Words
         What may be meant otherwise than it was given, as sentences.
     problems : callable (mapping of path to spec) → Problems
         What all tables of this fluid show to be wrong only together.
@@ -137,7 +138,7 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
         What chambers that share a medium find together: of all tables of this fluid, before `prepared`.
     fires : bool
         Whether its cylinders fire: it takes a cycle and a firing order. Otherwise every turn is one cycle.
-    notes : callable (prepared) → tuple of str
+    notes : callable (prepared) → tuple of Words
         What was found beside: in a file, or with the chambers at hand.
     kinks : callable (prepared, VolumeLimits) → tuple of Kink
         Where the pressure is not smooth, beside the dead centres: quadrature stops there.
@@ -154,11 +155,11 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
     slope: Callable[[ChamberState, Array, Array, _Ready], Array]
     work: Callable[[_Ready, Rooms], Array]
     example: str
-    flags: Callable[[_Table], tuple[str, ...]] = lambda spec: ()
+    flags: Callable[[_Table], tuple[Words, ...]] = lambda spec: ()
     problems: Callable[[Mapping[str, _Table]], Iterable[Problem]] = lambda tables: ()
     together: Callable[[Sequence[_Numbers], Sequence[Rooms]], Sequence[_Numbers]] = lambda numbers, rooms: numbers
     fires: bool = True
-    notes: Callable[[_Ready], tuple[str, ...]] = lambda prepared: ()
+    notes: Callable[[_Ready], tuple[Words, ...]] = lambda prepared: ()
     kinks: Callable[[_Ready, VolumeLimits], tuple[Kink, ...]] = lambda prepared, limits: ()
     breaks: Callable[[_Ready], Array] | None = None
 

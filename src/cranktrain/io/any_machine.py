@@ -9,7 +9,7 @@ from typing import Any, TypeAlias, cast
 from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.io.curve_files import with_curves
 from cranktrain.io.machine_file import SET, load_with
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.load_tables import in_place_of_lists
 from cranktrain.machine import Machine
 from cranktrain.paths import parts_of, with_values

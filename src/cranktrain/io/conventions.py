@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from cranktrain.analysis import Result, sentences
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.quantities import units_asked
@@ -40,10 +40,10 @@ def _sentences(result: Result) -> Iterator[tuple[str, str]]:
     yield "rotation", rotation[machine.rotation]
     yield "running", running[machine.running]
     if result.unused:
-        yield "unused", " ".join(sentences(result.unused))
+        yield "unused", " ".join(map(str, sentences(result.unused)))
     yield "crank_angle", _crank_angle(machine)
     if (curve := result.get(SpeedCurve)) is not None:
-        yield "crank_speed", curve.answer(result.labels, 0)
+        yield "crank_speed", str(curve.condition(0))
     if "piston" in result.labels:
         yield (
             "piston_displacement",

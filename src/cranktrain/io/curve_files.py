@@ -10,7 +10,7 @@ from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem, problems_as
 from cranktrain.io.examples import EXAMPLES_FOLDER
 from cranktrain.io.files import content_of, refusal
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.parts import FILES
 from cranktrain.layout.question import ANY_NAME, TableFile
 from cranktrain.paths import item_at, path_text, replaced

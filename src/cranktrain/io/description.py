@@ -4,7 +4,8 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, cast
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
+from cranktrain.language import said as _
 from cranktrain.layout.unit_tables import units_of_table
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS

@@ -12,7 +12,7 @@ from cranktrain.io.editing import with_value
 from cranktrain.io.files import content_of, refusal
 from cranktrain.io.syntax import parsed, text_position
 from cranktrain.io.text_spans import VALUES, TextSpans, places
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.one_line import short
 from cranktrain.paths import parts_of
 

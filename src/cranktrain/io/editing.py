@@ -5,7 +5,7 @@ from typing import NoReturn
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.text_spans import VALUES, TextSpan, TextSpans, places
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.paths import PathParts, path_text, quantity_path, quoted
 
 

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 from cranktrain.io.document import Document
-from cranktrain.language import _
+from cranktrain.language import said as _
 
 EXAMPLES_FOLDER = Path(__file__).parents[1] / "examples"
 

@@ -7,7 +7,7 @@ import stat
 from pathlib import Path
 
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.language import _
+from cranktrain.language import said as _
 
 
 def content_of(

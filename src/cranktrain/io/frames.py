@@ -8,7 +8,7 @@ from cranktrain.analysis.curve_columns import by_default, curve_columns
 from cranktrain.analysis.dataset import imported
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.tables import HEADS, fact_rows
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.quantities import nearest
 from cranktrain.saying.scales import in_asked_unit

@@ -11,7 +11,7 @@ from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.curve_files import with_curves
 from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.load_tables import in_place_of_lists
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.mechanisms import KINDS

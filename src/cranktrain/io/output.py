@@ -11,7 +11,8 @@ from pathlib import Path
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.files import refusal
-from cranktrain.language import N_, _
+from cranktrain.language import N_
+from cranktrain.language import said as _
 from cranktrain.one_line import one_line
 
 STANDARD_OUTPUT = ("-", "/dev/stdout")

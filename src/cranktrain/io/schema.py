@@ -10,7 +10,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from cranktrain.io.choices import Schema, by_type, by_word
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.specs import BankSpec
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from cranktrain.io.tables import csv_lines
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.saying.scales import in_asked_unit
 from cranktrain.study.start import Start
@@ -43,11 +43,11 @@ def start_json(start: Start, machine: Mapping[str, object]) -> Iterator[str]:
     whole = {
         "cranktrain": VERSION,
         "machine": machine,
-        "reason": start.run.reason,
+        "reason": str(start.run.reason),
         "energy_residual": {"unit": "J", "value": start.run.residual, "supplied": start.run.supplied},
         "tolerance": start.run.tolerance,
         "events": [
-            {"name": event.name, "time": event.time, "crank_angle": np.degrees(event.angle), "speed": event.speed}
+            {"name": str(event.name), "time": event.time, "crank_angle": np.degrees(event.angle), "speed": event.speed}
             for event in start.events
         ],
         "time": {"unit": "s", "symbol": "t", "values": start.time.tolist()},
@@ -60,7 +60,7 @@ def _about(start: Start) -> Iterator[tuple[str, str]]:
     """What a table is of."""
     yield "cranktrain", VERSION
     yield "machine", start.machine.name
-    yield "ended", start.run.reason
+    yield "ended", str(start.run.reason)
     yield (
         "energy left over",
         _("{residual:.3g} J of {supplied:.6g} J", residual=start.run.residual, supplied=start.run.supplied),

@@ -8,7 +8,8 @@ from typing import cast
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.files import refusal
 from cranktrain.io.text_spans import places
-from cranktrain.language import N_, _
+from cranktrain.language import N_
+from cranktrain.language import said as _
 from cranktrain.one_line import short
 from cranktrain.paths import DEEPEST_NESTING, PathParts, path_text, too_many_parts
 

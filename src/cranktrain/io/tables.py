@@ -110,7 +110,7 @@ def json_text(result: Result, machine: Mapping[str, object], names: Collection[s
         "checks": [
             {
                 "name": check.name,
-                "sentence": check.sentence,
+                "sentence": str(check.sentence),
                 "residual": _nested(check.residual[0]),
                 "limit": check.limit,
                 "passed": bool(check.passed[0]) if check.judged[0] else None,
@@ -118,10 +118,13 @@ def json_text(result: Result, machine: Mapping[str, object], names: Collection[s
             for check in result.checks
         ],
         "unused": [
-            {"table": one.table, "needs": list(one.needs), "consequence": one.consequence} for one in result.unused
+            {"table": one.table, "needs": list(map(str, one.needs)), "consequence": str(one.consequence)}
+            for one in result.unused
         ],
-        "flags": list(result.flags),
-        "missing": [{"results": list(missing.results), "needs": list(missing.needs)} for missing in result.missing],
+        "flags": list(map(str, result.flags)),
+        "missing": [
+            {"results": list(missing.results), "needs": list(map(str, missing.needs))} for missing in result.missing
+        ],
     }
     start = "{\n"
     for name, part in parts.items():

@@ -10,7 +10,7 @@ from cranktrain.analysis import Result
 from cranktrain.analysis.curve_columns import CurveColumn
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.tables import HEADS, about, fact_rows, headed
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 
 _LONGEST_CELL = 32_767

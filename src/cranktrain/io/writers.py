@@ -8,7 +8,7 @@ from cranktrain.analysis.curve_columns import CurveColumn, by_default, curve_col
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.tables import csv_text, fact_csv, json_text
 from cranktrain.io.workbook import workbook_bytes
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.record import record
 

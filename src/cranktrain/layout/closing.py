@@ -6,12 +6,15 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import Said, Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.motion import Array
 from cranktrain.quantities import Given
-from cranktrain.saying.wording import around_turn, number
+from cranktrain.saying.wording import all_of, around_turn, number
+
+_SEEN = 5e-6
+"""A length that is less is written as nothing. [m]"""
 
 
 def closing_problems(places: Sequence[PlacedMechanism], zero: Array) -> tuple[Problem, ...]:
@@ -44,7 +47,7 @@ def _closing_problems(place: PlacedMechanism, zero: Array) -> Iterator[Problem]:
     """Say of each part of a mechanism where it cannot close, or of the whole where it has none."""
     kind, geometry = place.kind, place.geometry
     said = kind.closing_advice(geometry)
-    if isinstance(said, str):
+    if isinstance(said, Said | str):
         find = kind.closing_field
         field = find if isinstance(find, str) else find(place.spec, geometry)
         yield _closing_problem(place, field, said, open_ranges(kind, geometry), zero)
@@ -56,13 +59,13 @@ def _closing_problems(place: PlacedMechanism, zero: Array) -> Iterator[Problem]:
 
 
 def _closing_problem(
-    place: PlacedMechanism, field: str, advice: str, ranges: Sequence[OpenRange], zero: Array
+    place: PlacedMechanism, field: str, advice: Words, ranges: Sequence[OpenRange], zero: Array
 ) -> Problem:
     """Say where a mechanism or a part of it cannot close, by how much, and what would help."""
-    short = number(max(one.short for one in ranges), "mm")
+    short = max(one.short for one in ranges)
     if ranges[0].end - ranges[0].start >= 2 * np.pi:
         allowed = _("the links can close at no crank angle (short by {short}); {advice}")
-    elif short == number(0.0, "mm"):
+    elif short < _SEEN:
         allowed = _("the links lie in one line at crank angle {angles}, and the crank cannot pass; {advice}")
     else:
         allowed = _("the links cannot close at crank angles {angles} (short by {short}); {advice}")
@@ -71,16 +74,15 @@ def _closing_problem(
         place.path_of(field),
         given.text if given else None,
         allowed.format(
-            angles=_(" and ").join(
-                _span(one.start - place.phase - zero, one.end - place.phase - zero) for one in ranges
-            ),
-            short=short,
+            angles=all_of([_span(one.start - place.phase - zero, one.end - place.phase - zero) for one in ranges]),
+            short=number(short, "mm"),
             advice=advice,
         ),
     )
 
 
-def _span(start: Array, end: Array) -> str:
+def _span(start: Array, end: Array) -> Words:
     """Say from where to where the crank angle runs; one angle where both are alike."""
-    first, last = (number(float(angle), "deg") for angle in around_turn(np.array([start, end])))
-    return first if first == last else _("{start} to {end}", start=first, end=last)
+    first, last = around_turn(np.array([start, end])).tolist()
+    one = number(first, "deg")
+    return one if first == last else _("{start} to {end}", start=one, end=number(last, "deg"))

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.errors import Problem
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.specs import MAIN, BankSpec, ShaftSpec, throws_of
 from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import around_zero
@@ -139,7 +139,7 @@ def _propagated(
 
 def _allowed(
     shafts: Mapping[str, ShaftSpec], given: Mapping[str, Array], pairs: list[_Pair], pair: _Pair, excess: Array
-) -> str:
+) -> Words:
     """Say which lead would close the ring of shafts: here alone, or everywhere where all leads are alike."""
     here = precise(float(around_zero(pair.lead - excess)), "deg")
     allowed = _("must be {lead}, as the other phases and leads already place both of its shafts", lead=here)
@@ -195,7 +195,7 @@ def _turned(shafts: Mapping[str, ShaftSpec], bank: BankSpec, end: str) -> Array:
     return shaft.ratio * (throws - throws[0])
 
 
-def _repair(shafts: Mapping[str, ShaftSpec], bank: BankSpec) -> str:
+def _repair(shafts: Mapping[str, ShaftSpec], bank: BankSpec) -> Words:
     """Say which throws of the shaft that is not the main one give all cylinders one lead, or which ratio does."""
     end, other = ("exhaust", "scavenge") if bank.opposed["scavenge"].shaft == MAIN else ("scavenge", "exhaust")
     name = bank.opposed[end].shaft

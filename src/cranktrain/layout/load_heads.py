@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple, TypeAlias
 
 from cranktrain.errors import InputError, Position, Problem, refuse
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.number_table import NumberTable
 from cranktrain.one_line import short
 from cranktrain.quantities import Dimension
@@ -110,7 +110,7 @@ def _size(head: str) -> tuple[Sort, str] | None:
     return None
 
 
-def _without_unit(table: NumberTable, noun: str, head: str, example: str) -> Problem:
+def _without_unit(table: NumberTable, noun: Words, head: str, example: str) -> Problem:
     """Say that a head names no unit of what is meant."""
     said = _(
         "names no unit of {noun}{where}", noun=noun, where=_(", in the head “{head}”", head=short(head)) if head else ""

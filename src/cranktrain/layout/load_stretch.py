@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.load_laws import ByTravel
 from cranktrain.linkage.forces.load import LoadWay
 from cranktrain.motion import Array
@@ -60,7 +60,7 @@ def stretched(law: ByTravel, stretch: Stretch) -> ByTravel:
     return law._replace(places=law.places * np.where(np.isfinite(stretch.part), stretch.part / stretch.card, 1.0))
 
 
-def stretch_flags(stretches: Mapping[str, Stretch]) -> Iterator[str]:
+def stretch_flags(stretches: Mapping[str, Stretch]) -> Iterator[Words]:
     """Say which cards were stretched, and by how much.
 
     Parameters
@@ -70,17 +70,17 @@ def stretch_flags(stretches: Mapping[str, Stretch]) -> Iterator[str]:
 
     Yields
     ------
-    str
+    Words
         Of several designs, that of the card which was stretched most; one for all loads alike.
     """
-    told: dict[str, list[str]] = {}
+    told: dict[tuple[str, str, str], list[str]] = {}
     for name, (card, part, unit) in stretches.items():
         off = np.nan_to_num(part / card - 1)
         design = first_largest(np.abs(off))
         if abs(off[design, 0]) > _TOLD:
             own, whole = (precise(float(travel[design, 0]), unit) for travel in (card, part))
-            said = _("goes over {card} and the part over {whole}: it is stretched by {percent:+.2g} %")
-            text = said.format(card=own, whole=whole, percent=100 * float(off[design, 0]))
-            told.setdefault(text, []).append(name)
-    for text, names in told.items():
-        yield _("The card of {names} {said}.", names=", ".join(names), said=text)
+            told.setdefault((own, whole, f"{100 * float(off[design, 0]):+.2g}"), []).append(name)
+    for (own, whole, percent), names in told.items():
+        said = _("goes over {card} and the part over {whole}: it is stretched by {percent} %")
+        of_card = said.format(card=own, whole=whole, percent=percent)
+        yield _("The card of {names} {said}.", names=", ".join(names), said=of_card)

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import Problem, first_of, refuse
-from cranktrain.language import _
+from cranktrain.language import Message, _
 from cranktrain.layout.load_heads import LoadHeads
 from cranktrain.motion import Array
 from cranktrain.number_table import NumberTable
@@ -87,7 +87,7 @@ def _rising(table: NumberTable, where: int, rows: NDArray[np.intp], *, is_end: b
     yield from _against(table, where, rows, -1.0 if not is_end else 0.0, said)
 
 
-def _against(table: NumberTable, where: int, rows: NDArray[np.intp], sign: float, said: str) -> Iterator[Problem]:
+def _against(table: NumberTable, where: int, rows: NDArray[np.intp], sign: float, said: Message) -> Iterator[Problem]:
     """Find steps from row to row that are not of a sign; of the sign 0 that go anywhere."""
     steps = np.diff(table.rows[rows, where])
     wrong = steps != 0 if sign == 0 else sign * steps <= 0

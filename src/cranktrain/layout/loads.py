@@ -8,7 +8,7 @@ from typing import ClassVar, NamedTuple, TypeAlias
 import numpy as np
 
 from cranktrain.errors import Problem
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Listed, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadState
 from cranktrain.layout.load_stretch import WIDEST, Stretch, stretched, travel_of
@@ -292,7 +292,7 @@ def _no_part(
     if shafts:
         said.append(_("or of a torque a shaft: {shafts}", shafts=", ".join(shafts)))
     repair = None if close is None else _("did you mean {name}?", name=close)
-    return Problem(f"{where}.on", spec.on, "; ".join(said), repair)
+    return Problem(f"{where}.on", spec.on, Listed(said, "; "), repair)
 
 
 def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism]) -> Iterator[Problem]:

@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.grouping import grouped
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.layout.crank_bodies import CRANK, crank_bodies, crank_problems
 from cranktrain.layout.frames import Orientation, frame_of
@@ -83,7 +83,7 @@ class Masses:
         """Whether any slider of any design rubs."""
         return any(np.any(coefficient != 0.0) for batch in self.batches for coefficient in batch.friction)
 
-    def without_mass(self, *, has_gas: bool = True, has_loads: bool = False) -> str | None:
+    def without_mass(self, *, has_gas: bool = True, has_loads: bool = False) -> Words | None:
         """Say what has no mass, and what alone acts then; None where all has."""
         if all(not np.any(body.mass) for batch in self.batches for body in batch.bodies):
             if not has_gas and not has_loads:

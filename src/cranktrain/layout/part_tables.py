@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
 from cranktrain.errors import Problem
-from cranktrain.language import _
+from cranktrain.language import Message, _
 from cranktrain.layout.bodies import GuideSpec
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.dynamics import AnyDynamics
@@ -39,7 +39,7 @@ def unknown_parts(
     table: str,
     given: Mapping[str, Mapping[str, object]],
     known: Callable[[AnyDynamics], Iterable[str]],
-    allowed: str,
+    allowed: Message,
 ) -> Iterator[Problem]:
     """Find items of tables, by path, that no mechanism of which they speak has; `known` says which parts one has."""
     for path, items in given.items():

@@ -34,7 +34,7 @@ def _always(_needs: object, _design: object) -> bool:
     return True
 
 
-_NO_NEEDS = ("return", "labels", "design")
+_NO_NEEDS = ("return", "of", "labels", "design")
 """What is returned, and which of a result is asked for."""
 
 
@@ -47,7 +47,7 @@ class Needs(NamedTuple):
 
 @cache
 def needs_of(function: Callable[..., Any]) -> Needs:
-    """Read needs from annotations, but for `labels` and `design`; one that is `X | None` may be absent."""
+    """Read needs from annotations, but for which design is meant; one that is `X | None` may be absent."""
     hints = get_type_hints(function)
     hints = {name: hint for name, hint in hints.items() if name not in _NO_NEEDS}
     choices = {name: [one for one in get_args(hint) if one is not NoneType] for name, hint in hints.items()}
@@ -201,7 +201,7 @@ class ResultDimension(NamedTuple):
 
     def called(self, labels: Sequence[str]) -> tuple[str, ...]:
         """Say what people call some members."""
-        return tuple(titled(self.titles, label) for label in labels)
+        return tuple(str(titled(self.titles, label)) for label in labels)
 
 
 class Use(NamedTuple):
@@ -262,9 +262,9 @@ class Question:
         Its facts that say most, the first first.
     title : str
         Of its rows.
-    rows : tuple of callable (labels, design, …) → rows
-        Its lines of the answer: names along dimensions, which design, and by their types the results that they say,
-        as stages ask for them.
+    rows : tuple of callable (of, …) → rows
+        Its lines of the answer: a `Telling` of one design, and by their types the results that they say, as stages ask
+        for them.
     offers : mapping of str to str
         Of quantities that people ask for next what they are, in words.
     curve_tables : mapping of str to tuple of str

@@ -4,13 +4,13 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.linkage.forces import Drive
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.periodic import PeriodicCurve, hermite_curve
 from cranktrain.record import record
-from cranktrain.saying.wording import Names, number
+from cranktrain.saying.wording import number
 
 
 @record
@@ -60,8 +60,8 @@ class SpeedCurve:
         square = self.square.motion(shown.reshape(len(shown), -1))
         return Drive(np.sqrt(square.value).reshape(shown.shape), square.first.reshape(shown.shape) / 2)
 
-    def answer(self, _names: Names, design: int) -> str:
-        """Say at which speed everything is."""
+    def condition(self, design: int) -> Words:
+        """At which speed everything is."""
         speeds = np.sqrt(self.square.samples[design])
         if self.moment is not None:
             said = _(
@@ -81,7 +81,7 @@ class SpeedCurve:
         return said.format(**_speeds(speeds, float(self.mean[design, 0, 0])))
 
 
-def _speeds(speeds: Array, mean: float) -> dict[str, str]:
+def _speeds(speeds: Array, mean: float) -> dict[str, Words]:
     """Write the least speed, the greatest and their mean over time."""
     found = {"least": float(np.min(speeds)), "most": float(np.max(speeds)), "mean": mean}
     return {name: number(speed, "rpm") for name, speed in found.items()}
@@ -163,7 +163,7 @@ class SteadySpeed:
     speed: Array
     acceleration: Array
     mean: Array
-    reasons: tuple[str, ...]
+    reasons: tuple[Words, ...]
 
 
 @record

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.frames import Orientation, frame_of, in_machine_axes
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN, ShaftSpec
@@ -76,7 +76,7 @@ def _lead(pair: Sequence[PlacedMechanism]) -> float:
 
 def _wrong(
     pair: Sequence[PlacedMechanism], centres: Mapping[str, Array], orientation: Orientation
-) -> tuple[str | None, bool]:
+) -> tuple[Words | None, bool]:
     """Say what is wrong with the places of two pistons' shafts, if anything; and whether there is room to spare."""
     frames = [frame_of(place, orientation) for place in pair]
     along = np.array(in_machine_axes(single(1.0), single(0.0), frames[0]))

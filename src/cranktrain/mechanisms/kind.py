@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.folders import member_named
+from cranktrain.language import Words
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.mechanisms.dynamics import Dynamics
 from cranktrain.mechanisms.output import OutputPart
@@ -82,7 +83,7 @@ class Kind(Generic[Motion, Geometry]):
     links : tuple of str
         Links that can carry points. Those that are neither output nor rod are followed as results by their names.
     drawing : callable (angle, geometry) → Drawing
-    closing_advice : callable (geometry) → str, or sequence of ClosingPart
+    closing_advice : callable (geometry) → Words, or sequence of ClosingPart
         What would let links close that cannot, as a clause: "rod_length must be more than 100 mm"; or for a mechanism
         of several parts, each of which may not close at angles of its own, what is to be said of each.
     members : type of Members
@@ -126,7 +127,7 @@ class Kind(Generic[Motion, Geometry]):
         Whether throws are drawn with its links in outline, as an engine's, and not as lines.
     has_own_pin : bool
         Whether its crank is one of its own beside the throw, as an eccentric is, and not the throw itself.
-    rows : tuple of callable (labels, design, …) → rows
+    rows : tuple of callable (of, …) → rows
         What its own results say in the answer; see `Question`.
     """
 
@@ -141,7 +142,7 @@ class Kind(Generic[Motion, Geometry]):
     has_rod: bool
     links: tuple[str, ...]
     drawing: Callable[[Array, Geometry], Drawing]
-    closing_advice: "Callable[[Geometry], str | Sequence[ClosingPart]]"
+    closing_advice: "Callable[[Geometry], Words | Sequence[ClosingPart]]"
     members: type[Members[Geometry]]
     stages: tuple[Callable[..., object], ...]
     dynamics: Dynamics[Motion, Geometry]
@@ -194,7 +195,7 @@ class ClosingPart(NamedTuple):
     """A part that may not close: its path in the mechanism's table, what is said of it, its gap by the angle. [m]"""
 
     field: str
-    advice: str
+    advice: Words
     gap: Callable[[Array], Array]
 
 

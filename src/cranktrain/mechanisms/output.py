@@ -18,8 +18,6 @@ class SliderWords:
         Where it turns back, farthest from the shaft and nearest to it, and from where the angle of that counts.
     mean_speed, largest_speed : str
         Mean speed of what carries a load alone.
-    dead_centres, speeds : str
-        Sentences with {strokes} and {tops}; with {mean}, {largest} and {acceleration}.
     titles : tuple of str
         Of its travel, its velocity and its acceleration over the turn.
     forces : str
@@ -34,8 +32,6 @@ class SliderWords:
     bottom: str
     mean_speed: str
     largest_speed: str
-    dead_centres: str
-    speeds: str
     titles: tuple[str, str, str]
     forces: str
     ends: tuple[str, str]
@@ -89,8 +85,6 @@ _OF_RAM = SliderWords(
     bottom=N_("nearest to the shaft"),
     mean_speed=N_("mean speed"),
     largest_speed=N_("largest speed"),
-    dead_centres=N_("Strokes: {strokes}. Farthest from the shaft: {tops} after the crank points along its line."),
-    speeds=N_("Mean speed {mean}, largest {largest}; largest acceleration {acceleration}."),
     titles=(N_("Ram travel"), N_("Ram velocity"), N_("Ram acceleration")),
     forces=N_("Forces at ram {piston}"),
     ends=(N_("farthest"), N_("nearest")),
@@ -116,8 +110,6 @@ PISTON: Final = OutputPart(
         bottom=N_("true bottom dead centre"),
         mean_speed=N_("mean piston speed"),
         largest_speed=N_("largest piston speed"),
-        dead_centres=N_("Strokes: {strokes}. True top dead centres: {tops} after the crank points along the cylinder."),
-        speeds=N_("Mean piston speed {mean}, largest {largest}; largest acceleration {acceleration}."),
         titles=(N_("Piston travel"), N_("Piston velocity"), N_("Piston acceleration")),
         forces=N_("Forces at piston {piston}"),
         ends=(N_("TDC"), N_("BDC")),
@@ -134,10 +126,6 @@ VALVE: Final = OutputPart(
         _OF_RAM,
         stroke=N_("valve travel"),
         largest_speed=N_("largest valve speed"),
-        dead_centres=N_(
-            "Valve travel: {strokes}. Farthest from the shaft: {tops} after the crank points along its line."
-        ),
-        speeds=N_("Mean valve speed {mean}, largest {largest}; largest acceleration {acceleration}."),
         titles=(N_("Valve travel"), N_("Valve velocity"), N_("Valve acceleration")),
         forces=N_("Forces at valve {piston}"),
     ),

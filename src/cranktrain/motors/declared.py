@@ -6,7 +6,7 @@ from typing import Any, ClassVar, NamedTuple, cast
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.motion import ONE, Array, single
 from cranktrain.motors.law import BriefLimits, ByTime, MotorLaw
 from cranktrain.numerics.nested import each_changed
@@ -56,7 +56,7 @@ class DeclaredMotor:
     slip_ratio : Array, shape (design,)
         Slip at the rated torque over that on its plate: more than 1 with a constant resistance behind slip rings. [1]
     is_heat_known : bool
-    notes, flags : tuple of str
+    notes, flags : tuple of Words
         What was taken where the table says nothing, and what is to be minded about its numbers; of the first design.
     """
 
@@ -71,8 +71,8 @@ class DeclaredMotor:
     rated_current: Array = UNKNOWN
     slip_ratio: Array = ONE
     is_heat_known: bool = True
-    notes: tuple[str, ...] = ()
-    flags: tuple[str, ...] = ()
+    notes: tuple[Words, ...] = ()
+    flags: tuple[Words, ...] = ()
 
     @property
     def n_designs(self) -> int:
@@ -222,7 +222,7 @@ def start_limits(motor: DeclaredMotor, design: int, unknown: str) -> BriefLimits
     return BriefLimits(start=_least_before_largest(_running(motor, design)), unknown=unknown)
 
 
-def beyond_measured(motor: DeclaredMotor, design: int, speed: Array) -> Iterator[str]:
+def beyond_measured(motor: DeclaredMotor, design: int, speed: Array) -> Iterator[Words]:
     """Say that a motor by points runs at speeds beyond them; nothing of a motor by a formula. [rad/s]"""
     measured = motor.measured_speeds(design)
     if measured is None:

@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array
 from cranktrain.motors.declared import DeclaredMotor, Rating
 from cranktrain.quantities import (
@@ -145,7 +145,7 @@ def missing_keys(spec: Spec, names: Iterable[str]) -> Iterator[Problem]:
             yield Problem(name, None, missing(type(spec).model_fields[name].annotation, name))
 
 
-def out_of_place(spec: Spec, names: Iterable[str], allowed: str) -> Iterator[Problem]:
+def out_of_place(spec: Spec, names: Iterable[str], allowed: Words) -> Iterator[Problem]:
     """Find keys that say nothing here, or the same once more."""
     for name in names:
         if getattr(spec, name) is not None:

@@ -10,7 +10,7 @@ import numpy as np
 
 from cranktrain.analysis import Result, SpeedWanted, run, speed_over_cycle
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.language import _
+from cranktrain.language import Listed, _
 from cranktrain.layout.frames import in_machine_axes
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces import WEIGHTLESS, Body, Wrench, applied, weight
@@ -103,7 +103,7 @@ def refuse_absent(result: Result, quantities: Iterable[str]) -> None:
     """Refuse a machine whose tables do not go together to the forces that are wanted, with what they need."""
     absent = [name for name in quantities if name not in result.catalogue]
     if absent:
-        needs = ", ".join(result.needs_of(*absent))
+        needs = Listed(result.needs_of(*absent))
         raise InputError([Problem("", None, _("nothing acts on the links yet: forces need {needs}", needs=needs))])
 
 

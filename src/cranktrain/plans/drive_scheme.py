@@ -5,7 +5,7 @@ from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.drive.grip_tables import BrakeSpec, ClutchSpec
 from cranktrain.layout.drive.shafts import shaft_number
 from cranktrain.layout.drive.table import DriveSpec, StageKind, StageSpec
@@ -60,7 +60,7 @@ class DriveElement(NamedTuple):
     ----------
     symbol : Symbol
         "stage" of one whose kind is not said.
-    words : str
+    words : Words
         What it is.
     facts : tuple of ChainFact
         What the file has of it; the letters are those of `MEANINGS`.
@@ -69,7 +69,7 @@ class DriveElement(NamedTuple):
     """
 
     symbol: Symbol
-    words: str
+    words: Words
     facts: tuple[ChainFact, ...] = ()
     ratio: float = 1.0
 

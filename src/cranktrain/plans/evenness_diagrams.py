@@ -4,7 +4,7 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import Listed, _
 from cranktrain.questions.evenness.flywheel import FlywheelSize
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.texts.flywheel_diagrams import Mertsalov, Wittenbauer, mertsalov, wittenbauer
@@ -51,9 +51,9 @@ def _sized(result: Result) -> tuple[ShaftWork, FlywheelSize]:
     """Find work and flywheel in a result."""
     size = result.get(FlywheelSize)
     if size is None:
-        allowed = _("is missing for a diagram of the flywheel: {needs}")
-        needs = ", ".join(result.needs_of("flywheel_inertia"))
-        raise InputError([Problem("evenness", None, allowed.format(needs=needs))])
+        needs = Listed(result.needs_of("flywheel_inertia"))
+        allowed = _("is missing for a diagram of the flywheel: {needs}", needs=needs)
+        raise InputError([Problem("evenness", None, allowed)])
     if not np.all(np.isfinite(size.exact.inertia)):
         allowed = _("gives no flywheel to draw: the torque is not known all round")
         raise InputError([Problem("evenness.coefficient", None, allowed)])

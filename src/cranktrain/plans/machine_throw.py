@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.analysis import Result, run
 from cranktrain.errors import Problem, refuse
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import Listed, Message, Words, _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, largest_of
@@ -40,7 +40,7 @@ _ROUNDING = 1e-13
 class BeyondLoad(NamedTuple):
     """A load for which the text has no letter: its name, and what it is to the bearings. [N]"""
 
-    name: str
+    name: Words
     share: ThrowReactions
 
 
@@ -60,7 +60,7 @@ class MachineThrow:
         As it turns, seen from its left.
     has_mass : bool
         Whether [masses.crank] says what its crank weighs.
-    rods : tuple of str
+    rods : tuple of Words
         Whose rods are on the pin, those at one place together.
     throw : Throw
         Lengths of one value; forces of shape (n,).
@@ -76,7 +76,7 @@ class MachineThrow:
     is_last: bool
     is_clockwise: bool
     has_mass: bool
-    rods: tuple[str, ...]
+    rods: tuple[Words, ...]
     throw: Throw
     beyond: tuple[BeyondLoad, ...]
     exact: ThrowReactions
@@ -152,7 +152,7 @@ def _lacking(machine: Machine, result: Result) -> Iterator[Problem]:
     """What a machine lacks for the loads of its main bearings, by path."""
     if _NEEDED in result.catalogue:
         return
-    needs = result.needs_of(_NEEDED)
+    needs = [need.text for need in result.needs_of(_NEEDED) if isinstance(need, Message)]
     if not needs:
         yield Problem("mechanism", None, _("must be pistons on a crankshaft: the text speaks of no other machine"))
     for path in (need.replace("] ", ".").strip("[]") for need in needs if need != _WEIGHED):
@@ -187,7 +187,7 @@ class _Letters:
             self.of.span == declared.bearings.shape[1] - 1,
             self.of.one.layout.turn < 0,
             self._has_mass(),
-            tuple(", ".join(one.name for one in found[rod]) for rod in ("rod 0", "rod 1") if rod in found),
+            tuple(Listed([one.name for one in found[rod]]) for rod in ("rod 0", "rod 1") if rod in found),
             Throw(self._lengths(found), self._forces(found), self._rods(found)),
             tuple(self._beyond(found.get("", ()))),
             self._shares(every),
@@ -287,7 +287,9 @@ class _Letters:
         """What loads are to both bearings, cut from the rest of the shaft."""
         place = np.array([[self.of.left, self.of.right]])
         z = np.array([[one.z for one in loads]])
-        force, couple = (np.stack([one[part] for one in loads])[np.newaxis] for part in (3, 4))
+        force, couple = (
+            np.stack(parts)[np.newaxis] for parts in ([one.force for one in loads], [one.couple for one in loads])
+        )
         cut = cut_shaft(place, spans_of(place, z)[0], AxisLoads(z, force, couple))
         borne = bearing_loads(place, cut, end_moments(2, cut), settlement=np.zeros((1, 2, 2, 1)), compliance=None)
         (left_out, left_ahead), (right_out, right_ahead) = (self._parts(borne.load[0, side]) for side in (0, 1))

@@ -8,7 +8,7 @@ import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.frames import Frame, frame_of, in_machine_axes
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN
@@ -158,7 +158,7 @@ def plain_crank_called(machine: Machine, name: str | None) -> PlacedMechanism:
     return _of_kinds(machine, name, PLAIN, allowed)
 
 
-def _of_kinds(machine: Machine, name: str | None, kinds: Sequence[str], allowed: str) -> PlacedMechanism:
+def _of_kinds(machine: Machine, name: str | None, kinds: Sequence[str], allowed: Words) -> PlacedMechanism:
     """Find a place by name, or the first of the kinds, as they stand; refuse one of another kind."""
     first = next((place.name for kind in kinds for place in machine.places if place.kind.name == kind), None)
     if first is None:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.masses import MechanismMasses
 from cranktrain.layout.mechanisms import Batch
 from cranktrain.motion import Array
@@ -29,7 +29,7 @@ class ThrowLoad(NamedTuple):
     Y, shape (2, n) [N]; couple: sum of z times force beside that, of the same shape. [N·m]
     """
 
-    name: str
+    name: Words
     letter: str
     z: float
     force: Array
@@ -68,7 +68,7 @@ class ThrowSpan:
         declared = self.one.layout.declared
         spans = spans_of(declared.bearings, declared.centres)[0]
         span, throws = int(spans[own[0]]), declared.throw[spans == spans[own[0]]]
-        allowed = ""
+        allowed: Words | None = None
         if not 0 < span < declared.bearings.shape[1]:
             allowed = _("hangs over: (44) to (53) are of a throw between two supports")
         elif own.size > 1:
@@ -82,7 +82,7 @@ class ThrowSpan:
                 left=declared.bearing_names[span - 1],
                 right=declared.bearing_names[span],
             )
-        if allowed:
+        if allowed is not None:
             raise InputError([Problem("throw_number", str(int(declared.throw[own[0]]) + 1), allowed)])
         return span
 
@@ -111,7 +111,7 @@ class ThrowSpan:
         if masses == "sizes":
             yield from self._sized()
 
-    def _load(self, load: int, name: str, letter: str = "", force: Array | None = None) -> ThrowLoad:
+    def _load(self, load: int, name: Words, letter: str = "", force: Array | None = None) -> ThrowLoad:
         """One of the shaft's loads, or a part of it."""
         whole = self.on_axis.force[0, load]
         couples = self.on_axis.couple

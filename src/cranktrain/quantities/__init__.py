@@ -10,11 +10,9 @@ from cranktrain.quantities.choice import (
     gauge_problem,
     own_units,
     shown_as_in,
-    shown_as_then,
     shown_by,
     units_asked,
     units_by_dimension,
-    units_now,
 )
 from cranktrain.quantities.conversion import of_result, shown
 from cranktrain.quantities.dimensions import Dimension, expected, is_unit, unit_names
@@ -110,13 +108,11 @@ __all__ = [
     "read",
     "shown",
     "shown_as_in",
-    "shown_as_then",
     "shown_by",
     "unit_names",
     "unit_of",
     "units_asked",
     "units_by_dimension",
-    "units_now",
     "unknown_key",
     "unlisted",
     "written",

@@ -74,29 +74,6 @@ def shown_as_in(file: FileUnits) -> Generator[None]:
         _of_file.reset(token)
 
 
-class ShownUnits(NamedTuple):
-    """Units in which numbers are shown at some time: those that were chosen, and those of a file."""
-
-    chosen: UnitChoice
-    of_file: FileUnits
-
-
-def units_now() -> ShownUnits:
-    """In which units numbers are shown now."""
-    return ShownUnits(_chosen.get(), _of_file.get())
-
-
-@contextmanager
-def shown_as_then(then: ShownUnits) -> Generator[None]:
-    """Show numbers for a while as they were shown at some time."""
-    chosen, of_file = _chosen.set(then.chosen), _of_file.set(then.of_file)
-    try:
-        yield
-    finally:
-        _chosen.reset(chosen)
-        _of_file.reset(of_file)
-
-
 def chosen_unit(usual: str) -> str | None:
     """Unit chosen for what is usually shown in one, in any of its spellings; None where none was.
 

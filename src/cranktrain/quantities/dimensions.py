@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 
 
 class Unit(NamedTuple):
@@ -246,7 +246,7 @@ def unit_names(dimension: Dimension) -> tuple[str, ...]:
     return tuple(unit.name for unit in dimension.units)
 
 
-def expected(dimension: Dimension, example: str | None = None) -> str:
+def expected(dimension: Dimension, example: str | None = None) -> Words:
     """Say what is allowed: "must be a length in mm, cm, m, in, ft, such as 90 mm"; with the dimension's own example."""
     words = _("must be {noun} in {units}, such as {example}")
     if not dimension.needs_unit:

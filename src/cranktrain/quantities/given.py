@@ -4,7 +4,6 @@ import operator
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any, Literal, TypeAlias, cast, get_args
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -12,13 +11,13 @@ from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, core_schema
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array, single
 from cranktrain.one_line import short
 from cranktrain.quantities.conversion import shown
 from cranktrain.quantities.dimensions import Dimension, expected, spellings
 from cranktrain.quantities.examples import EXAMPLES
-from cranktrain.quantities.number import PATTERN, measured
+from cranktrain.quantities.number import PATTERN
 from cranktrain.quantities.reading import Reading, reading
 from cranktrain.quantities.refusal import QuantityError, unknown_key, unlisted, written
 
@@ -84,7 +83,7 @@ class Quantity:
     example: str | None = None
 
     @property
-    def expected(self) -> str:
+    def expected(self) -> Words:
         """What is allowed, with an example that suits."""
         return expected(self.dimension, self.example)
 
@@ -135,19 +134,8 @@ class Quantity:
         return read
 
     def _reading(self, data: object) -> Reading:
-        """Read it; what is refused is told with the example that suits."""
-        try:
-            return reading(data, self.dimension, is_direction=self.is_direction, usual=self._usual_unit)
-        except QuantityError as error:
-            (problem,) = error.problems
-            allowed = problem.allowed.replace(expected(self.dimension), self.expected)
-            raise QuantityError(problem.given, allowed, problem.repair) from None
-
-    @cached_property
-    def _usual_unit(self) -> str:
-        """Unit of the example; none without one."""
-        parts = measured(self.example or "")
-        return parts.unit if parts else ""
+        """Read it; what is refused is told with the example."""
+        return reading(data, self.dimension, is_direction=self.is_direction, example=self.example)
 
     def _limits(self) -> Iterator[tuple[float, Callable[[float, float], bool], str]]:
         """Limits that are set, what must hold between a value and each, and how to say so."""
@@ -181,15 +169,15 @@ class Quantity:
             "type": "object",
             "properties": {
                 "value": value,
-                "status": {"enum": list(get_args(Status)), "description": _("how the number came about")},
-                "note": {"type": "string", "description": _("in which sense")},
-                "source": {"type": "string", "description": _("from where")},
+                "status": {"enum": list(get_args(Status)), "description": str(_("how the number came about"))},
+                "note": {"type": "string", "description": str(_("in which sense"))},
+                "source": {"type": "string", "description": str(_("from where"))},
             },
             "required": ["value"],
             "additionalProperties": False,
         }
-        limits = [_(allowed, limit=f"{limit:g} (SI)") for limit, _holds, allowed in self._limits()]
-        sentence = "; ".join([self.expected, *limits])
+        limits = [str(_(allowed, limit=f"{limit:g} (SI)")) for limit, _holds, allowed in self._limits()]
+        sentence = "; ".join([str(self.expected), *limits])
         # not anyOf: a slip would then be one of every alternative
         return {"description": sentence, "if": {"type": "object"}, "then": table, "else": value, "examples": example}
 

@@ -5,7 +5,7 @@ import unicodedata
 from collections.abc import Iterator
 from typing import Literal, TypeAlias
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.quantities.dimensions import Dimension, is_unit
 
 Axis: TypeAlias = Literal["angle", "displacement", "volume"]
@@ -80,7 +80,7 @@ def _in_units_of_time(head: str) -> bool:
     return any(is_unit(piece.strip(), Dimension.TIME) for piece in pieces)
 
 
-def time_advice() -> str:
+def time_advice() -> Words:
     """What to do with a file over time."""
     return _(
         "write crank angles instead, of an encoder; at a constant speed they are 360° × speed × time, 12° for"

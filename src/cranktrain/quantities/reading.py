@@ -6,7 +6,7 @@ from itertools import zip_longest
 from math import trunc
 from typing import NamedTuple
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.quantities.dimensions import TURN, Dimension, Unit, expected, plain, spellings
 from cranktrain.quantities.number import Measured, measured, rounded
 from cranktrain.quantities.refusal import QuantityError, nearest, written
@@ -68,24 +68,24 @@ def read(text: object, dimension: Dimension) -> float:
     return reading(text, dimension).si
 
 
-def reading(given: object, dimension: Dimension, *, is_direction: bool = False, usual: str = "") -> Reading:
+def reading(given: object, dimension: Dimension, *, is_direction: bool = False, example: str | None = None) -> Reading:
     """Read a quantity with all that is known about it; refuse as `read` does.
 
     Of a direction of 1e5 deg and more whole turns are left out while it is exact: rounding would take digits of it.
-    To a number without a unit the usual one is proposed; that of the dimension, unless given.
+    What is refused is told with an example, that of the dimension unless given; to a number without a unit that of the
+    example is proposed.
     """
-    usual = usual or dimension.units[0].name
-    return _reading(_text(given, dimension, usual), dimension, is_direction, usual)
+    return _reading(_text(given, dimension, example), dimension, is_direction, example)
 
 
 @lru_cache(maxsize=_KEPT)
-def _reading(text: str, dimension: Dimension, is_direction: bool, usual: str) -> Reading:
+def _reading(text: str, dimension: Dimension, is_direction: bool, example: str | None) -> Reading:
     """Read a text: once, as who changes one number of a machine gives all others again."""
     try:
         parts = measured(text)
         if parts is None:
-            raise _no_number(text, dimension)
-        unit = _unit(parts, text, dimension, usual)
+            raise _no_number(text, dimension, example)
+        unit = _unit(parts, text, dimension, example)
         exact = parts.number if unit is None else unit.scale * parts.number + unit.offset
         if is_direction and abs(exact) >= _MANY_TURNS:
             exact -= TURN * trunc(exact / TURN)
@@ -97,46 +97,47 @@ def _reading(text: str, dimension: Dimension, is_direction: bool, usual: str) ->
         raise QuantityError(text, allowed) from None
 
 
-def _text(given: object, dimension: Dimension, usual: str) -> str:
+def _text(given: object, dimension: Dimension, example: str | None) -> str:
     """Take a text, or a bare number where no unit is needed."""
     if isinstance(given, str):
         return " ".join(given.split())
     if isinstance(given, bool) or not isinstance(given, int | float):
-        raise QuantityError(written(given), expected(dimension))
+        raise QuantityError(written(given), expected(dimension, example))
     if not dimension.needs_unit:
         return str(given)
-    raise _no_unit(str(given), dimension, usual)
+    raise _no_unit(str(given), dimension, example)
 
 
-def _unit(parts: Measured, text: str, dimension: Dimension, usual: str) -> Unit | None:
+def _unit(parts: Measured, text: str, dimension: Dimension, example: str | None) -> Unit | None:
     """Find the unit in the list of the dimension."""
     if not dimension.needs_unit and not parts.unit:
         return None
     if not parts.unit:
-        raise _no_unit(text, dimension, usual)
+        raise _no_unit(text, dimension, example)
     known = spellings(dimension).get(plain(parts.unit))
     if known is None:
-        raise _wrong_unit(parts.unit, text, dimension)
+        raise _wrong_unit(parts.unit, text, dimension, example)
     return known[0]
 
 
-def _no_unit(text: str, dimension: Dimension, usual: str) -> QuantityError:
+def _no_unit(text: str, dimension: Dimension, example: str | None) -> QuantityError:
     parts = measured(text)
     if parts is None:  # a bare nan or inf
-        return _no_number(text, dimension)
-    repair = _write(f"{text} {usual}")
+        return _no_number(text, dimension, example)
+    usual = measured(example or "")
+    repair = _write(f"{text} {usual.unit if usual else dimension.units[0].name}")
     if dimension is Dimension.LENGTH and abs(parts.number) < _METRES:
         repair = _('write "{one}" or "{other}"', one=f"{text} m", other=f"{text} mm")
-    return QuantityError(text, expected(dimension), repair)
+    return QuantityError(text, expected(dimension, example), repair)
 
 
-def _no_number(text: str, dimension: Dimension) -> QuantityError:
+def _no_number(text: str, dimension: Dimension, example: str | None) -> QuantityError:
     if re.match(r"[+-]?(?:nan|inf(?:inity)?)\b", text, re.IGNORECASE):
-        return QuantityError(text, _("must be finite; {expected}", expected=expected(dimension)))
-    return QuantityError(written(text), expected(dimension), _other_habit(text, dimension))
+        return QuantityError(text, _("must be finite; {expected}", expected=expected(dimension, example)))
+    return QuantityError(written(text), expected(dimension, example), _other_habit(text, dimension))
 
 
-def _wrong_unit(unit: str, text: str, dimension: Dimension) -> QuantityError:
+def _wrong_unit(unit: str, text: str, dimension: Dimension, example: str | None) -> QuantityError:
     """Say what the unit measures, or which one was meant."""
     number = text.removesuffix(unit).strip()
     key = plain(unit)
@@ -144,17 +145,17 @@ def _wrong_unit(unit: str, text: str, dimension: Dimension) -> QuantityError:
         units = ("rpm", "rad/s") if "m" in bare[0] or "м" in bare[0] else ("rad/s", "rpm")
         repair = _('write "{number} {unit}", or the speed in {other}: {given} does not say whether turns or radians')
         repair = repair.format(number=number, unit=units[0], other=units[1], given=unit)
-        return QuantityError(text, expected(dimension), repair)
+        return QuantityError(text, expected(dimension, example), repair)
     others = [other for other in Dimension if key in spellings(other)]
     if others:
         allowed = _("{unit} measures {noun}; {expected}")
         noun = _(others[0].noun)
-        return QuantityError(text, allowed.format(unit=unit, noun=noun, expected=expected(dimension)))
+        return QuantityError(text, allowed.format(unit=unit, noun=noun, expected=expected(dimension, example)))
     meant = nearest(key, spellings(dimension))
     if meant is not None and _is_of_another_size(key, meant):
-        return QuantityError(text, expected(dimension))
+        return QuantityError(text, expected(dimension, example))
     repair = _write(f"{number} {spellings(dimension)[meant][1]}") if meant else _other_habit(text, dimension)
-    return QuantityError(text, expected(dimension), repair)
+    return QuantityError(text, expected(dimension, example), repair)
 
 
 def _is_of_another_size(given: str, meant: str) -> bool:
@@ -164,7 +165,7 @@ def _is_of_another_size(given: str, meant: str) -> bool:
     return bool(different) and all(_BASE.sub(r"\1", one) == _BASE.sub(r"\1", other) for one, other in different)
 
 
-def _other_habit(text: str, dimension: Dimension) -> str | None:
+def _other_habit(text: str, dimension: Dimension) -> Words | None:
     """Write the number our way, where that gives a quantity."""
     ours = text
     for habit, replacement in _HABITS:
@@ -180,6 +181,6 @@ def _other_habit(text: str, dimension: Dimension) -> str | None:
     return repair
 
 
-def _write(text: str) -> str:
+def _write(text: str) -> Words:
     """Give the text to write."""
     return _('write "{text}"', text=text)

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import Words, _
 
 _LONGEST_WORD = 100
 """Characters; what is longer was meant to be no word of ours."""
@@ -12,7 +12,7 @@ _LONGEST_WORD = 100
 class QuantityError(InputError):
     """A text that is not the quantity asked for: what was given, what is allowed, what to write instead."""
 
-    def __init__(self, given: str | None, allowed: str, repair: str | None = None) -> None:
+    def __init__(self, given: Words | None, allowed: Words, repair: Words | None = None) -> None:
         super().__init__((Problem("", given, allowed, repair),))
 
 
@@ -40,7 +40,7 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     return next(iter(same or difflib.get_close_matches(word, words, n=1)), None)
 
 
-def one_of(listed: Iterable[object]) -> str:
+def one_of(listed: Iterable[object]) -> Words:
     """Say which words are allowed."""
     return _("must be one of: {values}", values=", ".join(str(written(value)) for value in listed))
 

@@ -6,7 +6,7 @@ from functools import cache
 from operator import attrgetter
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.saying.names import said_name
 
 Worst: TypeAlias = Literal["smallest", "largest"]

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
 from cranktrain.quantities import shown
@@ -21,22 +21,22 @@ class Check:
     Attributes
     ----------
     name : str
-    sentence : str
-        What is compared with what, in the user's language.
+    sentence : Words
+        What is compared with what.
     residual : Array, shape (design,)
         Largest difference over the cycle, relative to the scale that the sentence names: forces times arms, never a
         result that may be 0. NaN where the links do not close all round, infinite where it cannot be judged otherwise.
     limit : float
         What rounding explains.
-    reasons : tuple of str
+    reasons : tuple of Words
         Of each design, why it cannot be judged otherwise; no series has the digits unless given.
     """
 
     name: str
-    sentence: str
+    sentence: Words
     residual: Array
     limit: float
-    reasons: tuple[str, ...] = ()
+    reasons: tuple[Words, ...] = ()
 
     @property
     def judged(self) -> NDArray[np.bool_]:
@@ -48,7 +48,7 @@ class Check:
         """Whether it holds, for each design; what could not be judged has not passed."""
         return np.asarray(self.residual <= self.limit)
 
-    def verdict(self, design: int = 0) -> str:
+    def verdict(self, design: int = 0) -> Words:
         """Say for one design whether it holds, or what it needs."""
         if np.isnan(self.residual[design]):
             return _("needs a full turn")
@@ -90,14 +90,14 @@ class Flagged(StageResult):
 
     Attributes
     ----------
-    flags : tuple of str
+    flags : tuple of Words
         Sentences that warn of its numbers.
-    unlikely : tuple of str
+    unlikely : tuple of Words
         Flags that ask whether a number of the file is right; `check` tells them, too.
     """
 
-    flags: tuple[str, ...] = field(default=(), kw_only=True)
-    unlikely: tuple[str, ...] = field(default=(), kw_only=True)
+    flags: tuple[Words, ...] = field(default=(), kw_only=True)
+    unlikely: tuple[Words, ...] = field(default=(), kw_only=True)
 
 
 class Limit(NamedTuple):
@@ -112,7 +112,7 @@ class Limit(NamedTuple):
     least: float = -np.inf
 
 
-def flagged(limit: Limit, values: Array, named: Array | None = None, whose: Sequence[str] = ("",)) -> Iterator[str]:
+def flagged(limit: Limit, values: Array, named: Array | None = None, whose: Sequence[Words] = ("",)) -> Iterator[Words]:
     """Flag the value that is farthest beyond a limit, NaN never, the first of those within 1e-9.
 
     Parameters
@@ -121,7 +121,7 @@ def flagged(limit: Limit, values: Array, named: Array | None = None, whose: Sequ
     values : Array
     named : Array, optional
         Told in place of the values, of their shape.
-    whose : sequence of str
+    whose : sequence of Words
         What the values along the last axis are of, for {whose} in the sentence.
     """
     beyond = np.fmax(np.fmax(values - limit.most, limit.least - values), 0.0)

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterator
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 
 _COMMENT = re.compile(r"^(?P<before>(?:.* )?# )(?P<said>(?!\[|[\w.]+ = ).+)$", re.MULTILINE)
 """What stands behind the last `#` of a line, unless that marks a key or a table."""

@@ -5,13 +5,13 @@ from collections.abc import Mapping
 from functools import cache
 from string import Formatter
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 
 Titles = Mapping[str, str]
 """From the key of a member to what people call it, not yet translated; `{n}` in both stands for the same."""
 
 
-def titled(titles: Titles, label: str) -> str:
+def titled(titles: Titles, label: str) -> Words:
     """Say what people call a member.
 
     Parameters
@@ -23,7 +23,7 @@ def titled(titles: Titles, label: str) -> str:
 
     Examples
     --------
-    >>> titled({"crank": "crank", "shaft_{n}": "shaft {n}"}, "shaft_2")
+    >>> str(titled({"crank": "crank", "shaft_{n}": "shaft {n}"}, "shaft_2"))
     'shaft 2'
     """
     for key, title in titles.items():

@@ -1,6 +1,6 @@
 """Names of the program in words: `mean_piston_speed` is "mean piston speed" to people, in their language."""
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 
 
 def spelled(name: str) -> str:

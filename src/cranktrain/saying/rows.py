@@ -1,48 +1,24 @@
 """Rows of the answer as data: a name, and SI values of some members or words with SI values in them."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field
-from typing import TypeAlias
+from dataclasses import field, replace
+from functools import cache
+from string import Formatter
 
 import numpy as np
+from numpy.typing import NDArray
 
+from cranktrain.language import Words, _
 from cranktrain.motion import Array
 from cranktrain.record import record
+from cranktrain.saying.amounts import Amount, Extent, measured_in
+from cranktrain.saying.catalogue import Entry, entries, values
+from cranktrain.saying.wording import Names
 
 _SAME = 1e-6
 """Values are one where they differ by less than this part of the largest."""
-
-
-@record
-class Amount:
-    """One value in words.
-
-    Attributes
-    ----------
-    value : float
-        In SI; a speed of rotation, a frequency and an angle in radians.
-    unit : str
-        As in `AnswerLine`.
-    """
-
-    value: float
-    unit: str
-
-
-@record
-class Extent:
-    """A range in words: from `least` to `most`, both as in `Amount`, with as many digits as tell them apart.
-
-    positions: the angles where each stands, if that is to be said. [rad]
-    """
-
-    least: float
-    most: float
-    unit: str
-    positions: tuple[float, float] | None = None
-
-
-Piece: TypeAlias = "Amount | Extent | str"
+_ROUNDING = 1e-9
+"""Of a size; what is less is nothing beside it."""
 
 
 @record
@@ -51,8 +27,8 @@ class AnswerLine:
 
     Attributes
     ----------
-    name : str
-        What it is, in the user's language.
+    name : Words
+        What it is.
     values : Array, shape (member,)
         In SI; none where words say all. NaN is no value.
     unit : str
@@ -61,36 +37,161 @@ class AnswerLine:
         with its sign).
     members : tuple of str
         Whose each value is; none of one value.
-    words : str
-        Behind the values, or instead of them; `{name}` stands for one of `pieces`.
-    pieces : mapping of str to Amount, Extent or str
+    words : Words
+        Behind the values, or instead of them.
+    quantity : str
+        Name in the catalogue of what the values, or numbers in words that are no amounts, are.
     """
 
-    name: str
+    name: Words
     values: Array = field(default_factory=lambda: np.empty(0))
     unit: str = ""
     members: tuple[str, ...] = ()
-    words: str = ""
-    pieces: Mapping[str, Piece] = field(default_factory=dict[str, Piece])
+    words: Words = ""
+    quantity: str = ""
+
+    @property
+    def quantities(self) -> tuple[str, ...]:
+        """Names in the catalogue of all that it tells, the values' first."""
+        told = (self.quantity, *(name for one in measured_in(self.words) for name in one.quantity.split()))
+        return tuple(dict.fromkeys(filter(None, told)))
 
     @property
     def says(self) -> bool:
         """Whether there is anything to say."""
-        amounts = [one for one in self.pieces.values() if not isinstance(one, str)]
-        known = [np.isfinite(one.value if isinstance(one, Amount) else one.most) for one in amounts]
-        return bool(np.any(np.isfinite(self.values)) if self.values.size else self.words and all(known))
+        if self.values.size:
+            return bool(np.any(np.isfinite(self.values)))
+        return bool(self.words) and all(
+            np.isfinite(one.value if isinstance(one, Amount) else one.most) for one in measured_in(self.words)
+        )
 
 
 def valued(
-    name: str, values: Array | float, unit: str, members: Sequence[str] = (), words: str = "", /, **pieces: Piece
+    name: Words, values: Array | float, unit: str, members: Sequence[str] = (), words: Words = "", *, quantity: str = ""
 ) -> AnswerLine:
     """Give a row of values, with words behind them."""
-    return AnswerLine(name, np.atleast_1d(np.asarray(values, dtype=float)), unit, tuple(members), words, pieces)
+    return AnswerLine(name, np.atleast_1d(np.asarray(values, dtype=float)), unit, tuple(members), words, quantity)
 
 
-def worded(name: str, words: str, /, **pieces: Piece) -> AnswerLine:
-    """Give a row of words alone."""
-    return AnswerLine(name, words=words, pieces=pieces)
+def worded(name: Words, words: Words, *, quantity: str = "") -> AnswerLine:
+    """Give a row of words alone; of which quantity they tell, where no amount in them says it."""
+    return AnswerLine(name, words=words, quantity=quantity)
+
+
+@record
+class Telling:
+    """Makes rows and amounts of what results hold of one design: they know of which quantity, and whose, they are.
+
+    Attributes
+    ----------
+    labels : mapping of str to sequence of str
+        What people call the members along each dimension.
+    design : int
+    """
+
+    labels: Names
+    design: int
+
+    def values(self, found: object, quantity: str) -> Array:
+        """Give what a result holds of a quantity, in SI, along its dimensions."""
+        return np.asarray(values(found, entry_called(type(found), quantity))[self.design], dtype=float)
+
+    def row(
+        self,
+        name: Words,
+        found: object,
+        quantity: str,
+        words: Words = "",
+        *,
+        at: tuple[int, ...] = (),
+        own: Sequence[int] | NDArray[np.intp] | None = None,
+        unit: str = "",
+        sense: float = 1.0,
+    ) -> AnswerLine:
+        """Give a row of a quantity, with words behind its values.
+
+        Parameters
+        ----------
+        name : Words
+        found : object
+            The result that holds it.
+        quantity : str
+        words : Words
+        at : tuple of int
+            Which members along its dimensions but the last.
+        own : sequence of int, optional
+            Which members along the last dimension; all unless given.
+        unit : str
+            As in `AnswerLine`, where that is not the catalogue's.
+        sense : float
+            1, or −1 where its opposite is told.
+        """
+        entry = entry_called(type(found), quantity)
+        every = self.values(found, quantity)[at]
+        members = self.labels[entry.dimensions[-1]] if every.ndim else ()
+        if own is not None:
+            every, members = every[np.asarray(own)], [members[int(i)] for i in own]
+        return valued(name, sense * every, unit or _shown(entry), members, words, quantity=quantity)
+
+    def amount(
+        self, found: object, quantity: str, *member: int, unit: str = "", sense: float = 1.0, beside: float = 0.0
+    ) -> Amount:
+        """Give the amount of a quantity, of a member by its place along each dimension; other parameters as of `row`.
+
+        beside: what is rounding beside this is nothing.
+        """
+        entry = entry_called(type(found), quantity)
+        value = float(self.values(found, quantity)[member])
+        if abs(value) <= _ROUNDING * beside:
+            value = 0.0
+        whose = tuple(self.labels[name][place] for name, place in zip(entry.dimensions, member, strict=True))
+        return Amount(sense * value, unit or _shown(entry), quantity, whose)
+
+    def extent(
+        self,
+        found: object,
+        least: str,
+        most: str,
+        *member: int,
+        unit: str = "",
+        sense: float = 1.0,
+        placed: bool = False,
+    ) -> Extent:
+        """Give the range between two quantities of one unit, with the angles of both if these are to be said."""
+        low, high = (self.amount(found, one, *member, unit=unit, sense=sense) for one in (least, most))
+        places = [entry_called(type(found), one).at for one in (least, most)] if placed else []
+        angles = tuple(self.amount(found, one, *member).value for one in places)
+        return Extent(low.value, high.value, low.unit, (angles[0], angles[1]) if angles else None, f"{least} {most}")
+
+    def alike(self, found: object, quantity: str, *, unit: str = "") -> Amount | None:
+        """Give the amount that a quantity is of all its members; None where they differ by more than rounding."""
+        one = alike(self.values(found, quantity), unit or _shown(entry_called(type(found), quantity)))
+        return None if one is None else replace(one, quantity=quantity)
+
+    def line(self, name: Words, message: str, found: object, **pieces: Words) -> AnswerLine:
+        """Give a row of words in which `{name}` stands for the amount of a quantity of a result, or for a piece.
+
+        The message is marked for translators where it is written: `line(_("rim"), N_("{rim_mass}, {rim_speed}"), rim)`.
+        """
+        named = [piece for _text, piece, _form, _sign in Formatter().parse(message) if piece]
+        each = {one: pieces[one] if one in pieces else self.amount(found, one) for one in named}
+        return worded(name, _(message, **each))
+
+
+@cache
+def _by_name(kind: type) -> Mapping[str, Entry]:
+    """Quantities of a result's class."""
+    return {entry.name: entry for entry in entries(kind)}
+
+
+def entry_called(kind: type, quantity: str) -> Entry:
+    """Find a quantity of a result's class by its name."""
+    return _by_name(kind)[quantity]
+
+
+def _shown(entry: Entry) -> str:
+    """What values of a quantity are in rows, where all angles are in radians."""
+    return "position" if entry.is_place else "rad" if entry.shown == "deg" else entry.shown
 
 
 def alike(values: Array, unit: str) -> Amount | None:

@@ -1,14 +1,15 @@
 """Numbers and names put into sentences."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from math import floor, log10
 from string import digits
 
 import numpy as np
 
 from cranktrain.grouping import places_of_equal
-from cranktrain.language import _
+from cranktrain.language import N_, Listed, Said, Words, _
 from cranktrain.motion import Array
 from cranktrain.quantities import Given, chosen_unit, of_result, shown
 
@@ -41,25 +42,55 @@ _PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0, "m³/h": 3600.0}
 """Units that are no input's, and how many of them one in SI is."""
 
 
-def number(value: float, unit: str) -> str:
-    """Write an SI value in a unit, as `figure` does, with its unit, or with the one that a reader chose."""
-    if unit == "1" or not np.isfinite(value):
-        return figure(value, unit)
-    return f"{figure(value, unit)} {chosen_unit(unit) or unit}"
+@dataclass(frozen=True, slots=True, repr=False)
+class _Number(Said):
+    """An SI value, said in a unit or the one that a reader chose for it."""
+
+    value: float
+    unit: str
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it."""
+        if self.unit == "1" or not np.isfinite(self.value):
+            return figure(self.value, self.unit)
+        return f"{figure(self.value, self.unit)} {chosen_unit(self.unit) or self.unit}"
 
 
-def as_given(given: Given, usual: str) -> str:
-    """Write a given number as it was typed; in the unit that was chosen for what usually has one, where there is one.
+def number(value: float, unit: str) -> Said:
+    """Give an SI value to be said in a unit, as `figure` writes it, with its unit, or with the one that a reader chose.
 
     Examples
     --------
-    >>> as_given(Given(157.07963267948966, "1500 rpm"), "rpm")
+    >>> str(number(0.18, "mm"))
+    '180.00 mm'
+    """
+    return _Number(value, unit)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class _AsGiven(Said):
+    """A number of the file, said as it was typed, or in the unit that was chosen for what usually has one."""
+
+    given: Given
+    usual: str
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it."""
+        chosen = chosen_unit(self.usual)
+        if chosen is None or self.given.text.endswith(chosen):
+            return self.given.text.replace("-", "−")
+        return str(number(self.given.si, chosen))
+
+
+def as_given(given: Given, usual: str) -> Said:
+    """Give a number of the file to be said as it was typed; in the unit that was chosen for what usually has one.
+
+    Examples
+    --------
+    >>> str(as_given(Given(157.07963267948966, "1500 rpm"), "rpm"))
     '1500 rpm'
     """
-    chosen = chosen_unit(usual)
-    if chosen is None or given.text.endswith(chosen):
-        return given.text.replace("-", "−")
-    return number(given.si, chosen)
+    return _AsGiven(given, usual)
 
 
 def figure(value: float, unit: str) -> str:
@@ -113,6 +144,21 @@ def in_print(sentence: str) -> str:
     return sentence
 
 
+@dataclass(frozen=True, slots=True, repr=False)
+class Printed(Said):
+    """Words whose signs and units are written as they are printed."""
+
+    words: Words
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say them."""
+        return in_print(str(say(self.words)))
+
+    def each(self) -> Iterable[object]:
+        """Give them."""
+        return (self.words,)
+
+
 _PRINTED = (
     (r"(?<![\w.)-])-(?=\d)", "−"),
     (r"\b(k?N|kg)\*m\b", r"\1·m"),
@@ -135,8 +181,24 @@ def precise(limit: float, unit: str = "mm") -> str:
     return f"{shown(limit, unit):.7g} {unit}"
 
 
-def shared(names: Sequence[str], values: Array, unit: str) -> str:
-    """Say values by name, equal ones together: `180.00 mm (1L–6L), 186.70 mm (1R–6R)`; one value alone if all agree.
+@dataclass(frozen=True, slots=True, repr=False)
+class _Shared(Said):
+    """Values by name, those together that are said alike."""
+
+    names: Sequence[str]
+    values: tuple[float, ...]
+    unit: str
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say them."""
+        alike = places_of_equal(str(number(value, self.unit)) for value in self.values)
+        if len(alike) == 1:
+            return next(iter(alike))
+        return ", ".join(f"{text} ({ranged(self.names, members)})" for text, members in alike.items())
+
+
+def shared(names: Sequence[str], values: Array, unit: str) -> Said:
+    """Give values to be said by name, equal ones together; one value alone if all agree.
 
     Parameters
     ----------
@@ -145,17 +207,13 @@ def shared(names: Sequence[str], values: Array, unit: str) -> str:
         In SI.
     unit : str
         To show.
+
+    Examples
+    --------
+    >>> str(shared(("1L", "2L", "1R"), np.array([0.18, 0.18, 0.1867]), "mm"))
+    '180.00 mm (1L, 2L), 186.70 mm (1R)'
     """
-    written = places_of_equal(number(float(value), unit) for value in np.asarray(values))
-    if len(written) == 1:
-        return next(iter(written))
-    return ", ".join(f"{text} ({ranged(names, members)})" for text, members in written.items())
-
-
-def shared_known(names: Sequence[str], values: Array, unit: str) -> str:
-    """Say values by name, as `shared` does, of those alone that have one: NaN stands for none."""
-    known = np.flatnonzero(~np.isnan(values)).tolist()
-    return shared([names[i] for i in known], values[known], unit)
+    return _Shared(names, tuple(np.asarray(values, dtype=float).tolist()), unit)
 
 
 def ranged(names: Sequence[str], members: Sequence[int]) -> str:
@@ -177,7 +235,25 @@ def ranged(names: Sequence[str], members: Sequence[int]) -> str:
     )
 
 
-def in_words(names: Sequence[str]) -> str:
+def in_words(names: Sequence[Words]) -> Words:
     """Give names as a list in words: `a, b and c`."""
     *first, last = names
-    return _("{first} and {last}", first=", ".join(first), last=last) if first else last
+    return _("{first} and {last}", first=Listed(first), last=last) if first else last
+
+
+def all_of(names: Sequence[Words]) -> Words:
+    """Give names of which each may be a list itself: `a and b and c`; nothing of none."""
+    return _in_turn(N_("{first} and {last}"), names)
+
+
+def either_of(names: Sequence[Words]) -> Words:
+    """Give names of which one is meant: `a or b or c`; nothing of none."""
+    return _in_turn(N_("{first} or {last}"), names)
+
+
+def _in_turn(message: str, names: Sequence[Words]) -> Words:
+    """Put each name behind those before it."""
+    said, *others = names or ("",)
+    for other in others:
+        said = _(message, first=said, last=other)
+    return said

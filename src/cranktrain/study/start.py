@@ -13,7 +13,7 @@ from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.stages import lacking, leading_to, stages_for
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import Listed, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredDrive, DeclaredStroke
 from cranktrain.machine import Machine
@@ -70,12 +70,13 @@ class Start:
 
     def __repr__(self) -> str:
         """Show whose it is, how long it took and why it ended, in one line."""
-        return _(
+        about = _(
             "<Start of {name}: {time:.4g} s, {reason}>",
             name=short(self.machine.name),
             time=self.run.whole_time[-1],
             reason=self.run.reason,
         )
+        return str(about)
 
     @property
     def time(self) -> Array:
@@ -100,7 +101,7 @@ class Start:
             name: (("time",), *with_attributes(entry, getattr(self, name))) for name, entry in self.catalogue.items()
         }
         times = ("time", self.time, {"units": "s", "symbol": "t"})
-        return xarray.Dataset(variables, {"time": times}, {"name": self.machine.name, "reason": self.run.reason})
+        return xarray.Dataset(variables, {"time": times}, {"name": self.machine.name, "reason": str(self.run.reason)})
 
     def rows(self) -> list[AnswerLine]:
         """Rows of the answer."""
@@ -148,7 +149,7 @@ def parts_and_stages(machine: Machine) -> tuple[Mapping[type, Any], Mapping[type
     stages = stages_for(machine)
     absent = lacking(stages, parts)
     if ReducedMachines.__name__ in absent:
-        lacks = ", ".join(dict.fromkeys(absent[ReducedMachines.__name__]))
+        lacks = Listed(tuple(dict.fromkeys(absent[ReducedMachines.__name__])))
         raise InputError([Problem("drive", None, _("needs what the machine moves: {lacks}", lacks=lacks))])
     wanted = [kind for kind in (ReducedMachines, SteadyDrive, PressStrokes) if kind.__name__ not in absent]
     return parts, run_stages(leading_to(stages, wanted), parts, absent)

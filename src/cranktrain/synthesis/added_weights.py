@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray
@@ -62,7 +62,7 @@ class AddedWeights(NamedTuple):
         balance = {**table, "weight": weights} if weights else table
         return self.given.with_({"balance": balance or None})
 
-    def tables(self, moment: ComplexArray, note: str, *, is_radius_wanted: bool) -> Iterator[ProposedTable]:
+    def tables(self, moment: ComplexArray, note: Words, *, is_radius_wanted: bool) -> Iterator[ProposedTable]:
         """What a machine file says of them."""
         for weight in self._weights(moment):
             radius = wanted(weight.radius, "mm") if is_radius_wanted else None

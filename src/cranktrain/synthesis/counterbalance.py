@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.analysis.parts import refuse_wrong
 from cranktrain.analysis.run import run
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.machine import Machine
 from cranktrain.paths import path_text
 from cranktrain.quantities import Given, unlisted
@@ -118,7 +118,7 @@ def _torques(machine: Machine) -> GearboxTorque:
     return result[GearboxTorque]
 
 
-def _title(machine: Machine, aim: str) -> str:
+def _title(machine: Machine, aim: str) -> Words:
     """Whose counterbalance, and for what."""
     if machine.name:
         return _("{machine}: counterbalance for {aim}", machine=machine.name, aim=_(_AIMS[aim]))

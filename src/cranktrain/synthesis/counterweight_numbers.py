@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.analysis import run
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray
@@ -51,7 +51,7 @@ class Aimed(NamedTuple):
         return len(self.bearings) == len(self.names)
 
     @property
-    def title(self) -> str:
+    def title(self) -> Words:
         """Say it in words."""
         if self.is_all:
             words = (
@@ -176,7 +176,7 @@ def _of_bearings(aimed: Aimed, before: State, after: State) -> Iterator[Number]:
             yield Number(key, symbol, float(state[i]), "kN", _(words), name)
 
 
-def relief_remarks(aimed: Aimed, weighed: FoundWeights, least: Least, kept: Kept) -> Iterator[str]:
+def relief_remarks(aimed: Aimed, weighed: FoundWeights, least: Least, kept: Kept) -> Iterator[Words]:
     """What is to be minded."""
     yield _("By {method}: {aim}.", method=title_of(aimed.method), aim=aimed.title)
     at_limit = [

@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.analysis.parts import refuse_wrong
 from cranktrain.errors import Problem, refuse
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray
@@ -229,7 +229,7 @@ def _turned(unknown: Array, *, turns: bool) -> ComplexArray:
     return unknown[: unknown.size // 2] + 1j * unknown[unknown.size // 2 :]
 
 
-def _title(machine: Machine, aimed: Aimed) -> str:
+def _title(machine: Machine, aimed: Aimed) -> Words:
     """Whose counterweights, and for what."""
     if machine.name:
         return _("{machine}: counterweights for the {aim}", machine=machine.name, aim=aimed.title)

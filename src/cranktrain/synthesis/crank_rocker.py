@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 import numpy as np
 
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.mechanisms.crank_rocker import CrankRocker
 from cranktrain.mechanisms.crank_rocker.facts import CLASSES
 from cranktrain.motion import single
@@ -234,7 +234,7 @@ def _alternatives(requirement: FourBarRequirements, side: int) -> tuple[Alternat
     return tuple(chosen)
 
 
-def _alternative(label: str, requirement: FourBarRequirements, bars: CrankRocker) -> Alternative:
+def _alternative(label: Words, requirement: FourBarRequirements, bars: CrankRocker) -> Alternative:
     """Numbers of one four-bar, and in its label what keeps it from being used."""
     verdict = judged(requirement, bars)
     kind = int(verdict.grashof_class)
@@ -264,7 +264,7 @@ def _proposal(
     *,
     parameter: float | None,
     alternatives: tuple[Alternative, ...],
-    remarks: tuple[str, ...],
+    remarks: tuple[Words, ...],
 ) -> Proposal:
     """Put a four-bar together with its machine file."""
     ratio = time_ratio_of(requirement.excess)

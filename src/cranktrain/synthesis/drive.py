@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.analysis.parts import refuse_wrong
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.machine import Machine
 from cranktrain.motors.cage.catalogue import four_pole_motors
@@ -112,7 +112,7 @@ def drive(
     return _proposal(bench, dict.fromkeys(starting, '"unloaded"'))
 
 
-def _proposal(bench: Bench, values: dict[str, str]) -> MachineProposal:
+def _proposal(bench: Bench, values: dict[str, Words]) -> MachineProposal:
     """Choose, and say what was tried; the file says what was asked otherwise than it did."""
     asked = bench.asked
     sizes, chosen = _sizes(bench)
@@ -194,7 +194,7 @@ def _sizes(bench: Bench) -> tuple[list[Trial], Trial]:
     return sizes, chosen
 
 
-def _none_is_enough(sizes: list[Trial]) -> str:
+def _none_is_enough(sizes: list[Trial]) -> Words:
     """Say which motor comes nearest."""
     best = smallest_of(sizes, lambda one: one.largest) if sizes else None
     if best is None or not np.isfinite(best.largest):
@@ -215,7 +215,7 @@ def _driven(asked: AskedDrive, chosen: Trial) -> Machine:
     return asked.machine.with_(values)
 
 
-def _values(asked: AskedDrive, chosen: Trial) -> dict[str, str]:
+def _values(asked: AskedDrive, chosen: Trial) -> dict[str, Words]:
     """What the machine's file says otherwise."""
     motor = motor_values(chosen.place, asked.kept, _("the smallest typical motor that is enough"))
     note = _("keeps {speed} at the crank", speed=number(asked.speed, "rpm"))

@@ -11,7 +11,7 @@ from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.run import run
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.drive.declared import DeclaredClutch, DeclaredDrive
 from cranktrain.layout.drive.shafts import shaft_number
 from cranktrain.layout.drive.table import DriveSpec, PartSpec
@@ -27,6 +27,7 @@ from cranktrain.questions.sizing.motor_sizing import SizedDesign, sized_design
 from cranktrain.questions.sizing.parts import DeclaredDuty
 from cranktrain.record import record
 from cranktrain.saying.labels import titled
+from cranktrain.saying.wording import all_of
 from cranktrain.synthesis.sized_motor import KeptSlip, motor_table, slip_of_size
 from cranktrain.transient.gearing import Gearing, with_inertia
 
@@ -121,7 +122,7 @@ class Trial:
         return max(self.shares[:2]) if np.isfinite(self.speed) else math.inf
 
     @property
-    def governing(self) -> str:
+    def governing(self) -> Words:
         """What people call the check that governs."""
         return titled(CHECK_TITLES, self.checks[first_largest(self.shares)])
 
@@ -191,7 +192,7 @@ def _behind(asked: AskedDrive, ratio: float) -> Behind:
         changed = changed.with_({f"drive.part.{asked.flywheel.name}": {"on": on, "inertia": "0 kg·m²"}})
     result = run(changed, quantities=_QUANTITIES)
     if needs := result.needs_of(*_QUANTITIES):
-        raise InputError([Problem("drive", None, _("cannot be sized: needs {needs}", needs=_(" and ").join(needs)))])
+        raise InputError([Problem("drive", None, _("cannot be sized: needs {needs}", needs=all_of(needs)))])
     parts: Any = parts_of((changed,), step=FACTS_STEP)
     drive, clutch = parts[DeclaredDrive], parts.get(DeclaredClutch)
     motor, duty = parts[DeclaredMotor], parts[DeclaredDuty]

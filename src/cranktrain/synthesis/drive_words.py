@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.questions.sizing.flywheel_sizing import formula_inertia
 from cranktrain.questions.sizing.motor_checks import CHECK_TITLES
@@ -52,7 +52,7 @@ def alternatives(
             yield Alternative(_("ratio beside"), tuple(_beside(asked, one, chosen)))
 
 
-def _missed(one: Trial) -> str:
+def _missed(one: Trial) -> Words:
     """By how much a size misses, and what."""
     if one.largest <= 1:
         return _("enough")
@@ -68,7 +68,7 @@ def _beside(asked: AskedDrive, one: Trial, chosen: Trial) -> Iterator[Number]:
             yield each
 
 
-def remarks(bench: Bench, chosen: Trial, sizes: Sequence[Trial]) -> Iterator[str]:
+def remarks(bench: Bench, chosen: Trial, sizes: Sequence[Trial]) -> Iterator[Words]:
     """Say what governs, how far the next smaller motor misses, how it was chosen, and what typical values are."""
     asked = bench.asked
     words = {"power": number(chosen.power, "kW"), "share": number(chosen.largest, "%")}
@@ -102,7 +102,7 @@ def remarks(bench: Bench, chosen: Trial, sizes: Sequence[Trial]) -> Iterator[str
         )
 
 
-def _of_flywheel(bench: Bench, chosen: Trial) -> Iterator[str]:
+def _of_flywheel(bench: Bench, chosen: Trial) -> Iterator[Words]:
     """Say how the flywheel was chosen, and what the formula for one peak would give."""
     sought = bench.asked.flywheel
     if sought is None:
@@ -128,7 +128,7 @@ def _of_flywheel(bench: Bench, chosen: Trial) -> Iterator[str]:
         )
 
 
-def _of_slip(asked: AskedDrive, chosen: Trial) -> Iterator[str]:
+def _of_slip(asked: AskedDrive, chosen: Trial) -> Iterator[Words]:
     """Say where the motor is another kind than the declared one, or has another slip."""
     spec: DriveSpec | None = asked.machine.drive
     motor = None if spec is None else spec.motor

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from math import atan, pi, tan
 
 from cranktrain.errors import Problem
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.saying.wording import number, precise
 from cranktrain.synthesis.proposal import Number, plain
 
@@ -68,7 +68,7 @@ def friction_numbers(pressure_angle: float, friction: float | None) -> tuple[Num
     )
 
 
-def friction_remark(pressure_angle: float, friction: float | None) -> str:
+def friction_remark(pressure_angle: float, friction: float | None) -> Words:
     """Say what friction does: with a usual coefficient, where none is given."""
     if friction is not None:
         return _("Friction is that of a slider which the crank drives against its load; a slider that drives has less.")

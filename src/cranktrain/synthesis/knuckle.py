@@ -5,7 +5,7 @@ from math import pi
 from typing import Annotated, Literal
 
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
@@ -244,20 +244,18 @@ _SYMBOLS: dict[Free, str] = {"articulation_angle": "ζ", "knuckle_radius": "r", 
 
 def _with_other_requirements(rod: ArticulatedRod, ratio: float | None) -> tuple[Alternative, ...]:
     """The same r and l at the articulation angles that leave a dead centre unshifted, and at the bank angle."""
-    angles = {
-        _("no shift of the top dead centre, the same r and l"): unshifted_angle(rod, "top"),
-        _("no shift of the bottom dead centre, the same r and l"): unshifted_angle(rod, "bottom"),
-        _("ζ = γ, the same r and l"): rod.bank_angle,
-    }
-    others = {
-        label: rod._replace(articulation_angle=angle)
-        for label, angle in angles.items()
-        if angle != rod.articulation_angle
-    }
-    return tuple(Alternative(label, slave_numbers(other, ratio)) for label, other in others.items() if is_usable(other))
+    angles = (
+        (_("no shift of the top dead centre, the same r and l"), unshifted_angle(rod, "top")),
+        (_("no shift of the bottom dead centre, the same r and l"), unshifted_angle(rod, "bottom")),
+        (_("ζ = γ, the same r and l"), rod.bank_angle),
+    )
+    others = (
+        (label, rod._replace(articulation_angle=angle)) for label, angle in angles if angle != rod.articulation_angle
+    )
+    return tuple(Alternative(label, slave_numbers(other, ratio)) for label, other in others if is_usable(other))
 
 
-def _remarks(rod: ArticulatedRod, requirements: KnuckleRequirements, known: dict[Free, float]) -> Iterator[str]:
+def _remarks(rod: ArticulatedRod, requirements: KnuckleRequirements, known: dict[Free, float]) -> Iterator[Words]:
     """Say in words what the requirements fix and what they do not."""
     product = number(float(stroke_product(rod)), "mm")
     if requirements.stroke is not None:
@@ -291,7 +289,7 @@ def _tables(
     master = rod.master
     how = _("to the wanted stroke, height or ratio")
 
-    def written(name: Free) -> str:
+    def written(name: Free) -> Words:
         value = float(getattr(rod, name))
         if name in known:
             return wanted(value, _UNITS[name])

@@ -7,13 +7,12 @@ from collections.abc import Iterator
 from math import pi
 from typing import Literal, NamedTuple
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array
-from cranktrain.paths import quoted
 from cranktrain.synthesis.knuckle_equations import slave_dead_centres, stroke_product
-from cranktrain.synthesis.proposal import Number, ProposedTable, wanted
+from cranktrain.synthesis.proposal import Number, ProposedTable, wanted, wanted_ratio
 from cranktrain.synthesis.slider_crank_lengths import Lengths, stroke_of
 
 
@@ -59,9 +58,9 @@ def slave_numbers(rod: ArticulatedRod, master_ratio: float | None) -> tuple[Numb
 
 def cylinder_table(ratio: float | None, bore: float | None) -> tuple[ProposedTable, ...]:
     """Write the cylinders' table: the bore and the master's compression ratio, where there is either."""
-    keys = {} if bore is None else {"bore": wanted(bore, "mm")}
+    keys: dict[str, Words] = {} if bore is None else {"bore": wanted(bore, "mm")}
     if ratio is not None:
-        keys["compression_ratio"] = f"{{ value = {ratio!r}, note = {quoted(_('as wanted'))} }}"
+        keys["compression_ratio"] = wanted_ratio(ratio)
     return (ProposedTable("cylinder", keys),) if keys else ()
 
 

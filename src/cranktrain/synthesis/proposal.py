@@ -1,14 +1,15 @@
 """A synthesis: what it wants, in SI, and what it proposes: dimensions, what else was considered, the machine file."""
 
 import textwrap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Annotated, NamedTuple, TypeAlias
 
 import numpy as np
 
 from cranktrain.brief import brief_fields
 from cranktrain.errors import Problem
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Listed, Said, Words, _
 from cranktrain.machine import Machine
 from cranktrain.paths import quoted
 from cranktrain.quantities import Dimension, Quantity, Status, read, shown
@@ -73,7 +74,7 @@ class Number(NamedTuple):
     symbol: str
     value: float
     unit: str
-    sentence: str
+    sentence: Words
     member: str = ""
 
     @property
@@ -85,7 +86,7 @@ class Number(NamedTuple):
 class Alternative(NamedTuple):
     """Something else that was considered: what it is, and its numbers beside the proposal's."""
 
-    label: str
+    label: Words
     numbers: tuple[Number, ...]
 
     def __repr__(self) -> str:
@@ -97,7 +98,7 @@ class ProposedTable(NamedTuple):
     """A table of a machine file: its head, and each key with its value as TOML text."""
 
     head: str
-    keys: Mapping[str, str]
+    keys: Mapping[str, Words]
 
 
 @record
@@ -106,29 +107,29 @@ class Proposal:
 
     Attributes
     ----------
-    title : str
-        In the user's language, like every sentence here.
+    title : Words
     numbers : tuple of Number
     alternatives : tuple of Alternative
-    remarks : tuple of str
+    remarks : tuple of Words
     tables : tuple of ProposedTable
         What a machine file of it says.
     """
 
-    title: str
+    title: Words
     numbers: tuple[Number, ...]
     alternatives: tuple[Alternative, ...]
-    remarks: tuple[str, ...]
+    remarks: tuple[Words, ...]
     tables: tuple[ProposedTable, ...]
 
     def __repr__(self) -> str:
         """Show what it is of, and how much there is, in a line."""
-        return _(
+        about = _(
             "<Proposal: {title}: {n} numbers, alternatives: {others}>",
             title=self.title,
             n=len(self.numbers),
             others=len(self.alternatives),
         )
+        return str(about)
 
     def value(self, name: str) -> float:
         """Give a number by its name, in SI: `stroke`, or `stroke(2)` of one of several members.
@@ -142,13 +143,12 @@ class Proposal:
 
     def machine_file(self) -> str:
         """Write the machine file: TOML with the status of every number, the remarks as comments; ready to run."""
-        comments = [self.title, *self.remarks]
         lines = [
             line
-            for comment in comments
-            for line in textwrap.wrap(comment, _LINE, initial_indent="# ", subsequent_indent="# ")
+            for comment in (self.title, *self.remarks)
+            for line in textwrap.wrap(str(comment), _LINE, initial_indent="# ", subsequent_indent="# ")
         ]
-        lines += ["", f"name = {quoted(self.title)}"]
+        lines += ["", f"name = {quoted(str(self.title))}"]
         for table in self.tables:
             lines += ["", f"[{table.head}]", *(f"{key} = {value}" for key, value in table.keys.items())]
         return "\n".join(lines) + "\n"
@@ -162,20 +162,20 @@ class MachineProposal(Proposal):
     ----------
     machine : Machine
         With them.
-    values : mapping of str to str
+    values : mapping of str to Words
         What its file says otherwise, as TOML by path.
     whole : tuple of str
         Paths of tables of which nothing else is to stand.
     """
 
     machine: Machine
-    values: Mapping[str, str]
+    values: Mapping[str, Words]
     whole: tuple[str, ...] = ()
 
 
-def listed_in_lines(values: Sequence[str]) -> str:
+def listed_in_lines(values: Sequence[Words]) -> Words:
     """Write a TOML list of long values, one in a line."""
-    return "[\n" + "".join(f"    {value},\n" for value in values) + "]"
+    return Listed(("[\n", *(part for value in values for part in ("    ", value, ",\n")), "]"), "")
 
 
 def quantity_text(value: float, unit: str) -> str:
@@ -206,22 +206,45 @@ def quantity_text(value: float, unit: str) -> str:
     return text
 
 
-def wanted(value: float, unit: str) -> str:
-    """Write a quantity that was wanted as it stands, as TOML text."""
-    return f"{{ value = {quoted(quantity_text(value, unit))}, note = {quoted(_('as wanted'))} }}"
+@dataclass(frozen=True, slots=True, repr=False)
+class _Noted(Said):
+    """A value of a machine file, which is TOML, with its status and a note."""
+
+    value: str
+    note: Words
+    status: Status | None = None
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Write it as TOML text."""
+        status = "" if self.status is None else f'status = "{self.status}", '
+        return f"{{ value = {self.value}, {status}note = {quoted(str(say(self.note)))} }}"
+
+    def each(self) -> Iterable[object]:
+        """Give its note."""
+        return (self.note,)
 
 
-def found(value: float, unit: str, note: str, status: Status = "derived") -> str:
-    """Write a quantity that follows from the requirements, as TOML text with its status."""
-    return f'{{ value = {quoted(quantity_text(value, unit))}, status = "{status}", note = {quoted(note)} }}'
+def wanted(value: float, unit: str) -> Words:
+    """Give a quantity that was wanted as it stands, to be written as TOML text."""
+    return _Noted(quoted(quantity_text(value, unit)), _("as wanted"))
 
 
-def found_ratio(value: float, note: str, status: Status = "derived") -> str:
-    """Write a plain number that follows from the requirements, as `found` writes a quantity."""
-    return f'{{ value = {value!r}, status = "{status}", note = {quoted(note)} }}'
+def wanted_ratio(value: float) -> Words:
+    """Give a plain number that was wanted, as `wanted` gives a quantity."""
+    return _Noted(repr(value), _("as wanted"))
 
 
-def shaft_table(speed: float | None, note: str | None = None) -> tuple[ProposedTable, ...]:
+def found(value: float, unit: str, note: Words, status: Status = "derived") -> Words:
+    """Give a quantity that follows from the requirements, to be written as TOML text with its status."""
+    return _Noted(quoted(quantity_text(value, unit)), note, status)
+
+
+def found_ratio(value: float, note: Words, status: Status = "derived") -> Words:
+    """Give a plain number that follows from the requirements, as `found` gives a quantity."""
+    return _Noted(repr(value), note, status)
+
+
+def shaft_table(speed: float | None, note: Words | None = None) -> tuple[ProposedTable, ...]:
     """Write the shaft's table with its speed [rad/s], where there is one; a note says how it was found."""
     if speed is None:
         return ()

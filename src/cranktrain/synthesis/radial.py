@@ -5,7 +5,7 @@ from math import pi
 from typing import Annotated, Literal
 
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
@@ -212,7 +212,7 @@ def _tables(
     master = rods[0].master
     how = _("strategy {name}", name=strategy)
 
-    def each(name: Free, unit: str) -> str:
+    def each(name: Free, unit: str) -> Words:
         values = [float(getattr(rod, name)) for rod in rods]
         if name in _FREE[strategy]:
             return listed_in_lines([found(value, unit, how, "fitted") for value in values])

@@ -25,6 +25,7 @@ from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.record import record
+from cranktrain.saying.wording import all_of
 
 Method = Annotated[str, tuple(method.name for method in BEARING_METHODS)]
 
@@ -48,7 +49,7 @@ def sought_bearings(machine: Machine, bearing: str, method: str | None) -> Sough
     parts = parts_of((machine,), step=FACTS_STEP)
     absent = lacking(every_stage(), parts)
     if LoadedShafts.__name__ in absent:
-        needs = _(" and ").join(absent[LoadedShafts.__name__]) or _("[crankshaft]")
+        needs = all_of(absent[LoadedShafts.__name__]) or _("[crankshaft]")
         raise InputError([Problem("", None, _("loads of main bearings need {needs} in the file", needs=needs))])
     found: dict[type, Any] = run_stages(leading_to(every_stage(), [LoadedShafts]), parts, absent)
     loaded: LoadedShafts = found[LoadedShafts]

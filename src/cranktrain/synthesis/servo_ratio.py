@@ -10,7 +10,7 @@ from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.run import run
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.machine import Machine
@@ -20,7 +20,7 @@ from cranktrain.questions.servo.demand import ServoDemand
 from cranktrain.questions.servo.rocking import RockingDrive
 from cranktrain.questions.servo.stages import ServoDrive
 from cranktrain.questions.sizing.choosing_ratio import preferred_ratios
-from cranktrain.saying.wording import number
+from cranktrain.saying.wording import all_of, number
 from cranktrain.synthesis.changed_stage import largest_stage, without_stage
 from cranktrain.synthesis.proposal import Alternative, MachineProposal, Number, found_ratio
 from cranktrain.transient.gearing import Gearing, overall_ratio
@@ -64,7 +64,7 @@ class _Behind(NamedTuple):
         return max((share for share in self.shares if not math.isnan(share)), default=0.0)
 
     @property
-    def governing(self) -> str:
+    def governing(self) -> Words:
         """Name of the check that governs."""
         return _(_CHECKS[first_largest(self.shares)])
 
@@ -144,7 +144,7 @@ def _demand(machine: Machine) -> ServoDemand:
         return turning.demands[0]
     if rocking is not None:
         return rocking.demands[0]
-    needs = _(" and ").join(result.needs_of(*_QUANTITIES))
+    needs = all_of(result.needs_of(*_QUANTITIES))
     raise InputError([Problem("drive", None, _("cannot be sized: needs {needs}", needs=needs))])
 
 
@@ -193,7 +193,7 @@ def _least_rms(case: _Servo, own: float) -> _Behind:
     return _at(case, math.exp(float(found.x)))  # pyright: ignore[reportAttributeAccessIssue, reportUnknownArgumentType, reportUnknownMemberType]
 
 
-def _not_enough(best: _Behind) -> str:
+def _not_enough(best: _Behind) -> Words:
     """Say by how much the declared motor misses."""
     said = _("is not enough behind any ratio: behind {ratio}, which comes nearest, it is used to {share}: {check}")
     return said.format(ratio=number(best.ratio, "1"), share=number(best.largest, "%"), check=best.governing)
@@ -224,7 +224,7 @@ def _alternatives(case: _Servo, chosen: _Behind, near: list[_Behind], own: float
     yield Alternative(_("as the file has it"), tuple(_numbers(case, _at(case, own))))
 
 
-def _remarks(case: _Servo, chosen: _Behind, best: _Behind, near: list[_Behind]) -> Iterator[str]:
+def _remarks(case: _Servo, chosen: _Behind, best: _Behind, near: list[_Behind]) -> Iterator[Words]:
     """Say what the ratio costs, and what governs."""
     more = number(chosen.rms / best.rms - 1, "%")
     yield _(

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.machine import Machine
 from cranktrain.motors.cage.catalogue import four_pole_motors
@@ -72,7 +72,7 @@ def motor_table(place: int, kept: KeptSlip) -> dict[str, str | float]:
     return {one.key: _text(one.value, one.unit) for one in _entries(place, kept)}
 
 
-def motor_values(place: int, kept: KeptSlip, note: str) -> dict[str, str]:
+def motor_values(place: int, kept: KeptSlip, note: Words) -> dict[str, Words]:
     """The same as TOML by key, each number with its status; a note says what the size is."""
     of_slip = _("for a slip of {slip} at the rated torque", slip=number(slip_of_size(place, kept), "%"))
     return {entry.key: _toml(entry, of_slip if entry.is_of_slip else note) for entry in _entries(place, kept)}
@@ -82,7 +82,7 @@ def _text(value: str | float, unit: str) -> str | float:
     return quantity_text(value, unit) if unit and not isinstance(value, str) else value
 
 
-def _toml(entry: _Entry, note: str) -> str:
+def _toml(entry: _Entry, note: Words) -> Words:
     """Value of a key as TOML."""
     if isinstance(entry.value, str):
         return f'"{entry.value}"'

@@ -5,7 +5,7 @@ from math import isnan, pi, sin, tan
 from typing import Annotated, Literal
 
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.saying.wording import number, precise
 from cranktrain.synthesis.four_bars import time_ratio_of
 from cranktrain.synthesis.guide_friction import friction_numbers, friction_remark, locking_problems
@@ -276,7 +276,7 @@ def _source_rule(crank_radius: float, limit: float) -> Alternative:
     )
 
 
-def _remarks(lengths: Lengths, working_stroke: Stroke) -> tuple[str, ...]:
+def _remarks(lengths: Lengths, working_stroke: Stroke) -> tuple[Words, ...]:
     """Say in words what the offset does."""
     if lengths.offset == 0.0:
         return (

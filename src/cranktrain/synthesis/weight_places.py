@@ -16,6 +16,7 @@ from cranktrain.quantities import unlisted
 from cranktrain.questions.balance.spec import WeightSpec
 from cranktrain.questions.balance.weights import BalanceWeights
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout
+from cranktrain.saying.wording import all_of
 
 _SOLVED_FOR = ("counterweights", "share", "planes")
 """Keys of [balance] that say which counterweights are solved for."""
@@ -114,7 +115,7 @@ def full_moments(machine: Machine) -> Array:
     solved = run(machine.with_({"balance": {"counterweights": "rotating"}}), quantities="balance_weight_moment")
     weights = solved.get(BalanceWeights)
     if weights is None:
-        needs = _(" and ").join(solved.needs_of("balance_weight_moment"))
+        needs = all_of(solved.needs_of("balance_weight_moment"))
         raise InputError([Problem("", None, _("what rotates is not known without {needs} in the file", needs=needs))])
     names = solved.labels["weight"]
     directions = _directions(machine)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.grouping import places_of_equal
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.eccentric import Eccentric
@@ -30,13 +30,13 @@ def alike_places(places: Sequence[PlacedMechanism], keys: Sequence[Hashable]) ->
         yield ranged(names, members), places[members[0]]
 
 
-def unspoken(places: Sequence[PlacedMechanism], allowed: str) -> InputError:
+def unspoken(places: Sequence[PlacedMechanism], allowed: Words) -> InputError:
     """What is wrong with a machine of which a text does not speak, and which function has what the texts do say."""
     kinds = dict.fromkeys(place.kind.name for place in places)
     return InputError([Problem("machine", ", ".join(kinds), allowed, instead(places))])
 
 
-def instead(places: Sequence[PlacedMechanism]) -> str:
+def instead(places: Sequence[PlacedMechanism]) -> Words:
     """Say which function has what the texts say of the motion of some mechanisms, or that no text speaks of it."""
     if any(place.kind.name in _SPOKEN_OF for place in places):
         return _("`cranktrain.textbook.motion` has what the texts say of it")

@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.errors import problems_as
 from cranktrain.io.any_machine import source_of
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod, articulated_rod
 from cranktrain.numerics import extremes
@@ -150,11 +150,11 @@ def _numbers(one: AlikeSlaves, harmonics: SlaveHarmonics) -> _Numbers:
     return _Numbers(*found)
 
 
-def _number(one: AlikeSlaves, symbol: str, name: str, value: float, said: Verdict, exact: float) -> Statement:
-    return Statement(SOURCE, EQUATION, symbol, name, one.of, "", value, _SYMBOLS[symbol], said, exact)
+def _number(one: AlikeSlaves, symbol: str, words: Words, value: float, said: Verdict, exact: float) -> Statement:
+    return Statement(SOURCE, EQUATION, symbol, words, one.of, "", value, _SYMBOLS[symbol], said, exact)
 
 
-def _explained(slaves: Sequence[AlikeSlaves]) -> Iterator[str]:
+def _explained(slaves: Sequence[AlikeSlaves]) -> Iterator[Words]:
     """Say what the letters stand for, and where the constants are from."""
     yield _(
         "S = H − K − R[E cos(α_l + Φ) + ¼F cos(2α_l − Θ)], with α_l after the crank points along the slave's cylinder. "

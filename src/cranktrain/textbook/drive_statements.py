@@ -11,10 +11,10 @@ from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.io.any_machine import source_of
 from cranktrain.io.own_tables import own_table
 from cranktrain.io.syntax import parsed
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.motion import Array
 from cranktrain.plans.machine_drive import machine_drive
-from cranktrain.saying.wording import number
+from cranktrain.saying.wording import in_words, number
 from cranktrain.textbook.alike import instead
 from cranktrain.textbook.asked_angle import asked_angle
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
@@ -143,13 +143,13 @@ def _right_of(curve: DriveCurve, curves: tuple[DriveCurve, ...]) -> DriveCurve:
 
 
 def _statement(
-    equation: str, symbol: str, name: str, value: Array | float, unit: str, right: Array | float | None = None
+    equation: str, symbol: str, words: Words, value: Array | float, unit: str, right: Array | float | None = None
 ) -> Statement:
     """A number at the angle: right, or refuted where another one is."""
     size = float(value)
     verdict: Verdict = "right" if right is None else "refuted"
     return Statement(
-        SOURCE, equation, symbol, name, "", "at", size, unit, verdict, size if right is None else float(right)
+        SOURCE, equation, symbol, words, "", "at", size, unit, verdict, size if right is None else float(right)
     )
 
 
@@ -238,7 +238,7 @@ def _rubbing(drive: CrankRockerDrive, angle: Array) -> Iterator[StatementCurve]:
         yield StatementCurve(SOURCE, "", "M_O", name, "", "N*m", "beyond", torque)
 
 
-def _of_linkage(drive: CrankRockerDrive) -> Iterator[str]:
+def _of_linkage(drive: CrankRockerDrive) -> Iterator[Words]:
     """Say where the rocker turns round, and how far it swings."""
     dead = dead_positions(drive.geometry)
     yield _(
@@ -252,7 +252,7 @@ def _of_linkage(drive: CrankRockerDrive) -> Iterator[str]:
     )
 
 
-def _of_numbers(drive: CrankRockerDrive) -> Iterator[str]:
+def _of_numbers(drive: CrankRockerDrive) -> Iterator[Words]:
     """Say which numbers are counted with, and which rows of (14) are of the machine's own load."""
     train = drive.train
     yield _(
@@ -277,7 +277,7 @@ def _of_numbers(drive: CrankRockerDrive) -> Iterator[str]:
         yield said[drive.load_sense]
 
 
-def _absurd(drive: CrankRockerDrive) -> Iterator[str]:
+def _absurd(drive: CrankRockerDrive) -> Iterator[Words]:
     """Say what is wrong, each with its number."""
     found = absurdities(drive)
     yield _(
@@ -303,7 +303,7 @@ def _absurd(drive: CrankRockerDrive) -> Iterator[str]:
     )
 
 
-def _of_friction(drive: CrankRockerDrive) -> Iterator[str]:
+def _of_friction(drive: CrankRockerDrive) -> Iterator[Words]:
     """Say what friction circles give, if radii are known."""
     if drive.friction is None:
         yield _("No pins are given: f with r_O, r_B, r_A, r_O1.")
@@ -319,9 +319,7 @@ def _of_friction(drive: CrankRockerDrive) -> Iterator[str]:
     if found is None:
         yield _("The pins lock the links, or no load drives them.")
         return
-    parts = _(" and ").join(
-        f"{np.degrees(one.start) % 360:.3f}–{np.degrees(one.end) % 360:.3f}°" for one in found.locked
-    )
+    parts = [f"{np.degrees(one.start) % 360:.3f}–{np.degrees(one.end) % 360:.3f}°" for one in found.locked]
     yield _(
         "Mean efficiency {driving:.6f} while an active load resists and {driven:.6f} while it drives. Torque from "
         "{smallest} to {largest}; at the dead positions {extended} and {folded}, not 0. The load cannot drive "
@@ -332,5 +330,5 @@ def _of_friction(drive: CrankRockerDrive) -> Iterator[str]:
         largest=number(found.largest, "N*m"),
         extended=number(found.at_dead[0], "N*m"),
         folded=number(found.at_dead[1], "N*m"),
-        parts=parts,
+        parts=in_words(parts),
     )

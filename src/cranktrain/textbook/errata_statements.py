@@ -5,9 +5,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import N_, Words, _
 from cranktrain.saying.wording import in_print
-from cranktrain.textbook.statements import Statement, Statements
+from cranktrain.textbook.statements import Heading, Statement, Statements
 from cranktrain.texts.contents import TEXTS, text_called
 from cranktrain.texts.errata import ERRATA
 from cranktrain.texts.wrong_step import WrongStep
@@ -53,12 +53,14 @@ def errata(source: str | None = None) -> Statements:
         _("Errors of the sources, each with what is right"),
         tuple(_statement(name, step) for name, step in steps),
         np.zeros(0),
-        notes={_name(step): (_(step.why),) for _source, step in steps},
+        sentences={_words(step): (_(step.why),) for _source, step in steps},
     )
 
 
 def amounts(one: Statement) -> Iterator[tuple[str, str]]:
-    """Write the number that a wrong step gives and the right one, each with its head, as far as there are such.
+    """Write the number that a wrong step gives and the right one, as far as there are such.
+
+    Each has its head, which is translated where it is shown.
 
     Examples
     --------
@@ -66,9 +68,9 @@ def amounts(one: Statement) -> Iterator[tuple[str, str]]:
     [('gives', '35.26°'), ('right', '30°')]
     """
     if np.isfinite(one.value):
-        yield _("gives"), _written(one.value, one)
+        yield N_("gives"), _written(one.value, one)
     if np.isfinite(one.exact):
-        yield _("right"), _written(one.exact, one)
+        yield N_("right"), _written(one.exact, one)
 
 
 def _statement(source: str, step: WrongStep) -> Statement:
@@ -77,7 +79,7 @@ def _statement(source: str, step: WrongStep) -> Statement:
         source=source,
         equation=" ".join(re.findall(r"\((?:I\.)?\d+\)", step.step)),
         symbol=step.printed,
-        name=_name(step),
+        words=_words(step),
         of="",
         at=LARGEST_ERROR if step.unit == "%" else "",
         value=np.nan if step.got is None else size * step.got,
@@ -87,10 +89,9 @@ def _statement(source: str, step: WrongStep) -> Statement:
     )
 
 
-def _name(step: WrongStep) -> str:
-    """What a step is, in words, as a heading."""
-    words = _(step.step)
-    return words[:1].upper() + words[1:]
+def _words(step: WrongStep) -> Words:
+    """What a step is, as a heading."""
+    return Heading(_(step.step))
 
 
 def _written(value: float, one: Statement) -> str:

@@ -9,15 +9,16 @@ from cranktrain.analysis import Result, run
 from cranktrain.errors import problems_as
 from cranktrain.grouping import places_of_equal
 from cranktrain.io.any_machine import source_of
-from cranktrain.language import _
+from cranktrain.language import Listed, Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
-from cranktrain.saying.wording import ranged
+from cranktrain.saying.wording import in_words, ranged
 from cranktrain.textbook.alike import AlikePistons, alike, unspoken
 from cranktrain.textbook.construction_statements import construction_statements
 from cranktrain.textbook.crank_rocker_statements import alike_rockers, crank_rocker_curves, crank_rocker_statements
 from cranktrain.textbook.statements import (
+    Heading,
     MotionForm,
     Statement,
     StatementCurve,
@@ -137,38 +138,37 @@ def motion_statements(machine: Machine, result: Result) -> Statements:
     )
 
 
-def form_heading(one: Range) -> str:
+def form_heading(one: Range) -> Words:
     """Name a method with its numbers and its source."""
-    heading = f"{_(one.name)}: {', '.join(one.equations)} [{one.source}]"
-    return heading[:1].upper() + heading[1:]
+    return Heading(Listed((_(one.name), f"{', '.join(one.equations)} [{one.source}]"), ": "))
 
 
-def form_notes(machine: Machine, one: Range) -> Iterator[str]:
+def form_notes(machine: Machine, one: Range) -> Iterator[Words]:
     """Say a method's range, and which pistons and valves are inside; outside, for what."""
     yield _("range: {condition}", condition=_(one.condition))
     if one.most_ratio is not None:
         yield _inside_of(one, [place for place in machine.places if place.kind.name in FORMS[one.method]])
 
 
-def root_notes(places: Sequence[PlacedMechanism]) -> Iterator[str]:
+def root_notes(places: Sequence[PlacedMechanism]) -> Iterator[Words]:
     """Say what the exact root is, its range, and which pistons and valves are inside."""
     yield _("range: {condition}", condition=_(EXACT_ROOT.condition))
     yield _inside_of(EXACT_ROOT, [place for place in places if place.kind.name in PLAIN])
     yield _("S = R(1 − cos φ) + L(1 − √(1 − λ² sin² φ)), and its derivatives")
 
 
-def _inside_of(one: Range, places: Sequence[PlacedMechanism]) -> str:
+def _inside_of(one: Range, places: Sequence[PlacedMechanism]) -> Words:
     """Say which are inside a range, and for what the others are not."""
     names = [place.name for place in places]
     said = places_of_equal([_inside(one, place) for place in places])
-    return "; ".join(f"{ranged(names, members)}: {words}" for words, members in said.items())
+    return Listed([Listed((ranged(names, members), words), ": ") for words, members in said.items()], "; ")
 
 
-def _inside(one: Range, place: PlacedMechanism) -> str:
+def _inside(one: Range, place: PlacedMechanism) -> Words:
     radius, rod, offset = plain_crank(getattr(place.geometry, "master", place.geometry))
     if reasons := list(one.reasons(float(radius / rod), float(offset))):
-        return _("outside, as {reasons}", reasons=_(" and ").join(reasons))
-    return _("inside, λ = {ratio:.4g}", ratio=float(radius / rod))
+        return _("outside, as {reasons}", reasons=in_words(reasons))
+    return _("inside, λ = {ratio:.4g}", ratio=float(f"{float(radius / rod):.4g}"))
 
 
 def form_statements(machine: Machine, result: Result, one: Range) -> Iterator[Statement]:

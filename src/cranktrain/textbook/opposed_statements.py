@@ -9,7 +9,7 @@ from cranktrain.analysis import Result, run
 from cranktrain.errors import problems_as
 from cranktrain.grouping import grouped
 from cranktrain.io.any_machine import source_of
-from cranktrain.language import _
+from cranktrain.language import Listed, Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import ENDS
 from cranktrain.mechanisms.slider_crank import SliderCrank
@@ -183,7 +183,7 @@ def opposed_statements(cylinders: Sequence[OpposedCylinders], result: Result) ->
     )
 
 
-def subjects(one: OpposedCylinders, *, several: bool) -> tuple[str, str, str]:
+def subjects(one: OpposedCylinders, *, several: bool) -> tuple[Words, Words, Words]:
     """What the notes are about: the formulas, the volumetric dead centres, the lead."""
     whose = _(" of cylinders {cylinders}", cylinders=one.of[2]) if several else ""
     return (
@@ -207,7 +207,7 @@ def _of_cylinders(one: OpposedCylinders, result: Result) -> Iterator[Statement]:
     yield from _dead_centres(one, result)
 
 
-def _names() -> tuple[str, str, str]:
+def _names() -> tuple[Words, Words, Words]:
     """What (I.11), (I.12) and both together are the motion of."""
     return _("exhaust"), _("scavenge"), _("both")
 
@@ -216,7 +216,7 @@ def _number(
     one: OpposedCylinders,
     equation: str,
     symbol: str,
-    name: str,
+    words: Words,
     at: str,
     value: float,
     unit: str,
@@ -224,7 +224,7 @@ def _number(
     exact: float,
 ) -> Statement:
     """A number of the cylinders."""
-    return Statement(SOURCE, equation, symbol, name, one.of[2], at, value, unit, said, exact)
+    return Statement(SOURCE, equation, symbol, words, one.of[2], at, value, unit, said, exact)
 
 
 def _sizes(one: OpposedCylinders) -> Iterator[Statement]:
@@ -242,7 +242,7 @@ def _sizes(one: OpposedCylinders) -> Iterator[Statement]:
 
 
 def _errors(
-    one: OpposedCylinders, found: Sequence[LargestErrors], names: Sequence[str], said: Verdict | None = None
+    one: OpposedCylinders, found: Sequence[LargestErrors], names: Sequence[Words], said: Verdict | None = None
 ) -> Iterator[Statement]:
     """Largest errors of each piston and of both together."""
     for equation, of, name, errors in zip(_EQUATIONS, one.of, names, found, strict=True):
@@ -294,7 +294,7 @@ def _curves(one: OpposedCylinders, angle: Array) -> Iterator[StatementCurve]:
             yield StatementCurve(SOURCE, equation, symbol, name, of, unit, one.verdict, own[order], true[order])
 
 
-def _on_the_form(one: OpposedCylinders) -> Iterator[str]:
+def _on_the_form(one: OpposedCylinders) -> Iterator[Words]:
     """Say from where travel counts, how the shafts turn, and what a far piston changes."""
     yield _("each piston from its own inner dead centre, outward; φ after the exhaust crank's")
     yield from _arrangement(one)
@@ -313,7 +313,7 @@ def _on_the_form(one: OpposedCylinders) -> Iterator[str]:
         yield _("Both formulas are of lines of stroke through the shafts' centres; here one is offset.")
 
 
-def _arrangement(one: OpposedCylinders) -> Iterator[str]:
+def _arrangement(one: OpposedCylinders) -> Iterator[Words]:
     """Say which scheme of fig. 1.3 the shafts are, the cylinders of each."""
     names = [exhaust.cylinder for exhaust, _scavenge in one.places]
     words = {
@@ -324,7 +324,7 @@ def _arrangement(one: OpposedCylinders) -> Iterator[str]:
     sorts = grouped((_turning(*both), i) for i, both in enumerate(one.places))
     for sort, members in sorts.items():
         whose = f"{ranged(names, members)}: " if len(sorts) > 1 else ""
-        yield f"{whose}{words[sort]}."
+        yield Listed((whose, words[sort], "."), "")
 
 
 def _turning(exhaust: PlacedMechanism, scavenge: PlacedMechanism) -> str:
@@ -333,7 +333,7 @@ def _turning(exhaust: PlacedMechanism, scavenge: PlacedMechanism) -> str:
     return "alike" if exhaust.sense == scavenge.sense else "against"
 
 
-def _on_dead_centres(one: OpposedCylinders, result: Result) -> Iterator[str]:
+def _on_dead_centres(one: OpposedCylinders, result: Result) -> Iterator[Words]:
     """Say where half the lead is a dead centre, and by how much both pistons part."""
     pair = one.pair
     stroke = number(float(result.combined_stroke[_place(one, result)]), "mm")
@@ -356,7 +356,7 @@ def _on_dead_centres(one: OpposedCylinders, result: Result) -> Iterator[str]:
         yield _("Cranks or rods differ: half the lead is no dead centre. Both part by {stroke}.", stroke=stroke)
 
 
-def _on_the_lead(one: OpposedCylinders, result: Result) -> Iterator[str]:
+def _on_the_lead(one: OpposedCylinders, result: Result) -> Iterator[Words]:
     """Say which engines the lead suits, and what it does to this machine's ports."""
     lead, place = one.pair.lead, _place(one, result)
     yield _("{lead}: {verdict}", lead=number(lead, "deg"), verdict=verdict(lead))

@@ -2,15 +2,15 @@
 
 import csv
 import io
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field, fields
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import Said, Words, _
 from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.texts.contents import numbers_in, plain_number
@@ -43,8 +43,8 @@ class Statement:
     equation : str
         Its own number: `(14)`; of several that give one number all of them.
     symbol : str
-    name : str
-        What it is, in words.
+    words : Words
+        What it is.
     of : str
         Whose it is: a piston, a cylinder, a throw; empty where there is but one.
     at : str
@@ -63,7 +63,7 @@ class Statement:
     source: str
     equation: str
     symbol: str
-    name: str
+    words: Words
     of: str
     at: str
     value: float
@@ -73,9 +73,18 @@ class Statement:
     crank_angle: float = np.nan
 
     @property
+    def name(self) -> str:
+        """What it is, in the reader's language."""
+        return str(self.words)
+
+    @property
     def error(self) -> float:
         """By how much the text is off."""
         return self.value - self.exact
+
+
+_COLUMNS = ["name" if one.name == "words" else one.name for one in fields(Statement)]
+"""Of a table of statements."""
 
 
 @record
@@ -84,7 +93,7 @@ class StatementCurve:
 
     Attributes
     ----------
-    source, equation, symbol, name, of, unit, verdict
+    source, equation, symbol, words, of, unit, verdict
         As a `Statement` has them.
     values : Array, shape (crank_angle,)
         By the text.
@@ -95,12 +104,17 @@ class StatementCurve:
     source: str
     equation: str
     symbol: str
-    name: str
+    words: Words
     of: str
     unit: str
     verdict: Verdict
     values: Array
     exact: Array | None = None
+
+    @property
+    def name(self) -> str:
+        """What it is, in the reader's language."""
+        return str(self.words)
 
 
 @record
@@ -109,20 +123,30 @@ class Statements:
 
     Attributes
     ----------
-    title : str
+    heading : Words
     each : tuple of Statement
     crank_angle : Array, shape (crank_angle,)
         Of the curves. [deg]
     curves : tuple of StatementCurve
-    notes : mapping of str to tuple of str
-        Sentences on them, by what they are about.
+    sentences : mapping of Words to tuple of Words
+        What is to be said of them, by what it is about.
     """
 
-    title: str
+    heading: Words
     each: tuple[Statement, ...]
     crank_angle: Array
     curves: tuple[StatementCurve, ...] = ()
-    notes: Mapping[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])
+    sentences: Mapping[Words, tuple[Words, ...]] = field(default_factory=dict[Words, tuple[Words, ...]])
+
+    @property
+    def title(self) -> str:
+        """What they are of, in the reader's language."""
+        return str(self.heading)
+
+    @property
+    def notes(self) -> dict[str, tuple[str, ...]]:
+        """The sentences in the reader's language."""
+        return {str(subject): tuple(map(str, said)) for subject, said in self.sentences.items()}
 
     def __len__(self) -> int:
         """How many there are."""
@@ -150,14 +174,14 @@ class Statements:
 
     def __repr__(self) -> str:
         """Show what they are of and how many there are, in one line."""
-        n, n_curves = len(self.each), len(self.curves)
-        return _("<Statements: {title}; {n} numbers, {n_curves} curves>", title=self.title, n=n, n_curves=n_curves)
+        shown = _("<Statements: {title}; {n} numbers, {n_curves} curves>")
+        return str(shown.format(title=self.heading, n=len(self.each), n_curves=len(self.curves)))
 
     @property
     def frame(self) -> "pandas.DataFrame":
         """As a data frame, a row for each."""
-        names = [one.name for one in fields(Statement)]
-        return _pandas().DataFrame([[getattr(one, name) for name in names] for one in self.each], columns=names)
+        rows = [[getattr(one, name) for name in _COLUMNS] for one in self.each]
+        return _pandas().DataFrame(rows, columns=_COLUMNS)
 
     def csv(self) -> str:
         """The curves as a table over the crank angle, in SI; exact ones beside, where they are none of the others.
@@ -184,10 +208,9 @@ class Statements:
         """Every record in a row; what is not known is empty."""
         text = io.StringIO(newline="")
         writer = csv.writer(text, lineterminator="\n")
-        names = [one.name for one in fields(Statement)]
-        writer.writerow(names)
+        writer.writerow(_COLUMNS)
         for one in self.each:
-            writer.writerow(_plain(getattr(one, name)) for name in names)
+            writer.writerow(_plain(getattr(one, name)) for name in _COLUMNS)
         return text.getvalue()
 
     @property
@@ -221,12 +244,28 @@ def _pandas() -> Any:
         raise InputError([Problem("frame", None, _("needs the package pandas"), repair)]) from None
 
 
+@dataclass(frozen=True, slots=True, repr=False)
+class Heading(Said):
+    """Words with a large letter before."""
+
+    words: Words
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say them."""
+        text = str(say(self.words))
+        return text[:1].upper() + text[1:]
+
+    def each(self) -> Iterable[object]:
+        """Give them."""
+        return (self.words,)
+
+
 class MotionForm(NamedTuple):
     """Whose form it is, the numbers of its three equations or of one for all, what it is in words, where it is off."""
 
     source: str
     equations: Sequence[str]
-    name: str
+    words: Words
     at: str = LARGEST
 
 
@@ -237,7 +276,7 @@ def error_statements(
     for order, (symbol, (error, angle)) in enumerate(zip(ERRORS, errors, strict=True)):
         equation = form.equations[min(order, len(form.equations) - 1)]
         where = angle % 360.0 if abs(error) > _ROUNDING else np.nan
-        yield Statement(form.source, equation, symbol, form.name, of, form.at, error, "1", verdict, 0.0, where)
+        yield Statement(form.source, equation, symbol, form.words, of, form.at, error, "1", verdict, 0.0, where)
 
 
 def with_degrees(errors: LargestErrors) -> list[tuple[float, float]]:

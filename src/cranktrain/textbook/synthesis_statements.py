@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.motion import Array, single
 from cranktrain.quantities import Dimension, Quantity
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
@@ -144,11 +144,11 @@ def synthesis_statements(wanted: SliderCrankRequirements, rod: float | None = No
 
 
 def _statement(
-    equation: str, symbol: str, name: str, value: float, unit: str, exact: float | None = None, at: str = ""
+    equation: str, symbol: str, words: Words, value: float, unit: str, exact: float | None = None, at: str = ""
 ) -> Statement:
     """A number that is right, or printed where another one is."""
     verdict: Verdict = "right" if exact is None else "printed"
-    return Statement(SOURCE, equation, symbol, name, "", at, value, unit, verdict, value if exact is None else exact)
+    return Statement(SOURCE, equation, symbol, words, "", at, value, unit, verdict, value if exact is None else exact)
 
 
 def _requirements(wanted: SliderCrankRequirements) -> Iterator[Statement]:
@@ -204,7 +204,7 @@ def _velocities(own: _SliderCrank, *, is_own: bool) -> Iterator[Statement]:
     degrees = np.arange(0.0, 360.0, _STEP)
     angle = np.deg2rad(degrees)
     exact = _exact(angle, own).tolist()
-    columns: list[tuple[Verdict, str, list[float], str]] = [
+    columns: list[tuple[Verdict, Words, list[float], str]] = [
         ("approximate", _("by its formula"), _by_formula(angle, own).tolist(), VELOCITY)
     ]
     if is_own:
@@ -220,7 +220,7 @@ def _curves(own: _SliderCrank, angle: Array) -> Iterator[StatementCurve]:
     yield StatementCurve(SOURCE, VELOCITY, "v", _("velocity of the slider"), "", "m/s", "approximate", values, exact)
 
 
-def _words(*, is_own: bool, has_rod: bool) -> str:
+def _words(*, is_own: bool, has_rod: bool) -> Words:
     """Say with which numbers the velocities are."""
     if is_own:
         return _(

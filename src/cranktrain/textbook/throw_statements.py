@@ -1,7 +1,7 @@
 """What the text on support reactions states of a throw: fig. 35, (44) to (53), beside the shaft split at bearings."""
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -10,7 +10,7 @@ from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.io.any_machine import source_of
 from cranktrain.io.own_tables import own_table
 from cranktrain.io.syntax import parsed
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Listed, Words, _
 from cranktrain.motion import Array
 from cranktrain.plans.machine_throw import MachineThrow, ThrownMachine
 from cranktrain.plans.throw_loads import CrankMasses
@@ -121,7 +121,7 @@ def throw_statements(of: Throw) -> Statements:
     """Give fig. 35 and (44) to (53) for a throw's own table."""
     title = _("Reactions of the supports of a throw, (44) to (53) [{source}]", source=SOURCE)
     each = [*_lengths(of, ""), *_forces(of, "", np.nan), *_reactions(of, _All(), "", np.nan), *_conditions(of, "")]
-    return Statements(title, tuple(each), np.zeros(0), notes=_notes(of, ()))
+    return Statements(title, tuple(each), np.zeros(0), sentences=_notes(of, ()))
 
 
 class _All(NamedTuple):
@@ -173,7 +173,7 @@ def _forces(of: Throw, name: str, at: float) -> Iterator[Statement]:
 
 
 def _statement(
-    equation: str, symbol: str, words: str, name: str, value: Array, unit: str, at: float = np.nan
+    equation: str, symbol: str, words: Words, name: str, value: Array, unit: str, at: float = np.nan
 ) -> Statement:
     """A number that is right."""
     size = float(np.ravel(value)[0])
@@ -245,10 +245,10 @@ def _curves(over: MachineThrow) -> Iterator[StatementCurve]:
         yield StatementCurve(SOURCE, numbers, symbol, _(TOGETHER), over.name, "N", verdict, own, exact)
 
 
-def _of_machine(one: MachineThrow, masses: CrankMasses) -> Iterator[str]:
+def _of_machine(one: MachineThrow, masses: CrankMasses) -> Iterator[Words]:
     """Say whose rods are on the pin, and of whose masses C2, C4 and C6 are."""
-    forces = [f"K{i}, T{i}: {names}" for i, names in enumerate(one.rods, 1)]
-    yield _("Rods on the pin: {rods}", rods="; ".join(forces))
+    forces = [Listed((f"K{i}, T{i}", names), ": ") for i, names in enumerate(one.rods, 1)]
+    yield _("Rods on the pin: {rods}", rods=Listed(forces, "; "))
     if masses == "sizes":
         yield _("C2, C4, C6 are what pins and webs of [crankshaft] weigh; in `run` a crank is what [masses.crank] says")
     elif one.has_mass:
@@ -261,14 +261,14 @@ def _of_machine(one: MachineThrow, masses: CrankMasses) -> Iterator[str]:
         )
 
 
-def _notes(of: Throw, more: Iterator[str] | tuple[()]) -> dict[str, tuple[str, ...]]:
+def _notes(of: Throw, more: Iterable[Words]) -> dict[Words, tuple[Words, ...]]:
     """Sentences on the throw, on its balance, and what is to be minded."""
     rods = {
         "one": _("Rods at one place of the pin, K1 and T1."),
         "two": _("Two rods side by side, K1, T1 and K2, T2."),
         "articulated": _("An articulated pair: one resultant K1, T1 on the master's axis, K2 = T2 = 0."),
     }
-    chain = f"l = {' + '.join(CHAIN)} = {number(float(throw_length(of.lengths)), 'mm')}"
+    chain = Listed((f"l = {' + '.join(CHAIN)}", number(float(throw_length(of.lengths)), "mm")), " = ")
     first = ThrowForces(*(np.ravel(force)[0] for force in of.forces))
     conditions = balance_conditions(of.lengths, first)
     return {
@@ -286,7 +286,7 @@ def _notes(of: Throw, more: Iterator[str] | tuple[()]) -> dict[str, tuple[str, .
     }
 
 
-def _said_of(found: BalanceConditions) -> str:
+def _said_of(found: BalanceConditions) -> Words:
     """Say what follows from both conditions."""
     if found.hold:
         return _("Both hold: the rotating masses load no bearing.")

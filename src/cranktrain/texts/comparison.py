@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cranktrain.grouping import grouped
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Listed, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch, Pistons
 from cranktrain.motion import Array, Coefficient
@@ -19,9 +19,8 @@ from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
 from cranktrain.saying.catalogue import coefficients, extreme
 from cranktrain.saying.checks import Flagged
-from cranktrain.saying.wording import ABSENT, Names, ranged
+from cranktrain.saying.wording import in_words, ranged
 from cranktrain.texts.leads import lead_flags
-from cranktrain.texts.percents import percent
 from cranktrain.texts.plain_cranks import PLAIN, own_angle, plain_crank
 from cranktrain.texts.ranges import RANGES, Range
 from cranktrain.texts.steam_engine import brix, infinite_rod, two_harmonics
@@ -119,31 +118,6 @@ class TextbookMotion(Flagged):
         "6.1 to 6.25",
     )
 
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say how far the forms that textbooks use most are off."""
-        methods = names["motion_method"]
-        said = [
-            _(
-                "{form} is off by up to {x} of the stroke, {v} in velocity, {j} in acceleration",
-                form=form,
-                x=_in_percent(self.displacement_error.value[design, index]),
-                v=_in_percent(self.velocity_error.value[design, index]),
-                j=_in_percent(self.acceleration_error.value[design, index]),
-            )
-            for method, form in (
-                ("two_harmonics", _("two harmonics (333)–(337)")),
-                ("reconstructed", _("(I.13), reconstructed,")),
-            )
-            if np.any(np.isfinite(self.displacement_error.value[design, (index := methods.index(method))]))
-        ]
-        return _("Textbook: {forms}.", forms="; ".join(said)) if said else None
-
-
-def _in_percent(errors: Array) -> str:
-    """Write the largest of the errors that there are."""
-    known = errors[np.isfinite(errors)]
-    return f"{percent(float(np.max(known)))} %" if known.size else ABSENT
-
 
 def textbook_motion(
     pistons: Pistons,
@@ -221,34 +195,34 @@ def _own_rows(motion: Coefficient) -> Array:
     return np.stack([part[order] if part.ndim == 4 else part for order, part in enumerate(motion)])
 
 
-def _flags(pistons: Pistons) -> Iterator[str]:
+def _flags(pistons: Pistons) -> Iterator[Words]:
     """Say which methods are outside their source's range, for which pistons and why, and what the source says."""
     for one, batch in product(RANGES, pistons.batches):
         if batch.kind.name in FORMS[one.method]:
             reasons = _reasons(one, batch)
             if reasons:
-                outside = (
+                outside = [
                     _("{pistons}, as {reason}", pistons=ranged(batch.members.names, alike), reason=reason)
                     for reason, alike in reasons.items()
-                )
+                ]
                 yield _(
                     "{method} {equations} is outside its source's range ({condition}) for {pistons} [{source}]",
                     method=_(one.name),
                     equations=", ".join(one.equations),
                     condition=_(one.condition),
-                    pistons="; ".join(outside),
+                    pistons=Listed(outside, "; "),
                     source=one.source,
                 )
 
 
-def _reasons(one: Range, batch: Batch) -> dict[str, list[int]]:
+def _reasons(one: Range, batch: Batch) -> dict[Words, list[int]]:
     """Members of a batch that are outside a range, by the reason: that of the first design that is."""
     plain = getattr(batch.members.geometry, "master", batch.members.geometry)
     ratio, offset = (part[..., 0] for part in np.broadcast_arrays(plain.crank_radius / plain.rod_length, plain.offset))
     is_outside = one.outside(ratio, offset)
     first = np.argmax(is_outside, axis=0)
     return grouped(
-        (_(" and ").join(one.reasons(float(ratio[design, member]), float(offset[design, member]))), member)
+        (in_words(list(one.reasons(float(ratio[design, member]), float(offset[design, member])))), member)
         for member, design in enumerate(first.tolist())
         if is_outside[design, member]
     )

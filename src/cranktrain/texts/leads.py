@@ -11,13 +11,16 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.grouping import places_of_equal
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Listed, Words, _
 from cranktrain.motion import Array
+from cranktrain.quantities import shown
 from cranktrain.saying.wording import number, ranged
 
 SOURCE = "bolotin"
 _ROUNDING = np.radians(1e-3)
 """Leads are written in whole or tenths of a degree; those of throws at 51.43° have a little more. [rad]"""
+_DECIMALS = 2
+"""Of degrees: leads that are alike in these are said once."""
 
 
 class LeadRange(NamedTuple):
@@ -37,7 +40,7 @@ ONE_WAY = LeadRange(np.radians(10.0), np.radians(15.0), N_("engines that turn on
 REVERSING = LeadRange(np.radians(5.0), np.radians(10.0), N_("engines that reverse"), "5–10°")
 
 
-def verdict(lead: float) -> str:
+def verdict(lead: float) -> Words:
     """Say which engines a lead suits by the source's rule.
 
     Parameters
@@ -48,18 +51,18 @@ def verdict(lead: float) -> str:
 
     Returns
     -------
-    str
+    Words
 
     Examples
     --------
     >>> print(verdict(np.radians(12.0)))
     suits engines that turn one way (10–15°), too much for engines that reverse (5–10°)
     """
-    said = ", ".join(_one_verdict(one, abs(lead)) for one in _ranges(lead))
+    said = Listed(tuple(_one_verdict(one, abs(lead)) for one in _ranges(lead)))
     return _("behind, as only astern: {verdict}", verdict=said) if lead < 0 else said
 
 
-def reasons(lead: float, opens_before: float = nan, closes_before: float = nan) -> Iterator[str]:
+def reasons(lead: float, opens_before: float = nan, closes_before: float = nan) -> Iterator[Words]:
     """Say what a lead does to the ports, as it turns and with the same metal turning the other way.
 
     Parameters
@@ -71,7 +74,7 @@ def reasons(lead: float, opens_before: float = nan, closes_before: float = nan) 
 
     Yields
     ------
-    str
+    Words
 
     Notes
     -----
@@ -102,7 +105,7 @@ def reasons(lead: float, opens_before: float = nan, closes_before: float = nan) 
         yield _("The ports' heights alone do not open the exhaust ports sooner: any lead blows back astern.")
 
 
-def _gap(opens_before: float, others: str) -> str:
+def _gap(opens_before: float, others: Words) -> Words:
     """Say by how much the exhaust ports open before others, and what follows if they open after them."""
     size = number(abs(opens_before), "deg")
     if opens_before >= 0:
@@ -110,7 +113,7 @@ def _gap(opens_before: float, others: str) -> str:
     return _("{angle} after {others}: gas blows back into the receiver", angle=size, others=others)
 
 
-def _without_ports(lead: float) -> Iterator[str]:
+def _without_ports(lead: float) -> Iterator[Words]:
     """Say what holds whatever the ports are."""
     yield _("A lead opens the exhaust ports by as much sooner, so that the pressure has fallen when the others open.")
     if abs(lead) > _ROUNDING:
@@ -133,7 +136,7 @@ def _ranges(lead: float) -> tuple[LeadRange, ...]:
     return (REVERSING,) if lead < 0 else (ONE_WAY, REVERSING)
 
 
-def _one_verdict(one: LeadRange, size: float) -> str:
+def _one_verdict(one: LeadRange, size: float) -> Words:
     """Say whether a range holds a lead, or what the lead is for it."""
     words = (
         _("suits {engines} ({range})")
@@ -145,18 +148,18 @@ def _one_verdict(one: LeadRange, size: float) -> str:
     return words.format(engines=_(one.engines), range=one.condition)
 
 
-def lead_flags(cylinders: Sequence[str], leads: Array) -> Iterator[str]:
+def lead_flags(cylinders: Sequence[str], leads: Array) -> Iterator[Words]:
     """Flag leads [rad], shape (design, cylinder), that are outside the source's ranges; NaN is no lead."""
     columns: list[list[float]] = leads.T.tolist()
     firsts = [next(filter(is_unsuited, column), None) for column in columns]
-    for (lead, said), members in places_of_equal(
-        ("", "") if lead is None else (number(lead, "deg"), verdict(lead)) for lead in firsts
-    ).items():
-        if said:
+    alike = places_of_equal(None if lead is None else round(shown(lead, "deg"), _DECIMALS) for lead in firsts)
+    for members in alike.values():
+        lead = firsts[members[0]]
+        if lead is not None:
             yield _(
                 "the lead of {cylinders}, {lead}, is outside its source's range: {reason} [{source}]",
                 cylinders=ranged(cylinders, members),
-                lead=lead,
-                reason=said,
+                lead=number(lead, "deg"),
+                reason=verdict(lead),
                 source=SOURCE,
             )

@@ -6,7 +6,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array, single
 from cranktrain.record import record
 from cranktrain.saying.wording import number
@@ -52,7 +52,7 @@ class Range:
         """Tell what is outside, from λ of a rod and the offset of its line of stroke [m], arrays that broadcast."""
         return self._is_beyond(ratio) | self._is_offset(offset)
 
-    def reasons(self, ratio: float, offset: float) -> Iterator[str]:
+    def reasons(self, ratio: float, offset: float) -> Iterator[Words]:
         """Say what a mechanism is outside for: its λ, the offset of its line of stroke [m], or both.
 
         Examples

@@ -6,7 +6,7 @@ from cranktrain.analysis import Result
 from cranktrain.analysis.curve_columns import CurveColumn
 from cranktrain.analysis.figures import shown_in, text_in
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import LINE, Figure, drawing_settings, mathematics

@@ -9,7 +9,7 @@ from cranktrain.analysis import Result
 from cranktrain.analysis.comparison import Comparison
 from cranktrain.analysis.figures import shown_in
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import short
@@ -172,7 +172,7 @@ def _curve_called(name: str, results: Sequence[Result]) -> Entry:
     if entry is None:
         needs = next((needs for one in results if (needs := one.needs_of(name))), ())
         if needs:
-            raise InputError([Problem("plot", name, _("needs {needs}", needs=", ".join(needs)))])
+            raise InputError([Problem("plot", name, _("needs {needs}", needs=", ".join(map(str, needs))))])
         curves = [curve for one in results for curve, held in one.catalogue.items() if not held.is_fact]
         raise InputError([_unknown("plot", name, curves)])
     if entry.is_fact:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.one_line import visible
 from cranktrain.record import record

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.output import write_whole
-from cranktrain.language import _
+from cranktrain.language import said as _
 
 if TYPE_CHECKING:
     from cranktrain.analysis import Result

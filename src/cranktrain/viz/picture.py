@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.record import record
 
 if TYPE_CHECKING:
@@ -68,7 +68,7 @@ class Picture:
             machine: Machine = self._machine_of(of)
             for quantity, sentence in self.needs.items():
                 if quantity not in of.catalogue:
-                    needs = ", ".join(of.needs_of(quantity))
+                    needs = ", ".join(map(str, of.needs_of(quantity)))
                     raise InputError([Problem("", None, _(sentence, needs=needs))])
             with shown_as_in(units_of(machine)):
                 return draw(of, *arguments, **options)

@@ -38,7 +38,7 @@ def test_they_run_in_this_order(bearing_load):
     absent = lacking(stages_for(machine), parts)
     there = [stage for stage in stages_for(machine) if stage.outcome not in absent]
     said: list[str] = []
-    with listened_to(lambda words: said.append(words[-1]().partition(", ")[2])):
+    with listened_to(lambda words: said.append(str(words[-1]()).partition(", ")[2])):
         run_stages(leading_to(there, [MainBearingLoads]), parts, absent)
     assert said == [re.sub("(?<=[a-z])(?=[A-Z])", " ", stage.gives).lower() for stage in bearing_load.stages]
 
@@ -46,7 +46,7 @@ def test_they_run_in_this_order(bearing_load):
 def test_a_run_runs_them_after_all_that_they_take(bearing_load):
     """What may refuse the machine is run first. Of another step of crank angles some are run again."""
     said: list[str] = []
-    with listened_to(lambda words: said.append(words[-1]().partition(", ")[2])):
+    with listened_to(lambda words: said.append(str(words[-1]()).partition(", ")[2])):
         ct.run("3d12", quantities="largest_bearing_load").find_all()
     names = [re.sub("(?<=[a-z])(?=[A-Z])", " ", stage.gives).lower() for stage in bearing_load.stages]
     ran = list(dict.fromkeys(said))

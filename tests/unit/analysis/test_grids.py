@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from tests.gas_engines import DUAL_CYCLE
 from tests.machines import slider, throws
+from tests.told import texts_of
 
 import cranktrain as ct
 
@@ -17,6 +18,11 @@ def engine(**changes) -> ct.Machine:
         "gas": DUAL_CYCLE,
     }
     return ct.Machine(**(tables | changes))
+
+
+def coarse(result: ct.Result) -> list[str]:
+    """What is told of too coarse a step."""
+    return [flag for flag in texts_of(result.flags) if "coarse" in flag]
 
 
 @pytest.mark.parametrize(("step", "shared", "precision"), [(30, 1, 0.0), (7.5, 0.5, 1e-7)])
@@ -36,24 +42,23 @@ def test_curves_stand_on_the_grid_that_is_asked_for(step, shared, precision):
 
 
 def test_a_coarse_step_is_told_with_the_curves_that_lose_most():
-    said = [flag for flag in ct.run(engine(), step_degrees=30).flags if "coarse" in flag]
-    assert len(said) == 1
-    assert said[0].startswith("A step of 30 deg is coarse for curves, though not for facts:")
+    (said,) = coarse(ct.run(engine(), step_degrees=30))
+    assert said.startswith("A step of 30 deg is coarse for curves, though not for facts:")
     # p falls to a half within 30° of its peak: straight lines miss much of that.
-    assert "%" in said[0] and "more." in said[0]
+    assert "%" in said and "more." in said
 
 
 @pytest.mark.parametrize("step", [0.1, 1])
 def test_a_fine_step_is_not(step):
-    assert not [flag for flag in ct.run(engine(), step_degrees=step).flags if "coarse" in flag]
+    assert not coarse(ct.run(engine(), step_degrees=step))
 
 
 def test_a_gentle_curve_is_not_coarse_at_five_degrees():
     pump = ct.Machine(shaft=throws(0, speed="60 rpm"), mechanism=slider())
-    assert not [flag for flag in ct.run(pump, step_degrees=5).flags if "coarse" in flag]
+    assert not coarse(ct.run(pump, step_degrees=5))
 
 
 def test_rounding_about_a_constant_is_no_curve():
     """The shaking couple of one throw is nothing; what rounding makes of it is not coarse."""
-    said = " ".join(ct.run(engine(), step_degrees=30, quantities=["shaking_couple_x"]).flags)
+    said = " ".join(texts_of(ct.run(engine(), step_degrees=30, quantities=["shaking_couple_x"]).flags))
     assert "shaking_couple" not in said

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import pytest
+from tests.told import texts_of
 
 from cranktrain.analysis import Stage, ordered
 from cranktrain.analysis.outcomes import run_stages
@@ -87,7 +88,7 @@ def test_what_is_missing_is_traced_to_the_file():
     outcomes, missing = ran(STAGES, {Other: Other()})
     assert outcomes == {}
     (found,) = missing
-    assert found.needs == ("[x] bore",)
+    assert texts_of(found.needs) == ("[x] bore",)
     assert sorted(found.results) == ["area", "force", "odd"]
 
 

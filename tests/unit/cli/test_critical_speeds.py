@@ -1,4 +1,9 @@
-"""Critical speeds next to the machine's: of major orders in the answer, of minor ones with --full."""
+"""Critical speeds next to the machine's: of major orders in the answer, of minor ones in the table of all."""
+
+import numpy as np
+import pytest
+
+import cranktrain as ct
 
 SIX = """
 [shaft.main]
@@ -37,9 +42,18 @@ stiffness = "0.8 MN·m/rad"
 
 
 def test_a_six_between_its_major_orders(typed, written):
-    said = typed("run", str(written(SIX))).output
+    path = str(written(SIX))
+    said = typed("run", path).output
     row = next(line for line in said.splitlines() if "next critical speeds" in line)
     assert row.split(None, 3)[3] == "1285 rpm (order 9), 1927 rpm (order 6)"
-    full = " ".join(typed("run", str(written(SIX)), "--full").output.split())
-    assert "1284.9 rpm (order 9, vector sum 3.504), 1927.4 rpm (order 6, vector sum 3.504); of minor orders" in full
-    assert "rpm (order 8, vector sum 0.1314)" in full
+    result = ct.run(path)
+    of_first = (values[0].tolist() for values in (result.critical_speed, result.mode_vector_sum))
+    found = dict(zip(result.labels["order"], zip(*of_first, strict=True), strict=True))
+    for order, speed, vector_sum in (("9", 1284.9, 3.504), ("8", 1445.6, 0.1314), ("6", 1927.4, 3.504)):
+        assert found[order][0] * 30 / np.pi == pytest.approx(speed, abs=0.05)
+        assert found[order][1] == pytest.approx(vector_sum, rel=5e-4)
+    table = [
+        line.split()
+        for line in typed("run", path, "--quantities", "critical_speed,mode_vector_sum").output.splitlines()
+    ]
+    assert ["1", "8", "1446", "0.1314"] in table

@@ -87,7 +87,7 @@ def test_what_a_drive_lacks_is_told_by_its_path_and_the_settings_lead_on(typed, 
     given = {
         symbol: value
         for one in refused.value.problems
-        for symbol, value in ast.literal_eval(one.repair.partition("=")[2]).items()
+        for symbol, value in ast.literal_eval(str(one.repair).partition("=")[2]).items()
     }
     assert len(ct.textbook.drive(path, set=given)) > 50
 
@@ -114,9 +114,9 @@ def test_functions_name_the_one_that_speaks_of_the_machine(function, name):
         getattr(ct.textbook, function)(name)
     (problem,) = refused.value.problems
     if name == "shaper":
-        assert problem.repair == "none of the texts speaks of its motion"
+        assert str(problem.repair) == "none of the texts speaks of its motion"
     else:
-        assert "`cranktrain.textbook.motion`" in problem.repair
+        assert "`cranktrain.textbook.motion`" in str(problem.repair)
         assert len(ct.textbook.motion(name)) > 0
 
 

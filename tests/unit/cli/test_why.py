@@ -24,6 +24,22 @@ def test_a_stroke_rests_on_no_gas(typed):
     assert "masses." not in rests
 
 
+@pytest.mark.parametrize(
+    ("line", "first", "others"),
+    [
+        ("true top dead centre", "Top dead centre after the crank points along the cylinder", ""),
+        ("On a crank pin", "R_max [N]: Largest load of the crank pin", "largest_crankpin_load_at"),
+        ("speed", "Smallest speed of the crank", "coefficient_of_fluctuation"),
+        ("firing order", "From this cylinder's firing to the next one in the order", ""),
+    ],
+)
+def test_a_line_of_the_answer(typed, line, first, others):
+    """By its name: the quantity of its number, and those of the others in it."""
+    output = " ".join(typed("run", "3d12", "--why", line).output.split())
+    assert first in output
+    assert not others or others in output[output.index("fit these, too") :]
+
+
 @pytest.mark.parametrize("words", ["largest side force", "force side LARGEST", "largest_side_force", "N_max"])
 def test_words_in_any_order_a_name_or_a_symbol(typed, words):
     assert "Largest force of the wall, on either side" in typed("run", "vaz_21213", "--why", words).output

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from tests.gas_engines import Engine
 from tests.sentences import NOT_A_KEY, NOT_POSITIVE
+from tests.told import texts_of
 
 from cranktrain.errors import InputError
 from cranktrain.fluids import KINDS, ChamberState
@@ -24,7 +25,7 @@ ENGINE = Engine(0.045, 0.15, 0.08, 16.0)
 def model_of(**more):
     spec = validated(KINDS.named("dual").spec, DUAL | more)
     fluid, cycle = ENGINE.filled(spec)
-    return cycle, fluid.flags(spec)
+    return cycle, texts_of(fluid.flags(spec))
 
 
 def test_exchange_pressures_unless_given():

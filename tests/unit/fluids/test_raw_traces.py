@@ -8,6 +8,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from tests.gas_engines import FOUR_STROKE, Engine, csv, wiebe_cycle
 from tests.sentences import NOT_POSITIVE
+from tests.told import problems_told, texts_of
 
 from cranktrain.errors import InputError
 from cranktrain.fluids.indicator import IndicatorSpec, card_of, diagram_work, indicator_diagram, pressure_at
@@ -56,8 +57,8 @@ BY_EXPONENT = {"exponent": 1.36, "start": "-100 deg", "end": "-40 deg"}
 def test_a_raw_trace_asks_for_its_level_first():
     with pytest.raises(InputError) as refusal:
         diagram_of(RAW)
-    (problem,) = refusal.value.problems
-    assert str(problem.position) == "trace.csv:5:8"
+    assert [str(problem.position) for problem in refusal.value.problems] == ["trace.csv:5:8"]
+    (problem,) = problems_told(refusal.value.problems)
     assert problem.allowed == f"an absolute pressure {NOT_POSITIVE} (342 values are not)"
     assert problem.repair.startswith('as a sensor does not know its level, write peg.pressure = "1 bar"')
     with pytest.raises(InputError, match=r"write peg\.pressure"):
@@ -77,7 +78,7 @@ def test_a_raw_trace_pegged_by_a_pressure_and_smoothed():
     diagram = diagram_of(RAW, peg=BY_PRESSURE, smoothing="3 deg")
     assert at(diagram, -90) == pytest.approx(2.98, abs=0.1)
     assert crest(diagram.curve)[1] / BAR == pytest.approx(109.7, abs=1.5)
-    (told,) = (finding for finding in diagram.findings if "are moved by" in finding)
+    (told,) = (finding for finding in texts_of(diagram.findings) if "are moved by" in finding)
     assert told == "All pressures are moved by +149 kPa, to the pressure that is known at -180°; noise leaves ±30 kPa."
 
 
@@ -89,7 +90,7 @@ def test_a_raw_trace_pegged_by_its_compression_and_smoothed():
     diagram = diagram_of(RAW, peg=BY_EXPONENT, smoothing="3 deg")
     assert at(diagram, -90) == pytest.approx(2.98, abs=2 * 0.35)
     assert crest(diagram.curve)[1] / BAR == pytest.approx(109.7, abs=1.5)
-    (told,) = (finding for finding in diagram.findings if "are moved by" in finding)
+    (told,) = (finding for finding in texts_of(diagram.findings) if "are moved by" in finding)
     assert told.startswith("All pressures are moved by +119.4 kPa, to the level that is known; noise leaves ±")
     assert float(told.split("±")[1].split(" ")[0]) == pytest.approx(20, rel=0.15)
 
@@ -141,12 +142,12 @@ def test_smoothing_that_eats_the_crest_is_told():
     width, height = 10.0, 60.0
     from_crest = np.mod(DEGREES - 12.0 + 360, 720) - 360
     text = csv(DEGREES, BAR * (2 + height * np.exp(-((from_crest / width) ** 2) / 2)))
-    assert not any("off the crest" in flag for flag in diagram_of(text, smoothing="4 deg").flags)
+    assert not any("off the crest" in flag for flag in texts_of(diagram_of(text, smoothing="4 deg").flags))
     wide = diagram_of(text, smoothing="5 deg")
     both = width**2 + 5.0**2
     eaten = height * (1 - width / np.sqrt(both) * (1 + 5.0**2 / both / 2))
     assert crest(wide.curve)[1] / BAR == pytest.approx(2 + height - eaten, abs=1e-3)
-    (told,) = (flag for flag in wide.flags if "off the crest" in flag)
+    (told,) = (flag for flag in texts_of(wide.flags) if "off the crest" in flag)
     assert float(told.split("takes some ")[1].split(" bar")[0]) == pytest.approx(eaten, rel=0.2)
 
 
@@ -195,7 +196,7 @@ def test_habits_of_files_change_nothing(start, unit, head, has_commas, is_revers
     assert diagram.flags == ()
     found = pressure_at(diagram, np.radians(DEGREES))
     assert found == pytest.approx(TRUE, abs=2e-4 * BAR)
-    (told,) = (finding for finding in diagram.findings if "are moved by" in finding)
+    (told,) = (finding for finding in texts_of(diagram.findings) if "are moved by" in finding)
     assert float(told.split("moved by ")[1].split(" kPa")[0]) == pytest.approx(
         -100 * level, abs=0.05 + 1e-3 * abs(100 * level)
     )
@@ -211,7 +212,7 @@ def test_a_digitised_trace_with_a_flat_gap_is_read_and_doubted():
     """72 rows in MPa, dense about the crest, none for 33.5° in the exhaust where nothing happens."""
     text = (FILES / "digitised.csv").read_text(encoding="utf-8")
     diagram = diagram_of(text, Engine(0.0685, 0.207, 0.105, 17.0), pressure_unit="MPa")
-    assert any("between 635.9756° and 669.5122°: the curve bridges them" in flag for flag in diagram.flags)
+    assert any("between 635.9756° and 669.5122°: the curve bridges them" in flag for flag in texts_of(diagram.flags))
     assert at(diagram, np.array(650.0 - 360.0)) == pytest.approx(2.7, abs=0.01)
 
 
@@ -221,7 +222,7 @@ def test_a_digitised_trace_with_a_flat_gap_is_read_and_doubted():
 def test_a_wide_gap_that_costs_little_is_read_and_doubted(first, last):
     """In gas exchange and the beginning of the compression."""
     diagram = diagram_of(without(first, last))
-    assert any(f"between {first}° and {last}°: the curve bridges them" in flag for flag in diagram.flags)
+    assert any(f"between {first}° and {last}°: the curve bridges them" in flag for flag in texts_of(diagram.flags))
     assert mean_pressure(diagram) == pytest.approx(mean_pressure(diagram_of(csv(DEGREES, TRUE))), rel=0.01)
 
 
@@ -245,7 +246,7 @@ def test_no_gap_that_is_read_costs_more_than_is_said(start, n_missing):
     else:
         whole = mean_pressure(diagram_of(csv(DEGREES, TRUE)))
         assert mean_pressure(diagram) == pytest.approx(whole, rel=0.03)
-        assert any("the curve bridges" in flag for flag in diagram.flags)
+        assert any("the curve bridges" in flag for flag in texts_of(diagram.flags))
 
 
 def test_what_bridging_may_cost_is_a_parabolas_height():

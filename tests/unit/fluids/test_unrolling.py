@@ -5,6 +5,7 @@ import itertools
 import numpy as np
 import pytest
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv
+from tests.told import texts_of
 
 from cranktrain.errors import InputError
 from cranktrain.fluids import VolumeLimits
@@ -77,7 +78,7 @@ def test_card_with_the_scale_of_paper_counted_from_the_bottom():
     part = (ENGINE.volume(ANGLE).value - ENGINE.limits.smallest) / ENGINE.swept
     diagram = diagram_of(csv(7.0 + 120 * (1 - part), pressure(ANGLE), header="s [mm],p abs [Pa]"))
     assert pressure_at(diagram, ANGLE) == pytest.approx(pressure(ANGLE), rel=2e-6)
-    assert any("count from the bottom dead centre" in finding for finding in diagram.findings)
+    assert any("count from the bottom dead centre" in finding for finding in texts_of(diagram.findings))
 
 
 def test_brix_as_schools_unroll():
@@ -137,7 +138,7 @@ def test_rounded_volumes_are_no_jumps():
     text = csv(volume, two_stroke_pressure(angle), header="V [cm³],p abs [Pa]")
     diagram = diagram_of(text, cycle=TWO_STROKE)
     assert np.all(np.abs(np.sin(diagram.curve.jumps)) < 1e-9)
-    assert not any("in one step" in flag for flag in diagram.flags)
+    assert not any("in one step" in flag for flag in texts_of(diagram.flags))
 
 
 @pytest.mark.parametrize(

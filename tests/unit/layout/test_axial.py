@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from tests.machines import banks, slider, throws
+from tests.told import texts_of
 
 import cranktrain as ct
 
@@ -40,7 +41,7 @@ def test_several_throws_without_spacing_lack_it():
     result = ct.run(ct.Machine(shaft=throws(0, 180), bank=banks(A=0)))
     assert "axial_position" not in result.catalogue
     (missing,) = [missing for missing in result.missing if "axial_position" in missing.results]
-    assert missing.needs == ("[shaft.main] spacing",)
+    assert texts_of(missing.needs) == ("[shaft.main] spacing",)
 
 
 @pytest.mark.parametrize("spacing", [["10 mm", "10 mm"], ["10 mm"] * 4, []])

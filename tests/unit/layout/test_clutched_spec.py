@@ -67,7 +67,7 @@ def test_a_clutch_divides_a_shaft_that_is_there(on, n_stages):
 
 
 def test_a_stroke_needs_both():
-    found = [problem.allowed for problem in press_problems(None, None, StrokeSpec(start_angle="0 deg"), 1)]
+    found = [str(problem.allowed) for problem in press_problems(None, None, StrokeSpec(start_angle="0 deg"), 1)]
     assert len(found) == 2
     assert "[drive.clutch]" in found[0]
     assert "[drive.brake]" in found[1]

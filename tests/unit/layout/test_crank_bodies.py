@@ -50,7 +50,7 @@ def test_two_bodies_of_one_throw():
         inertia(vee(left={"crank": CRANK}, right={"crank": {**CRANK, "mass": "2.1 kg"}}))
     (problem,) = caught.value.problems
     assert problem.path == "bank.R.masses.crank"
-    assert "bank.L.masses.crank" in problem.allowed
+    assert "bank.L.masses.crank" in str(problem.allowed)
 
 
 def test_one_body_in_two_wordings():
@@ -86,7 +86,7 @@ class TestRodsOnOnePin:
             moved(shaft={"main": {"speed": "1 rpm"}}, bank={"L": {"mechanism": PLAIN}, "R": {"mechanism": other}})
         (problem,) = caught.value.problems
         assert problem.path == f"bank.R.mechanism.{next(iter(given))}"
-        assert "bank.L.mechanism.crank_radius" in problem.allowed
+        assert "bank.L.mechanism.crank_radius" in str(problem.allowed)
 
     def test_two_wordings_of_one_radius(self):
         other = {"kind": "slider_crank", "stroke": "90 mm", "rod_length": "150 mm"}

@@ -8,6 +8,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from tests.machines import ROCKER
 from tests.sentences import LOOKED_FOR, NO_FILE
+from tests.told import texts_of
 
 import cranktrain as ct
 from cranktrain.cli import main
@@ -59,7 +60,7 @@ def test_a_recorded_card_is_stretched_to_the_stroke(name, percent):
     area = area_of(inches * INCH, pounds * POUND_FORCE)
     result = ct.run(pumping(text))
     assert abs(result.load_work[0]) == pytest.approx(area * STROKE / (np.max(inches) * INCH), rel=1e-11)
-    (told,) = (flag for flag in result.flags if "stretched" in flag)
+    (told,) = (flag for flag in texts_of(result.flags) if "stretched" in flag)
     assert told.replace("-", "−") == (
         f"The card of rod goes over {np.max(inches):g} in and the part over 49.52421 in: it is stretched"
         f" by {percent} %."
@@ -102,7 +103,7 @@ def test_work_is_the_area_of_any_card_stretched(seed, n_points, percent, habit, 
     # What resists takes work on both ways, so that the areas below both add up.
     work = np.trapezoid(sizes[: len(out)], out) + np.trapezoid(sizes[len(out) :][::-1], back)
     assert result.load_work[0] == pytest.approx(-work * 1e-3 * 80.0 / whole, rel=1e-9)
-    assert any("stretched" in flag for flag in result.flags) == (abs(80.0 / whole - 1) > 1e-6)
+    assert any("stretched" in flag for flag in texts_of(result.flags)) == (abs(80.0 / whole - 1) > 1e-6)
 
 
 @pytest.mark.parametrize("whole", [78.3, 81.7, 60.0, 160.0])
@@ -116,7 +117,7 @@ def test_a_list_that_was_typed_may_go_beyond_and_is_not_stretched():
     load = {"on": "piston", "travel": ["0 mm", "81 mm"], "force": ["0 N", "810 N"]}
     result = ct.run(ct.Machine(mechanism=CRANK, shaft={"main": {"speed": "100 rpm"}}, load={"x": load}))
     assert result.load_work[0] == pytest.approx(-2 * 0.5 * 0.08 * 800, rel=1e-12)
-    assert not any("stretched" in flag for flag in result.flags)
+    assert not any("stretched" in flag for flag in texts_of(result.flags))
 
 
 def test_a_swing_is_stretched_like_a_travel():
@@ -125,7 +126,7 @@ def test_a_swing_is_stretched_like_a_travel():
     load = {"on": "rocker", "file": "a.csv", "text": text}
     result = ct.run(ct.Machine(mechanism=ROCKER, shaft={"main": {"speed": "100 rpm"}}, load={"x": load}))
     assert result.load_work[0] == pytest.approx(-2 * 2 * np.radians(42.8136), rel=1e-6)
-    assert any("the part over 42.81" in flag and "+0.74 %" in flag for flag in result.flags)
+    assert any("the part over 42.81" in flag and "+0.74 %" in flag for flag in texts_of(result.flags))
 
 
 def test_designs_have_strokes_and_cards_of_their_own():
@@ -142,7 +143,7 @@ def test_designs_have_strokes_and_cards_of_their_own():
     for design, (own, stroke) in enumerate(zip(map(ct.run, machines), (0.08, 0.1, 0.06), strict=True)):
         assert together.load_work[design] == pytest.approx(own.load_work, rel=1e-13)
         assert own.load_work[0] == pytest.approx(-stroke * ((9 + 20) / 2 + (9 + 5) / 2), rel=1e-12)
-    assert sum("stretched" in flag for flag in together.flags) == 1
+    assert sum("stretched" in flag for flag in texts_of(together.flags)) == 1
 
 
 def test_one_sentence_for_all_cylinders():
@@ -150,7 +151,7 @@ def test_one_sentence_for_all_cylinders():
     bank = {"A": {"mechanism": CRANK, "load": {"x": {"on": "piston", "file": "a.csv", "text": text}}}}
     main_shaft = {"main": {"speed": "100 rpm", "throws": ["0 deg", "180 deg"], "spacing": "100 mm"}}
     result = ct.run(ct.Machine(bank=bank, shaft=main_shaft))
-    (told,) = (flag for flag in result.flags if "stretched" in flag)
+    (told,) = (flag for flag in texts_of(result.flags) if "stretched" in flag)
     assert told.startswith("The card of 1.x, 2.x goes over 79.5 mm and the part over 80 mm: ")
 
 

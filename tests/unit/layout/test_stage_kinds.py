@@ -42,7 +42,7 @@ def test_contradictions_are_refused(stage, path, said):
         with_stage(**stage)
     (problem,) = caught.value.problems
     assert problem.path == path
-    assert problem.allowed.startswith(said)
+    assert str(problem.allowed).startswith(said)
 
 
 SYNCHRONOUS = 1500 * math.pi / 30

@@ -10,6 +10,7 @@ from tests.machines import ROCKER
 import cranktrain as ct
 from cranktrain.errors import InputError
 from cranktrain.mechanisms import KINDS
+from cranktrain.questions.motion.closing import Closing
 
 EXAMPLE = tomllib.loads(KINDS.named("chain").example)["mechanism"]
 
@@ -49,7 +50,7 @@ def test_slider_crank_as_a_chain():
         np.testing.assert_allclose(getattr(one, name), getattr(other, name), rtol=1e-13, atol=1e-15)
     np.testing.assert_allclose(one.link_angle, other.rod_angle, atol=1e-15)
     assert one.closing_margin == pytest.approx(other.closing_margin, rel=1e-9)
-    assert "part[0].rod.length" in one.summary()
+    assert one[Closing].length_names == (("part[0].rod.length",),)
     assert one.labels["point"] == ("1.main.pin", "1.piston.pin")
     np.testing.assert_allclose(one.point_y[1], 0.01, atol=1e-16)
 
@@ -143,13 +144,13 @@ def test_a_name_used_before_it_exists():
     table["part"].reverse()
     (problem,) = problems(table)
     assert (problem.path, problem.given) == ("mechanism.part[0].rod.from", "B")
-    assert "further down" in problem.allowed
+    assert "further down" in str(problem.allowed)
 
 
 def test_an_unknown_name_is_guessed():
     problem = refusal(with_part(1, rod={"name": "link", "from": "main", "length": "250 mm"}))
     assert problem.path == "mechanism.part[1].rod.from"
-    assert "main.pin" in problem.repair
+    assert "main.pin" in str(problem.repair)
 
 
 def test_a_name_twice():
@@ -170,7 +171,7 @@ def test_a_part_that_nothing_drives():
     )
     problem = refusal(table)
     assert problem.path == "mechanism.part[2]"
-    assert "not driven" in problem.allowed
+    assert "not driven" in str(problem.allowed)
 
 
 @pytest.mark.parametrize(("output", "repair"), [("ram", "did you mean ram?"), ("ramm", "did you mean ram?")])
@@ -181,7 +182,7 @@ def test_an_output_that_does_not_exist(output, repair):
         assert refusal(table).path == "mechanism.output"
     else:
         problem = refusal(table)
-        assert (problem.path, problem.repair) == ("mechanism.output", repair)
+        assert (problem.path, str(problem.repair)) == ("mechanism.output", repair)
 
 
 def test_no_output():
@@ -189,26 +190,26 @@ def test_no_output():
     del table["output"]
     problem = refusal(table)
     assert problem.path == "mechanism.output"
-    assert "is missing" in problem.allowed
+    assert "is missing" in str(problem.allowed)
 
 
 def test_unknown_reference_of_a_guide():
     problem = refusal(with_part(1, guide={"through": "B", "direction": "-90 deg"}))
     assert problem.path == "mechanism.part[1].guide.through"
-    assert "a fixed point" in problem.allowed
+    assert "a fixed point" in str(problem.allowed)
 
 
 def test_unknown_type():
     problem = refusal(with_part(1, type="slid"))
     assert problem.path == "mechanism.part[1].type"
-    assert "slide" in problem.repair
+    assert "slide" in str(problem.repair)
 
 
 def test_two_cranks_at_different_speeds():
     table = chain(crank={"main": {"radius": "50 mm"}, "other": {"radius": "20 mm", "ratio": 2}})
     problem = refusal(table)
     assert problem.path == "mechanism.crank.other.ratio"
-    assert "one shaft" in problem.allowed
+    assert "one shaft" in str(problem.allowed)
 
 
 def test_main_crank_is_needed_and_counts_from_zero():
@@ -226,9 +227,9 @@ def test_bad_names(name):
 def test_a_part_that_cannot_close_says_where_and_by_how_much():
     problem = refusal(with_part(1, rod={"name": "link", "from": "B", "length": "80 mm"}))
     assert problem.path == "mechanism.part[1]"
-    assert "link, ram" in problem.allowed
-    assert "short by" in problem.allowed
-    assert "deg" in problem.allowed
+    assert "link, ram" in str(problem.allowed)
+    assert "short by" in str(problem.allowed)
+    assert "deg" in str(problem.allowed)
     problem = refusal(with_part(0, rod={"name": "pitman", "from": "main.pin", "length": "200 mm"}))
     assert problem.path == "mechanism.part[0]"
 
@@ -305,8 +306,8 @@ def test_designs_with_triads_are_as_alone():
 def test_a_triad_of_unclear_mode_names_the_ways():
     problem = refusal(triad())
     assert problem.path == "mechanism.part[0].link"
-    assert "2 ways" in problem.allowed
-    assert "P (9.17" in problem.allowed
+    assert "2 ways" in str(problem.allowed)
+    assert "P (9.17" in str(problem.allowed)
 
 
 def test_a_triad_that_cannot_turn_says_where_and_by_how_much():
@@ -314,8 +315,8 @@ def test_a_triad_that_cannot_turn_says_where_and_by_how_much():
     table["crank"]["main"]["radius"] = "500 mm"
     problem = refusal(table)
     assert problem.path == "mechanism.part[0]"
-    assert "cannot close at crank angles 33.87 deg to 142.66 deg (short by 282.53 mm)" in problem.allowed
-    assert "plate" in problem.allowed
+    assert "cannot close at crank angles 33.87 deg to 142.66 deg (short by 282.53 mm)" in str(problem.allowed)
+    assert "plate" in str(problem.allowed)
     partial = ct.run(ct.Machine(mechanism=table), partial=True, quantities=["rocker_angle"])
     np.testing.assert_array_equal(np.flatnonzero(np.isnan(partial.rocker_angle[0])), np.arange(34, 143))
 
@@ -323,7 +324,7 @@ def test_a_triad_that_cannot_turn_says_where_and_by_how_much():
 def test_a_triad_that_does_not_close_at_all():
     table = triad()
     table["crank"]["main"]["radius"] = "5000 mm"
-    assert "at no crank angle" in refusal(table).allowed
+    assert "at no crank angle" in str(refusal(table).allowed)
 
 
 def test_a_triad_of_two_pin_groups_is_what_they_are():
@@ -425,5 +426,5 @@ def test_a_triad_that_is_elsewhere_after_a_turn_is_refused():
         "part": [{"type": "triad", "link": "plate", "leg": legs}],
     }
     problem = refusal(table)
-    assert "at no crank angle" in problem.allowed
-    assert "on each turn its link goes over to another assembly mode" in problem.allowed
+    assert "at no crank angle" in str(problem.allowed)
+    assert "on each turn its link goes over to another assembly mode" in str(problem.allowed)

@@ -151,7 +151,7 @@ def test_walschaerts_needs_a_crosshead():
     data = changed("walschaerts", crosshead="cylindr")
     problem = refusal(data)
     assert (problem.path, problem.given) == ("bank.valve.mechanism.crosshead", "cylindr")
-    assert "cylinder" in problem.allowed
+    assert "cylinder" in str(problem.allowed)
     bare = {"mechanism": copy.deepcopy(gear_of(data))}
     assert refusal(bare).path == "mechanism.crosshead"
 

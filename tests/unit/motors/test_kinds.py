@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from tests.motors import CAGE, CIRCUIT, EXAMPLES, ROTOR, SYNCHRONOUS
 from tests.sentences import NOT_POSITIVE
+from tests.told import texts_of
 from tests.unit.motors.test_tables import PLATE, SHUNT, motor, problems, spec_of
 
 from cranktrain.columns import in_columns
@@ -199,7 +200,7 @@ class TestOtherWords:
         plate = {"kind": "wound_rotor", "power": "7.5 kW", "speed": "1455 rpm", "breakdown_ratio": 2.5}
         found = motor(**plate, rheostat={"steps": 3, "peak_ratio": 2})
         assert found.numbers.rheostat.step_ratio[0] == pytest.approx(2.554364774645177, rel=1e-12)
-        (flag,) = found.flags
+        (flag,) = texts_of(found.flags)
         assert "0.783 times the rated torque" in flag
 
     def test_engine_by_power(self):

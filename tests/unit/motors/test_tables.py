@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from pydantic import Field
 from tests.sentences import NOT_POSITIVE
+from tests.told import texts_of
 
 from cranktrain.columns import in_columns
 from cranktrain.errors import InputError
@@ -122,13 +123,15 @@ class TestCage:
         assert motor(**plate, poles=4).top_speed[0] == pytest.approx(60 * np.pi, rel=1e-15)
 
     def test_a_guessed_synchronous_speed_is_told(self):
-        assert motor(**PLATE).notes == ("The synchronous speed is 1500 rpm, the nearest above the rated one.",)
+        assert texts_of(motor(**PLATE).notes) == (
+            "The synchronous speed is 1500 rpm, the nearest above the rated one.",
+        )
         assert motor(**PLATE, poles=4).notes == ()
 
     def test_size_is_a_typical_motor_that_the_maker_s_numbers_replace(self):
         typical = motor(kind="cage", size="4 kW")
         assert typical.rating.torque[0] == pytest.approx(26.1625, abs=5e-5)
-        assert "typical" in typical.notes[0]
+        assert "typical" in str(typical.notes[0])
         own = motor(kind="cage", size="4 kW", starting_ratio=1.9, pull_up_ratio=1.7, inertia="0.02 kg·m²")
         assert own.torque(np.zeros(1))[0, 0] == pytest.approx(1.9 * own.rating.torque[0], rel=1e-15)
         assert own.inertia[0] == 0.02
@@ -153,12 +156,12 @@ class TestCage:
         assert np.isnan(motor(**PLATE).current_ratio(SPEEDS)).all()
 
     def test_contradiction_of_the_reference_is_told(self):
-        (flag,) = motor(**NO_PULL_UP, curve="kloss").flags
+        (flag,) = texts_of(motor(**NO_PULL_UP, curve="kloss").flags)
         assert "0.80 times the rated torque at standstill, where the plate says 2.3" in flag
 
     def test_formula_that_misses_the_rated_point_is_told(self):
         plate = {"kind": "cage", "power": "7.5 kW", "speed": "1465 rpm", "curve": "kloss", "breakdown_torque": "95 N·m"}
-        (flag,) = motor(**plate, breakdown_slip=0.2).flags
+        (flag,) = texts_of(motor(**plate, breakdown_slip=0.2).flags)
         assert "at the rated speed" in flag
 
 

@@ -20,12 +20,12 @@ from cranktrain.saying.wording import number
 
 
 def test_a_choice_holds_for_a_while():
-    assert number(689475.729, "bar") == "6.895 bar"
+    assert str(number(689475.729, "bar")) == "6.895 bar"
     with shown_by(units_by_dimension(["psi", "in"])):
         # 1 psi = 6894.757293 Pa
-        assert number(689475.729, "bar") == "100.0 psi"
-        assert number(0.0254, "mm") == "1.000 in"
-        assert number(1000.0, "kW") == "1.00 kW"
+        assert str(number(689475.729, "bar")) == "100.0 psi"
+        assert str(number(0.0254, "mm")) == "1.000 in"
+        assert str(number(1000.0, "kW")) == "1.00 kW"
         with shown_by({Dimension.LENGTH: "ft"}):
             assert (chosen_unit("mm"), chosen_unit("bar")) == ("ft", "psi")
     assert chosen_unit("mm") is None

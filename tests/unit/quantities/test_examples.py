@@ -4,6 +4,7 @@ from typing import Annotated, get_args
 
 import pytest
 from tests.sentences import A_NUMBER
+from tests.told import problems_told
 
 from cranktrain import fluids
 from cranktrain.errors import InputError
@@ -44,7 +45,7 @@ def test_example_may_stand_where_it_is_offered(key, quantity):
     of_key = quantity.of_field(key)
     example = of_key.example or quantity.dimension.example
     assert of_key.given(example).text == example
-    assert of_key.expected.endswith(f"such as {example}")
+    assert str(of_key.expected).endswith(f"such as {example}")
 
 
 def test_every_number_without_a_unit_has_an_example_of_its_own():
@@ -136,7 +137,7 @@ def test_a_list_is_shown_how_it_is_written():
 def refused(**tables):
     with pytest.raises(InputError) as caught:
         validated(Machine, tables)
-    return {problem.path: problem for problem in caught.value.problems}
+    return {problem.path: problem for problem in problems_told(caught.value.problems)}
 
 
 @pytest.mark.parametrize(
@@ -165,5 +166,5 @@ def test_examples_suit_the_key():
 
 def test_the_other_way_to_weigh_a_rod_is_named():
     machine = Machine(mechanism=SLIDER, masses={"rod": {"mass": "1 kg"}})
-    allowed = {problem.path: problem.allowed for problem in machine.table_problems}
+    allowed = {problem.path: problem.allowed for problem in problems_told(machine.table_problems)}
     assert allowed == {"masses.rod.along": "is missing; give it, or big_end and small_end"}

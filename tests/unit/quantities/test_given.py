@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import TypeAdapter
 from tests.sentences import A_LENGTH, NOT_A_KEY, NOT_POSITIVE, TEXT_IN_QUOTES
+from tests.told import ToldProblem, problems_told
 
 from cranktrain import quantities as q
 from cranktrain.errors import InputError
@@ -18,11 +19,11 @@ LENGTH = Quantity(Dimension.LENGTH, above=0.0)
 TABLE = {"value": "66.63 deg", "status": "fitted", "note": "to the published stroke", "source": "[3]"}
 
 
-def refusals(quantity: Quantity, data: object) -> list[tuple[str, str | None, str, str | None]]:
+def refusals(quantity: Quantity, data: object) -> list[ToldProblem]:
     """What is wrong with some data."""
     with pytest.raises(InputError) as refused:
         quantity.given(data)
-    return [(problem.path, problem.given, problem.allowed, problem.repair) for problem in refused.value.problems]
+    return problems_told(refused.value.problems)
 
 
 def test_text_number_table_and_given_are_read() -> None:
@@ -75,7 +76,7 @@ def test_everything_wrong_in_a_table_is_told_at_once() -> None:
 def test_range_is_told_in_the_unit_given(quantity: Quantity, text: object, allowed: str) -> None:
     with pytest.raises(QuantityError) as refused:
         quantity.given(text)
-    (problem,) = refused.value.problems
+    (problem,) = problems_told(refused.value.problems)
     assert (problem.given, problem.allowed) == (str(text), allowed)
 
 

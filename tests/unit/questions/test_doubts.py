@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from tests.gas_engines import DUAL_CYCLE
 from tests.sentences import MORE_THAN_LUBRICATED
+from tests.told import texts_of
 
 import cranktrain as ct
 from cranktrain import questions
@@ -37,7 +38,7 @@ def machine(*, speed="600 rpm", cylinder=None, gas=None, masses=None, friction=N
 
 def doubted(made):
     heads = tuple(limit.sentence.partition("{")[0] for limit in LIMITS.values())
-    return tuple(flag for flag in ct.run(made, step_degrees=10).flags if flag.startswith(heads))
+    return tuple(flag for flag in texts_of(ct.run(made, step_degrees=10).flags) if flag.startswith(heads))
 
 
 def by_speed(value):
@@ -296,7 +297,7 @@ def test_a_valve_is_no_piston():
 
 def test_of_several_designs_the_worst_is_told():
     result = ct.run([by_friction(value) for value in (0.1, 0.4, 0.5)])
-    assert [flag for flag in result.flags if "friction" in flag] == [
+    assert [flag for flag in texts_of(result.flags) if "friction" in flag] == [
         f"A coefficient of friction of 0.5 {MORE_THAN_LUBRICATED}do these run dry?"
     ]
 

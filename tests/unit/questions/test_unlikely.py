@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from tests.gas_engines import DUAL_CYCLE
 from tests.similar_machines import similar
+from tests.told import texts_of
 
 import cranktrain as ct
 from cranktrain.analysis import every_stage, run
@@ -347,7 +348,7 @@ NEEDED = leading_to(every_stage(), ASKING)
 
 
 def asked(machine):
-    return run(machine, step_degrees=10, stages=NEEDED).unlikely
+    return texts_of(run(machine, step_degrees=10, stages=NEEDED).unlikely)
 
 
 def test_no_other_stage_asks():
@@ -363,7 +364,7 @@ def test_no_other_stage_asks():
 def test_asked_is_what_a_run_of_everything_asks(name):
     table, changes, _ = CARELESS[{"crusher": "cm as mm of a point", "four": "wide rods", "press": "ways swapped"}[name]]
     machine = ct.Machine(**changed(table, changes))
-    assert asked(machine) == ct.run(machine).unlikely
+    assert asked(machine) == texts_of(ct.run(machine).unlikely)
     assert asked(machine) != ()
 
 

@@ -32,7 +32,7 @@ def test_the_file_does_what_was_promised(aim, start):
 
 def ct_text(value):
     """The quantity of a table in one line of TOML."""
-    return value.partition('value = "')[2].partition('"')[0]
+    return str(value).partition('value = "')[2].partition('"')[0]
 
 
 def test_terminal_writes_the_force_alone(tmp_path):

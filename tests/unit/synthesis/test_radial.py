@@ -48,7 +48,7 @@ def test_alternatives_are_all_strategies_with_their_spread():
         "unshifted_equal_ratio": (160.00, 173.48, 0.0, 6.50, 6.50),
     }
     alternatives = {
-        one.label: [n.value for n in one.numbers] for one in radial(0.08, 0.31, 9, "plain", **NINE).alternatives
+        str(one.label): [n.value for n in one.numbers] for one in radial(0.08, 0.31, 9, "plain", **NINE).alternatives
     }
     scale = (1e3, 1e3, np.degrees(1), 1, 1)
     for strategy, numbers in expected.items():
@@ -58,7 +58,7 @@ def test_alternatives_are_all_strategies_with_their_spread():
 def test_slave_opposite_to_its_master_cannot_have_its_stroke():
     with pytest.raises(InputError, match=r"slave at 180\.00 deg can have strokes from 160\.0004 mm"):
         radial(0.08, 0.31, 8, "equal_stroke", **NINE)
-    left = [one.label for one in radial(0.08, 0.31, 8, "plain", **NINE).alternatives]
+    left = [str(one.label) for one in radial(0.08, 0.31, 8, "plain", **NINE).alternatives]
     assert STRATEGIES["equal_stroke"] not in left
     assert len(left) == 4
 

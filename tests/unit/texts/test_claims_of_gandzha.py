@@ -6,6 +6,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 from tests.texts_said import sentence
+from tests.told import texts_of
 
 import cranktrain as ct
 from cranktrain.plans.drive_scheme import drive_chain
@@ -174,7 +175,7 @@ def test_what_governs_the_motor_of_the_example():
     used = {one.symbol: one.value for one in found.numbers if one.symbol.startswith("u_")}
     assert max(used, key=used.get) == "u_A"
     assert used["u_A"] <= 1
-    governs, misses = found.remarks[:2]
+    governs, misses = texts_of(found.remarks[:2])
     assert "start at the worst angle" in governs
     assert re.search(r"^2\.20 kW misses", misses)  # the typical size below 3 kW
 

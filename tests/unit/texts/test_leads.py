@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from tests.machines import slider
+from tests.told import texts_of
 
 import cranktrain as ct
 from cranktrain.texts.leads import is_unsuited, lead_flags, reasons, verdict
@@ -14,7 +15,7 @@ from cranktrain.texts.leads import is_unsuited, lead_flags, reasons, verdict
      (4, "too little", "too little"), (15, "suits", "too much"), (5, "too little", "suits")],
 )  # fmt: skip
 def test_verdict(degrees, one_way, reversing):
-    first, second = verdict(np.radians(degrees)).split("), ")
+    first, second = str(verdict(np.radians(degrees))).split("), ")
     assert first.startswith(one_way)
     assert "one way (10–15°" in first
     assert second.startswith(reversing)
@@ -23,15 +24,16 @@ def test_verdict(degrees, one_way, reversing):
 
 
 def test_an_engine_that_runs_astern_reverses():
-    assert verdict(np.radians(-12.0)).startswith("behind, as only astern: too much for engines that reverse")
-    assert "one way" not in verdict(np.radians(-12.0))
+    said = str(verdict(np.radians(-12.0)))
+    assert said.startswith("behind, as only astern: too much for engines that reverse")
+    assert "one way" not in said
     assert is_unsuited(np.radians(-12.0))
     assert not is_unsuited(np.radians(-7.0))
 
 
 def test_flags_name_cylinders_and_reason():
     leads = np.radians([[12.0, 20.0, 20.0, np.nan]])
-    (flag,) = lead_flags(("1", "2", "3", "4"), leads)
+    (flag,) = texts_of(lead_flags(("1", "2", "3", "4"), leads))
     assert flag.startswith("the lead of 2, 3, 20.00 deg, is outside its source's range: too much for engines that turn")
     assert flag.endswith("[bolotin]")
 
@@ -45,7 +47,7 @@ def opposed(lead, **changes):
     ("machine", "n_flags"), [(opposed("12 deg"), 0), (opposed("25 deg"), 1), (opposed("12 deg", running="astern"), 1)]
 )
 def test_run_flags_a_lead_that_suits_no_engine(machine, n_flags):
-    assert sum("lead" in flag and "[bolotin]" in flag for flag in ct.run(machine).flags) == n_flags
+    assert sum("lead" in flag and "[bolotin]" in flag for flag in texts_of(ct.run(machine).flags)) == n_flags
 
 
 def test_reason_is_the_one_that_holds():
@@ -53,7 +55,7 @@ def test_reason_is_the_one_that_holds():
     said = {}
     for name, changes in {"offset": {"offset": "4 mm", "rod_length": "250 mm"}, "long": {"rod_length": "125 mm"},
                           "both": {"offset": "4 mm", "rod_length": "125 mm"}}.items():  # fmt: skip
-        flags = ct.run(ct.Machine(mechanism=slider(**changes))).flags
+        flags = texts_of(ct.run(ct.Machine(mechanism=slider(**changes))).flags)
         (said[name],) = (flag for flag in flags if flag.startswith("two harmonics"))
     assert "for 1, as the line of stroke is offset by 4.00 mm [" in said["offset"]
     assert "for 1, as λ = 0.4 [" in said["long"]
@@ -61,7 +63,7 @@ def test_reason_is_the_one_that_holds():
 
 
 def said_of(*degrees):
-    return " ".join(reasons(*np.radians(np.array(degrees, dtype=float)).tolist()))
+    return " ".join(texts_of(reasons(*np.radians(np.array(degrees, dtype=float)).tolist())))
 
 
 @pytest.mark.parametrize(("lead", "sense"), [(12.0, 1), (5.0, 1), (5.81, 1), (-12.0, -1), (-5.0, -1)])

@@ -5,6 +5,7 @@ import re
 import mpmath as mp
 import numpy as np
 import pytest
+from tests.told import problems_told
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -116,7 +117,7 @@ def test_a_text_by_its_name_or_part_of_it(asked, name):
 def test_an_unknown_text_is_refused_with_the_nearest(asked, meant):
     with pytest.raises(InputError) as refused:
         text_called(asked)
-    (problem,) = refused.value.problems
+    (problem,) = problems_told(refused.value.problems)
     assert problem.path == "--source"
     assert problem.repair == (f'write "{meant}"' if meant else None)
 

@@ -97,7 +97,7 @@ def test_sheets_by_name():
     assert isinstance(result.sheet(), Figure)
     assert isinstance(result.sheet("forces", size="A3"), Figure)
     (problem,) = problems(lambda: result.sheet("force"))
-    assert problem.repair == "did you mean forces?"
+    assert str(problem.repair) == "did you mean forces?"
 
 
 def test_a_notebook_shows_figures():

@@ -129,7 +129,7 @@ def test_events_of_a_start_have_numbers_where_they_are_rare():
     assert "1,2" in press  # 0.03 s and 0.06 s of 2 s are too near to each other for a place each
     start = started("compressor_start")
     words = texts(start_of("compressor_start"))
-    n_dead = sum(event.name == "dead position" for event in start.events)
+    n_dead = sum(str(event.name) == "dead position" for event in start.events)
     assert f"dead position, dotted: {n_dead}" in words
     assert "1  98 % of its steady speed" in words
 

@@ -7,6 +7,7 @@ import pytest
 from tests.gas_engines import DUAL_CYCLE
 from tests.machines import slider, throws
 from tests.sentences import OF_INERTIA_ALONE, TOO_MANY_FORCES, WITHOUT_ROD
+from tests.told import texts_of
 from tests.unit.plans.test_force_polygons import rubbing
 from tests.weighed_machines import WEIGHED
 from tests.words_on_paper import assert_words_are_readable, words_of
@@ -176,7 +177,7 @@ def slider_with(**tables):
 def test_what_acts_without_masses_is_said(load, alone, are_none):
     """A torque on the shaft beside the machine goes through none of its parts; nor is it gas."""
     result = ct.run(slider_with(load={"x": load}))
-    said = next(flag for flag in result.flags if flag.startswith("No masses are given"))
+    said = next(flag for flag in texts_of(result.flags) if flag.startswith("No masses are given"))
     assert said.endswith(alone)
     words = " ".join(text for text, _box in words_of(sheet_forces(result)))
     assert said in words

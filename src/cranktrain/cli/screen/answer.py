@@ -12,9 +12,10 @@ from cranktrain.cli.screen.title import title_lines
 from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.grouping import grouped
 from cranktrain.io.machine_file import MachineFile
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.one_line import visible
+from cranktrain.saying.wording import Printed
 from cranktrain.texts.comparison import TextbookMotion
 
 _MOST_LINES = 3
@@ -42,9 +43,9 @@ def answer_lines(file: MachineFile, result: Result, name: str, width: int) -> It
     """
     first, *more = title_lines(result, width)
     blocks = (
-        [Text(first, style="bold"), *map(Text, more), *map(Text, _conditions(result, width))],
+        [Text(first, style="bold"), *map(Text, more), *map(Text, conditions(result, width))],
         map(Text, minded_lines(result, width)),
-        group_lines([RowGroup(title, rows) for title, rows in result.rows()], width),
+        group_lines([RowGroup(str(title), rows) for title, rows in result.rows()], width),
         (Text(visible(line)) for line in foot_lines(file, result, name, width)),
     )
     for number, block in enumerate(blocks):
@@ -54,23 +55,24 @@ def answer_lines(file: MachineFile, result: Result, name: str, width: int) -> It
         yield from lines
 
 
-def _conditions(result: Result, width: int) -> Iterator[str]:
+def conditions(result: Result, width: int) -> Iterator[str]:
     """Say at which speed all this is, where it varies."""
     curve = result.get(SpeedCurve)
     if curve is not None:
-        yield from folded(typeset(curve.answer(result.labels, 0)), width)
+        yield from folded(typeset(str(curve.condition(0))), width)
 
 
 def minded(result: Result) -> list[str]:
     """Give sentences to mind; ranges of textbook forms stand with these."""
     book = result.get(TextbookMotion)
-    of_books = () if book is None else book.flags
+    of_books = () if book is None else tuple(map(Printed, book.flags))
     failed = [
         _("A check does not hold: {sentence}", sentence=check.sentence)
         for check in result.checks
         if check.judged[0] and not check.passed[0]
     ]
-    return [*sentences(result.unused), *failed, *joined([one for one in result.flags if one not in of_books])]
+    flags = [str(flag) for flag in result.flags if flag not in of_books]
+    return [*map(str, sentences(result.unused)), *failed, *joined(flags)]
 
 
 def joined(flags: Sequence[str]) -> Iterator[str]:

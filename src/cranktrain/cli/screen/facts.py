@@ -12,14 +12,14 @@ from rich.text import Text
 from cranktrain.analysis import Result
 from cranktrain.analysis.curve_columns import CurvesAtAngle
 from cranktrain.analysis.dimensions import dimension_named
-from cranktrain.cli.screen.amounts import Figures, figures
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.text import GAP, table
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.question import ResultDimension
 from cranktrain.motion import Array
 from cranktrain.record import record
+from cranktrain.saying.amounts import Figures, figures
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.wording import ABSENT, ranged
 

@@ -9,14 +9,15 @@ from rich.cells import cell_len
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import Missing, Result
 from cranktrain.analysis.unasked import unasked
-from cranktrain.cli.screen.amounts import filled
 from cranktrain.cli.screen.text import folded
 from cranktrain.cli.screen.typesetting import KEPT
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import MachineFile, inputs_of
-from cranktrain.language import N_, _
+from cranktrain.language import N_
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
-from cranktrain.saying.rows import Amount
+from cranktrain.saying.amounts import Amount
+from cranktrain.saying.wording import all_of
 from cranktrain.texts.comparison import TextbookMotion
 
 _MOST_NEEDS, _MOST_OFFERS = 2, 3
@@ -75,10 +76,10 @@ def _textbook(result: Result) -> str:
         return ""
     errors = found.acceleration_error.value[0]
     said: list[str] = []
-    for method, words in (("two_harmonics", _("up to {off} off")), ("reconstructed", _("of slaves {off}"))):
+    for method, words in (("two_harmonics", N_("up to {off} off")), ("reconstructed", N_("of slaves {off}"))):
         own = errors[result.labels["motion_method"].index(method)]
         if np.any(np.isfinite(own)):
-            said.append(filled(words, {"off": Amount(float(np.nanmax(own)), "error")}))
+            said.append(_(words, off=Amount(float(np.nanmax(own)), "error")))
     return _("Textbook forms: {forms}", forms=", ".join(said)) if said else ""
 
 
@@ -113,7 +114,7 @@ def _offers(file: MachineFile, missing: Sequence[Missing]) -> Iterator[str]:
     Where several keys are missing, only of a table that the file has: a press is not asked for a compression ratio.
     """
     ranked = sorted(
-        (len(one.needs), rank, -place if rank else place, one.needs, words)
+        (len(one.needs), rank, -place if rank else place, tuple(map(str, one.needs)), words)
         for place, name in enumerate(QUESTIONS.names)
         for rank, (quantity, words) in enumerate(_offered(file.machine, name).items())
         for one in missing
@@ -125,7 +126,7 @@ def _offers(file: MachineFile, missing: Sequence[Missing]) -> Iterator[str]:
         if n_needs == 1 or (not is_more and all(_has_table(file, need) for need in needs)):
             first.setdefault(needs, words)
     for needs, words in list(first.items())[:_MOST_OFFERS]:
-        yield f"{_(' and ').join(map(_shortly, needs))} {_(words)}".replace(" ", KEPT)
+        yield f"{all_of(list(map(_shortly, needs)))} {_(words)}".replace(" ", KEPT)
 
 
 def _offered(machine: Machine, question: str) -> Mapping[str, str]:

@@ -1,28 +1,22 @@
 """Rows in groups, aligned: names, a column for each lot of members that are alike, units, words."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from string import digits
 from typing import NamedTuple
 
 from rich.cells import cell_len
 from rich.text import Text
 
-from cranktrain.cli.screen.amounts import Written, filled, written
 from cranktrain.cli.screen.text import GAP, INDENT, folded
 from cranktrain.grouping import grouped
-from cranktrain.language import _
-from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.one_line import visible
+from cranktrain.saying.amounts import Written, filled, written
+from cranktrain.saying.row_words import by_name, holders, name_of, spaced
 from cranktrain.saying.rows import AnswerLine
-from cranktrain.saying.wording import ABSENT, ranged
 
 _MOST_COLUMNS = 4
-_LONGEST_NAME = 12
 
 _WIDEST = 9
 """Columns that are wider leave no room for words."""
-_NAMED, _LONGEST = 3, 48
-"""How many values that differ are named one by one, in how many characters; of more there is a range."""
 
 
 class MemberColumns(NamedTuple):
@@ -54,36 +48,6 @@ def member_columns(rows: Sequence[Mapping[str, str]]) -> MemberColumns:
         return MemberColumns()
     lots = list(same.values())
     return MemberColumns(tuple(name_of(lot, members) for lot in lots), tuple(lot[0] for lot in lots))
-
-
-def name_of(some: Sequence[str], members: Sequence[str]) -> str:
-    """Name some of the members by what they have in common: bank L of 1L to 6L, `exhaust` of 1.exhaust to 6.exhaust.
-
-    Examples
-    --------
-    >>> name_of(["1L", "2L"], ["1L", "2L", "1R", "2R"])
-    'L'
-    >>> name_of(["1S", "3S"], ["1S", "2S", "3S"])
-    '1S, 3S'
-    """
-    for common in (_side, _ending):
-        named = dict.fromkeys(map(common, some))
-        if len(named) == 1 and "" not in named and len(members) > 1:
-            (name,) = named
-            if [member for member in members if common(member) == name] == list(some):
-                return name
-    said = ranged(members, [members.index(one) for one in some])
-    return said if len(said) <= _LONGEST_NAME or len(some) < 2 else f"{some[0]} +{len(some) - 1}"
-
-
-def _ending(member: str) -> str:
-    """What stands behind the number."""
-    return member.lstrip(digits).lstrip(".")
-
-
-def _side(member: str) -> str:
-    """What stands behind the last dot."""
-    return member.rpartition(".")[2] if "." in member else ""
 
 
 class RowGroup(NamedTuple):
@@ -161,39 +125,16 @@ def _laid(group: RowGroup) -> _Lines:
 
 def _line(row: AnswerLine, found: Written, columns: MemberColumns) -> _Line:
     """Write a row: in the columns, or in one where all are alike, or who has what in words."""
-    words = filled(row.words, row.pieces)
+    words = filled(row.words)
     of = dict(zip(row.members or ("",), found.texts, strict=False))
     different = dict.fromkeys(found.texts)
     if len(different) <= 1:
-        return _Line(row.name, tuple(different), found.label, words)
-    by_name = {name_of(members, row.members): text for text, members in _holders(row, found).items()}
-    for chosen, texts in ((columns.first, of), (columns.names, by_name)):
+        return _Line(str(row.name), tuple(different), found.label, words)
+    of_each = {name_of(members, row.members): text for text, members in holders(row, found).items()}
+    for chosen, texts in ((columns.first, of), (columns.names, of_each)):
         if chosen and set(chosen) <= set(texts):
-            return _Line(row.name, tuple(texts[one] for one in chosen), found.label, words)
-    gap = "" if words[:1] in ("", ",", ";") else " "
-    return _Line(row.name, (), "", f"{_by_name(row, found)}{gap}{words}")
-
-
-def _holders(row: AnswerLine, found: Written) -> dict[str, list[str]]:
-    """Members by what is written of them."""
-    return grouped(zip(found.texts, row.members, strict=True))
-
-
-def _by_name(row: AnswerLine, found: Written) -> str:
-    """Say who has what, or from what to what they go."""
-    alike = _holders(row, found)
-    each = ", ".join(
-        _("{value} ({who})", value=found.whole(text), who=name_of(members, row.members))
-        for text, members in alike.items()
-        if text != ABSENT
-    )
-    if len(alike) <= _NAMED and len(each) <= _LONGEST:
-        return each
-    least, most = (row.members[pick(row.values)] for pick in (first_smallest, first_largest))
-    texts = dict(zip(row.members, found.texts, strict=True))
-    return _(
-        "{least} ({one}) to {most} ({other})", least=texts[least], one=least, most=found.whole(texts[most]), other=most
-    )
+            return _Line(str(row.name), tuple(texts[one] for one in chosen), found.label, words)
+    return _Line(str(row.name), (), "", spaced(by_name(row, found), words))
 
 
 def _folded(line: _Line, names: int, each: int, shift: int, width: int) -> Iterator[Text]:
@@ -203,8 +144,8 @@ def _folded(line: _Line, names: int, each: int, shift: int, width: int) -> Itera
     if line.cells:
         start += "".join(f"{cell:>{each}}" for cell in line.cells)
         start += f" {line.label}" if line.label else ""
-        start += "" if not line.words or line.words[0] in ",;" else " "
+        whole = spaced(start, line.words)
     else:
-        start += " " * GAP
-    for part in folded(start + line.words, width, indent=" " * min(indent, width // 2), at_hyphens=True):
+        whole = start + " " * GAP + line.words
+    for part in folded(whole, width, indent=" " * min(indent, width // 2), at_hyphens=True):
         yield Text(visible(part))

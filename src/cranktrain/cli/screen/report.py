@@ -9,16 +9,18 @@ from rich.text import Text
 
 from cranktrain.analysis import Missing, Result, sentences
 from cranktrain.analysis.dimensions import Place, rivals
-from cranktrain.cli.screen.amounts import figures
+from cranktrain.cli.screen.answer import conditions
 from cranktrain.cli.screen.facts import fact_tables
+from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.text import INDENT, paragraph, section, table
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import Input, MachineFile, inputs_of
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.numerics.ties import first_largest, largest_of
-from cranktrain.one_line import one_line, visible
+from cranktrain.one_line import one_line
+from cranktrain.saying.amounts import figures
 from cranktrain.saying.catalogue import Entry
-from cranktrain.saying.wording import ABSENT
+from cranktrain.saying.wording import ABSENT, all_of
 
 _NAMED = 4
 """How many of the results that something would give are named."""
@@ -41,15 +43,17 @@ def show_full(console: Console, file: MachineFile, result: Result, names: Sequen
     is_all : bool
         Whether these are all there are: then what is given by several methods is named, and its sentence has to do.
     """
+    for line in conditions(result, console.width):
+        console.print(line, soft_wrap=True)
     for sentence in sentences(result.unused):
-        first, *more = paragraph(console, sentence)
+        first, *more = paragraph(console, str(sentence))
         console.print(Text("\n").join([Text("! ") + first, *(Text("  ") + line for line in more)]), soft_wrap=True)
     console.print()
-    for sentence in result.answers():
-        console.print(visible(sentence))
+    groups = [RowGroup(str(title), rows) for title, rows in result.rows()]
+    console.print(Text("\n").join(group_lines(groups, console.width)), soft_wrap=True)
     show_numbers(console, result, names, is_all=is_all)
     show_checks(console, result)
-    section(console, _("Mind"), result.flags)
+    section(console, _("Mind"), map(str, result.flags))
     section(console, _("What this rests on"), _provenance(file, console.width - INDENT))
     show_missing(console, result)
 
@@ -149,7 +153,7 @@ def _missing(missing: Missing) -> str:
     more = len(missing.results) - _NAMED
     if more > 0:
         results = _("{results} and {n} more", results=results, n=more)
-    return _("{needs}: gives {results}", needs=_(" and ").join(missing.needs), results=results)
+    return _("{needs}: gives {results}", needs=all_of(missing.needs), results=results)
 
 
 def _provenance(file: MachineFile, width: int) -> Iterator[str | Text]:

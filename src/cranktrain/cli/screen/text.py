@@ -13,7 +13,7 @@ from rich.console import Console
 from rich.text import Text
 
 from cranktrain.cli.screen.typesetting import KEPT, as_printed
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.one_line import visible
 
 INDENT = 2

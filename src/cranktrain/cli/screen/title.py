@@ -6,7 +6,7 @@ from cranktrain.analysis import Result
 from cranktrain.cli.screen.text import folded
 from cranktrain.grouping import places_of_equal
 from cranktrain.io.description import counted_parts, kind_words, layout_words
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.specs import ShaftSpec
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
@@ -73,7 +73,7 @@ def _speeds(shaft: ShaftSpec) -> Iterator[str]:
     """Speed and acceleration as given, or in the units that are chosen."""
     for given, usual in ((shaft.speed, "rpm"), (shaft.acceleration, "rad/s²")):
         if given is not None:
-            yield as_given(given, usual)
+            yield str(as_given(given, usual))
 
 
 def _turning(machine: Machine) -> str:

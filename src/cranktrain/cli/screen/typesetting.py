@@ -5,10 +5,8 @@ from collections.abc import Generator
 from contextlib import contextmanager
 from contextvars import ContextVar
 
+from cranktrain.saying.amounts import KEPT
 from cranktrain.saying.wording import in_print
-
-KEPT = "\N{NO-BREAK SPACE}"
-"""Stands where a line is not to be folded, as between a value and its unit, until it is."""
 
 _TYPESET = (
     (r"(?<=\d) deg\b", "°"),

@@ -2,7 +2,7 @@
 
 import shlex
 import tomllib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import nullcontext
 from functools import partial as with_arguments
 from pathlib import PurePath
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from rich.console import Console
 from rich.text import Text
 
+from cranktrain.cli.asked import in_units_of
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.quiet_pictures import save_quietly
 from cranktrain.cli.screen.columns import Column, column_tables, worded_tables
@@ -22,13 +23,13 @@ from cranktrain.cli.textbook.synthesis import show_steps
 from cranktrain.grouping import grouped
 from cranktrain.how_far import say_how_far
 from cranktrain.io.added_tables import with_tables, with_values
-from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import STANDARD_OUTPUT, write_machine_file
-from cranktrain.language import _
+from cranktrain.language import Words
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
-from cranktrain.quantities import chosen_unit, shown_as_in
+from cranktrain.quantities import chosen_unit
 from cranktrain.saying.wording import figure, number
 from cranktrain.synthesis.counterweights import CounterweightProposal
 from cranktrain.synthesis.proposal import MachineProposal, Number, Proposal
@@ -72,7 +73,7 @@ def give_proposal(
         Machine file or example that it is for, where it is for one.
     """
     file = None if source is None else read_machine(source)
-    with nullcontext() if file is None else shown_as_in(units_of(file.machine)):
+    with nullcontext() if file is None else in_units_of(file):
         _give_proposal(problem, typed, output, file, force=force, with_source=with_source)
 
 
@@ -91,7 +92,7 @@ def _give_proposal(
         write_machine_file(output, _machine_file(proposal, file), force=force)
     if output in STANDARD_OUTPUT:
         return
-    with page(one_line(proposal.title)) as console:
+    with page(one_line(str(proposal.title))) as console:
         show_proposal(console, proposal)
         if with_source:
             with printed():
@@ -128,11 +129,16 @@ def _how_far(reached: float, bound: float) -> str:
 def _machine_file(proposal: Proposal, file: MachineFile | None) -> str:
     """The machine file of a proposal; of one for a machine, that one's own with what is proposed in it."""
     if file is not None and isinstance(proposal, MachineProposal):
-        return with_values(file.document.text, proposal.values, proposal.whole)
+        return with_values(file.document.text, _said(proposal.values), proposal.whole)
     if file is None or not isinstance(proposal, CounterweightProposal):
         return proposal.machine_file()
-    tables = [table.keys for table in proposal.tables]
+    tables = [_said(table.keys) for table in proposal.tables]
     return with_tables(file.document.text, "balance.weight", tables, proposal.taken_out)
+
+
+def _said(values: Mapping[str, Words]) -> dict[str, str]:
+    """What is to stand in a file, said."""
+    return {key: str(value) for key, value in values.items()}
 
 
 def show_proposal(console: Console, proposal: Proposal) -> None:
@@ -140,14 +146,14 @@ def show_proposal(console: Console, proposal: Proposal) -> None:
     width = console.width - INDENT
     section(console, _("Proposed"), _numbers(proposal.numbers, width))
     section(console, _("Also considered"), _alternatives(proposal, width))
-    section(console, _("Mind"), proposal.remarks)
+    section(console, _("Mind"), map(str, proposal.remarks))
 
 
 def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
     """Numbers one in a line; those of several members, such as the strokes of cylinders, in columns."""
     single = [one for one in numbers if not one.member]
     if single:
-        rows = [(one.sentence, one.symbol, figure(one.value, one.unit), _unit(one)) for one in single]
+        rows = [(str(one.sentence), one.symbol, figure(one.value, one.unit), _unit(one)) for one in single]
         yield from table(("", "", "", ""), rows, right=(2,))
     several = grouped((one.name, one) for one in numbers if one.member)
     members = grouped((tuple(one.member for one in each), each) for each in several.values())
@@ -162,7 +168,7 @@ def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
 def _alternatives(proposal: Proposal, width: int) -> Iterator[str | Text]:
     """Tables of alternatives, one for each set of numbers; those that the proposal has too stand beside its own."""
     own = {one.key: one for one in proposal.numbers}
-    others = [(label, {one.key: one for one in numbers}) for label, numbers in proposal.alternatives]
+    others = [(str(label), {one.key: one for one in numbers}) for label, numbers in proposal.alternatives]
     families = grouped((tuple(own if set(other) <= set(own) else other), (label, other)) for label, other in others)
     for i, (names, rows) in enumerate(families.items()):
         if i:
@@ -193,7 +199,8 @@ def _unit(one: Number) -> str:
 
 def _legend(numbers: Sequence[Number]) -> str:
     """Say what the symbols are."""
-    return "; ".join(f"{one.symbol} {one.sentence[:1].lower()}{one.sentence[1:]}" for one in numbers)
+    said = [(one.symbol, str(one.sentence)) for one in numbers]
+    return "; ".join(f"{symbol} {sentence[:1].lower()}{sentence[1:]}" for symbol, sentence in said)
 
 
 def write_plan(path: str, text: str, *, force: bool) -> None:

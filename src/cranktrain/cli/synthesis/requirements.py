@@ -9,7 +9,8 @@ from typing import TypeAlias
 
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.machine_file import MachineFile
-from cranktrain.language import _
+from cranktrain.language import Words
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.quantities import Dimension, QuantityError, unlisted
 from cranktrain.spec import missing, parts_of, quantity_of, words_of
@@ -144,20 +145,21 @@ def _can_be_free(requirement: Parameter) -> bool:
 
 def _in_options(typed: Typed, command: Position, file: MachineFile | None, problem: Problem) -> Problem:
     """Speak of options, and of what was typed, where a synthesis speaks of its parameters; else of the file."""
+    repair = problem.repair and _with_options(problem.repair, typed)
     if file is not None and problem.path not in typed:
         here = file.document.located(problem)
-        return replace(here, repair=problem.repair and _with_options(problem.repair, typed))
+        return replace(here, repair=repair)
     given = typed.get(problem.path)
     return Problem(
         option_of(problem.path) if problem.path else "",
         given.strip() if isinstance(given, str) else problem.given,
         _with_options(problem.allowed, typed),
-        problem.repair and _with_options(problem.repair, typed),
+        repair,
         problem.position if problem.path else command,
     )
 
 
-def _with_options(sentence: str, typed: Typed) -> str:
+def _with_options(sentence: Words, typed: Typed) -> str:
     """Write `--rod-length` for `rod_length` in a sentence; a name of one word may be a plain word."""
     names = "|".join(name for name in typed if "_" in name)
-    return re.sub(rf"\b({names})\b", lambda found: option_of(found[0]), sentence)
+    return re.sub(rf"\b({names})\b", lambda found: option_of(found[0]), str(sentence))

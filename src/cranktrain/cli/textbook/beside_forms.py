@@ -16,7 +16,7 @@ from cranktrain.cli.screen.columns import Column, column_tables, section_of_colu
 from cranktrain.cli.screen.text import INDENT, section
 from cranktrain.cli.textbook.tables import ROUND_ANGLES, error_columns, show_curves, stated_error_columns
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.plans.constructions import construction
@@ -52,10 +52,10 @@ def show_exact_root(console: Console, pistons: Sequence[AlikePistons], places: S
     """Show the source's displacement before its root is approximated."""
     found = [statement for one in pistons for statement in root_statements(one)]
     rounding = max((one.value for one in found if one.verdict == "right"), default=None)
-    said = [*root_notes(places)]
+    said = [*map(str, root_notes(places))]
     if rounding is not None:
         said += [_("exact: off by 0, in numbers by up to {off:.0e} from rounding", off=rounding)]
-    section(console, form_heading(EXACT_ROOT), [*said, *stated_error_columns(found, console.width - INDENT)])
+    section(console, str(form_heading(EXACT_ROOT)), [*said, *stated_error_columns(found, console.width - INDENT)])
 
 
 def show_from_crank_side(console: Console, pistons: Sequence[AlikePistons], *, with_table: bool) -> None:
@@ -111,7 +111,7 @@ def show_constructions(
 def _show_backwards(console: Console, machine: Machine, first: PlacedMechanism) -> None:
     """Show the angles that Brix's construction gives for tenths of the stroke, beside the exact ones."""
     read = construction(machine, "brix_backward", _PARTS, mechanism=first.name)
-    labels = [number(value, "mm") for value in read.displacement]
+    labels = [str(number(value, "mm")) for value in read.displacement]
     angles = (read.angle, read.exact_angle, read.angle - read.exact_angle)
     columns = [
         Column(head, "deg", tuple(f"{np.rad2deg(value):.2f}" for value in values))
@@ -157,15 +157,16 @@ def show_opposed(console: Console, cylinders: Sequence[OpposedCylinders], result
     """Show what the source has on opposed pistons, beside what is exact."""
     width = console.width - INDENT
     found = opposed_statements(cylinders, result)
+    notes = found.notes
     for one in cylinders:
-        form, dead_centres, lead = subjects(one, several=len(cylinders) > 1)
+        form, dead_centres, lead = map(str, subjects(one, several=len(cylinders) > 1))
         own = [statement for statement in found if statement.of in one.of]
         errors = error_columns(grouped((each.name, each) for each in own if each.at == LARGEST), width)
-        section(console, form, [*found.notes[form], *errors, _scheme(one)])
+        section(console, form, [*notes[form], *errors, _scheme(one)])
         if with_table:
             _show_motion(console, one, found)
-        section(console, dead_centres, _dead_centres(own, found.notes[dead_centres], width))
-        section(console, lead, found.notes[lead])
+        section(console, dead_centres, _dead_centres(own, notes[dead_centres], width))
+        section(console, lead, notes[lead])
 
 
 def _scheme(one: OpposedCylinders) -> str:

@@ -27,7 +27,7 @@ from cranktrain.cli.textbook.summary import go_on, show_summary
 from cranktrain.cli.textbook.texts import show_text, show_texts
 from cranktrain.errors import InputError, Position, Problem, refuse
 from cranktrain.io.examples import example_names
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest

@@ -7,7 +7,7 @@ from rich.console import Console
 
 from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.text import section
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.saying.wording import figure, number
 from cranktrain.textbook.crank_rocker_statements import (

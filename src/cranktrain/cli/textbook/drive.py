@@ -20,7 +20,7 @@ from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.io.machine_file import read_machine
 from cranktrain.io.own_tables import is_machine
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.one_line import one_line
 from cranktrain.plans.machine_drive import machine_drive
 from cranktrain.references import REFERENCES
@@ -188,7 +188,7 @@ def _amount(one: Statement) -> str:
     """A number with its unit."""
     if one.unit == "rad":
         return f"{np.degrees(one.value):.4f}°"
-    return f"{one.value:.6f}" if one.unit == "1" else number(one.value, "mm" if one.unit == "m" else one.unit)
+    return f"{one.value:.6f}" if one.unit == "1" else str(number(one.value, "mm" if one.unit == "m" else one.unit))
 
 
 def _curve_lines(found: Statements, width: int) -> Iterator[Text]:

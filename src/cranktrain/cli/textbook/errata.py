@@ -10,7 +10,7 @@ from rich.text import Text as Line
 from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import GAP, INDENT, section, table
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.references import REFERENCES
 from cranktrain.synthesis.proposal import quantity_text
 from cranktrain.textbook.errata_statements import amounts, errata
@@ -59,8 +59,10 @@ def show_errors_of(console: Console, name: str) -> None:
         about.append(_("Its example: {requirements}.", requirements=_requirements()))
     section(console, f"[{name}]", about)
     found = errata(name)
+    notes = found.notes
     for place, one in enumerate(found, start=1):
-        rows = [(_("printed"), one.symbol), *amounts(one), (_("because"), *found.notes[one.name])]
+        gives = [(_(head), text) for head, text in amounts(one)]
+        rows = [(_("printed"), one.symbol), *gives, (_("because"), *notes[one.name])]
         section(console, f"{place}. {one.name}", table(("", ""), rows, fold=width))
     _show_velocities(console, name)
 
@@ -80,7 +82,7 @@ def _list_errors_of(console: Console, text: Text, most: int | None) -> None:
 def _listed(each: Sequence[Statement], width: int) -> list[Line]:
     """Errors one in a line: what it is, cut where there is no room, what it gives, and what is right."""
     cells = [dict(amounts(one)) for one in each]
-    numbers = [[own.get(head, "") for own in cells] for head in (_("gives"), _("right"))]
+    numbers = [[own.get(head, "") for own in cells] for head in ("gives", "right")]
     heads = (_("gives"), _("right"))
     taken = sum(max(map(cell_len, [head, *column])) + GAP for head, column in zip(heads, numbers, strict=True))
     keys = [f"{place}." for place in range(1, len(each) + 1)]

@@ -12,7 +12,7 @@ from cranktrain.cli.textbook.source import machine_file
 from cranktrain.cli.textbook.speaking import with_speaking
 from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import Problem, problems_as, refuse
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of
 from cranktrain.plans.force_table import ForceColumn, ForceTable, force_table

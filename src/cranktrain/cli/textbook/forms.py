@@ -9,7 +9,7 @@ from cranktrain.analysis import Result
 from cranktrain.cli.screen.text import INDENT, section
 from cranktrain.cli.textbook.tables import ROUND_ANGLES, show_curves, stated_error_columns
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.textbook.alike import alike
 from cranktrain.textbook.motion_statements import (
@@ -31,7 +31,7 @@ def show_forms(console: Console, machine: Machine, result: Result, source: str) 
     ranges = [one for one in RANGES if one.source == source and set(FORMS[one.method]) & kinds]
     for one in ranges:
         errors = stated_error_columns(form_statements(machine, result, one), console.width - INDENT)
-        section(console, form_heading(one), [*form_notes(machine, one), *errors])
+        section(console, str(form_heading(one)), [*map(str, form_notes(machine, one)), *errors])
     return bool(ranges)
 
 

@@ -12,7 +12,7 @@ from cranktrain.cli.textbook.source import file_missing, machine_file
 from cranktrain.cli.textbook.speaking import speaking
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import places_of_equal
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import single
 from cranktrain.quantities import Dimension, Quantity
 from cranktrain.questions.torque.rod_harmonics import MOST_RATIO

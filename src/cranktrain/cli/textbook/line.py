@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.grouping import grouped, places_of_equal
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line
 from cranktrain.saying.wording import ranged

@@ -6,7 +6,7 @@ from pathlib import PurePath
 from cranktrain.cli.quiet_pictures import save_quietly
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.output import write_machine_file, write_whole
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.one_line import one_line
 from cranktrain.plans.machine_throw import ThrownMachine
 from cranktrain.plans.throw_loads import CrankMasses

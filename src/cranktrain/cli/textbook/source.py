@@ -9,7 +9,7 @@ from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.document import Document
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.syntax import parsed
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.saying.comments import with_said_comments
 from cranktrain.texts.example_tables import example_table
 

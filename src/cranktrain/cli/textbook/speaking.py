@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.cli.to_type import textbook_command
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.plans.machine_throw import ThrownMachine
 from cranktrain.textbook.opposed_statements import opposed_cylinders

@@ -9,7 +9,7 @@ from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, section, table
 from cranktrain.cli.synthesis.requirements import option_of
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.saying.wording import figure
 from cranktrain.textbook.statements import Statements
 from cranktrain.textbook.synthesis_statements import PLACE, SOURCE, synthesis

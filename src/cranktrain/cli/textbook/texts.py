@@ -11,7 +11,7 @@ from rich.text import Text as Line
 from cranktrain.cli.screen.text import GAP, INDENT, page, paragraph, section, show_lines, table
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.references import REFERENCES
 from cranktrain.texts.contents import TEXTS, Formula, plain_number, text_called, with_equation
 from cranktrain.texts.contents import Text as Source

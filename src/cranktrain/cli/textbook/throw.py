@@ -20,7 +20,7 @@ from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.grouping import grouped
 from cranktrain.io.machine_file import read_machine
 from cranktrain.io.own_tables import is_machine
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.one_line import one_line
 from cranktrain.plans.machine_throw import ThrownMachine
@@ -254,7 +254,7 @@ def _balance_lines(found: Statements) -> Iterator[Text]:
     rows = [
         (
             name,
-            *(number(one.value, one.unit) for one in own),
+            *(str(number(one.value, one.unit)) for one in own),
             _("does not") if any(one.value for one in own) else _("holds"),
         )
         for name, own in conditions.items()

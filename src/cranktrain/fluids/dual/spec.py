@@ -6,7 +6,7 @@ from pydantic import Field
 
 from cranktrain.fluids.dual.pressure import IdealCycle
 from cranktrain.fluids.exchange import Exponent, GasExchangeSpec
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.quantities import Dimension, Given, Quantity, shown
 
 _LEAST_EXPONENT, _MOST_EXPONENT = 1.0, 5 / 3
@@ -43,7 +43,7 @@ def ideal_cycle(spec: IdealCycleSpec) -> IdealCycle:
     return IdealCycle(spec.start_pressure.array, *spec.exchange_pressures, *(one.array for one in given))
 
 
-def cycle_flags(spec: IdealCycleSpec) -> tuple[str, ...]:
+def cycle_flags(spec: IdealCycleSpec) -> tuple[Words, ...]:
     """Flag pressures that are so low that gauge pressures may be meant, and exponents that no gas has."""
     exponents = {name: getattr(spec, name) for name in ("compression_exponent", "expansion_exponent")}
     unusual = tuple(

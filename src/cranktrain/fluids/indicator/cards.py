@@ -15,6 +15,7 @@ from cranktrain.fluids.indicator.curve import slope_at
 from cranktrain.fluids.indicator.diagram import Diagram, diagram_work, pressure_at
 from cranktrain.fluids.indicator.model import indicator_diagram
 from cranktrain.fluids.state import ChamberState, VolumeLimits
+from cranktrain.language import Words
 from cranktrain.motion import Array, single
 
 
@@ -95,7 +96,7 @@ def card_breaks(diagrams: Diagrams) -> Array:
     return filled
 
 
-def card_notes(diagrams: Diagrams) -> tuple[str, ...]:
+def card_notes(diagrams: Diagrams) -> tuple[Words, ...]:
     """Flags and findings of all diagrams."""
     alike = [diagram for diagram, _chosen in _alike(diagrams)]
     return (*(flag for one in alike for flag in one.flags), *(finding for one in alike for finding in one.findings))

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from cranktrain.fluids.indicator.gaps import gap_flags
 from cranktrain.fluids.indicator.reading import Trace
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
 
@@ -36,8 +36,8 @@ class Samples(NamedTuple):
 
     angles: Array
     pressures: Array
-    findings: tuple[str, ...]
-    flags: tuple[str, ...]
+    findings: tuple[Words, ...]
+    flags: tuple[Words, ...]
 
 
 def one_cycle(trace: Trace, cycle: float) -> Samples:

@@ -9,6 +9,7 @@ import numpy as np
 from cranktrain.fluids.indicator.curve import CubicCurve, along, curve_at, spline_curve
 from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.fluids.indicator.limited import limited_curve
+from cranktrain.language import Words
 from cranktrain.motion import Array
 from cranktrain.numerics.products import product
 from cranktrain.record import record
@@ -35,13 +36,13 @@ class Diagram:
     ----------
     curve : CubicCurve
         Absolute pressure over the crank angle from firing, its places in [0, cycle). [rad, Pa]
-    findings, flags : tuple of str
+    findings, flags : tuple of Words
         What was found in the file and changed, and what may be meant otherwise, as sentences.
     """
 
     curve: CubicCurve
-    findings: tuple[str, ...] = ()
-    flags: tuple[str, ...] = ()
+    findings: tuple[Words, ...] = ()
+    flags: tuple[Words, ...] = ()
 
 
 def diagram_through(samples: Samples, cycle: float, interpolation: Interpolation = "limited") -> Diagram:

@@ -10,7 +10,7 @@ from cranktrain.fluids.indicator.curve import CubicCurve, crest, steps_between
 from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.fluids.indicator.pegging import polytropic_exponent
 from cranktrain.fluids.indicator.reading import peg_advice
-from cranktrain.language import _
+from cranktrain.language import Listed, Words, _
 from cranktrain.motion import Array, single
 from cranktrain.numerics import around_zero
 from cranktrain.numerics.ties import first_largest, first_smallest
@@ -33,7 +33,7 @@ _LOWEST_USUAL, _HIGHEST_LOWEST, _HIGHEST_USUAL, _LOWEST_PEAK = 0.3e5, 8e5, 350e5
 """Lowest pressure of a cycle below or above which, and peak above or below which, a unit is flagged. [Pa]"""
 
 
-def compression_flags(samples: Samples, chamber: Chamber) -> Iterator[str]:
+def compression_flags(samples: Samples, chamber: Chamber) -> Iterator[Words]:
     """Flag a fired cycle whose compression is no polytrope of a usual exponent.
 
     Parameters
@@ -44,7 +44,7 @@ def compression_flags(samples: Samples, chamber: Chamber) -> Iterator[str]:
 
     Yields
     ------
-    str
+    Words
 
     Notes
     -----
@@ -68,7 +68,7 @@ def compression_flags(samples: Samples, chamber: Chamber) -> Iterator[str]:
         )
 
 
-def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[str]:
+def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[Words]:
     """Flag steps so much steeper than those beside them that a jump may be lost in them.
 
     Parameters
@@ -80,7 +80,7 @@ def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[str]:
 
     Yields
     ------
-    str
+    Words
 
     Notes
     -----
@@ -107,7 +107,7 @@ def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[str]:
         yield sentence.format(start=start, end=end, before=before, after=after, more=more)
 
 
-def rounded_jump_flags(samples: Samples) -> Iterator[str]:
+def rounded_jump_flags(samples: Samples) -> Iterator[Words]:
     """Flag a spline, or smoothing, of samples that jump.
 
     Parameters
@@ -116,7 +116,7 @@ def rounded_jump_flags(samples: Samples) -> Iterator[str]:
 
     Yields
     ------
-    str
+    Words
     """
     if np.any(np.diff(samples.angles) == 0.0):
         yield _("The file's pressures jump; a spline rounds that off, and so does smoothing: leave these out.")
@@ -156,7 +156,7 @@ def refuse_not_positive(card: Card, curve: CubicCurve) -> None:
     raise card.trace.refused(said, repair=repair)
 
 
-def level_flags(pressures: Array) -> Iterator[str]:
+def level_flags(pressures: Array) -> Iterator[Words]:
     """Flag pressures as no engine has them: gauge for absolute, a wrong level, or a unit that is off by ten.
 
     Parameters
@@ -166,7 +166,7 @@ def level_flags(pressures: Array) -> Iterator[str]:
 
     Yields
     ------
-    str
+    Words
     """
     lowest, highest = float(np.min(pressures)), float(np.max(pressures))
     low, high = (f"{shown(pressure, 'bar'):.4g}" for pressure in (lowest, highest))
@@ -181,7 +181,7 @@ def level_flags(pressures: Array) -> Iterator[str]:
         yield _("The peak of {high} bar is too low for an engine: is the unit right?", high=high)
 
 
-def curve_findings(curve: CubicCurve, samples: Samples, highest: int, dead_centre: float) -> Iterator[str]:
+def curve_findings(curve: CubicCurve, samples: Samples, highest: int, dead_centre: float) -> Iterator[Words]:
     """Say what the samples show and what the curve makes of them.
 
     Parameters
@@ -196,7 +196,7 @@ def curve_findings(curve: CubicCurve, samples: Samples, highest: int, dead_centr
 
     Yields
     ------
-    str
+    Words
     """
     crest_at, crest_pressure = crest(curve)
     sentence = _(
@@ -220,7 +220,7 @@ def curve_findings(curve: CubicCurve, samples: Samples, highest: int, dead_centr
         if before != after
     ]
     if jumps:
-        yield _("The pressure jumps where the file gives two, from firing: {jumps}.", jumps=", ".join(jumps))
+        yield _("The pressure jumps where the file gives two, from firing: {jumps}.", jumps=Listed(jumps))
 
 
 def _bar(pressure: float) -> str:

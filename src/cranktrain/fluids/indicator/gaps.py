@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from cranktrain.errors import InputError
 from cranktrain.fluids.indicator.reading import Trace
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
 from cranktrain.quantities import shown
@@ -25,7 +25,9 @@ _RADIANS = 15.0
 """A cycle of fewer degrees may be in radians."""
 
 
-def gap_flags(trace: Trace, angles: Array, pressures: Array, lines: NDArray[np.intp], cycle: float) -> tuple[str, ...]:
+def gap_flags(
+    trace: Trace, angles: Array, pressures: Array, lines: NDArray[np.intp], cycle: float
+) -> tuple[Words, ...]:
     """Refuse gaps that may cost too much, and flag the others.
 
     Parameters
@@ -41,7 +43,7 @@ def gap_flags(trace: Trace, angles: Array, pressures: Array, lines: NDArray[np.i
 
     Returns
     -------
-    tuple of str
+    tuple of Words
 
     Raises
     ------

@@ -23,7 +23,7 @@ from cranktrain.fluids.indicator.noise import eaten_flags, noise_flags
 from cranktrain.fluids.indicator.pegging import pegged
 from cranktrain.fluids.indicator.placing import placed
 from cranktrain.fluids.indicator.unrolling import OutwardAngle, dead_centres_of, unrolled
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.quantities import shown
 
@@ -73,7 +73,7 @@ def _drawn(samples: Samples, chamber: Chamber, card: Card) -> Diagram:
     return diagram if card.smoothing is None else smoothed(diagram, card.smoothing, card.interpolation)
 
 
-def _flags(samples: Samples, diagram: Diagram, chamber: Chamber, card: Card) -> Iterator[str]:
+def _flags(samples: Samples, diagram: Diagram, chamber: Chamber, card: Card) -> Iterator[Words]:
     """Flag what the file has and what has become of it: levels and compression as they are used."""
     used = samples
     if card.smoothing is not None:

@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.fluids.indicator.curve import crest
 from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.fluids.indicator.diagram import Diagram, Interpolation, passed, smoothed
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.quantities import shown
 from cranktrain.saying.wording import precise
 
@@ -71,7 +71,7 @@ def noise_passed(n_points: int, cycle: float, smoothing: float | None) -> float:
     return float(np.sqrt(np.mean(passed(both_signs * (2 * np.pi / cycle), smoothing) ** 2)))
 
 
-def noise_flags(samples: Samples) -> Iterator[str]:
+def noise_flags(samples: Samples) -> Iterator[Words]:
     """Flag samples that scatter.
 
     Parameters
@@ -80,7 +80,7 @@ def noise_flags(samples: Samples) -> Iterator[str]:
 
     Yields
     ------
-    str
+    Words
     """
     noise = noise_of(samples)
     peak = float(np.max(samples.pressures))
@@ -92,7 +92,7 @@ def noise_flags(samples: Samples) -> Iterator[str]:
         )
 
 
-def eaten_flags(raw: Diagram, own: Diagram, width: float, interpolation: Interpolation) -> Iterator[str]:
+def eaten_flags(raw: Diagram, own: Diagram, width: float, interpolation: Interpolation) -> Iterator[Words]:
     """Flag smoothing that takes more off the crest than noise stood on it.
 
     Parameters
@@ -107,7 +107,7 @@ def eaten_flags(raw: Diagram, own: Diagram, width: float, interpolation: Interpo
 
     Yields
     ------
-    str
+    Words
 
     Notes
     -----

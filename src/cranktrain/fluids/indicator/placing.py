@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.fluids.indicator.cycle import Samples
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.motion import Array, single
 from cranktrain.numerics import around_zero
 from cranktrain.numerics.ties import first_largest
@@ -129,7 +129,7 @@ def _widths(angles: Array, cycle: float) -> Array:
     return (steps + np.roll(steps, 1)) / 2
 
 
-def _findings(own: _Found, count: float, is_backward: bool, sense: Sense, is_given: bool) -> Iterator[str]:
+def _findings(own: _Found, count: float, is_backward: bool, sense: Sense, is_given: bool) -> Iterator[Words]:
     """Say where firing stands in the file, and how the sense was taken."""
     place = _("The firing dead centre is at the file's {angle}, by the peak {peak} after it.")
     if is_given:
@@ -145,7 +145,7 @@ def _findings(own: _Found, count: float, is_backward: bool, sense: Sense, is_giv
         yield _("Nothing burns in this cycle: it is motored, and its sense cannot be told from it.")
 
 
-def _flags(own: _Found, *, is_backward: bool) -> tuple[str, ...]:
+def _flags(own: _Found, *, is_backward: bool) -> tuple[Words, ...]:
     """Flag the sense and the dead centre where the pressures say otherwise."""
     peak = _degrees(own.peak)
     if own.asymmetry < -_MOTORED:

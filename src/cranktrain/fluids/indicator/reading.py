@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.language import _
+from cranktrain.language import Listed, Message, Words, _
 from cranktrain.motion import Array
 from cranktrain.number_table import NumberTable, read_table
 from cranktrain.one_line import short
@@ -55,7 +55,7 @@ class Trace:
     pressures : Array, shape (n,)
         Absolute, as far as the file knows their level. [Pa]
     lines : array of int, shape (n,)
-    findings : tuple of str
+    findings : tuple of Words
         What was found out, as sentences.
     """
 
@@ -64,9 +64,9 @@ class Trace:
     places: Array
     pressures: Array
     lines: NDArray[np.intp]
-    findings: tuple[str, ...]
+    findings: tuple[Words, ...]
 
-    def refused(self, allowed: str, line: int | None = None, repair: str | None = None) -> InputError:
+    def refused(self, allowed: Words, line: int | None = None, repair: Words | None = None) -> InputError:
         """Give the error that says what is wrong with the file, at a line of it if it has one."""
         if line is None:
             return InputError([Problem("file", self.name, allowed, repair)])
@@ -160,7 +160,7 @@ def _refuse_time(table: NumberTable, where: int, said: Columns) -> None:
         raise InputError([Problem("file", table.name, said_of, time_advice())])
 
 
-def _columns_taken(table: NumberTable, said: Columns, level: int) -> Iterator[str]:
+def _columns_taken(table: NumberTable, said: Columns, level: int) -> Iterator[Words]:
     """Say which column is taken where there are more than the two that are needed."""
     if said.columns is None and table.rows.shape[1] > _PAIR:
         label = table.labels[level] if table.labels else ""
@@ -172,7 +172,7 @@ def _columns_taken(table: NumberTable, said: Columns, level: int) -> Iterator[st
 
 def _place_scale(
     axis: Axis, label: str, said: Columns, table: NumberTable, column: int
-) -> tuple[float, tuple[str, ...]]:
+) -> tuple[float, tuple[Words, ...]]:
     """Give the SI value of one of the axis's units, and say what was taken for granted."""
     unit = said.axis_unit or unit_in(label, AXES[axis])
     if unit is not None:
@@ -189,17 +189,17 @@ def _place_scale(
     return read(f"1 {unit}", Dimension.ANGLE), (said_so.format(span=farthest, unit=unit),)
 
 
-def _in_head(label: str) -> str:
+def _in_head(label: str) -> Words:
     """Say which head was read, where there is one."""
     return _(", in the head “{head}”", head=short(label)) if label else ""
 
 
-def _without_unit(key: str, allowed: str, repair: str, dimension: Dimension) -> InputError:
+def _without_unit(key: str, allowed: Words, repair: Message, dimension: Dimension) -> InputError:
     """Give the error that asks for a unit of the file."""
     return InputError([Problem(key, None, allowed, repair.format(units=", ".join(unit_names(dimension))))])
 
 
-def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Array, tuple[str, ...], bool]:
+def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Array, tuple[Words, ...], bool]:
     """Give absolute pressures in SI, say how they were taken, and whether they are gauge."""
     offset = read(f"0 {unit}", Dimension.PRESSURE)
     scale = read(f"1 {unit}", Dimension.PRESSURE) - offset
@@ -222,13 +222,13 @@ def _refuse_negative(pressures: Array, table: NumberTable, level: int, *, is_gau
     if wrong.size:
         first = int(wrong[0])
         allowed = _("an absolute pressure must be more than 0 ({n} values are not)", n=wrong.size)
-        repair = peg_advice()
+        repair: Words = peg_advice()
         if not is_gauge:
-            repair += _('; if these are gauge pressures, write pressure = "gauge"')
+            repair = Listed((repair, _('; if these are gauge pressures, write pressure = "gauge"')), "")
         raise InputError([Problem("", f"{table.rows[first, level]:g}", allowed, repair, table.position(first, level))])
 
 
-def peg_advice() -> str:
+def peg_advice() -> Words:
     """How a table says the level of pressures that a sensor does not know."""
     return _(
         'as a sensor does not know its level, write peg.pressure = "1 bar" with the peg.angle at which it is known, or'

@@ -11,7 +11,7 @@ from cranktrain.fluids.indicator.curve import CubicCurve, curve_at
 from cranktrain.fluids.indicator.cycle import Samples, once_or_jump
 from cranktrain.fluids.indicator.flags import lost_jump_flags
 from cranktrain.fluids.indicator.reading import Trace
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero, bracketed_roots, extremes, turn_grid
 from cranktrain.numerics.ties import falling, first_largest
@@ -123,7 +123,7 @@ def unrolled(
     return Samples(*_filled(angles, pressures, chamber, curve_through), (*findings, sentence), flags)
 
 
-def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
+def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[Words, ...]]:
     """Travelled part of the stroke from the top; a displacement's own ends are those of the stroke."""
     low, high = float(np.min(trace.places)), float(np.max(trace.places))
     if high - low <= _SAME_PLACE * max(abs(low), abs(high)):

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.wish.following import Following, following
 from cranktrain.layout.wish.laws import FROM_DEAD_CENTRE, NEAREST
 from cranktrain.layout.wish.stroke import Output
@@ -31,7 +31,7 @@ class WishWay(NamedTuple):
     path: str
     is_table: bool
 
-    def said(self, position: float) -> str:
+    def said(self, position: float) -> Words:
         """Write a position as the file counts it."""
         return number((position - self.zero) * self.sense, self.unit)
 
@@ -85,7 +85,7 @@ def _refuse(problems: Sequence[Problem]) -> None:
         raise InputError(problems)
 
 
-def _ends(output: Output, way: WishWay) -> dict[str, str]:
+def _ends(output: Output, way: WishWay) -> dict[str, Words]:
     """Ends of the stroke as the file counts, the least first."""
     low, high = sorted((output.low.position, output.high.position), key=lambda end: (end - way.zero) * way.sense)
     return {"low": way.said(low), "high": way.said(high)}

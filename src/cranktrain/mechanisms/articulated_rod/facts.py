@@ -9,7 +9,6 @@ from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Check, Checked
-from cranktrain.saying.wording import Names, shared
 
 _ROD = ("articulated_rod",)
 _THEORY = "docs/theory/articulated-rod"
@@ -43,17 +42,6 @@ class Articulation(Checked):
         _THEORY,
         "4.9",
     )
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say which articulation angles would remove the shifts of the slaves' dead centres."""
-        if np.all(np.isnan(self.articulation_angle_without_top_shift[design])):
-            return None
-        rods = names["articulated_rod"]
-        return _(
-            "No shift of the slaves' top dead centre would need ζ = {top}; of the bottom one {bottom}.",
-            top=shared(rods, self.articulation_angle_without_top_shift[design], "deg"),
-            bottom=shared(rods, self.articulation_angle_without_bottom_shift[design], "deg"),
-        )
 
 
 def articulation(rods: ArticulatedRods) -> Articulation:

@@ -5,7 +5,7 @@ from typing import ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.numerics import largest
@@ -44,7 +44,7 @@ def articulated_rod_geometry(spec: ArticulatedRodSpec, master: Master | None) ->
     )
 
 
-def articulated_rod_advice(geometry: ArticulatedRod) -> str:
+def articulated_rod_advice(geometry: ArticulatedRod) -> Words:
     """Say how long the slave rod must be; its master closes."""
     farthest = largest(lambda phi: np.abs(articulated_rod(phi, geometry).knuckle.y.value - geometry.offset))
     return _("rod_length must be more than {least}", least=precise(float(farthest.value[0])))

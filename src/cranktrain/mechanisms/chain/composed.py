@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.mechanisms.chain.drawing import chain_drawing
 from cranktrain.mechanisms.chain.forces import chain_dynamics
 from cranktrain.mechanisms.chain.gaps import chain_gap, chain_gaps
@@ -166,7 +166,7 @@ def _own_gap(structure: Structure, size: ChainSize, place: int, angle: Array) ->
     return np.where(np.isnan(gaps[place]), spare, gaps[place])
 
 
-def _advice(structure: Structure, size: ChainSize, place: int) -> str:
+def _advice(structure: Structure, size: ChainSize, place: int) -> Words:
     """Say which part it is, by what it makes, and what it hangs on."""
     step = structure.steps[place]
     groups = step.legs if isinstance(step, TriadStep) else (step,)

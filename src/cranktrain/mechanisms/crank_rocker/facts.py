@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Listed, _
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.kind import Members
 from cranktrain.motion import Array
@@ -12,10 +12,10 @@ from cranktrain.numerics import extremes
 from cranktrain.numerics.ties import first_smallest_along
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
+from cranktrain.saying.amounts import Amount
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Check, Checked
-from cranktrain.saying.rows import Amount, AnswerLine, valued, worded
-from cranktrain.saying.wording import Names, shared
+from cranktrain.saying.rows import AnswerLine, Telling, worded
 
 _LINKAGE = ("crank_rocker",)
 
@@ -54,18 +54,6 @@ class Transmission(Checked):
         "μ_max", "rad", _LINKAGE, N_("Largest angle between rod and rocker"), _THEORY, "3.8", worst="largest"
     )
 
-    def answer(self, names: Names, design: int) -> str:
-        """Say the class and the transmission angle's range."""
-        linkages = names["crank_rocker"]
-        kinds = sorted({int(value) for value in self.grashof_class[design]})
-        classes = "; ".join(_(CLASSES[kind]) for kind in kinds)
-        return _(
-            "{classes}. Transmission angle from {least} to {most}.",
-            classes=classes[:1].upper() + classes[1:],
-            least=shared(linkages, self.smallest_transmission_angle[design], "deg"),
-            most=shared(linkages, self.largest_transmission_angle[design], "deg"),
-        )
-
 
 def transmission(linkages: CrankRockers) -> Transmission:
     """Grashof class and extremes of the transmission angle, refined on the kernel."""
@@ -85,20 +73,15 @@ def transmission(linkages: CrankRockers) -> Transmission:
     )
 
 
-def transmission_rows(labels: Names, design: int, found: Transmission) -> Iterator[AnswerLine]:
+def transmission_rows(of: Telling, found: Transmission) -> Iterator[AnswerLine]:
     """Say the least transmission angle, and the class where it is none with a crank and a rocker."""
-    least = found.smallest_transmission_angle[design]
-    yield valued(
-        _("transmission angle"),
-        least,
-        "rad",
-        labels["crank_rocker"],
-        _("at least, {most} at most"),
-        most=Amount(float(np.fmax.reduce(found.largest_transmission_angle[design])), "rad"),
-    )
-    kinds = sorted({int(value) for value in found.grashof_class[design]} - {0})
+    most = of.values(found, "largest_transmission_angle")
+    largest = Amount(float(np.fmax.reduce(most)), "rad", "largest_transmission_angle")
+    words = _("at least, {most} at most", most=largest)
+    yield of.row(_("transmission angle"), found, "smallest_transmission_angle", words)
+    kinds = sorted({int(value) for value in of.values(found, "grashof_class")} - {0})
     if kinds:
-        yield worded(_("linkage"), "; ".join(_(CLASSES[kind]) for kind in kinds))
+        yield worded(_("linkage"), Listed([_(CLASSES[kind]) for kind in kinds], "; "))
 
 
 def grashof_class(geometry: CrankRocker) -> Array:

@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array, single
@@ -58,7 +58,7 @@ def crank_rocker_geometry(spec: CrankRockerSpec, _master: Master | None = None) 
     )
 
 
-def crank_rocker_advice(geometry: CrankRocker) -> str:
+def crank_rocker_advice(geometry: CrankRocker) -> Words:
     """Say how long the rod must be for the crank to turn, if any rod lets it."""
     farthest = geometry.ground_length + geometry.crank_radius
     nearest = abs(geometry.ground_length - geometry.crank_radius)

@@ -6,7 +6,7 @@ from typing import Literal
 from pydantic import Field
 
 from cranktrain.errors import Problem
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, set_ahead
@@ -56,7 +56,7 @@ def eccentric_geometry(spec: EccentricSpec, _master: Master | None = None) -> Ec
     return Eccentric(spec.eccentricity.array, spec.rod_length.array, spec.offset.array, ahead)
 
 
-def eccentric_advice(geometry: Eccentric) -> str:
+def eccentric_advice(geometry: Eccentric) -> Words:
     """Say how long the rod must be for the shaft to turn."""
     least = geometry.crank_radius + abs(geometry.offset)
     return _("rod_length must be more than eccentricity + |offset| = {least}", least=precise(float(least)))

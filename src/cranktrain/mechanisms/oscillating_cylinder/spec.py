@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.linkage import CrankAndPivot
 from cranktrain.mechanisms.rocking_guide import RockingGuideSpec
 from cranktrain.quantities import Given, Length, PositiveLength
@@ -24,7 +24,7 @@ class OscillatingCylinderSpec(RockingGuideSpec, frozen=True):
     )
 
 
-def oscillating_cylinder_advice(geometry: CrankAndPivot) -> str:
+def oscillating_cylinder_advice(geometry: CrankAndPivot) -> Words:
     """Say how far the trunnion must be for the crank to turn."""
     radius, offset = float(geometry.crank_radius), abs(float(geometry.offset))
     return _("ground_length must be more than crank_radius + |offset| = {least}", least=precise(radius + offset))

@@ -7,7 +7,7 @@ from typing import Literal
 from pydantic import Field
 
 from cranktrain.errors import Problem
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.quantities import Angle, Given, Length, PositiveLength
@@ -42,6 +42,6 @@ def scotch_yoke_geometry(spec: ScotchYokeSpec, _master: Master | None = None) ->
     return ScotchYoke(spec.crank_radius.array, spec.offset.array, spec.slot_angle.array)
 
 
-def scotch_yoke_advice(_geometry: ScotchYoke) -> str:
+def scotch_yoke_advice(_geometry: ScotchYoke) -> Words:
     """Say what would let it close."""
     return _("slot_angle must not lie along the line of stroke: 90 deg is across it")

@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array, chosen, single
@@ -69,7 +69,7 @@ def slider_crank_rod_field(spec: SliderCrankSpec, _geometry: SliderCrank) -> str
     return next(name for name in _RODS if getattr(spec, name) is not None)
 
 
-def _stroke_limit(spec: SliderCrankSpec) -> str:
+def _stroke_limit(spec: SliderCrankSpec) -> Words:
     """Say which strokes a crank can make with this rod and offset; docs/theory/slider-crank."""
     if spec.rod_length is None:
         return _("no crank makes this stroke with this ratio and offset: the stroke must be longer")
@@ -123,7 +123,7 @@ def _radius_from_stroke(spec: SliderCrankSpec) -> Array:
     return chosen(offset == 0.0, stroke / 2, np.sqrt(chosen(square > 0.0, square, np.nan)))
 
 
-def slider_crank_advice(geometry: SliderCrank) -> str:
+def slider_crank_advice(geometry: SliderCrank) -> Words:
     """Say how long the rod must be for the crank to turn."""
     least = geometry.crank_radius + abs(geometry.offset)
     return _("rod_length must be more than crank_radius + |offset| = {least}", least=precise(float(least)))

@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.linkage import CrankAndPivot
 from cranktrain.mechanisms.rocking_guide import RockingGuideSpec
 from cranktrain.quantities import Given, Length, PositiveLength
@@ -24,7 +24,7 @@ class SlottedLeverSpec(RockingGuideSpec, frozen=True):
     )
 
 
-def slotted_lever_advice(geometry: CrankAndPivot) -> str:
+def slotted_lever_advice(geometry: CrankAndPivot) -> Words:
     """Say how far the pivot must be for the crank to turn."""
     radius, offset = float(geometry.crank_radius), abs(float(geometry.offset))
     if radius <= offset:

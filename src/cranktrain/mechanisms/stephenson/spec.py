@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 from pydantic import Field
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.steps import NO_START, Coordinates, Structure
 from cranktrain.mechanisms.chain.triads import triad_at
@@ -103,7 +103,7 @@ def _upright(geometry: Stephenson) -> Array:
     return np.stack([np.append(x, saddle), across], axis=-1)
 
 
-def stephenson_advice(_geometry: Stephenson) -> str:
+def stephenson_advice(_geometry: Stephenson) -> Words:
     """Say what holds the link."""
     return _(
         "eccentric rods, link and lifting link must reach each other, and the slot the valve's line; see pin_spacing, "

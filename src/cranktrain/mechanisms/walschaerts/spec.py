@@ -5,7 +5,7 @@ from typing import ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.steps import NO_START, Coordinates
 from cranktrain.mechanisms.chain.triads import triad_at
@@ -101,7 +101,7 @@ def _put_together(geometry: Walschaerts) -> Walschaerts:
     return geometry._replace(start=lever.start)
 
 
-def walschaerts_advice(_geometry: Walschaerts) -> str:
+def walschaerts_advice(_geometry: Walschaerts) -> Words:
     """Say what holds the lever."""
     return _(
         "eccentric rod and link must reach each other, radius rod and union link the lever; see trunnion_x, "

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.motion import Array, single
 from cranktrain.motors.cage.catalogue import four_pole_motors
 from cranktrain.motors.cage.keys import CageKeys
@@ -150,7 +150,7 @@ def declared_cage(spec: CageKeys) -> DeclaredMotor:
     return direct if spec.starter is None else spec.starter.started(direct)
 
 
-def cage_notes(spec: CageKeys) -> Iterator[str]:
+def cage_notes(spec: CageKeys) -> Iterator[Words]:
     """What was taken where the table says nothing; of the first design."""
     if spec.size is not None:
         said = _("{size}: typical values of a four-pole motor at 50 Hz, nobody's catalogue.")
@@ -161,7 +161,7 @@ def cage_notes(spec: CageKeys) -> Iterator[str]:
         yield _("The pull-up torque is that at standstill.")
 
 
-def cage_flags(spec: CageKeys) -> Iterator[str]:
+def cage_flags(spec: CageKeys) -> Iterator[Words]:
     """Where Kloss's formula contradicts the plate; of the first design."""
     if spec.curve == "kloss" and (said := contradiction_text(spec)):
         yield said
@@ -173,7 +173,7 @@ def cage_flags(spec: CageKeys) -> Iterator[str]:
             yield said.format(torque=f"{torque:.4g}", rated=f"{rated:.4g}")
 
 
-def contradiction_text(spec: CageKeys) -> str | None:
+def contradiction_text(spec: CageKeys) -> Words | None:
     """Say how far Kloss's simplified formula is off at standstill, where it passes through the rated point.
 
     None where the plate does not say both, or they go together within 10 %.

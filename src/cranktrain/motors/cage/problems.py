@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.errors import Problem
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.motors.cage.catalogue import four_pole_motors
 from cranktrain.motors.cage.keys import CageKeys
 from cranktrain.motors.cage.numbers import (
@@ -94,7 +94,7 @@ def _ratio_problems(spec: CageKeys) -> Iterator[Problem]:
         yield Problem("pull_up_ratio", *_beyond(pull_up, pull_up.si, "starting_ratio", start))
 
 
-def _beyond(given: Given | None, size: float, key: str, limit: float) -> tuple[str, str]:
+def _beyond(given: Given | None, size: float, key: str, limit: float) -> tuple[str, Words]:
     """What was given, and that it must not be above another one."""
     allowed = _("must be at most {key} = {limit}", key=key, limit=f"{limit:g}")
     return f"{size:g}" if given is None else given.text, allowed

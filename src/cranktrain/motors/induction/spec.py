@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array, single
 from cranktrain.motors.declared import UNLIMITED, DeclaredMotor
 from cranktrain.motors.induction.ramp import Ramp
@@ -83,7 +83,7 @@ class InductionSpec(RatedSpec, frozen=True):
             )
             yield Problem("synchronous_speed", None, allowed.format(speed=self.speed.text))
 
-    def field_notes(self) -> Iterator[str]:
+    def field_notes(self) -> Iterator[Words]:
         """Say which synchronous speed was taken, where the table does not."""
         if self.synchronous_speed is None and self.poles is None:
             speed = f"{shown(first(self.field_speed), 'rpm'):.6g} rpm"

@@ -7,7 +7,7 @@ import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.motion import ONE, Array, single
 from cranktrain.motors.declared import DeclaredMotor
 from cranktrain.motors.induction.breakdown_slip import slip_from_rated
@@ -177,7 +177,7 @@ class WoundRotorSpec(InductionSpec, frozen=True):
             return STEPPED_ROTOR, SteppedRotor(rotor, rheostat)
         return TIMED_ROTOR, TimedRotor(rotor, rheostat, steps.interval.array)
 
-    def _flags(self) -> Iterator[str]:
+    def _flags(self) -> Iterator[Words]:
         """Steps that are too few for the rated load; of the first design."""
         if self.rheostat is None or self.rheostat.peak_ratio is None or self.rheostat.interval is not None:
             return

@@ -6,7 +6,7 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import Listed, Words, _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle, order_labels, orders
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.speed import Speed
@@ -48,7 +48,7 @@ class Shaken(StageResult):
 
     gross: Array = field(kw_only=True)
 
-    def said(self, largest: Array, names: Names, design: int, unit: str) -> list[str]:
+    def said(self, largest: Array, names: Names, design: int, unit: str) -> list[Words]:
         """Say its orders, without balance weights and, where there are any, with them."""
         return [orders_in_words(names["order"], one, float(self.gross[design]), unit) for one in largest[design]]
 
@@ -215,7 +215,7 @@ def _size(value: float, unit: str) -> str:
     return f"{value / 1e3:.4g} k{unit}" if value >= 1e4 else f"{value:.4g} {unit}"
 
 
-def orders_in_words(names: Sequence[str], largest: Array, gross: float, unit: str) -> str:
+def orders_in_words(names: Sequence[str], largest: Array, gross: float, unit: str) -> Words:
     """Say which orders there are and how large, the largest first: `order 2, 123 N`; or that there is none.
 
     Parameters
@@ -235,4 +235,4 @@ def orders_in_words(names: Sequence[str], largest: Array, gross: float, unit: st
     if not left:
         return _("none")
     said = [_("order {order}, {size}", order=names[i], size=_size(float(largest[i]), unit)) for i in left[:_NAMED]]
-    return "; ".join([*said, _("and less of others")] if len(left) > _NAMED else said)
+    return Listed([*said, _("and less of others")] if len(left) > _NAMED else said, "; ")

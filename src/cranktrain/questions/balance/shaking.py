@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.shafts import AxialPlaces, ShaftCentres
@@ -22,7 +22,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_BALANCE as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import StageResult
-from cranktrain.saying.wording import Names
 
 _CURVE = ("balance", "crank_angle")
 _ORDER = ("balance", "order")
@@ -63,13 +62,6 @@ class ShakingForces(Shaken):
     shaking_force_direction: Array = quantity(
         "δ_F", "rad", _ORDER, N_("Of the order's largest shaking force, from Y in the normal sense"), _THEORY, "16.3"
     )
-
-    def answer(self, labels: Names, design: int) -> str:
-        """Say which orders of force shake the frame, and what the balance weights leave of them."""
-        force, *left = self.said(self.shaking_force_largest, labels, design, "N")
-        if not left:
-            return _("Shaking force: {force}.", force=force)
-        return _("Shaking force: {force}; left with [balance]: {left}.", force=force, left=left[0])
 
 
 @record
@@ -119,13 +111,6 @@ class ShakingCouples(Shaken):
         _THEORY,
         "16.3",
     )
-
-    def answer(self, labels: Names, design: int) -> str:
-        """Say which orders of couple shake the frame, and what the balance weights leave of them."""
-        couple, *left = self.said(self.shaking_couple_largest, labels, design, "N*m")
-        if not left:
-            return _("Shaking couple: {couple}.", couple=couple)
-        return _("Shaking couple: {couple}; left with [balance]: {left}.", couple=couple, left=left[0])
 
 
 def shaking_forces(

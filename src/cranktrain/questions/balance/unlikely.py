@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.speed import Speed
 from cranktrain.questions.balance.shaking import ShakingForces
 from cranktrain.questions.balance.weights import BalanceWeights, DeclaredBalance
@@ -31,7 +31,7 @@ def unlikely_balance(
     return UnlikelyBalance(unlikely=tuple(_heavier(shaking, weights, speed)) if has_given else ())
 
 
-def _heavier(shaking: ShakingForces, weights: BalanceWeights, speed: Speed) -> Iterator[str]:
+def _heavier(shaking: ShakingForces, weights: BalanceWeights, speed: Speed) -> Iterator[Words]:
     largest = np.max(np.hypot(shaking.shaking_force_x, shaking.shaking_force_y), axis=-1)
     without, balanced = largest[:, 0], largest[:, -1]
     own = weights.weights

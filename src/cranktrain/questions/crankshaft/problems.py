@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 from cranktrain.errors import Problem
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.design import Design
 from cranktrain.layout.shafts import throw_positions
 from cranktrain.layout.specs import MAIN
@@ -58,7 +58,7 @@ class _OneShaft:
     name: str
     table: CrankshaftTable
 
-    def problem(self, key: str, given: str | None, allowed: str) -> Problem:
+    def problem(self, key: str, given: Words | None, allowed: Words) -> Problem:
         return Problem(path_of(self.spec, self.name, key), given, allowed)
 
     def problems(self) -> Iterator[Problem]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, keys
 from cranktrain.questions.cylinders import firing, opposed, ports, rows, spec, travel, unlikely, volumes
@@ -22,7 +22,7 @@ def _is_for(needs: Sequence[str], design: Design) -> bool:
     if declared is not None and declared.model_fields_set:
         return True
     own = [need for need in needs if need.startswith("[cylinder]")]
-    return not own or (list(needs) == [_(volumes.Chambers.needs)] and not any(design.loads.values()))
+    return not own or (list(needs) == [volumes.Chambers.needs] and not any(design.loads.values()))
 
 
 QUESTION = Question(

@@ -19,7 +19,6 @@ from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
 from cranktrain.record import record
 from cranktrain.references import CONVENTIONS as _THEORY
 from cranktrain.saying.catalogue import quantity
-from cranktrain.saying.wording import Names, shared
 
 _CYLINDER = ("cylinder",)
 _SAME = 1e-9
@@ -104,27 +103,6 @@ class Firing:
     order: tuple[int, ...] = ()
     numbers: tuple[str, ...] = ()
     n_choices: tuple[int, ...] = ()
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say the order and the intervals."""
-        cylinders = names["cylinder"]
-        order = "-".join(cylinders[i] for i in self.order)
-        if self.numbers:
-            order = f"{'-'.join(self.numbers)} ({order})"
-        intervals = self.firing_interval[design]
-        if np.ptp(intervals) < _SAME:
-            even = shared(("",), intervals[:1], "deg")
-            said = _("Firing order {order}, evenly every {interval}.", order=order, interval=even)
-        else:
-            written = shared([cylinders[i] for i in self.order], intervals[list(self.order)], "deg")
-            said = _("Firing order {order}, unevenly: {intervals} to the next.", order=order, intervals=written)
-        if self.n_choices[design] == 1:
-            return said
-        chosen = _(
-            "{said} Of {n} choices of turns that give this order no other is more even;"
-            " [cylinder] firing_angles says another."
-        )
-        return chosen.format(said=said, n=self.n_choices[design])
 
 
 def firing(

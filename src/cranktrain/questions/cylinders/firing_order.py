@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import Problem
-from cranktrain.language import _
+from cranktrain.language import Listed, Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
 from cranktrain.numerics.designs import by_design
@@ -19,7 +19,7 @@ from cranktrain.questions.cylinders.firing import FiringOrder, firing_angles, wi
 from cranktrain.questions.cylinders.possible_orders import likest_orders
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.record import record
-from cranktrain.saying.wording import number
+from cranktrain.saying.wording import either_of, number
 
 _WRITTEN = np.radians(0.02)
 """An angle may be written to so many digits: 51.43 for 360/7. It says which turn; the crank pins say the rest. [rad]"""
@@ -34,7 +34,7 @@ class _Asked:
     leading: Sequence[PlacedMechanism]
     astern: bool
 
-    def repair(self, order: Sequence[str]) -> str | None:
+    def repair(self, order: Sequence[str]) -> Words | None:
         """Give the most even orders that the crank pins allow, as the file writes them; `order` is ahead."""
         length = self.common.cycle_length
         names = [place.cylinder for place in self.leading]
@@ -48,7 +48,7 @@ class _Asked:
         found = [[names[i] for i in one] for one in likest_orders(_tops(self.leading), length, wanted)]
         ahead = list(map(_backwards, found)) if self.astern else found
         said = [f'"{"-".join(self.common.makers_numbers(one) or one)}"' for one in ahead]
-        return _("write {orders}", orders=_(" or ").join(said)) if said else None
+        return _("write {orders}", orders=either_of(said)) if said else None
 
     def _divided(self, names: Sequence[str]) -> str | None:
         """Write with hyphens an order that has none, but dots or nothing between; None for another."""
@@ -133,7 +133,7 @@ def _order_problems(asked: _Asked, order: Sequence[str], names: Sequence[str]) -
     if not wrong:
         return ()
     allowed = _(
-        "must name each cylinder once ({cylinders}); {wrong}", cylinders=", ".join(names), wrong="; ".join(wrong)
+        "must name each cylinder once ({cylinders}); {wrong}", cylinders=", ".join(names), wrong=Listed(wrong, "; ")
     )
     if not asked.common.numbers and _are_makers_numbers(order, names):
         line = numbers_line(order, asked.leading, _tops(asked.leading), asked.common.cycle_length)
@@ -147,13 +147,13 @@ def _throw_problems(asked: _Asked, order: Sequence[str], tops: Array) -> tuple[P
     if length is None or firing_angles(tops, length) is not None:
         return ()
     turns = [TURN * turn for turn in range(round(length / TURN))]
-    possible = ", ".join(
-        f"{name} {_(' or ').join(number(float(top + turn), 'deg') for turn in turns)}"
+    possible = [
+        Listed((name, either_of([number(float(top + turn), "deg") for turn in turns])), " ")
         for name, top in zip(order, tops, strict=True)
-    )
+    ]
     allowed = _("cannot fire so: as the crank pins stand, the pistons are at their tops at {possible}")
     ahead = _backwards(order) if asked.astern else order
-    said = allowed.format(possible=possible)
+    said = allowed.format(possible=Listed(possible))
     return (Problem("cylinder.firing_order", asked.common.firing_order, said, asked.repair(ahead)),)
 
 
@@ -201,7 +201,7 @@ def given_firing(
             Problem(
                 f"{_PATH}{key}",
                 angle.text,
-                allowed.format(angles=_(" or ").join(number(float(one), "deg") for one in where)),
+                allowed.format(angles=either_of([number(float(one), "deg") for one in where])),
             )
             for (key, angle), where, is_off in zip(given, possible, off[0], strict=True)
             if is_off
@@ -241,7 +241,7 @@ def _are_makers_numbers(order: Sequence[str], names: Sequence[str]) -> bool:
     return set(order) == counted and counted != set(names)
 
 
-def numbers_line(order: Sequence[str], leading: Sequence[PlacedMechanism], tops: Array, cycle: float | None) -> str:
+def numbers_line(order: Sequence[str], leading: Sequence[PlacedMechanism], tops: Array, cycle: float | None) -> Words:
     """Give the line for the table of the cylinders: counted in the way in which the order fires most evenly.
 
     Of ways that fire as evenly, that along one bank after the other comes first, in the order of the file.

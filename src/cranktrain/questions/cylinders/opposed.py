@@ -14,7 +14,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_OPPOSED_PISTONS as _THEORY
 from cranktrain.saying.catalogue import coefficients, quantity
 from cranktrain.saying.checks import Check, Checked
-from cranktrain.saying.wording import Names, number, shared
 
 _CYLINDER = ("cylinder",)
 _CURVE = ("cylinder", "crank_angle")
@@ -68,29 +67,6 @@ class VolumetricDeadCentres:
         _THEORY,
         "18.1",
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say lead, strokes and dead centres, with what the texts say of them."""
-        cylinders = names["cylinder"]
-        lead = self.lead[design]
-        first = _("Exhaust crank ahead by {lead}.") if np.nanmax(lead) >= 0 else _("Exhaust crank behind by {lead}.")
-        said = _(
-            "{lead} Both pistons together part by {stroke} (their strokes add up to {nominal});"
-            " volumetric dead centres {inner} and {outer} after the exhaust crank's own",
-            lead=first.format(lead=shared(cylinders, lead if np.nanmax(lead) >= 0 else -lead, "deg")),
-            stroke=shared(cylinders, self.combined_stroke[design], "mm"),
-            nominal=shared(cylinders, self.nominal_stroke[design], "mm"),
-            inner=shared(cylinders, self.inner_volumetric_shift[design], "deg"),
-            outer=shared(cylinders, self.outer_volumetric_shift[design], "deg"),
-        )
-        half = self.lead[design] / 2
-        found = np.stack([self.inner_volumetric_shift[design], self.outer_volumetric_shift[design]])
-        error = float(np.nanmax(np.abs(found - half)))
-        if number(error, "deg") == number(0.0, "deg"):
-            return _("{said}, half the lead.", said=said)
-        return _(
-            "{said}; half the lead, as the texts have it, is up to {error} off.", said=said, error=number(error, "deg")
-        )
 
 
 def are_opposed(cylinders: CylinderPistons) -> bool:

@@ -5,7 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
@@ -19,7 +19,7 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_OPPOSED_PISTONS as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged
-from cranktrain.saying.wording import Names, number, ranged, shared
+from cranktrain.saying.wording import number, ranged
 
 _CYLINDER = ("cylinder",)
 
@@ -72,22 +72,6 @@ class PortTiming(Flagged):
         _THEORY,
         "18.6",
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say which ports open and close first, and by how much."""
-        cylinders = names["cylinder"]
-
-        def said(values: Array) -> str:
-            return shared(cylinders, values[design], "deg")
-
-        opens, closes = self.exhaust_opens_before, self.exhaust_closes_before
-        first = _("{much} after") if np.all(opens[design] < 0) else _("{much} before")
-        last = _("{much} after") if np.all(closes[design] < 0) else _("{much} before")
-        return _(
-            "Exhaust ports open {first} the scavenge ports and close {last} them.",
-            first=first.format(much=said(np.where(np.all(opens < 0), -opens, opens))),
-            last=last.format(much=said(np.where(np.all(closes < 0), -closes, closes))),
-        )
 
 
 def have_ports(ports: Ports | None, cycle: Cycle | None) -> bool:
@@ -147,7 +131,7 @@ def _events(
     return bracketed_roots(past_edge, inner, outer), bracketed_roots(past_edge, outer, inner + 2 * np.pi)
 
 
-def _flags(names: tuple[str, ...], before: Array, opens: Array) -> Iterator[str]:
+def _flags(names: tuple[str, ...], before: Array, opens: Array) -> Iterator[Words]:
     """Flag what works badly: gas that blows back into the receiver, and ports higher than the stroke."""
     late = np.flatnonzero(np.any(before < 0, axis=0)).tolist()
     if late:
@@ -169,13 +153,6 @@ class EffectiveCompression:
     effective_compression_ratio: Array = quantity(
         "ε_eff", "1", ("chamber",), N_("Volume where the last port closes over the smallest volume"), _THEORY, "18.7"
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say the effective compression ratio."""
-        return _(
-            "Effective compression ratio {ratio}, from where the last port closes.",
-            ratio=shared(names["chamber"], self.effective_compression_ratio[design], "1"),
-        )
 
 
 def effective_compression(

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
@@ -45,7 +45,7 @@ def unlikely_cylinders(
     frames: Frames | None,
 ) -> UnlikelyCylinders:
     """Flag what is unlikely, as far as it is known."""
-    found: list[str] = []
+    found: list[Words] = []
     if volumes is not None and chambers is not None and ratios is not None:
         found += _ratios_of_slaves(volumes.compression_ratio, ratios, chambers.names)
     known = (order, cycle, cylinders, pistons, frames)
@@ -55,7 +55,7 @@ def unlikely_cylinders(
     return UnlikelyCylinders(unlikely=tuple(found))
 
 
-def _ratios_of_slaves(ratio: Array, ratios: CompressionRatios, names: Sequence[str]) -> Iterator[str]:
+def _ratios_of_slaves(ratio: Array, ratios: CompressionRatios, names: Sequence[str]) -> Iterator[Words]:
     """Flag the slave whose ratio is farthest off its master's."""
     off = np.abs(ratio / ratio[:, ratios.master] - 1)
     if np.any(off > _OFF):
@@ -75,7 +75,7 @@ def _ratios_of_slaves(ratio: Array, ratios: CompressionRatios, names: Sequence[s
 
 def _uneven(
     firing: Firing, order: FiringOrder, cycle: Cycle, cylinders: CylinderPistons, pistons: Pistons, frames: Frames
-) -> Iterator[str]:
+) -> Iterator[Words]:
     """Flag firing that is uneven, where another order on the same throws is even, or this one at another bank angle."""
     for tops, interval in zip(pistons.nominal_top[:, cylinders.leading, 0], firing.firing_interval, strict=True):
         step = cycle.length / tops.size
@@ -92,7 +92,7 @@ def _uneven(
 
 def _even_order(
     tops: Array, order: FiringOrder, cycle: Cycle, cylinders: CylinderPistons, frames: Frames
-) -> str | None:
+) -> Words | None:
     """Say which even order the throws allow; None where they allow none."""
     if not has_even_order(tops, cycle.length, _UNEVEN):
         return None
@@ -106,7 +106,9 @@ def _even_order(
     return _("the same throws fire evenly in the order {order}", order=written)
 
 
-def _even_angle(tops: Array, cycle: Cycle, cylinders: CylinderPistons, pistons: Pistons, frames: Frames) -> str | None:
+def _even_angle(
+    tops: Array, cycle: Cycle, cylinders: CylinderPistons, pistons: Pistons, frames: Frames
+) -> Words | None:
     """Say how far apart two banks would fire evenly, the nearest to what is given; None where no V does."""
     leading: list[int] = cylinders.leading.tolist()
     banks = [pistons.banks[piston] for piston in leading]

@@ -7,7 +7,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.motion.pistons import PistonMotion
@@ -15,7 +15,7 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged, Limit, flagged
-from cranktrain.saying.wording import Names, ranged, shared
+from cranktrain.saying.wording import ranged
 
 _CHAMBER = ("chamber",)
 
@@ -147,14 +147,6 @@ class SweptVolumes:
     bank_swept_volume: Array = quantity("V_b", "m^3", ("bank",), N_("Swept volume of the bank"), _THEORY, "14.25")
     displacement: Array = quantity("V_H", "m^3", (), N_("Swept volume of all chambers"), _THEORY, "14.25")
 
-    def answer(self, names: Names, design: int) -> str:
-        """Say displacement, in all and by bank."""
-        total = shared(("",), self.displacement[design : design + 1], "L")
-        if len(names["bank"]) == 1:
-            return _("Displacement {total}.", total=total)
-        banks = shared(names["bank"], self.bank_swept_volume[design], "L")
-        return _("Displacement {total}; by bank: {banks}.", total=total, banks=banks)
-
 
 def swept_volumes(chambers: Chambers, travel: CylinderTravel) -> SweptVolumes:
     """Swept volumes from piston areas and true strokes, of opposed pistons the combined one."""
@@ -185,17 +177,6 @@ class ChamberVolumes(Flagged):
     )
 
     is_clearance: bool = False
-
-    @property
-    def clearance(self) -> Array:
-        """Smallest volume over the swept one, 1/(ε − 1), shape (design, chamber)."""
-        return 1 / (self.compression_ratio - 1)
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say the compression ratios, or the clearances."""
-        if self.is_clearance:
-            return _("Clearance {clearances}.", clearances=shared(names["chamber"], self.clearance[design], "%"))
-        return _("Compression ratio {ratios}.", ratios=shared(names["chamber"], self.compression_ratio[design], "1"))
 
 
 def chamber_volumes(
@@ -230,7 +211,7 @@ def chamber_volumes(
     )
 
 
-def _flags(chambers: Chambers, clearance: Array) -> Iterator[str]:
+def _flags(chambers: Chambers, clearance: Array) -> Iterator[Words]:
     """Flag chambers that a shared deck leaves no room."""
     short = np.flatnonzero(np.any(clearance <= 0, axis=0)).tolist()
     if short:

@@ -5,7 +5,7 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.layout.speed import Speed
@@ -23,7 +23,7 @@ from cranktrain.references import THEORY_OF_EVENNESS as _EVENNESS
 from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Check, Checked, Flagged
-from cranktrain.saying.wording import Names, number
+from cranktrain.saying.wording import number
 from cranktrain.transient.gearing import overall_ratio
 
 _THEORY = "docs/theory/reduced-machine"
@@ -92,19 +92,6 @@ class SteadyDrive(Checked, Flagged):
 
     needs_motor: ClassVar[str] = DeclaredMotor.needs
 
-    def answer(self, _names: Names, design: int) -> str:
-        """Say how the motor runs."""
-        if np.isnan(self.cycle_time[design]):
-            return ""
-        return _(
-            "The motor runs at {speed}, torque {least} to {most}, effective {rms}; it gives {power} at its shaft.",
-            speed=number(float(self.mean_motor_speed[design]), "rpm"),
-            least=number(float(self.smallest_motor_torque[design]), "N*m"),
-            most=number(float(self.largest_motor_torque[design]), "N*m"),
-            rms=number(float(self.rms_motor_torque[design]), "N*m"),
-            power=number(float(self.motor_power[design]), "W"),
-        )
-
 
 def steady_drive(
     drive: DeclaredDrive,
@@ -164,7 +151,7 @@ class _Found(NamedTuple):
     facts: Array
     residual: float
     missed: float
-    flags: tuple[str, ...]
+    flags: tuple[Words, ...]
 
 
 def _of_design(turning: DriveInTurn, machines: ReducedMachines, angle: Array, held: float) -> _Found:
@@ -228,7 +215,7 @@ def _residual(turning: DriveInTurn, found: SpeedOverTurn) -> float:
     return abs(motor - load - lost) / largest if largest > 0 else 0.0  # nothing acts and nothing has inertia
 
 
-def _no_cycle(turning: DriveInTurn, cycle: float) -> str:
+def _no_cycle(turning: DriveInTurn, cycle: float) -> Words:
     """Say why there is no steady running, or that none was found."""
     if turning.is_held:
         return _("No steady running: a servo motor holds the declared speed, and [shaft.main] speed is missing.")
@@ -260,7 +247,7 @@ def _no_cycle(turning: DriveInTurn, cycle: float) -> str:
     return _("No steady running was found: where motor and machine balance, the running is not stable.")
 
 
-def _flags(turning: DriveInTurn, found: SpeedOverTurn, declared: float) -> Iterator[str]:
+def _flags(turning: DriveInTurn, found: SpeedOverTurn, declared: float) -> Iterator[Words]:
     """Flag unstable running, another pace than the declared one, and a motor beyond its table."""
     if found.multiplier > 1:
         yield _("The running with this motor is not stable: a small departure from it grows.")

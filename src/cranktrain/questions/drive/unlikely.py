@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.gas.pressures import GasPressures
@@ -42,7 +42,7 @@ def unlikely_drive(
     return UnlikelyDrive(unlikely=tuple(found))
 
 
-def _driving(work: LoadWork, gas: GasPressures | None) -> Iterator[str]:
+def _driving(work: LoadWork, gas: GasPressures | None) -> Iterator[Words]:
     """Flag loads that do work over a cycle, where nothing else but a motor takes it."""
     own = np.sum(work.load_work, axis=1)
     gross = np.sum(np.abs(work.load_work), axis=1)

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
@@ -18,7 +18,7 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged
-from cranktrain.saying.wording import Names, number
+from cranktrain.saying.wording import number
 
 _METHOD = "flywheel_method"
 
@@ -60,32 +60,6 @@ class FlywheelSize(Flagged):
         "δ_f", "1", (_METHOD,), N_("Coefficient of fluctuation that each flywheel really gives"), _THEORY, "17.5"
     )
 
-    def answer(self, _names: Names, design: int) -> str:
-        """Say the exact flywheel, with GD², and the others beside it."""
-        delta = f"{float(self.wanted[design]):.4g}"
-        size = float(self.flywheel_inertia[design, 0])
-        if np.isnan(size):
-            return ""
-        if size <= 0:
-            return _(
-                "For a coefficient of fluctuation of {delta} no flywheel is needed:"
-                " the moving parts alone keep it below.",
-                delta=delta,
-            )
-        exact, mertsalov, textbook = (number(float(value), "kg*m^2") for value in self.flywheel_inertia[design])
-        _zero, off, far = (f"{100 * float(error):+.2f} %" for error in self.flywheel_inertia_error[design])
-        return _(
-            "For a coefficient of fluctuation of {delta} the flywheel needs J = {exact}, GD² = {moment};"
-            " by Mertsalov {mertsalov} ({off}), by textbooks {textbook} ({far}).",
-            delta=delta,
-            exact=exact,
-            moment=number(4 * size, "kg*m^2"),
-            mertsalov=mertsalov,
-            off=off,
-            textbook=textbook,
-            far=far,
-        )
-
 
 def flywheel_size(
     balancing: Balancing,
@@ -114,7 +88,7 @@ def flywheel_size(
     )
 
 
-def _size_flags(driven: DrivenByMotor | None, given: LoadTorque | None) -> Iterator[str]:
+def _size_flags(driven: DrivenByMotor | None, given: LoadTorque | None) -> Iterator[Words]:
     """Flag a load for which another flywheel would do."""
     depends = given is not None and (given.powers or given.shape is not None)
     if driven is not None or depends:
@@ -141,19 +115,6 @@ class RimSize(Flagged):
         "definition",
     )
     rim_speed: Array = quantity("v", "m/s", (), N_("Speed of the rim's outside at the largest speed"), _THEORY, "17.21")
-
-    def answer(self, _names: Names, design: int) -> str:
-        """Say the rim's section, mass and speed."""
-        if np.isnan(self.rim_height[design]):
-            return ""
-        return _(
-            "The rim is {height} high and {width} wide, outer diameter {diameter}, {mass}; it runs at {speed}.",
-            height=number(float(self.rim_height[design]), "mm"),
-            width=number(float(self.rim_width[design]), "mm"),
-            diameter=number(float(self.rim_outer_diameter[design]), "mm"),
-            mass=number(float(self.rim_mass[design]), "kg"),
-            speed=number(float(self.rim_speed[design]), "m/s"),
-        )
 
 
 def rim_size(
@@ -188,7 +149,7 @@ def rim_size(
     )
 
 
-def _rim_flags(inertia: Array, speed: Array, wanted: DeclaredRim, height: Array) -> Iterator[str]:
+def _rim_flags(inertia: Array, speed: Array, wanted: DeclaredRim, height: Array) -> Iterator[Words]:
     """Flag a rim that runs too fast, or that has no room on its diameter."""
     too_fast = speed > wanted.largest_speed
     if np.any(too_fast):

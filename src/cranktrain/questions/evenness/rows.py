@@ -4,80 +4,55 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.questions.evenness.flywheel import FlywheelSize, RimSize
 from cranktrain.questions.evenness.running_speed import RunningSpeed
 from cranktrain.questions.evenness.shaft_balance import ShaftBalance
 from cranktrain.questions.evenness.shaft_torque import LoadTorque
 from cranktrain.questions.evenness.shaft_work import ShaftWork
-from cranktrain.saying.rows import Amount, AnswerLine, Extent, valued, worded
-from cranktrain.saying.wording import Names
+from cranktrain.saying.amounts import Amount
+from cranktrain.saying.rows import AnswerLine, Telling, valued, worded
 
 
-def running_rows(labels: Names, design: int, work: ShaftWork, running: RunningSpeed | None) -> Iterator[AnswerLine]:
+def running_rows(of: Telling, work: ShaftWork, running: RunningSpeed | None) -> Iterator[AnswerLine]:
     """Work that the flywheel takes up and gives back, and the speed that comes of it."""
-    yield valued(_("excess work"), work.largest_excess_work[design], "J", (), _("within a cycle"))
+    yield of.row(_("excess work"), work, "largest_excess_work", _("within a cycle"))
     if running is not None:
-        least, most = running.smallest_crank_speed.value[design], running.largest_crank_speed.value[design]
-        fluctuation = Amount(float(running.coefficient_of_fluctuation[design]), "1")
-        yield worded(
-            _("speed"),
-            _("{speed}, δ = {fluctuation}"),
-            speed=Extent(float(least), float(most), "rpm"),
-            fluctuation=fluctuation,
-        )
+        speed = of.extent(running, "smallest_crank_speed", "largest_crank_speed")
+        yield of.line(_("speed"), N_("{speed}, δ = {coefficient_of_fluctuation}"), running, speed=speed)
 
 
-def load_rows(labels: Names, design: int, load: LoadTorque) -> Iterator[AnswerLine]:
+def load_rows(of: Telling, load: LoadTorque) -> Iterator[AnswerLine]:
     """The loads on the shaft, with their factor where they were fitted to the machine."""
-    factor, most = float(load.load_factor[design]), float(load.largest_load_torque[design])
-    if not np.isfinite(factor * most):
+    factor, most = of.amount(load, "load_factor"), of.amount(load, "largest_load_torque")
+    if not np.isfinite(factor.value * most.value):
         return
-    pieces = {"most": Amount(most, "N*m")}
-    if load.is_scaled:
-        said = _(", at most {most}: the given one times {factor}")
-        pieces["factor"] = Amount(factor, "1")
-    else:
-        said = _(", at most {most}")
-    yield valued(_("load, on the mean"), load.mean_torque[design], "N*m", words=said, **pieces)
+    said = _(", at most {most}: the given one times {factor}") if load.is_scaled else _(", at most {most}")
+    words = said.format(most=most, factor=factor)
+    yield valued(_("load, on the mean"), load.mean_torque[of.design], "N*m", words=words)
 
 
-def balance_rows(labels: Names, design: int, balance: ShaftBalance) -> Iterator[AnswerLine]:
+def balance_rows(of: Telling, balance: ShaftBalance) -> Iterator[AnswerLine]:
     """What drives or loads the shaft besides all that the file gives, where it is much."""
-    rest = balance.undeclared(design)
+    rest = balance.undeclared(of.design)
     if rest != 0:
         balances = (
             _("a further {rest} drives the shaft, which stands nowhere in the file")
             if rest < 0
             else _("a further {rest} loads the shaft, which stands nowhere in the file")
         )
-        yield worded(_("balanced by"), balances, rest=Amount(abs(rest), "N*m"))
+        yield worded(_("balanced by"), balances.format(rest=Amount(abs(rest), "N*m", "remaining_torque")))
 
 
-def flywheel_rows(labels: Names, design: int, found: FlywheelSize, rim: RimSize | None) -> Iterator[AnswerLine]:
+def flywheel_rows(of: Telling, found: FlywheelSize, rim: RimSize | None) -> Iterator[AnswerLine]:
     """The flywheel for the evenness that is wanted, exact and as others reckon it, and its rim."""
-    size = float(found.flywheel_inertia[design, 0])
-    name = _("flywheel for δ {wanted}", wanted=f"{float(found.wanted[design]):.4g}")
-    if size <= 0:
+    name = _("flywheel for δ {wanted}", wanted=f"{float(found.wanted[of.design]):.4g}")
+    if of.values(found, "flywheel_inertia")[0] <= 0:
         yield worded(name, _("none: the moving parts alone suffice"))
     else:
-        _exact, mertsalov, textbook = (Amount(float(one), "off") for one in found.flywheel_inertia_error[design])
-        yield valued(
-            name,
-            size,
-            "kg*m^2",
-            (),
-            _(", Mertsalov {mertsalov}, textbooks {textbook}"),
-            mertsalov=mertsalov,
-            textbook=textbook,
-        )
+        mertsalov, textbook = (of.amount(found, "flywheel_inertia_error", form, unit="off") for form in (1, 2))
+        words = _(", Mertsalov {mertsalov}, textbooks {textbook}", mertsalov=mertsalov, textbook=textbook)
+        yield of.row(name, found, "flywheel_inertia", words, own=[0])
     if rim is not None:
-        yield worded(
-            _("its rim"),
-            _("{height} high, {width} wide, {diameter} outside, {mass}, {speed}"),
-            height=Amount(float(rim.rim_height[design]), "m"),
-            width=Amount(float(rim.rim_width[design]), "m"),
-            diameter=Amount(float(rim.rim_outer_diameter[design]), "m"),
-            mass=Amount(float(rim.rim_mass[design]), "kg"),
-            speed=Amount(float(rim.rim_speed[design]), "m/s"),
-        )
+        message = N_("{rim_height} high, {rim_width} wide, {rim_outer_diameter} outside, {rim_mass}, {rim_speed}")
+        yield of.line(_("its rim"), message, rim)

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Applies
 from cranktrain.layout.speed import DrivenSpeed, Speed, SteadySpeed
@@ -22,7 +22,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 from cranktrain.saying.catalogue import extreme, quantity
 from cranktrain.saying.checks import Check, Checked, Flagged
-from cranktrain.saying.wording import Names, number
 
 _CURVE = ("crank_angle",)
 _UNLIKELY = 0.5
@@ -38,9 +37,8 @@ _ROUNDING = 1e-9
 
 @record
 class RunningSpeed(Checked, Flagged):
-    """Speed of the shaft over the cycle, with the flywheel that there is; load says against what, as answers begin."""
+    """Speed of the shaft over the cycle, with the flywheel that there is."""
 
-    load: str
     crank_speed: Array = quantity(
         "ω", "rad/s", _CURVE, N_("Speed of the crank over the cycle"), _THEORY, "17.4, 17.11", shown="rpm"
     )
@@ -88,21 +86,6 @@ class RunningSpeed(Checked, Flagged):
         of="crank_speed",
     )
 
-    def answer(self, _names: Names, design: int) -> str:
-        """Say the speed's bounds, its coefficient of fluctuation and its means."""
-        if np.isnan(self.coefficient_of_fluctuation[design]):
-            return ""
-        return _(
-            "{load} the shaft runs at {least} to {most}, coefficient of fluctuation {delta};"
-            " mean {time} over time, {middle} of the extremes.",
-            load=self.load,
-            least=_speed(self.smallest_crank_speed.value[design]),
-            most=_speed(self.largest_crank_speed.value[design]),
-            delta=f"{float(self.coefficient_of_fluctuation[design]):.4g}",
-            time=_speed(self.mean_speed_over_time[design]),
-            middle=_speed(self.mean_speed_of_extremes[design]),
-        )
-
 
 def runs_steadily(
     balancing: Balancing | None, flywheel: GivenFlywheel | None, driven: DrivenByMotor | None, speed: Speed | None
@@ -148,7 +131,6 @@ def running_speed(
     torque = applied.applied_torque - even + found.besides
     running = found.speed
     return RunningSpeed(
-        load=_load_words(given, is_free=bool(np.all(found.is_free))),
         crank_speed=running.speed,
         crank_acceleration=(torque - slope * running.speed**2 / 2) / inertia.samples,
         coefficient_of_fluctuation=running.fluctuation(balancing.mean),
@@ -167,7 +149,6 @@ def _with_motor(driven: DrivenSpeed, mean: Mean) -> RunningSpeed:
     of_extremes = (driven.largest.value + driven.smallest.value) / 2
     means = {"time": driven.over_time, "angle": driven.over_angle, "extremes": of_extremes}
     return RunningSpeed(
-        load=_("Driven by its motor"),
         crank_speed=driven.speed,
         crank_acceleration=driven.acceleration,
         coefficient_of_fluctuation=(driven.largest.value - driven.smallest.value) / means[mean],
@@ -185,14 +166,7 @@ def _shown(found: Extreme, crank_angle: CrankAngle) -> Extreme:
     return Extreme(angle[:, 0, 0], found.value[:, 0])
 
 
-def _load_words(given: LoadTorque | None, *, is_free: bool) -> str:
-    """Say what balances the machine, as a sentence begins."""
-    if is_free:
-        return _("Without a load")
-    return _("Against a constant torque") if given is None else _("Against the load on the shaft")
-
-
-def _flags(mean: Mean, given: LoadTorque | None, work: ShaftWork, found: SteadyRunning) -> Iterator[str]:
+def _flags(mean: Mean, given: LoadTorque | None, work: ShaftWork, found: SteadyRunning) -> Iterator[Words]:
     """Flag a load that fixes no speed, a shaft that would stop, a load that nothing drives, and unstable running."""
     speed, rises = found.speed, given is not None and given.shape is not None
     is_known = np.isfinite(work.largest_excess_work)
@@ -210,11 +184,6 @@ def _flags(mean: Mean, given: LoadTorque | None, work: ShaftWork, found: SteadyR
         yield _("Within a cycle the speed changes by more than half of its mean: is the flywheel right?")
     if np.any(found.multiplier > 1):
         yield _("The running is not stable: a small departure from it grows.")
-
-
-def _speed(value: float) -> str:
-    """Write a speed."""
-    return number(float(value), "rpm")
 
 
 def for_second_run(running: RunningSpeed) -> SteadySpeed:
@@ -248,13 +217,15 @@ def _motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurv
         _("has torques that whole degrees do not show"),
         _("has nothing to compare: the work of a cycle is rounding beside the energy"),
     )
-    reasons = np.where(says_something, grid, nothing)
     return Check(
         "motion",
         _("Work of Jε + ½J′ω², with the speed that was found, against that of all torques, relative to its range"),
         np.where(closes, np.where(runs & is_shown & says_something, residual, np.inf), np.nan),
         limit,
-        tuple(np.where(runs, reasons, _("needs steady running")).tolist()),
+        tuple(
+            (grid if says else nothing) if is_running else _("needs steady running")
+            for is_running, says in zip(runs.tolist(), says_something.tolist(), strict=True)
+        ),
     )
 
 

@@ -6,7 +6,7 @@ from functools import reduce
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle
 from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
@@ -17,7 +17,7 @@ from cranktrain.numerics import in_windows, largest_between
 from cranktrain.numerics.periodic import PeriodicCurve, combined, curves_by_design, times
 from cranktrain.numerics.polyline import polyline_integral
 from cranktrain.questions.evenness.shaft_balance import ShaftBalance, listed, mean_of, power_of, powers_of
-from cranktrain.questions.evenness.spec import Balancing, DrivenByMotor
+from cranktrain.questions.evenness.spec import Balancing
 from cranktrain.questions.evenness.speed_law import Power
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
@@ -25,10 +25,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged
-from cranktrain.saying.wording import Names, number
-
-_NOTHING = 1e-9
-"""A mean torque below this part of the peak is none."""
 
 
 @record
@@ -93,8 +89,6 @@ class LoadTorque(Flagged):
         Of a load that balances the machine and goes with a power of the speed.
     is_scaled : bool
         Whether a load over the crank angle is scaled to balance the machine.
-    has_motor : bool
-        Whether a motor takes what is left.
     """
 
     even: Array
@@ -104,7 +98,6 @@ class LoadTorque(Flagged):
     powers: tuple[Power, ...]
     shape: Power | None
     is_scaled: bool
-    has_motor: bool
     mean_torque: Array
     load_torque: Array = quantity(
         "M_r",
@@ -134,31 +127,6 @@ class LoadTorque(Flagged):
         "17.17",
     )
 
-    def answer(self, _names: Names, design: int) -> str:
-        """Say the loads' mean and peak, and their factor or what balances the rest."""
-        factor, largest = float(self.load_factor[design]), float(self.largest_load_torque[design])
-        if not np.isfinite(factor * largest):
-            return ""
-        peak = number(largest, "N*m")
-        mean = number(float(self.mean_torque[design]), "N*m")
-        if self.is_scaled:
-            return _(
-                "The load times {factor} takes the machine's mean torque {mean}, at most {peak}.",
-                factor=f"{factor:.5g}",
-                mean=mean,
-                peak=peak,
-            )
-        said = _("The load on the shaft takes {mean} on the mean, at most {peak}.", mean=mean, peak=peak)
-        rest = float(self.remaining_torque[design])
-        if self.has_motor or self.shape is not None or abs(rest) <= _NOTHING * abs(largest):
-            return said
-        left = (
-            _("A constant torque of {rest} drives the shaft besides.")
-            if rest < 0
-            else _("The rest goes into a constant load of {rest}.")
-        )
-        return f"{said} {left.format(rest=number(abs(rest), 'N*m'))}"
-
 
 def are_on_shafts(loads: LoadsOnShafts | None) -> bool:
     """Whether there are loads on shafts; without them nothing is missing."""
@@ -167,7 +135,6 @@ def are_on_shafts(loads: LoadsOnShafts | None) -> bool:
 
 def load_torque(
     loads: LoadsOnShafts,
-    driven: DrivenByMotor | None,
     applied: AppliedTorque,
     balance: ShaftBalance,
     speed: Speed,
@@ -212,7 +179,6 @@ def load_torque(
         powers=powers,
         shape=shape,
         is_scaled=balanced is not None and shape is None,
-        has_motor=driven is not None,
         load_torque=whole(grid),
         load_factor=factor if shape is None else np.where(np.isnan(factor), factor, 1.0),
         largest_load_torque=_largest(whole, corners, crank_angle),
@@ -244,7 +210,7 @@ def _largest(whole: Callable[[Array], Array], corners: Sequence[Array], crank_an
     return largest_between(curves, crank_angle.shown, samples, np.concatenate([nowhere, *corners], axis=-1)).value
 
 
-def _flags(factor: Array, applied: Array) -> Iterator[str]:
+def _flags(factor: Array, applied: Array) -> Iterator[Words]:
     """Flag a machine to which no load can be scaled."""
     if np.any(np.isnan(factor) & np.all(np.isfinite(applied), axis=-1)):
         yield _(

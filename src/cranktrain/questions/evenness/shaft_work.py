@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array, Coefficient
@@ -21,7 +21,6 @@ from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 from cranktrain.saying.catalogue import quantity
-from cranktrain.saying.wording import Names, number
 
 _ASIDE = 1e-9
 """How far beside an angle the speed is asked for, where its own curve has a corner. [rad]"""
@@ -57,12 +56,6 @@ class ShaftWork:
         _THEORY,
         "17.2",
     )
-
-    def answer(self, _names: Names, design: int) -> str:
-        """Say the largest excess work."""
-        return _(
-            "Largest excess work {work} within a cycle.", work=number(float(self.largest_excess_work[design]), "J")
-        )
 
 
 def shaft_work(

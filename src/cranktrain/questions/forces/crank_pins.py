@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.linkage import Crank, crank
@@ -10,7 +10,6 @@ from cranktrain.linkage.forces import Gravity, Wrench, crank_link
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.nested import put
-from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.forces.joint_forces import JointForces, joint_label
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.pin_load import (
@@ -26,7 +25,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _CRANKSHAFT
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.saying.catalogue import extreme, quantity
-from cranktrain.saying.wording import Names, number
 
 _CURVE = ("mechanism", "crank_angle")
 
@@ -107,19 +105,6 @@ class CrankPinLoads:
         "13.35",
         worst="largest",
     )
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say the largest load of a crank pin."""
-        at, largest = (part[design] for part in self.largest_crankpin_load)
-        if np.all(np.isnan(largest)):
-            return None
-        worst = first_largest(largest)
-        return _(
-            "Largest load of a crank pin {load}, by the rod of {mechanism} at {angle}.",
-            load=number(float(largest[worst]), "kN"),
-            mechanism=names["mechanism"][worst],
-            angle=number(float(at[worst]), "deg"),
-        )
 
 
 def crank_pin_loads(

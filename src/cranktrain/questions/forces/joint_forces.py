@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.part_tables import part_name
 from cranktrain.mechanisms.dynamics import Reaction
 from cranktrain.motion import Array
@@ -123,7 +123,7 @@ def _reactions(joints: Sequence[Member], solved: Sequence[SolvedBatch]) -> Array
     return parts_of(joints, solved, lambda batch, place: solved[batch].forces.joints[place])
 
 
-def _flags(loaded: LoadedMachine) -> Iterator[str]:
+def _flags(loaded: LoadedMachine) -> Iterator[Words]:
     """Flag what has no mass, and rods whose inertia is assumed."""
     masses = loaded.masses
     if (said := loaded.without_mass()) is not None:
@@ -149,7 +149,7 @@ def _flags(loaded: LoadedMachine) -> Iterator[str]:
         yield _("{said}: of measured rods that is from 3 % too little to 22 % too much.", said=said)
 
 
-def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
+def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[Words]:
     """Flag what rubs in a guide that carries a moment, where no length says on which edges."""
     parts: list[str] = []
     for batch, one, made in zip(loaded.mechanisms.batches, solved.batches, loaded.masses.batches, strict=True):
@@ -170,7 +170,7 @@ def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Itera
         )
 
 
-def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
+def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[Words]:
     """Flag mechanisms that move freely without friction and have no forces with it."""
     stuck: list[int] = []
     for batch, one, made in zip(loaded.mechanisms.batches, solved.batches, loaded.masses.batches, strict=True):

@@ -20,14 +20,11 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.saying.catalogue import extreme, quantity
 from cranktrain.saying.checks import Flagged
-from cranktrain.saying.wording import Names, number, ranged
 
 _FACT = ("piston",)
 _ERROR = ("force_method", "piston")
 _EXACT, _FORMULA = FORCE_METHODS.index("exact"), FORCE_METHODS.index("textbook")
 _SAID = ("P", "N", "S", "S")
-_NAMED = 3
-"""How many pistons a sentence names one by one."""
 _ALIKE = 1e-9
 """Forces that differ by less, relative, are the same."""
 
@@ -83,34 +80,6 @@ class LargestForces(Flagged):
         "13.31, 13.35, 13.36",
     )
     is_master: NDArray[np.bool_] = field(kw_only=True)
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say the largest forces on pistons, walls and rods, and what the formula misses where slaves hang on a rod."""
-        found = (self.largest_piston_force, self.largest_side_force, self.largest_rod_force)
-        sizes = [one.value[design] for one in found]
-        if not all(np.any(size > 0) for size in sizes):
-            return None
-        piston, side, rod = (_largest_of(names["piston"], size) for size in sizes)
-        said = _(
-            "Largest forces: {piston} along the line of stroke, {side} across it, {rod} in the rod.",
-            piston=piston,
-            side=side,
-            rod=rod,
-        )
-        masters = np.flatnonzero(self.is_master)
-        errors = [
-            part[design, _FORMULA, masters]
-            for part in (self.side_force_formula_error, self.tangential_force_formula_error)
-        ]
-        if not all(np.any(error > 0) for error in errors):
-            return said
-        off = _(
-            "P·f(β), which knows no slaves, is off by up to {side} in N and {tangential} in T of {masters}.",
-            side=number(float(np.nanmax(errors[0])), "%"),
-            tangential=number(float(np.nanmax(errors[1])), "%"),
-            masters=ranged(names["piston"], masters.tolist()),
-        )
-        return f"{said} {off}"
 
 
 @record
@@ -199,16 +168,3 @@ def _errors(curves: Array) -> Array:
     """Largest error of every method, in parts of the exact peak, shape (design, force_method, piston)."""
     exact = curves[:, _EXACT, np.newaxis]
     return relative(curves - exact, exact)
-
-
-def _largest_of(names: Sequence[str], size: Array) -> str:
-    """Say the largest of some forces, and whose it is unless all are alike; of many banks the first."""
-    largest = float(np.nanmax(size))
-    alike = np.flatnonzero(size >= (1 - _ALIKE) * largest).tolist()
-    said = number(largest, "kN")
-    if len(alike) == np.count_nonzero(~np.isnan(size)):
-        return said
-    whose = ranged(names, alike)
-    if ", " in whose and len(alike) > _NAMED:
-        whose = _("{name} and {n} more", name=names[alike[0]], n=len(alike) - 1)
-    return f"{said} ({whose})"

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.language import Words
 from cranktrain.layout.load_laws import ByTravel, LoadState
 from cranktrain.layout.loads import LinkLoad, Loads, of_member
 from cranktrain.layout.masses import Masses
@@ -69,7 +70,7 @@ class LoadedMachine:
         """Whether something makes its torque jump, or gives it kinks, besides the gas."""
         return self.masses.has_friction or self.loads is not None
 
-    def without_mass(self) -> str | None:
+    def without_mass(self) -> Words | None:
         """Say what has no mass, and what alone acts then; None where all has."""
         return self.masses.without_mass(has_gas=self.gas is not None, has_loads=self.loads is not None)
 

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import _
+from cranktrain.language import Listed, Words, _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import Array
 from cranktrain.numerics import Curve, Peak, in_windows, largest_between, peaks_in, windows_between
@@ -143,24 +143,24 @@ def relative(difference: Array, whole: Array) -> Array:
     return np.max(np.abs(difference), axis=-1) / np.where(peak > 0, peak, np.nan)
 
 
-def one_sided(peaks: Sequence[tuple[str, Peak]], labels: Sequence[str] = ("",)) -> Iterator[str]:
+def one_sided(peaks: Sequence[tuple[Words, Peak]], labels: Sequence[str] = ("",)) -> Iterator[Words]:
     """Say which extremes stand at a jump, where a value just beside is another.
 
     Parameters
     ----------
-    peaks : sequence of (str, Peak)
-        What it is, in the user's language, and its peaks, shape (design, …) along `labels`.
+    peaks : sequence of (Words, Peak)
+        What it is, and its peaks, shape (design, …) along `labels`.
     labels : sequence of str
     """
-    each: dict[str, None] = {}
+    each: dict[Words, None] = {}
     for words, peak in peaks:
         side = np.where(np.isnan(peak.angle), 0.0, peak.side).reshape(len(peak.side), -1)
         for design, place in zip(*np.nonzero(side), strict=True):
             at = number(float(peak.angle.reshape(side.shape)[design, place]), "deg")
             where = _("just after {at}") if side[design, place] > 0 else _("just before {at}")
-            each.setdefault(" ".join(filter(None, (words, str(labels[place]), where.format(at=at)))))
+            each.setdefault(Listed(tuple(filter(None, (words, str(labels[place]), where.format(at=at)))), " "))
     if each:
         named = list(each)[:_NAMED]
         more = len(each) - len(named)
-        said = "; ".join([*named, *([_("and {n} more", n=more)] if more else [])])
+        said = Listed([*named, *([_("and {n} more", n=more)] if more else [])], "; ")
         yield _("Values at a jump are those of the side on which they are largest: {peaks}.", peaks=said)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.linkage.forces import WEIGHTLESS, Wrench, work
@@ -18,14 +18,9 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import StageResult
-from cranktrain.saying.wording import Names, number, ranged
 
 _FACT = ("rod_method", "piston")
 _EXACT = list(ROD_METHODS).index("exact")
-
-
-_SAID = 1e-9
-"""An error that is told; less is rounding, where a rod's inertia was assumed to be that of two masses."""
 
 
 @record
@@ -51,32 +46,6 @@ class RodMethods(StageResult):
         _THEORY,
         "13.37",
     )
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say what two masses lose, and of which rods they cannot have the centroid."""
-        rows = names["rod_method"]
-        row = rows.index("two_masses")
-        side, torque = self.side_force_error[design, row], self.driving_torque_error[design, row]
-        beside = np.flatnonzero(np.isnan(side) & np.isfinite(self.side_force_error[design, rows.index("exact")]))
-        said = [self._lost(side, torque)]
-        if beside.size:
-            no_masses = _(
-                "The centroid of the rod of {pistons} lies beside its line, where no masses on the line can have it: "
-                "what takes the rod for two masses is left out, and the joints bear the rod as the body it is."
-            )
-            said.append(no_masses.format(pistons=ranged(names["piston"], beside.tolist())))
-        return " ".join(filter(None, said)) or None
-
-    @staticmethod
-    def _lost(side: Array, torque: Array) -> str:
-        """Say what two masses lose; nothing where that is rounding."""
-        if np.all(np.isnan(side)) or not np.nanmax(side) > _SAID:
-            return ""
-        return _(
-            "A rod of two masses is off by up to {side} in the side force, {torque} in the torque.",
-            side=number(float(np.nanmax(side)), "%"),
-            torque=number(float(np.nanmax(torque)), "%"),
-        )
 
 
 def rod_methods(pistons: Pistons, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle) -> RodMethods:

@@ -1,23 +1,20 @@
 """What forces say in the answer: the largest ones."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.language import _
-from cranktrain.motion import Array
+from cranktrain.language import Message, Words, _
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.questions.forces.guides import GuideEdges
 from cranktrain.questions.forces.joint_forces import JointForces
 from cranktrain.questions.forces.largest_forces import LargestForces
-from cranktrain.saying.rows import Amount, AnswerLine, valued
-from cranktrain.saying.wording import Names
+from cranktrain.saying.rows import AnswerLine, Telling
 
 
 def force_rows(
-    labels: Names,
-    design: int,
+    of: Telling,
     joints: JointForces,
     largest: LargestForces | None,
     pins: CrankPinLoads | None,
@@ -25,38 +22,28 @@ def force_rows(
 ) -> Iterator[AnswerLine]:
     """Of rods, against guides, on crank pins and edges; of a machine without such rods in its joints."""
     if largest is not None:
-        pistons = labels["piston"]
-        yield valued(_("in the rod"), largest.largest_rod_force.value[design], "N", pistons)
-        yield valued(_("side force"), largest.largest_side_force.value[design], "N", pistons)
+        yield of.row(_("in the rod"), largest, "largest_rod_force")
+        yield of.row(_("side force"), largest, "largest_side_force")
     if pins is not None:
-        load = pins.largest_crankpin_load
-        yield from _largest(
-            _("on a crank pin"), load.value[design], load.angle[design], labels["mechanism"], _("rod of {member}")
-        )
+        yield from _largest(of, _("on a crank pin"), pins, "largest_crankpin_load", _("rod of {member}"))
     if edges is not None:
-        edge = edges.largest_guide_edge_force
-        yield from _largest(_("on an edge of a guide"), edge.value[design], edge.angle[design], labels["guide"])
+        yield from _largest(of, _("on an edge of a guide"), edges, "largest_guide_edge_force")
     if largest is None and pins is None:
-        joint = joints.largest_joint_force
-        yield from _largest(_("in a joint"), joint.value[design], joint.angle[design], labels["joint"])
+        yield from _largest(of, _("in a joint"), joints, "largest_joint_force")
 
 
 def _largest(
-    name: str, values: Array, angles: Array, members: Sequence[str], whose: str = "{member}"
+    of: Telling, name: Words, found: object, quantity: str, whose: Message | None = None
 ) -> Iterator[AnswerLine]:
     """Say the largest of some values, and where and of whom it is."""
+    values = of.values(found, quantity)
     if not np.any(np.isfinite(values)):
         return
     worst = first_largest(values)
-    if np.isnan(angles[worst]):  # of nothing, which is largest nowhere
-        yield valued(name, values[worst], "N")
-        return
-    yield valued(
-        name,
-        values[worst],
-        "N",
-        (),
-        _("at {angle}, {whose}", angle="{angle}", whose=whose) if len(members) > 1 else _("at {angle}"),
-        angle=Amount(float(angles[worst]), "position"),
-        member=members[worst],
-    )
+    at = of.amount(found, f"{quantity}_at", worst)
+    (member,) = of.amount(found, quantity, worst).member
+    of_whom = member if whose is None else whose.format(member=member)
+    one, many = _("at {angle}", angle=at), _("at {angle}, {whose}", angle=at, whose=of_whom)
+    # What is nothing is largest nowhere.
+    words = "" if np.isnan(at.value) else many if values.size > 1 else one
+    yield of.row(name, found, quantity, words, own=[worst])

@@ -6,7 +6,7 @@ from functools import reduce
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_
+from cranktrain.language import N_, Words
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.part_tables import SLIDER
 from cranktrain.motion import Array
@@ -70,7 +70,7 @@ def unlikely_loads(
     gas: GasPressures | None,
 ) -> UnlikelyLoads:
     """Flag what is beyond the limits, as far as it is known; of all designs the worst is named."""
-    found: list[str] = []
+    found: list[Words] = []
     if loaded is not None:
         rubbing = [np.ravel(part) for batch in loaded.masses.batches for part in batch.friction]
         found += flagged(_FRICTION, np.concatenate([np.empty(0), *rubbing]))
@@ -85,7 +85,7 @@ def unlikely_loads(
 
 def _of_pistons(
     loaded: LoadedMachine, chambers: Chambers, stroke: Array, fired: NDArray[np.bool_] | None
-) -> Iterator[str]:
+) -> Iterator[Words]:
     """Flag masses of pistons, of engines by the bore, of all by their inertia."""
     mass = _piston_masses(loaded, stroke.shape)
     areas = np.abs(chambers.areas)
@@ -108,7 +108,7 @@ def _centres_of_rods(loaded: LoadedMachine) -> Array:
     return found
 
 
-def _far_loads(loaded: LoadedMachine, loads: Sequence[LinkLoad], solved: SolvedCycle) -> Iterator[str]:
+def _far_loads(loaded: LoadedMachine, loads: Sequence[LinkLoad], solved: SolvedCycle) -> Iterator[Words]:
     """Flag loads that act far off all pins of their mechanism."""
     farthest: list[Array] = []
     for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True):

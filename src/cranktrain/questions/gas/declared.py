@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.errors import Problem
 from cranktrain.fluids import KINDS, AnyFluid, FluidSpec, fluid_of, table_path
 from cranktrain.grouping import grouped
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.numerics.designs import by_design
 from cranktrain.paths import quantity_path
@@ -25,7 +25,7 @@ class GasTable(NamedTuple):
     path: str
     fluid: AnyFluid
     numbers: Any
-    flags: tuple[str, ...]
+    flags: tuple[Words, ...]
 
 
 @record

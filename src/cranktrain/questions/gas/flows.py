@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from cranktrain.fluids import VolumeLimits
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
@@ -16,7 +16,7 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged
-from cranktrain.saying.wording import Names, ranged, shared_known
+from cranktrain.saying.wording import ranged
 
 if TYPE_CHECKING:
     from cranktrain.fluids.compressor import Compressor
@@ -51,16 +51,6 @@ class CompressorCapacity(Flagged):
         "T_1", "K", _CHAMBER, N_("Temperature at the end of suction, with which the masses close"), _THEORY, "14.20"
     )
 
-    def answer(self, names: Names, design: int) -> str:
-        """Say between which pressures, and how much."""
-        chambers = names["chamber"]
-        said = _("Compressor from {suction} to {discharge}; it takes in {part} of the swept volume.")
-        return said.format(
-            suction=shared_known(chambers, self.suction_line_pressure[design], "bar"),
-            discharge=shared_known(chambers, self.discharge_line_pressure[design], "bar"),
-            part=shared_known(chambers, self.volumetric_efficiency[design], "%"),
-        )
-
 
 def has_compressors(gas: DeclaredGas) -> bool:
     """Say whether any chamber is a compressor's."""
@@ -88,7 +78,7 @@ def compressor_capacity(gas: GasInChambers) -> CompressorCapacity:
     )
 
 
-def _flags(gas: GasInChambers, one: Filling, part: Array) -> list[str]:
+def _flags(gas: GasInChambers, one: Filling, part: Array) -> list[Words]:
     """Flag chambers that deliver nothing, and exponents with which no cycle is steady."""
     from cranktrain.fluids.compressor.chamber import steady_exponents
 
@@ -108,11 +98,6 @@ class CompressorFlow:
     inlet_flow: Array = quantity(
         "Q_s", "m^3/s", _CHAMBER, N_("Volume taken in, as the gas is in the line it comes from"), _THEORY, "definition"
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say the flow at the inlet of each stage."""
-        flow = shared_known(names["chamber"], self.inlet_flow[design], "m³/h")
-        return _("Flow at its inlet's state {flow}.", flow=flow)
 
 
 def compressor_flow(gas: GasInChambers, capacities: CompressorCapacity, speed: Speed) -> CompressorFlow:

@@ -1,13 +1,12 @@
 """What becomes of the heat that comes in by Wiebe's law."""
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.declared import DeclaredGas
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.saying.catalogue import quantity
-from cranktrain.saying.wording import Names, shared_known
 
 _CHAMBER = ("chamber",)
 
@@ -28,16 +27,6 @@ class HeatBalance:
         _THEORY,
         "definition",
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say the heat, what is made of it, and what the walls take."""
-        chambers = names["chamber"]
-        said = _("Heat {heat} a cycle, of which {part} becomes work of the gas; the walls take {loss}.")
-        return said.format(
-            heat=shared_known(chambers, self.released_heat[design], "J"),
-            part=shared_known(chambers, self.working_turn_efficiency[design], "%"),
-            loss=shared_known(chambers, self.wall_loss[design], "J"),
-        )
 
 
 def has_heat(gas: DeclaredGas) -> bool:

@@ -5,7 +5,7 @@ from typing import ClassVar
 import numpy as np
 
 from cranktrain.fluids.work import friction_power, friction_power_by_efficiency, indicated_power
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.design import Designs
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
@@ -16,7 +16,6 @@ from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.saying.catalogue import quantity
-from cranktrain.saying.wording import Names, number, shared
 
 
 @record
@@ -35,21 +34,6 @@ class IndicatedPowers:
         _THEORY,
         "14.8",
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say the indicated power, in all and by bank; of a driven machine what it takes."""
-        power = float(self.indicated_power[design])
-        is_driven = power < 0
-        sense = -1.0 if is_driven else 1.0
-        name = _("Indicated power taken") if is_driven else _("Indicated power")
-        total = number(sense * power, "kW")
-        mean = number(sense * float(self.mean_indicated_pressure[design]), "bar")
-        if len(names["bank"]) == 1:
-            return _("{name} {total}, mean pressure {mean}.", name=name, total=total, mean=mean)
-        banks = shared(names["bank"], sense * self.bank_indicated_power[design], "kW")
-        return _(
-            "{name} {total}, by bank {banks}; mean pressure {mean}.", name=name, total=total, banks=banks, mean=mean
-        )
 
 
 def indicated_powers(
@@ -106,22 +90,6 @@ class BrakePowers:
         _THEORY,
         "14.15",
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say brake power and torque, or what drives the machine."""
-        del names
-        power = float(self.brake_power[design])
-        said = (
-            _("Driven by {power}, mean torque {torque}; mean pressure {mean}. Friction takes {friction}.")
-            if power < 0
-            else _("Brake power {power}, mean torque {torque}; mean pressure {mean}. Friction takes {friction}.")
-        )
-        return said.format(
-            power=number(abs(power), "kW"),
-            torque=number(abs(float(self.brake_torque[design])), "N*m"),
-            mean=number(abs(float(self.mean_brake_pressure[design])), "bar"),
-            friction=number(float(self.friction_power[design]), "kW"),
-        )
 
 
 def brake_powers(

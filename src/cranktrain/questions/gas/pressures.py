@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, around_zero, in_windows, largest_between
@@ -20,7 +20,6 @@ from cranktrain.references import THEORY_OF_FORCES as _FORCES
 from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.saying.catalogue import extreme, quantity
 from cranktrain.saying.checks import Flagged, Limit, flagged
-from cranktrain.saying.wording import Names, shared
 
 _CHAMBER = ("chamber",)
 _CURVE = ("chamber", "crank_angle")
@@ -97,22 +96,6 @@ class GasPressures(Flagged):
         "14.24",
     )
 
-    def answer(self, names: Names, design: int) -> str:
-        """Say mean and largest pressures; of a driven machine the mean one of the work that it takes."""
-        chambers = names["chamber"]
-        mean = self.indicated_mean_pressure[design]
-        is_driven = np.sum(self.indicated_work[design]) < 0
-        said = (
-            _("Indicated mean pressure {mean}, of work taken; largest {peak}, {after} after the dead centre.")
-            if is_driven
-            else _("Indicated mean pressure {mean}; largest {peak}, {after} after the dead centre.")
-        )
-        return said.format(
-            mean=shared(chambers, -mean if is_driven else mean, "bar"),
-            peak=shared(chambers, self.peak_pressure.value[design], "bar"),
-            after=shared(chambers, self.peak_pressure_after[design], "deg"),
-        )
-
 
 def gas_pressures(
     gas: GasInChambers,
@@ -149,7 +132,7 @@ def gas_pressures(
     )
 
 
-def _unlikely_pressures(gas: GasInChambers, fires: NDArray[np.bool_], peak: Array) -> Iterator[str]:
+def _unlikely_pressures(gas: GasInChambers, fires: NDArray[np.bool_], peak: Array) -> Iterator[Words]:
     """Flags of ratios and peaks that no engine has, of chambers that give work, shape (design, chamber)."""
     ratio = (gas.limits.largest / gas.limits.smallest)[..., 0]
     # What no machine at all has is flagged where the ratio is found.

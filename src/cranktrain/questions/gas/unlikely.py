@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.language import N_
+from cranktrain.language import N_, Words
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.heat import HeatBalance
 from cranktrain.questions.gas.powers import Losses
@@ -77,7 +77,7 @@ class UnlikelyGas(Flagged):
 
 def unlikely_gas(gas: GasInChambers | None, heat: HeatBalance | None, losses: Losses | None) -> UnlikelyGas:
     """Flag what is beyond the limits, as far as it is known."""
-    found: list[str] = []
+    found: list[Words] = []
     if gas is not None:
         found += [*_ratios_of_cranks(gas), *_burning(gas), *_compressing(gas)]
     if heat is not None and gas is not None:
@@ -87,7 +87,7 @@ def unlikely_gas(gas: GasInChambers | None, heat: HeatBalance | None, losses: Lo
     return UnlikelyGas(unlikely=tuple(found))
 
 
-def _ratios_of_cranks(gas: GasInChambers) -> Iterator[str]:
+def _ratios_of_cranks(gas: GasInChambers) -> Iterator[Words]:
     """Flag λ of pistons with gas whose rods hang on a crank themselves."""
     areas = np.max(np.abs(gas.chambers.areas), axis=2)
     ratio, stroke = np.full((2, *gas.tops.shape[:2]), np.nan)
@@ -100,7 +100,7 @@ def _ratios_of_cranks(gas: GasInChambers) -> Iterator[str]:
     yield from flagged(_LAMBDA, np.where(areas > 0, counted, np.nan), ratio, gas.pistons.names)
 
 
-def _burning(gas: GasInChambers) -> Iterator[str]:
+def _burning(gas: GasInChambers) -> Iterator[Words]:
     """Flag heat that is nothing beside what the charge could burn, and walls that are too cold."""
     for filling in gas.filled_with("wiebe"):
         from cranktrain.fluids.wiebe.chamber import walls  # for machines that burn so
@@ -119,7 +119,7 @@ def _burning(gas: GasInChambers) -> Iterator[str]:
             yield from flagged(_FASTEST_COOLING, (gas_mass / cooled)[..., 0], whose=names)
 
 
-def _compressing(gas: GasInChambers) -> Iterator[str]:
+def _compressing(gas: GasInChambers) -> Iterator[Words]:
     """Flag exponents of compressors."""
     for filling in gas.filled_with("compressor"):
         ready = filling.ready

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByTravel
 from cranktrain.layout.load_stretch import stretch_flags
@@ -23,7 +23,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.saying.catalogue import extreme, quantity
 from cranktrain.saying.checks import Flagged
-from cranktrain.saying.wording import Names, shared
 
 _LOAD = ("load",)
 _CURVE = ("load", "crank_angle")
@@ -86,12 +85,6 @@ class LoadWork(Flagged):
         "definition",
         worst="largest",
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say the work of a cycle and the largest power."""
-        works = shared(names["load"], self.load_work[design], "J")
-        most = shared(names["load"], self.largest_load_power.value[design], "kW")
-        return _("Work of the loads in a cycle {works}; largest power {most}.", works=works, most=most)
 
 
 def are_asked_for(loads: Loads | None, on_shafts: LoadsOnShafts | None, gas: DeclaredGas | None) -> bool | str:
@@ -156,7 +149,7 @@ def load_work(
     )
 
 
-def _acting_nowhere(links: Sequence[LinkLoad], largest: Peak) -> Iterator[str]:
+def _acting_nowhere(links: Sequence[LinkLoad], largest: Peak) -> Iterator[Words]:
     """Say of which loads the machine meets nothing, although their lists have something."""
     for place, load in enumerate(links):
         is_listed = isinstance(load.law, ByTravel) and load.law.most > 0

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.load_laws import BySpeed, ByTravel
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.motion import Array
@@ -41,7 +41,7 @@ def unlikely_strokes(loaded: LoadedMachine | None) -> UnlikelyStrokes:
     return UnlikelyStrokes(unlikely=tuple(found))
 
 
-def _of_slider(loaded: LoadedMachine, loads: Sequence[LinkLoad]) -> Iterator[str]:
+def _of_slider(loaded: LoadedMachine, loads: Sequence[LinkLoad]) -> Iterator[Words]:
     """Flag what all such loads of one slider do together."""
     # Aside from dead centres, where none acts.
     turned = np.linspace(0.0, 2 * TURN, _N_ANGLES, endpoint=False) + TURN / _N_ANGLES
@@ -60,7 +60,7 @@ def _of_slider(loaded: LoadedMachine, loads: Sequence[LinkLoad]) -> Iterator[str
             return
 
 
-def _of_design(load: str, size: Array, out: Array, place: Array, *, listed: float, is_counted: bool) -> Iterator[str]:
+def _of_design(load: str, size: Array, out: Array, place: Array, *, listed: float, is_counted: bool) -> Iterator[Words]:
     """Say what is unlikely of a size over the angles, by the speed and the place of what it acts on.
 
     listed is the largest size that the file has, of a load over its travel.

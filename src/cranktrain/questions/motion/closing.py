@@ -2,16 +2,14 @@
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms, distinct
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.motion import Array
-from cranktrain.numerics.ties import first_smallest
 from cranktrain.record import record
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged, Limit, flagged
-from cranktrain.saying.wording import Names, around_turn, shared
 
 _MECHANISM = ("mechanism",)
 _THEORY = "docs/theory/closing-margin"
@@ -47,20 +45,6 @@ class Closing(Flagged):
         "φ_m", "deg", _MECHANISM, N_("Crank angle at which the links would part"), _THEORY, "5.1", is_place=True
     )
     length_names: tuple[tuple[str, ...], ...] = ()
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say the smallest margin of all."""
-        margins = self.closing_margin[design]
-        if np.all(np.isnan(margins)):
-            return None
-        least = first_smallest(margins)
-        return _(
-            "Closing margin {margin} ({mechanism}: {length}, at {angle}).",
-            margin=shared(("",), margins[least : least + 1], "%"),
-            mechanism=names["mechanism"][least],
-            length=_(self.length_names[design][least]),
-            angle=shared(("",), around_turn(self.closing_angle[design, least : least + 1]), "deg"),
-        )
 
 
 def closing(mechanisms: Mechanisms, crank_angle: CrankAngle) -> Closing:

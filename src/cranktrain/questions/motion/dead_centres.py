@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Distinct, Mechanisms, Pistons, distinct
 from cranktrain.mechanisms.kind import AnyMotion
@@ -12,12 +12,11 @@ from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, turn_grid
 from cranktrain.questions.motion.grid_motion import GridMotion
-from cranktrain.questions.motion.outputs import InCylinders, by_output, outputs_of
+from cranktrain.questions.motion.outputs import InCylinders, outputs_of
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged, Limit, flagged
-from cranktrain.saying.wording import Names, shared
 
 _PISTON = ("piston",)
 ANGLE_ROUNDING = 1e-12
@@ -148,15 +147,6 @@ class DeadCentres(Flagged):
     bottom_position: Array = quantity(
         "h", "m", _PISTON, N_("Distance from shaft centre to piston pin at bottom dead centre"), _THEORY, "2.7"
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say strokes and true dead centres of pistons, travels of what has no cylinder and where it is farthest."""
-        return " ".join(
-            _(words.dead_centres, strokes=shared(own, strokes, "mm"), tops=shared(own, tops, "deg"))
-            for words, own, (strokes, tops) in by_output(
-                self.outputs, names, [self.stroke[design], self.top_shift[design]]
-            )
-        )
 
 
 def dead_centres(

@@ -8,10 +8,8 @@ from numpy.typing import NDArray
 
 from cranktrain.grouping import grouped
 from cranktrain.layout.mechanisms import Pistons
-from cranktrain.mechanisms.output import OutputPart, SliderWords
-from cranktrain.motion import Array
+from cranktrain.mechanisms.output import OutputPart
 from cranktrain.record import record
-from cranktrain.saying.wording import Names
 
 
 @record
@@ -31,12 +29,3 @@ def members_by_output(outputs: Sequence[OutputPart]) -> Iterator[tuple[OutputPar
     members = grouped((output, member) for member, output in enumerate(outputs))
     for output in sorted(members, key=lambda output: output.rank):
         yield output, np.array(members[output])
-
-
-def by_output(
-    outputs: Sequence[OutputPart], names: Names, values: Sequence[Array]
-) -> Iterator[tuple[SliderWords, list[str], list[Array]]]:
-    """Part what is said of sliders by what they are: words, names and values, shape (n,), of each sort there is."""
-    for output, own in members_by_output(outputs):
-        if output.words is not None:
-            yield output.words, [names["piston"][int(member)] for member in own], [part[own] for part in values]

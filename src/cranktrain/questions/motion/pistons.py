@@ -14,12 +14,10 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivatives_residual, extremes
 from cranktrain.numerics.tops import chosen
 from cranktrain.questions.motion.dead_centres import DeadCentres, PistonGrid, PistonTurn, slider_motion
-from cranktrain.questions.motion.outputs import by_output
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
 from cranktrain.saying.catalogue import coefficients, extreme, quantity
 from cranktrain.saying.checks import Check, Checked, Flagged, Limit, flagged
-from cranktrain.saying.wording import Names, shared
 
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")
@@ -136,22 +134,6 @@ class PistonSpeeds(Flagged):
         worst="smallest",
         of="piston_acceleration",
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say mean and largest speeds of pistons, of other sliders and of valves."""
-        of_either_sense = np.fmax(self.largest_piston_acceleration.value, -self.smallest_piston_acceleration.value)
-        curves = (self.mean_piston_speed, self.largest_piston_speed.value, of_either_sense)
-        return " ".join(
-            _(
-                words.speeds,
-                mean=shared(own, mean, "m/s"),
-                largest=shared(own, largest, "m/s"),
-                acceleration=shared(own, acceleration, "m/s^2"),
-            )
-            for words, own, (mean, largest, acceleration) in by_output(
-                self.outputs, names, [curve[design] for curve in curves]
-            )
-        )
 
 
 def piston_speeds(

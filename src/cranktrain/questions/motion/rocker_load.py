@@ -4,7 +4,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.design import Designs
 from cranktrain.layout.mechanisms import Rockers
 from cranktrain.motion import Array, Coefficient
@@ -13,7 +13,6 @@ from cranktrain.questions.motion.rockers import DeadPositions, RockerMotion, Roc
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_PUMPING_UNITS as _THEORY
 from cranktrain.saying.catalogue import coefficients, quantity
-from cranktrain.saying.wording import Names, shared
 
 _ROCKER = ("rocker",)
 
@@ -65,16 +64,6 @@ class LoadMotion:
     smallest_torque_factor: Array = quantity(
         "TF_min", "m", _ROCKER, N_("Smallest (largest negative) torque factor"), _THEORY, "28.2", worst="smallest"
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say the load's stroke and the torque factor's range."""
-        rockers = names["rocker"]
-        return _(
-            "Stroke of the load {stroke}; torque factor from {least} to {most}.",
-            stroke=shared(rockers, self.load_stroke[design], "mm"),
-            least=shared(rockers, self.smallest_torque_factor[design], "mm"),
-            most=shared(rockers, self.largest_torque_factor[design], "mm"),
-        )
 
 
 def load_motion(

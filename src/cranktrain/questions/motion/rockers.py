@@ -13,7 +13,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
 from cranktrain.saying.catalogue import coefficients, extreme, quantity
 from cranktrain.saying.checks import Check, Checked, Flagged, Limit, flagged
-from cranktrain.saying.wording import Names, around_turn, shared
 
 _ROCKER = ("rocker",)
 _CURVE = ("rocker", "crank_angle")
@@ -106,19 +105,6 @@ class DeadPositions(Flagged):
         worst="smallest",
         of="rocker_angle",
     )
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say swing, dead positions and time ratio of the rockers that swing."""
-        if np.all(np.isnan(self.swing[design])):
-            return None
-        rockers = names["rocker"]
-        return _(
-            "The rocker swings {swing}, dead at crank angles {first} and {second}; time ratio {ratio}.",
-            swing=shared(rockers, self.swing[design], "deg"),
-            first=shared(rockers, around_turn(self.smallest_rocker_angle.angle[design]), "deg"),
-            second=shared(rockers, around_turn(self.largest_rocker_angle.angle[design]), "deg"),
-            ratio=shared(rockers, self.time_ratio[design], "1"),
-        )
 
 
 def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> DeadPositions:

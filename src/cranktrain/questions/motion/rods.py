@@ -5,7 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.design import Designs
 from cranktrain.layout.mechanisms import Pistons
@@ -45,7 +45,7 @@ def permissible_angles_of(designs: Designs) -> PermissibleAngles | None:
     return None if np.all(np.isnan(value)) else PermissibleAngles(value)
 
 
-def _exceeding(permissible: PermissibleAngles, largest: Extreme) -> Iterator[str]:
+def _exceeding(permissible: PermissibleAngles, largest: Extreme) -> Iterator[Words]:
     """Flag the rod whose pressure angle exceeds its limit the most, and where it does; of all designs the worst."""
     angle = np.abs(largest.value)
     excess = np.where(angle > permissible.value * (1 + _ROUNDING), angle - permissible.value, 0.0)

@@ -1,10 +1,12 @@
 """What motion says in the answer: strokes, dead centres, speeds, swings of rockers, how near links are to parting."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.mechanisms.output import SliderWords
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.motion.closing import Closing
@@ -14,8 +16,9 @@ from cranktrain.questions.motion.pistons import PistonSpeeds
 from cranktrain.questions.motion.rocker_load import LoadMotion
 from cranktrain.questions.motion.rockers import DeadPositions
 from cranktrain.questions.motion.rods import RodMotion
-from cranktrain.saying.rows import Amount, AnswerLine, Extent, valued, worded
-from cranktrain.saying.wording import Names, around_turn
+from cranktrain.saying.amounts import Extent
+from cranktrain.saying.rows import AnswerLine, Telling, worded
+from cranktrain.saying.wording import around_turn
 
 _ON_AXIS = np.radians(0.005)
 """A dead centre so near the axis is shown as on it. [rad]"""
@@ -24,94 +27,95 @@ _NEAR = 0.2
 
 
 def slider_rows(
-    labels: Names, design: int, centres: DeadCentres, speeds: PistonSpeeds | None, rods: RodMotion | None
+    of: Telling, centres: DeadCentres, speeds: PistonSpeeds | None, rods: RodMotion | None
 ) -> Iterator[AnswerLine]:
     """Strokes, dead centres and speeds: of pistons, of rams, of valves."""
     for output, own in members_by_output(centres.outputs):
         words = output.words
         assert words is not None  # of sliders
-        names = [labels["piston"][int(member)] for member in own]
-        yield valued(_(words.stroke), centres.stroke[design, own], "m", names)
-        if not np.any(np.isfinite(centres.stroke[design, own])):
+        stroke = of.row(_(words.stroke), centres, "stroke", own=own)
+        yield stroke
+        if not np.any(np.isfinite(stroke.values)):
             yield worded(_("stroke"), _("none: the links do not close all round"))
             continue
-        shifts = (centres.top_shift[design, own], centres.bottom_shift[design, own])
-        if any(np.any(np.abs(shift) > _ON_AXIS) for shift in shifts):
-            yield valued(_(words.top), shifts[0], "rad", names, _(words.after_top))
+        top = of.row(_(words.top), centres, "top_shift", _(words.after_top), own=own)
+        bottom = of.row(_(words.bottom), centres, "bottom_shift", own=own)
+        if any(np.any(np.abs(shift.values) > _ON_AXIS) for shift in (top, bottom)):
+            yield top
             if output.is_loaded:
-                yield valued(_(words.bottom), shifts[1], "rad", names)
+                yield bottom
         if speeds is not None:
-            yield from _speed_rows(names, design, speeds, own, words, is_loaded=output.is_loaded)
+            yield from _speed_rows(of, speeds, own, words, is_loaded=output.is_loaded)
         if rods is not None and output.is_loaded:
-            largest = np.fmax(
-                np.abs(rods.largest_pressure_angle.value[design, own]),
-                np.abs(rods.opposite_pressure_angle.value[design, own]),
+            yield _larger(
+                of, _("largest pressure angle"), rods, "largest_pressure_angle", "opposite_pressure_angle", own
             )
-            yield valued(_("largest pressure angle"), largest, "rad", names)
 
 
 def _speed_rows(
-    names: list[str], design: int, speeds: PistonSpeeds, own: np.ndarray, words: SliderWords, *, is_loaded: bool
+    of: Telling, speeds: PistonSpeeds, own: NDArray[np.intp], words: SliderWords, *, is_loaded: bool
 ) -> Iterator[AnswerLine]:
     """Mean and largest speed, and largest acceleration of either sense; of what carries no load the largest speed."""
-    fastest = speeds.largest_piston_speed.value[design, own]
     if is_loaded:
-        yield valued(_(words.mean_speed), speeds.mean_piston_speed[design, own], "m/s", names)
-    yield valued(_(words.largest_speed), fastest, "m/s", names)
-    if not is_loaded:
-        return
-    acceleration = np.maximum(
-        speeds.largest_piston_acceleration.value[design, own], -speeds.smallest_piston_acceleration.value[design, own]
-    )
-    yield valued(_("largest acceleration"), acceleration, "m/s^2", names)
+        yield of.row(_(words.mean_speed), speeds, "mean_piston_speed", own=own)
+    yield of.row(_(words.largest_speed), speeds, "largest_piston_speed", own=own)
+    if is_loaded:
+        ends = ("largest_piston_acceleration", "smallest_piston_acceleration")
+        yield _larger(of, _("largest acceleration"), speeds, *ends, own)
+
+
+def _larger(of: Telling, name: Words, found: object, quantity: str, opposite: str, own: NDArray[np.intp]) -> AnswerLine:
+    """Give the larger size of the ends of a curve."""
+    row, other = (of.row(name, found, one, own=own) for one in (quantity, opposite))
+    return replace(row, values=np.fmax(np.abs(row.values), np.abs(other.values)))
 
 
 def rocker_rows(
-    labels: Names, design: int, dead: DeadPositions, load: LoadMotion | None, closing: Closing | None
+    of: Telling, dead: DeadPositions, load: LoadMotion | None, closing: Closing | None
 ) -> Iterator[AnswerLine]:
     """Swing and dead positions of rockers, and the travel of what hangs on them."""
-    names = labels["rocker"]
-    if closing is not None and np.all(np.isnan(dead.swing[design])) and np.all(closing.closing_margin[design] > 0):
+    names = of.labels["rocker"]
+    if (
+        closing is not None
+        and np.all(np.isnan(of.values(dead, "swing")))
+        and np.all(of.values(closing, "closing_margin") > 0)
+    ):
         yield worded(_("rocker"), _("turns all round"))
         return
-    lowest, highest = dead.smallest_rocker_angle.value[design], dead.largest_rocker_angle.value[design]
-    ends = {"least": Amount(float(lowest[0]), "rad"), "most": Amount(float(highest[0]), "rad")}
-    words = _(", from {least} to {most}") if len(names) == 1 else ""
-    yield valued(_("swing of the rocker"), dead.swing[design], "rad", names, words, **ends)
-    least, most = dead.smallest_rocker_angle.angle[design], dead.largest_rocker_angle.angle[design]
-    for name, *angles in zip(names[:_FEW], least, most, strict=False):
-        first, second = (Amount(float(one), "position") for one in around_turn(np.array(angles)))
+    ends = _(
+        ", from {least} to {most}",
+        least=of.amount(dead, "smallest_rocker_angle", 0),
+        most=of.amount(dead, "largest_rocker_angle", 0),
+    )
+    yield of.row(_("swing of the rocker"), dead, "swing", ends if len(names) == 1 else "")
+    for place, name in enumerate(names[:_FEW]):
+        positions = (of.amount(dead, f"{end}_rocker_angle_at", place) for end in ("smallest", "largest"))
+        first, second = (replace(one, value=float(around_turn(np.array(one.value)))) for one in positions)
         said = _("{first} and {second} of the crank") if len(names) == 1 else _("{first} and {second} ({rocker})")
-        yield worded(_("dead positions"), said, first=first, second=second, rocker=name)
-    yield valued(_("time ratio"), dead.time_ratio[design], "1", names)
+        yield worded(_("dead positions"), said.format(first=first, second=second, rocker=name))
+    yield of.row(_("time ratio"), dead, "time_ratio")
     if load is not None:
-        factors = load.smallest_torque_factor[design], load.largest_torque_factor[design]
-        yield valued(_("stroke of the load"), load.load_stroke[design], "m", names)
-        yield worded(
-            _("torque factor"),
-            "{factor}",
-            factor=Extent(float(np.fmin.reduce(factors[0])), float(np.fmax.reduce(factors[1])), "m"),
-        )
+        yield of.row(_("stroke of the load"), load, "load_stroke")
+        least, most = "smallest_torque_factor", "largest_torque_factor"
+        ends = (float(np.fmin.reduce(of.values(load, least))), float(np.fmax.reduce(of.values(load, most))))
+        yield worded(_("torque factor"), Extent(*ends, "m", quantity=f"{least} {most}"))
 
 
 _FEW = 2
 """So many rockers have a line each."""
 
 
-def closing_rows(labels: Names, design: int, closing: Closing) -> Iterator[AnswerLine]:
+def closing_rows(of: Telling, closing: Closing) -> Iterator[AnswerLine]:
     """The least margin before links part, where it is a small one."""
-    margins = closing.closing_margin[design]
+    margins = of.values(closing, "closing_margin")
     if np.all(np.isnan(margins)) or np.nanmin(margins) > _NEAR:
         return
     least = first_smallest(margins)
-    name = labels["mechanism"][least]
-    yield valued(
-        _("closing margin"),
-        margins[least],
-        "%",
-        (),
-        _("of {length}, at {angle}") if len(margins) == 1 else _("of {name} {length}, at {angle}"),
-        name=name,
-        length=_(closing.length_names[design][least]),
-        angle=Amount(float(around_turn(closing.closing_angle[design, least])), "position"),
+    at = of.amount(closing, "closing_angle", least)
+    said = _("of {length}, at {angle}") if len(margins) == 1 else _("of {name} {length}, at {angle}")
+    words = said.format(
+        name=of.labels["mechanism"][least],
+        length=_(closing.length_names[of.design][least]),
+        angle=replace(at, value=float(around_turn(np.array(at.value)))),
     )
+    yield of.row(_("closing margin"), closing, "closing_margin", words, own=[least], unit="%")

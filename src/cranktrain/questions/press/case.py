@@ -5,7 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredClutch, DeclaredStroke, before_clutch
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
@@ -80,7 +80,7 @@ class PressParts:
     tolerance: float
 
 
-def hindrance(parts: PressParts, design: int) -> str:
+def hindrance(parts: PressParts, design: int) -> Words:
     """Why a machine makes no single strokes, a sentence; empty where it does."""
     if not math.isclose(parts.machines.cycle, TURN):
         return _("No strokes: the machine's cycle takes two turns, and a stroke is one.")

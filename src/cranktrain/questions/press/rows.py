@@ -4,42 +4,38 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.questions.press.strokes import PressStrokes
-from cranktrain.saying.rows import Amount, AnswerLine, worded
-from cranktrain.saying.wording import Names
+from cranktrain.saying.rows import AnswerLine, Telling
 
 
-def stroke_rows(labels: Names, design: int, found: PressStrokes) -> Iterator[AnswerLine]:
+def stroke_rows(of: Telling, found: PressStrokes) -> Iterator[AnswerLine]:
     """How a single stroke goes: clutch, flywheel, brake, and how many are possible."""
-    if np.isnan(found.stroke_time[design]):
+    if np.isnan(of.values(found, "stroke_time")):
         return
-    yield worded(
+    yield of.line(
         _("stroke"),
-        _("{time}, command at {command}; up to {most} a minute"),
-        time=Amount(float(found.stroke_time[design]), "s"),
-        command=Amount(float(found.command_angle[design]), "rad"),
-        most=f"{float(found.most_strokes_per_minute[design]):.4g}",
+        N_("{stroke_time}, command at {command}; up to {most_strokes_per_minute} a minute"),
+        found,
+        command=of.amount(found, "command_angle", unit="rad"),
     )
-    yield worded(
+    yield of.line(
         _("clutch"),
-        _("slips for {time} to {angle}, takes {heat}"),
-        time=Amount(float(found.clutch_slip_time[design]), "s"),
-        angle=Amount(float(found.clutch_lock_angle[design]), "rad"),
-        heat=Amount(float(found.clutch_heat[design]), "J"),
+        N_("slips for {clutch_slip_time} to {angle}, takes {clutch_heat}"),
+        found,
+        angle=of.amount(found, "clutch_lock_angle", unit="rad"),
     )
-    yield worded(
+    yield of.line(
         _("flywheel"),
-        _("slows by {drop}, {pressing} pressing; back in {time}"),
-        drop=Amount(float(found.stroke_speed_drop[design]), "%"),
-        pressing=Amount(float(found.pressing_speed_drop[design]), "%"),
-        time=Amount(float(found.recovery_time[design]), "s"),
+        N_("slows by {drop}, {pressing} pressing; back in {recovery_time}"),
+        found,
+        drop=of.amount(found, "stroke_speed_drop", unit="%"),
+        pressing=of.amount(found, "pressing_speed_drop", unit="%"),
     )
-    yield worded(
+    yield of.line(
         _("brake"),
-        _("{angle} in {time}, {heat}; rests {off} past its start"),
-        angle=Amount(float(found.braking_angle[design]), "rad"),
-        time=Amount(float(found.braking_time[design]), "s"),
-        heat=Amount(float(found.brake_heat[design]), "J"),
-        off=Amount(float(found.stop_angle[design]), "rad"),
+        N_("{angle} in {braking_time}, {brake_heat}; rests {off} past its start"),
+        found,
+        angle=of.amount(found, "braking_angle", unit="rad"),
+        off=of.amount(found, "stop_angle", unit="rad"),
     )

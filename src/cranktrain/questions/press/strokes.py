@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import MINUTE, DeclaredBrake, DeclaredClutch, DeclaredDrive, DeclaredStroke
 from cranktrain.motion import Array
@@ -19,7 +19,7 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Check, Checked, Flagged
-from cranktrain.saying.wording import Names, number
+from cranktrain.saying.wording import number
 from cranktrain.transient.clutched.equation import ANGLE
 from cranktrain.transient.clutched.runs import PRESS_REASONS, RESTS, TIME_IS_OVER
 from cranktrain.transient.clutched.settled import SettledStroke, settled_stroke
@@ -100,20 +100,6 @@ class PressStrokes(Checked, Flagged):
         "30.12",
     )
 
-    def answer(self, _names: Names, design: int) -> str:
-        """Say how a stroke goes."""
-        if np.isnan(self.stroke_time[design]):
-            return ""
-        return _(
-            "A stroke takes {time}; the clutch slips for {slip} and takes {clutch}, the brake {brake}; the flywheel "
-            "slows by {drop}.",
-            time=number(float(self.stroke_time[design]), "s"),
-            slip=number(float(self.clutch_slip_time[design]), "s"),
-            clutch=number(float(self.clutch_heat[design]), "J"),
-            brake=number(float(self.brake_heat[design]), "J"),
-            drop=number(float(self.stroke_speed_drop[design]), "%"),
-        )
-
 
 def press_strokes(
     drive: DeclaredDrive,
@@ -157,7 +143,7 @@ class _Found(NamedTuple):
 
     case: PressCase | None
     settled: SettledStroke | None
-    why_not: str
+    why_not: Words
 
 
 def _of_design(parts: PressParts, design: int) -> _Found:
@@ -179,7 +165,7 @@ def _of_design(parts: PressParts, design: int) -> _Found:
     return _Found(case, settled, "" if settled.is_found else _why_none(case, settled))
 
 
-def _why_none(case: PressCase, settled: SettledStroke) -> str:
+def _why_none(case: PressCase, settled: SettledStroke) -> Words:
     """Why a stroke is not as it is asked for."""
     reason = settled.stroke.run.reason
     if reason == TIME_IS_OVER and math.isfinite(case.period):
@@ -190,7 +176,7 @@ def _why_none(case: PressCase, settled: SettledStroke) -> str:
     return _("No stroke: {reason}.", reason=_(PRESS_REASONS[reason]))
 
 
-def _overrun(case: PressCase, settled: SettledStroke) -> str:
+def _overrun(case: PressCase, settled: SettledStroke) -> Words:
     """Say how far the last command that was tried is from ending a stroke where it began."""
     stroke = settled.stroke
     rest = float(stroke.run.end.state[ANGLE])
@@ -252,7 +238,7 @@ def _residual(found: _Found) -> float:
     return abs(settled.stroke.run.residual) / settled.stroke.run.supplied
 
 
-def _flags(found: _Found, parts: PressParts, design: int) -> Iterator[str]:
+def _flags(found: _Found, parts: PressParts, design: int) -> Iterator[Words]:
     """Why there is no stroke, or what does not go at the required pace."""
     if found.why_not:
         yield found.why_not

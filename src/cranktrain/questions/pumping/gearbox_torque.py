@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
@@ -21,7 +21,7 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_PUMPING_UNITS as _THEORY
 from cranktrain.saying.catalogue import extreme, quantity
 from cranktrain.saying.checks import Check, Checked, Flagged
-from cranktrain.saying.wording import Names, number
+from cranktrain.saying.wording import number
 
 _CURVE = ("crank_angle",)
 _POSITION = ("stroke_position",)
@@ -134,16 +134,6 @@ class GearboxTorque(Checked, Flagged):
     load_share: Array = quantity(
         "W/W_r", "1", (), N_("Largest pull at the polished rod, of its rating"), _THEORY, "definition"
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say both peaks, and the least torque."""
-        del names
-        return _(
-            "Peaks of the gearbox torque: {up} going up, {down} going down; least {least}.",
-            up=number(float(self.upstroke_peak.value[design]), "N·m"),
-            down=number(float(self.downstroke_peak.value[design]), "N·m"),
-            least=number(float(self.least_gearbox_torque.value[design]), "N·m"),
-        )
 
 
 _Top = tuple[float, float]
@@ -287,7 +277,7 @@ def _checks(unit: PumpingUnit, work: Array) -> Iterator[Check]:
         yield Check("card_area", sentence, np.abs(work - area) / scale, _EXACT_LIMIT)
 
 
-def _flags(found: GearboxTorque, declared: DeclaredPumping) -> Iterator[str]:
+def _flags(found: GearboxTorque, declared: DeclaredPumping) -> Iterator[Words]:
     """Flag ratings exceeded, torque that drives the gearbox, weights too heavy or light, and masses left out."""
     if np.any(found.torque_share > 1.0):
         share = number(float(np.nanmax(found.torque_share)), "%")

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.motion import ONE, Array
@@ -238,7 +238,7 @@ def _together(each: Sequence[Extreme]) -> Extreme:
     return Extreme(np.stack([own.angle for own in each]), np.stack([own.value for own in each]))
 
 
-def _flags(drive: DeclaredDrive) -> Iterator[str]:
+def _flags(drive: DeclaredDrive) -> Iterator[Words]:
     """Flag irreversible gearing."""
     if any(np.any(gearing.backward < 0) for gearing in drive.gearings):
         yield _("A stage of the drive is irreversible: the motor must drive even while the load pulls.")

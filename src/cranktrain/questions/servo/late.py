@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.load_laws import BySpeed, LoadState
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
@@ -37,7 +37,7 @@ def unlikely_motion(
     rocked: RockingDrive | None,
 ) -> UnlikelyMotion:
     """Flag what is first met at rest or on the way back."""
-    found: list[str] = []
+    found: list[Words] = []
     if wanted is not None and servo is not None:
         found += _late(loaded, wanted.each, [one.crank for one in servo.demands])
     if rocking is not None and rocked is not None:
@@ -47,7 +47,7 @@ def unlikely_motion(
 
 def _late(
     loaded: LoadedMachine, motions: Sequence[Following | Rocking], courses: Sequence[CrankMotion]
-) -> Iterator[str]:
+) -> Iterator[Words]:
     """Flag what a wanted motion meets first at rest, or on its way back."""
     loads = () if loaded.loads is None else loaded.loads.each
     at_work = [load for load in loads if load.resists and not isinstance(load.law, BySpeed)]
@@ -61,7 +61,7 @@ def _late(
 
 def _first_met(
     loaded: LoadedMachine, loads: Sequence[LinkLoad], design: int, made: Following | Rocking, course: CrankMotion
-) -> Iterator[str]:
+) -> Iterator[Words]:
     """Say when all loads of one part together are first met, if it is then at rest or on the way back."""
     size = sum((_size(loaded, load, design, course) for load in loads), start=np.zeros(course.time.shape))
     acts = size > _NOTHING * np.max(size)

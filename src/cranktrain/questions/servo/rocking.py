@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.layout.wish.declared import RockingMotions
 from cranktrain.layout.wish.following import CrankMotion, Rocking, rocking_crank
@@ -14,7 +14,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import StageResult
-from cranktrain.saying.wording import Names, number
 
 _N_TIMES = 720
 
@@ -37,16 +36,6 @@ class RockingCrank(StageResult):
     largest_rocking_acceleration: Array = quantity(
         "ε_r", "rad/s^2", (), N_("Largest angular acceleration of the rocking crank"), THEORY, "29.3"
     )
-
-    def answer(self, _names: Names, design: int) -> str:
-        """Say between which angles the crank swings, and how fast."""
-        said = _("The crank swings from {least} to {most} in a period of {period}, at up to {speed}.")
-        return said.format(
-            least=number(float(self.least_rocking_angle[design]), "deg"),
-            most=number(float(self.greatest_rocking_angle[design]), "deg"),
-            period=number(float(self.rocking_period[design]), "s"),
-            speed=number(float(self.largest_rocking_speed[design]), "rpm"),
-        )
 
 
 def rocking_course(rocking: RockingMotions) -> RockingCrank:
@@ -98,15 +87,6 @@ class RockingDrive(StageResult):
         _TRANSIENTS,
         "26.10",
     )
-
-    def answer(self, _names: Names, design: int) -> str:
-        """Say what the motor needs."""
-        said = _("For it the motor needs {peak} and {rms} for long, and {power}.")
-        return said.format(
-            peak=number(float(self.rocking_peak_torque[design]), "N*m"),
-            rms=number(float(self.rocking_rms_torque[design]), "N*m"),
-            power=number(float(self.rocking_peak_power[design]), "kW"),
-        )
 
 
 def rocking_drive(rocking: RockingMotions, drive: DeclaredDrive, machines: ReducedMachines) -> RockingDrive:

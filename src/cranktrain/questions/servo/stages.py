@@ -21,7 +21,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Check, Checked
-from cranktrain.saying.wording import Names, number
 
 THEORY = "docs/theory/servo"
 _CURVE = ("crank_angle",)
@@ -60,19 +59,6 @@ class WantedCrank(Checked):
         THEORY,
         "29.9",
     )
-
-    def answer(self, _names: Names, design: int) -> str:
-        """Say how fast the crank turns, how long it rests, and how far a constant speed would be off."""
-        said = _(
-            "The wanted motion takes {period}: the crank turns at up to {speed} and rests for {rest}."
-            " At a constant speed it would be off by up to {miss} % of the stroke."
-        )
-        return said.format(
-            period=number(float(self.wanted_period[design]), "s"),
-            speed=number(float(self.largest_wanted_speed[design]), "rpm"),
-            rest=number(float(self.resting_time[design]), "s"),
-            miss=f"{100 * float(self.constant_speed_miss[design]):.3g}",
-        )
 
 
 def wanted_crank(wanted: WantedMotions, crank_angle: CrankAngle) -> WantedCrank:
@@ -146,17 +132,6 @@ class ServoDrive(Checked):
     servo_energy_back: Array = quantity(
         "W_s", "J", (), N_("Energy that the motor takes back in a period"), _TRANSIENTS, "26.10"
     )
-
-    def answer(self, _names: Names, design: int) -> str:
-        """Say what the motor needs."""
-        said = _("For it the motor needs {peak} and {rms} for long, up to {speed} and {power}; it takes back {energy}.")
-        return said.format(
-            peak=number(float(self.servo_peak_torque[design]), "N*m"),
-            rms=number(float(self.servo_rms_torque[design]), "N*m"),
-            speed=number(float(self.servo_peak_speed[design]), "rpm"),
-            power=number(float(self.servo_peak_power[design]), "kW"),
-            energy=number(float(self.servo_energy_back[design]), "J"),
-        )
 
 
 def servo_drive(

@@ -6,7 +6,7 @@ from typing import NamedTuple, cast
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
@@ -23,8 +23,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged
-from cranktrain.saying.rows import Amount
-from cranktrain.saying.wording import Names, number
 from cranktrain.transient.gearing import (
     Gearing,
     overall_ratio,
@@ -68,26 +66,6 @@ class DriveFlywheel(Flagged):
         "δ_F", "1", (), N_("Coefficient of fluctuation of the crank's speed with it"), _THEORY, "25.39"
     )
 
-    def words_and_numbers(self, design: int) -> tuple[str, dict[str, Amount]]:
-        """Flywheel, and what it does to the effective torque: words, and the numbers in them."""
-        without = float(self.rms_without_flywheel[design])
-        numbers = {
-            "inertia": Amount(float(self.needed_inertia[design]), "kg*m^2"),
-            "rms": Amount(float(self.rms_with_flywheel[design]), "N*m"),
-        }
-        if np.isnan(without):
-            return _("{inertia}; effective torque {rms}; without it the motor stalls"), numbers
-        words = _("{inertia}; effective torque {rms} in place of {without}")
-        return words, numbers | {"without": Amount(without, "N*m")}
-
-    def answer(self, _names: Names, design: int) -> str:
-        """Say the same as a sentence; nothing where no flywheel is large enough, which is flagged."""
-        if not np.isfinite(self.needed_inertia[design]):
-            return ""
-        words, numbers = self.words_and_numbers(design)
-        said = {name: number(one.value, one.unit) for name, one in numbers.items()}
-        return _("Flywheel of the drive: {said}.", said=words.format(**said))
-
 
 _N_FACTS = 7
 
@@ -115,7 +93,7 @@ def drive_flywheel(
     docs/theory/drive, eqs. (25.36) and (25.39).
     """
     rows: list[tuple[float, ...]] = []
-    flags: list[str] = []
+    flags: list[Words] = []
     for design, gearing in enumerate(drive.gearings):
         turning = DriveInTurn(machines.each[design], motor, design, gearing)
         torque, evenness = float(wanted.largest_torque[design]), float(wanted.fluctuation[design])

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.drive.settling import settled
@@ -102,7 +102,7 @@ class CheckedMotor(NamedTuple):
     inertia_ratio : float
     cycle : SpeedOverTurn or None
         Its steady cycle; None where it has none.
-    unknown : str
+    unknown : tuple of Words
         What cannot be checked, as the motor does not say it.
     """
 
@@ -113,7 +113,7 @@ class CheckedMotor(NamedTuple):
     rotor_heat: float
     inertia_ratio: float
     cycle: SpeedOverTurn | None
-    unknown: str = ""
+    unknown: tuple[Words, ...] = ()
 
     @property
     def largest(self) -> float:
@@ -196,10 +196,10 @@ def checked_motor(
         ratio / _largest_ratio(at, float(duty.inertia_ratio[own])),
         of_speed,
     )
-    return CheckedMotor(np.array(shares), rms, peak, time, heat, ratio, found, "; ".join(_unknown(limits, duty)))
+    return CheckedMotor(np.array(shares), rms, peak, time, heat, ratio, found, tuple(_unknown(limits, duty)))
 
 
-def _unknown(limits: MotorLimits, duty: DeclaredDuty) -> Iterator[str]:
+def _unknown(limits: MotorLimits, duty: DeclaredDuty) -> Iterator[Words]:
     """What cannot be checked, as the motor does not say it; of a rated torque where a duty asks for it."""
     if duty.is_asked and np.isnan(limits.rated):
         yield _("effective torque: its table says no rated one")

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
 from cranktrain.motors.declared import curve
@@ -27,7 +27,7 @@ class MotorLimits(NamedTuple):
         The least between standstill and the largest one, at rated voltage.
     reserve : float
         What is left of these two at the lowest voltage.
-    unknown : str
+    unknown : Words
         What of peak and start is not known, and why: a sentence without its end; nothing where both are.
     """
 
@@ -35,7 +35,7 @@ class MotorLimits(NamedTuple):
     peak: float
     start: float
     reserve: float
-    unknown: str
+    unknown: Words
 
 
 def motor_limits(motor: DeclaredMotor, design: int, reserve: float) -> MotorLimits:

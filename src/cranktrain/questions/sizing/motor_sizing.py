@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Listed, Words, _
 from cranktrain.layout.drive.declared import DeclaredClutch, DeclaredDrive, before_clutch
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
@@ -36,7 +36,7 @@ from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged
 from cranktrain.saying.labels import titled
-from cranktrain.saying.wording import Names, number
+from cranktrain.saying.wording import number
 from cranktrain.transient.gearing import Gearing, overall_ratio, turning_inertia
 
 _THEORY = "docs/theory/drive"
@@ -98,26 +98,8 @@ class MotorSizing(Flagged):
         "λ_J", "1", _EACH, N_("Mean inertia of what is driven over that of the rotor, at the motor"), _THEORY, "25.34"
     )
 
-    unknown: str = field(default="", kw_only=True)
+    unknown: tuple[Words, ...] = field(default=(), kw_only=True)
     """What of the declared motor cannot be checked, as its table does not say it."""
-
-    def answer(self, _names: Names, design: int) -> str:
-        """Say which typical motor is enough, what governs it, and by how much the next smaller one misses."""
-        chosen, smaller = self.largest_share[design, 1:].tolist()
-        if np.isnan(chosen):
-            return ""
-        said = _(
-            "Of typical four-pole motors {power} is enough, governed by: {check}, {share}.",
-            power=number(float(self.sized_power[design, 1]), "kW"),
-            check=titled(CHECK_TITLES, self.governing(design, 1)),
-            share=number(chosen, "%"),
-        )
-        if np.isnan(smaller):
-            return said
-        missed = _("{power} misses by {by}: {check}.") if np.isfinite(smaller) else _("{power} cannot: {check}.")
-        power = number(float(self.sized_power[design, 2]), "kW")
-        by = number(smaller - 1, "%") if np.isfinite(smaller) else ""
-        return f"{said} {missed.format(power=power, by=by, check=titled(CHECK_TITLES, self.governing(design, 2)))}"
 
     def governing(self, design: int, which: int) -> str:
         """The check whose share is largest; nothing where none is known."""
@@ -174,7 +156,7 @@ def motor_sizing(
     """
     rows: list[tuple[CheckedMotor, ...]] = []
     rated: list[list[tuple[float, float]]] = []
-    flags: list[str] = []
+    flags: list[Words] = []
     checks = check_keys(duty, has_clutch=clutch is not None)
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value)).tolist()
     for design, gearing in enumerate(drive.gearings):
@@ -298,7 +280,7 @@ def _smallest(one: SizedDesign, own: CheckedMotor) -> tuple[tuple[CheckedMotor, 
     return (chosen, smaller), (place if place < n else -1, place - 1)
 
 
-def _other_pace(gearing: Gearing, motor: DeclaredMotor | None, design: int, declared: float) -> str:
+def _other_pace(gearing: Gearing, motor: DeclaredMotor | None, design: int, declared: float) -> Words:
     """Say that typical motors turn the crank at another pace than the motor that is there, or the declared speed."""
     ratio = overall_ratio(gearing)
     typical = float(four_pole_motors().values.synchronous_speed[0])
@@ -311,7 +293,7 @@ def _other_pace(gearing: Gearing, motor: DeclaredMotor | None, design: int, decl
     return said.format(typical=number(typical, "rpm"), wanted=number(wanted, "rpm"))
 
 
-def _beyond(own: CheckedMotor, checks: Sequence[str], *, has_valves: bool) -> Iterator[str]:
+def _beyond(own: CheckedMotor, checks: Sequence[str], *, has_valves: bool) -> Iterator[Words]:
     """Flag what the declared motor cannot do; of a start with its load at the worst angle what helps as well."""
     for share, check in zip(own.shares.tolist(), checks, strict=True):
         if np.isfinite(share) and share > 1:
@@ -326,8 +308,8 @@ def _beyond(own: CheckedMotor, checks: Sequence[str], *, has_valves: bool) -> It
             )
 
 
-def _what_helps(*, has_valves: bool) -> str:
+def _what_helps(*, has_valves: bool) -> Words:
     """What in the file lets a motor start with less."""
     unloaded = _('[drive.duty] start = "unloaded"')
     valves = _("[drive.start] unloaded_until")
-    return f"{unloaded}; {valves}" if has_valves else unloaded
+    return Listed((unloaded, valves), "; ") if has_valves else unloaded

@@ -1,62 +1,56 @@
 """What is said of a motor that is enough, and of a flywheel that is to be found."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import N_, Listed, Words, _
 from cranktrain.questions.sizing.flywheel_sizing import DriveFlywheel
 from cranktrain.questions.sizing.motor_checks import CHECK_TITLES, is_with_load
 from cranktrain.questions.sizing.motor_sizing import MotorSizing
 from cranktrain.saying.labels import titled
-from cranktrain.saying.rows import Amount, AnswerLine, worded
-from cranktrain.saying.wording import Names
+from cranktrain.saying.rows import AnswerLine, Telling, worded
 
 
-def sizing_rows(labels: Names, design: int, found: MotorSizing) -> Iterator[AnswerLine]:
+def sizing_rows(of: Telling, found: MotorSizing) -> Iterator[AnswerLine]:
     """What governs the declared motor, and the smallest typical one that passes."""
-    _declared, chosen, smaller = found.largest_share[design].tolist()
-    yield from _used(found, design)
-    if np.isfinite(chosen):
-        words = _("typical {power}, used to {share}")
-        if is_with_load(found.governing(design, 1)):
-            words += _(" if it starts loaded")
-        if np.isfinite(smaller):
-            words += _("; {less} misses by {by}: {missed}")
-        yield worded(
-            _("motor that is enough"),
-            words,
-            power=Amount(float(found.sized_power[design, 1]), "W"),
-            share=Amount(chosen, "%"),
-            **_smaller(found, design, smaller),
-        )
+    _declared, chosen, smaller = (of.amount(found, "largest_share", motor, unit="%") for motor in range(3))
+    yield from _used(of, found)
+    if np.isfinite(chosen.value):
+        said = _("typical {power}, used to {share}")
+        if is_with_load(found.governing(of.design, 1)):
+            said = _("typical {power}, used to {share} if it starts loaded")
+        enough = said.format(power=of.amount(found, "sized_power", 1), share=chosen)
+        if np.isfinite(smaller.value):
+            enough = _(
+                "{enough}; {less} misses by {by}: {missed}",
+                enough=enough,
+                less=of.amount(found, "sized_power", 2),
+                by=replace(smaller, value=smaller.value - 1),
+                missed=titled(CHECK_TITLES, found.governing(of.design, 2)),
+            )
+        yield worded(_("motor that is enough"), enough)
 
 
-def _used(found: MotorSizing, design: int) -> Iterator[AnswerLine]:
+def _used(of: Telling, found: MotorSizing) -> Iterator[AnswerLine]:
     """Every share of the declared motor that is asked for; of a start with its load at the worst angle, if it must."""
-    shares: dict[str, Amount | str] = {}
-    words: list[str] = []
-    for check, share in zip(found.labels["sizing_check"], found.sizing_share[design, 0].tolist(), strict=True):
-        if np.isfinite(share):
-            piece = f"share_{len(shares)}"
-            shares[piece] = Amount(share, "%")
-            said = _("{share} if it must start with load at the worst angle") if is_with_load(check) else ""
-            words.append((said or _("{check} {share}")).format(check=titled(CHECK_TITLES, check), share=f"{{{piece}}}"))
+    shares: list[Words] = []
+    for place, check in enumerate(found.labels["sizing_check"]):
+        share = of.amount(found, "sizing_share", 0, place, unit="%")
+        if np.isfinite(share.value):
+            with_load = _("{share} if it must start with load at the worst angle")
+            said = with_load if is_with_load(check) else _("{check} {share}")
+            shares.append(said.format(check=titled(CHECK_TITLES, check), share=share))
     if shares:
-        yield worded(_("motor is used to"), ", ".join(words), **shares)
+        yield worded(_("motor is used to"), Listed(shares))
     if found.unknown:
-        yield worded(_("not checked of it"), found.unknown)
+        yield worded(_("not checked of it"), Listed(found.unknown, "; "))
 
 
-def _smaller(found: MotorSizing, design: int, share: float) -> dict[str, Amount | str]:
-    """Pieces that tell of the next smaller motor, where there is one that runs."""
-    if not np.isfinite(share):
-        return {}
-    power = Amount(float(found.sized_power[design, 2]), "W")
-    return {"less": power, "by": Amount(share - 1, "%"), "missed": titled(CHECK_TITLES, found.governing(design, 2))}
-
-
-def flywheel_rows(labels: Names, design: int, found: DriveFlywheel) -> Iterator[AnswerLine]:
+def flywheel_rows(of: Telling, found: DriveFlywheel) -> Iterator[AnswerLine]:
     """Flywheel for the wanted torque or evenness, and what it does to the effective torque."""
-    words, numbers = found.words_and_numbers(design)
-    yield worded(_("flywheel of the drive"), words, **numbers)
+    stalls = N_("{needed_inertia}; effective torque {rms_with_flywheel}; without it the motor stalls")
+    runs = N_("{needed_inertia}; effective torque {rms_with_flywheel} in place of {rms_without_flywheel}")
+    is_stalled = np.isnan(of.values(found, "rms_without_flywheel"))
+    yield of.line(_("flywheel of the drive"), stalls if is_stalled else runs, found)

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredClutch, DeclaredStroke
 from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
 from cranktrain.motors import DeclaredMotor
@@ -27,7 +27,7 @@ BEHIND_STARTER = N_("Its starter is left out: in strokes the motor is on the lin
 IN_STARTER = N_("Its starter is not through yet; steady running is that of the motor behind it: see duration.")
 
 
-def start_notes(parts: Mapping[type, Any], run: StartRun) -> Iterator[str]:
+def start_notes(parts: Mapping[type, Any], run: StartRun) -> Iterator[Words]:
     """Sentences on what a start does not use, and on commands that come after its end.
 
     Parameters
@@ -58,7 +58,7 @@ def start_notes(parts: Mapping[type, Any], run: StartRun) -> Iterator[str]:
         yield _(IN_STARTER)
 
 
-def _not_reached(declared: DeclaredStart, run: StartRun) -> Iterator[str]:
+def _not_reached(declared: DeclaredStart, run: StartRun) -> Iterator[Words]:
     """Commands and a speed that the run does not come to."""
     end = float(run.whole_time[-1])
     start, texts = declared.of(0), declared.texts

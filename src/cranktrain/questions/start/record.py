@@ -1,6 +1,6 @@
 """What became of a start: its curves over time, its events, why it ended."""
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TRANSIENTS as _THEORY
@@ -45,7 +45,7 @@ class StartEvent:
     speed: float
 
     @property
-    def name(self) -> str:
+    def name(self) -> Words:
         """What people call it."""
         return _(self.sort)
 
@@ -64,7 +64,7 @@ class StartRun:
 
     Attributes
     ----------
-    reason : str
+    reason : Words
         Why it ended, a sentence.
     time : Array, shape (time,)
         [s]
@@ -83,7 +83,7 @@ class StartRun:
         What of the machine file it does not use, or does not come to: sentences.
     """
 
-    reason: str
+    reason: Words
     time: Array
     curves: StartCurves
     whole_time: Array

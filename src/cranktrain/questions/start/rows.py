@@ -8,7 +8,8 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.questions.start.record import StrokeRun
 from cranktrain.questions.start.starting import EVENTS, StartRun
-from cranktrain.saying.rows import Amount, AnswerLine, Extent, worded
+from cranktrain.saying.amounts import Amount, Extent
+from cranktrain.saying.rows import AnswerLine, worded
 from cranktrain.transient.clutched.equation import ANGLE
 from cranktrain.transient.endings import REVERSAL
 
@@ -23,52 +24,64 @@ def start_rows(run: StartRun) -> Iterator[AnswerLine]:
     """Rows of a run, in the order in which people ask."""
     curves, time = run.whole, run.whole_time
     turned = curves.crank_angle_turned
-    yield worded(_("it ends after"), _("{time}: {reason}"), time=Amount(float(time[-1]), "s"), reason=run.reason)
+    yield worded(_("it ends after"), _("{time}: {reason}", time=Amount(float(time[-1]), "s"), reason=run.reason))
     yield worded(
         _("turns of the crank"),
-        _("{turns}, reversals: {n}; at the end it turns at {speed}"),
-        turns=f"{float(turned[-1] - turned[0]) / (2 * np.pi):.4g}".replace("-", "−"),
-        n=str(_reversals(run)),
-        speed=Amount(_last(curves.crank_speed), "rpm"),
+        _(
+            "{turns}, reversals: {n}; at the end it turns at {speed}",
+            turns=f"{float(turned[-1] - turned[0]) / (2 * np.pi):.4g}".replace("-", "−"),
+            n=str(_reversals(run)),
+            speed=Amount(_last(curves.crank_speed), "rpm"),
+        ),
     )
     torque = curves.motor_torque
     yield worded(
         _("torque of the motor"),
-        _("{range}; effective {rms}"),
-        range=Extent(float(np.min(torque)), float(np.max(torque)), "N*m"),
-        rms=Amount(effective_torque(torque, time), "N*m"),
+        _(
+            "{range}; effective {rms}",
+            range=Extent(float(np.min(torque)), float(np.max(torque)), "N*m"),
+            rms=Amount(effective_torque(torque, time), "N*m"),
+        ),
     )
     yield worded(
         _("power of the motor"),
-        _("{range}"),
-        range=Extent(float(np.min(curves.motor_power)), float(np.max(curves.motor_power)), "W"),
+        Extent(float(np.min(curves.motor_power)), float(np.max(curves.motor_power)), "W"),
     )
-    words = _(
-        "motor gives {motor}, loads take {load}, gearing, clutch and brake lose {lost}; {kinetic} in motion at the end"
+    words = (
+        _(
+            "motor gives {motor}, loads take {load}, gearing, clutch and brake lose {lost}; {kinetic} in motion at the"
+            " end, {first} at the beginning"
+        )
+        if curves.kinetic_energy[0] > 0
+        else _(
+            "motor gives {motor}, loads take {load}, gearing, clutch and brake lose {lost}; {kinetic} in motion at the"
+            " end"
+        )
     )
-    if curves.kinetic_energy[0] > 0:
-        words += _(", {first} at the beginning")
     yield worded(
         _("energy"),
-        words,
-        first=Amount(float(curves.kinetic_energy[0]), "J"),
-        motor=Amount(_last(curves.motor_work), "J"),
-        load=Amount(_last(curves.load_work), "J"),
-        lost=Amount(_last(curves.lost_work), "J"),
-        kinetic=Amount(_last(curves.kinetic_energy), "J"),
+        words.format(
+            first=Amount(float(curves.kinetic_energy[0]), "J"),
+            motor=Amount(_last(curves.motor_work), "J"),
+            load=Amount(_last(curves.load_work), "J"),
+            lost=Amount(_last(curves.lost_work), "J"),
+            kinetic=Amount(_last(curves.kinetic_energy), "J"),
+        ),
     )
     if run.stroke is not None:
         yield from _stroke_rows(run.stroke)
     if np.any(curves.motor_heat > 0):
-        yield worded(_("heat in the rotor"), "{heat}", heat=Amount(_last(curves.motor_heat), "J"))
-    yield from (worded(_("mind"), "{note}", note=note) for note in run.notes)
+        yield worded(_("heat in the rotor"), Amount(_last(curves.motor_heat), "J"))
+    yield from (worded(_("mind"), note) for note in run.notes)
     yield worded(
         _("computed"),
-        _("by {method} in {n} steps at {tolerance}; energy left over: {residual} of what was given"),
-        method=run.method,
-        n=str(run.n_steps),
-        tolerance=f"{run.tolerance:.0e}",
-        residual=f"{abs(run.residual) / run.supplied if run.supplied else 0.0:.1e}",
+        _(
+            "by {method} in {n} steps at {tolerance}; energy left over: {residual} of what was given",
+            method=run.method,
+            n=str(run.n_steps),
+            tolerance=f"{run.tolerance:.0e}",
+            residual=f"{abs(run.residual) / run.supplied if run.supplied else 0.0:.1e}",
+        ),
     )
 
 
@@ -77,26 +90,28 @@ def _stroke_rows(found: StrokeRun) -> Iterator[AnswerLine]:
     stroke, worst = found.settled.stroke, found.longest_stop
     yield worded(
         _("clutch"),
-        _("slips for {time}, takes {heat}"),
-        time=Amount(stroke.slip_time, "s"),
-        heat=Amount(stroke.clutch_heat, "J"),
+        _("slips for {time}, takes {heat}", time=Amount(stroke.slip_time, "s"), heat=Amount(stroke.clutch_heat, "J")),
     )
     stopping = worded(
         _("brake"),
-        _("stops in {angle}, {time}, takes {heat}"),
-        angle=Amount(stroke.brake_angle, "rad"),
-        time=Amount(stroke.brake_time, "s"),
-        heat=Amount(stroke.brake_heat, "J"),
+        _(
+            "stops in {angle}, {time}, takes {heat}",
+            angle=Amount(stroke.brake_angle, "rad"),
+            time=Amount(stroke.brake_time, "s"),
+            heat=Amount(stroke.brake_heat, "J"),
+        ),
     )
     yield stopping if stopping.says else worded(_("brake"), _("is not commanded"))
     if worst is not None and np.isfinite(worst.time):
         yield worded(
             _("longest stop"),
-            _("{time}, commanded at {at_time}; {angle}, commanded at {at_angle} from the start"),
-            time=Amount(worst.time, "s"),
-            at_time=Amount(worst.time_command - float(stroke.run.start.state[ANGLE]), "rad"),
-            angle=Amount(worst.angle, "rad"),
-            at_angle=Amount(worst.angle_command - float(stroke.run.start.state[ANGLE]), "rad"),
+            _(
+                "{time}, commanded at {at_time}; {angle}, commanded at {at_angle} from the start",
+                time=Amount(worst.time, "s"),
+                at_time=Amount(worst.time_command - float(stroke.run.start.state[ANGLE]), "rad"),
+                angle=Amount(worst.angle, "rad"),
+                at_angle=Amount(worst.angle_command - float(stroke.run.start.state[ANGLE]), "rad"),
+            ),
         )
 
 

@@ -5,7 +5,7 @@ from dataclasses import field
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import from_vectors
@@ -18,7 +18,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_HARMONICS as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import StageResult
-from cranktrain.saying.wording import Names, number
 
 _ORDER = ("order",)
 _NAMED = 3
@@ -46,19 +45,6 @@ class TorqueOrders(StageResult):
     )
     gross: Array = field(kw_only=True)
 
-    def answer(self, names: Names, design: int) -> str | None:
-        """Name the largest orders."""
-        largest = self.largest(design)
-        if not largest:
-            return None
-        amplitude = self.torque_order_amplitude[design]
-        return _(
-            "Largest orders of the torque: {orders}.",
-            orders=", ".join(
-                f"{names['order'][place]} ({number(float(amplitude[place]), 'N*m')})" for place in largest
-            ),
-        )
-
     def largest(self, design: int) -> list[int]:
         """Places of the largest orders, the largest first; none of what is rounding."""
         amplitude = np.nan_to_num(self.torque_order_amplitude[design])
@@ -85,13 +71,6 @@ class PhaseStarSums(StageResult):
         "S_k", "1", _ORDER, N_("Sum of the cylinders' phase vectors of the order, by nominal firing"), _THEORY, "15.14"
     )
     is_major: NDArray[np.bool_] = field(kw_only=True)
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Name the major orders, of a machine with several cylinders."""
-        major = [name for name, is_major in zip(names["order"], self.is_major[design], strict=True) if is_major]
-        if not major or len(major) == len(names["order"]):
-            return None
-        return _("Major orders, in which all cylinders add up: {orders}.", orders=", ".join(major))
 
 
 def phase_star_sums(firing: Firing, cycle: Cycle) -> PhaseStarSums:

@@ -23,7 +23,6 @@ from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.references import THEORY_OF_HARMONICS as _HARMONICS
 from cranktrain.saying.catalogue import extreme, quantity
 from cranktrain.saying.checks import Flagged, StageResult
-from cranktrain.saying.wording import Names, number
 
 _SHAFT = ("shaft",)
 _ROUNDING = 1e-12
@@ -85,24 +84,6 @@ class ShaftTorques(Flagged):
         """Whether it is nothing beside what the forces could do, shape (design,)."""
         size = np.maximum(np.abs(self.largest_torque.value), np.abs(self.smallest_torque.value))
         return np.asarray(size <= _NOTHING * self.gross)
-
-    def answer(self, _names: Names, design: int) -> str:
-        """Say mean, largest and smallest torque; none where it is nothing beside what the forces could do."""
-        most, least = self.largest_torque, self.smallest_torque
-        if self.is_none[design]:
-            return _("Torque on the shaft: none.")
-        return _(
-            "Torque on the shaft: mean {mean}, from {least} to {most}.",
-            mean=number(float(self.mean_torque[design]), "N*m"),
-            least=_placed(float(least.value[design]), float(least.angle[design])),
-            most=_placed(float(most.value[design]), float(most.angle[design])),
-        )
-
-
-def _placed(torque: float, angle: float) -> str:
-    """Say a torque and where it stands; nothing stands nowhere."""
-    said = number(torque, "N*m")
-    return said if np.isnan(angle) else _("{value} at {angle}", value=said, angle=number(angle, "deg"))
 
 
 def shaft_torques(
@@ -199,30 +180,6 @@ class GearTorques:
     work_share: Array = quantity(
         "W/W_Σ", "1", _SHAFT, N_("Share of the shaft in the work of all"), _THEORY, "definition"
     )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say what the gear passes, how often it reverses, and who does the work."""
-        said = [
-            _(
-                "{shaft} passes {least} to {most} to the main shaft, reversing {n} times a cycle",
-                shaft=shaft,
-                least=number(float(np.min(self.gear_torque[design, i])), "N*m"),
-                most=number(float(np.max(self.gear_torque[design, i])), "N*m"),
-                n=f"{self.gear_reversals[design, i]:.0f}",
-            )
-            for i, shaft in enumerate(names["shaft"])
-            if not np.isnan(self.gear_reversals[design, i])
-        ]
-        share = self.work_share[design]
-        if np.any(np.isnan(share)):
-            return _("Gear: {shafts}.", shafts="; ".join(said))
-        return _(
-            "Gear: {shafts}. Shares of the work: {shares}.",
-            shafts="; ".join(said),
-            shares=", ".join(
-                f"{number(float(part), '%')} ({name})" for part, name in zip(share, names["shaft"], strict=True)
-            ),
-        )
 
 
 def are_geared(shafts: Shafts) -> bool:

@@ -1,18 +1,16 @@
 """Critical speeds of torsional vibration: where orders meet natural frequencies, and how far cylinders add up there."""
 
-from collections.abc import Sequence
 from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.grouping import grouped
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
 from cranktrain.layout.shafts import Shafts
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
-from cranktrain.numerics.ties import ALIKE, falling
+from cranktrain.numerics.ties import ALIKE
 from cranktrain.questions.cylinders.firing import Cycle, Firing
 from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.forces.carriers import Carriers
@@ -23,11 +21,8 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TORSION as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import StageResult
-from cranktrain.saying.wording import Names, number
 
 _ORDER = ("mode", "order")
-_NAMED = 3
-"""How many of the largest vector sums the answer says, and of the orders that have one."""
 _MAJOR = 0.5
 """From which part of the largest vector sum of a mode on an order is a major one."""
 
@@ -44,18 +39,6 @@ class ModeVectorSums(StageResult):
         _THEORY,
         "23.10",
     )
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Name the orders that excite the first mode most."""
-        of_mode = self.mode_vector_sum[design, 0]
-        if not np.all(np.isfinite(of_mode)):
-            return None
-        alike = grouped((f"{float(of_mode[place]):.3g}", names["order"][place]) for place in falling(of_mode))
-        said = [
-            _("{sum} of order {orders}", sum=size, orders=", ".join([*own[:_NAMED], *["…"] * (len(own) > _NAMED)]))
-            for size, own in [*alike.items()][:_NAMED]
-        ]
-        return _("Largest vector sums of mode 1: {sums}.", sums="; ".join(said))
 
 
 @record
@@ -78,27 +61,6 @@ class CriticalSpeeds(StageResult):
     speed: Array | None = field(kw_only=True)
     sums: Array | None = field(kw_only=True)
 
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say between which critical speeds of the first mode the machine runs, and which minor ones are nearer."""
-        places = self.beside(design)
-        if self.speed is None or not places:
-            return None
-        minor = self._nearer(design, places)
-        said, nearer = (", ".join(self._said(place, names, design) for place in each) for each in (places, minor))
-        words = _("The critical speeds of mode 1 next to {running}: {speeds}; of minor orders {nearer}.")
-        if not minor:
-            words = _("The critical speeds of mode 1 next to {running}: {speeds}.")
-        running = number(float(self.speed[design]), "rpm")
-        return words.format(running=running, speeds=said, nearer=nearer)
-
-    def _said(self, place: int, names: Names, design: int) -> str:
-        """A critical speed of the first mode with its order, and the vector sum of that."""
-        speed, order = number(float(self.critical_speed[design, 0, place]), "rpm"), names["order"][place]
-        if self.sums is None:
-            return _("{speed} (order {order})", speed=speed, order=order)
-        size = f"{float(self.sums[design, 0, place]):.4g}"
-        return _("{speed} (order {order}, vector sum {sum})", speed=speed, order=order, sum=size)
-
     def beside(self, design: int) -> list[int]:
         """Major orders whose critical speeds of the first mode are next to the machine's speed, the slower one first.
 
@@ -110,14 +72,6 @@ class CriticalSpeeds(StageResult):
         major = self._major(design)
         below = np.flatnonzero(major[above:])[:1] + above
         return [*below.tolist(), *np.flatnonzero(major[:above])[-1:].tolist()]
-
-    def _nearer(self, design: int, places: Sequence[int]) -> list[int]:
-        """Minor orders with critical speeds between those of major ones, or next to the machine's; slower first."""
-        above = self._n_above(design) or 0
-        slower = next((place for place in places if place >= above), above + 1)
-        faster = next((place for place in places if place < above), above - 2)
-        within = range(max(faster + 1, 0), min(slower, self.critical_speed.shape[-1]))
-        return [place for place in reversed(within) if place not in places]
 
     def _n_above(self, design: int) -> int | None:
         """How many critical speeds of the first mode are above the machine's; they fall with the order."""

@@ -6,7 +6,7 @@ from dataclasses import field
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
@@ -32,13 +32,10 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TORSION as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Check, Checked, Flagged, StageResult
-from cranktrain.saying.wording import Names, number
 
 _DISC = ("disc",)
 _MODE = ("mode", "disc")
 _LIMIT = 1e-12
-_NAMED = 3
-"""How many of the lowest frequencies the answer says."""
 
 
 @record
@@ -169,16 +166,6 @@ class TorsionalModes(Checked, Flagged):
     )
     unit: NDArray[np.intp] = field(kw_only=True)
 
-    def answer(self, _names: Names, design: int) -> str | None:
-        """Say the lowest natural frequencies."""
-        speeds = self.natural_frequency[design]
-        if not np.all(np.isfinite(speeds)):
-            return None
-        said = ", ".join(number(float(speed), "Hz") for speed in speeds[:_NAMED])
-        if len(speeds) <= _NAMED:
-            return _("Torsional natural frequencies: {frequencies}.", frequencies=said)
-        return _("Torsional natural frequencies: {frequencies} and {n} more.", frequencies=said, n=len(speeds) - _NAMED)
-
 
 def torsional_modes(declared: DeclaredTrain, discs: TorsionalTrain) -> TorsionalModes:
     """Natural frequencies and modes, and how well they are some; docs/theory/torsion, eqs. (23.4) to (23.8)."""
@@ -220,7 +207,7 @@ def torsional_modes(declared: DeclaredTrain, discs: TorsionalTrain) -> Torsional
     )
 
 
-def _flags(declared: DeclaredTrain, discs: TorsionalTrain, unit: NDArray[np.intp]) -> Iterator[str]:
+def _flags(declared: DeclaredTrain, discs: TorsionalTrain, unit: NDArray[np.intp]) -> Iterator[Words]:
     """Mind discs of no inertia, and modes in which the free end is a node."""
     without = np.flatnonzero(np.any(discs.disc_inertia <= 0, axis=0)).tolist()
     if without:

@@ -5,7 +5,7 @@ from dataclasses import field
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, first_smallest
 from cranktrain.questions.crankshaft.bending.throw_stiffness import THROW_METHODS, ShaftInTorsion
@@ -17,7 +17,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TORSION as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged
-from cranktrain.saying.wording import Names, number
 
 GIVEN = "given"
 """The name of what the file gives, among the methods."""
@@ -49,30 +48,6 @@ class ThrowStiffness(Flagged):
         "23.13 to 23.21",
     )
     chosen: int = field(kw_only=True)
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say the stiffness by which the shaft vibrates, where it is softest, and how far off other methods are."""
-        softest = self.softest(design)
-        if softest is None:
-            return None
-        own, every = self.chosen_stiffness[design, softest], self.throw_stiffness[design, :, softest]
-        others = ", ".join(
-            _(
-                "{method} {stiffness} ({off} %)",
-                method=title_of(name),
-                stiffness=number(float(one), "kN·m/rad"),
-                off=f"{100 * float(one / own - 1):+.1f}".replace("-", "−"),
-            )
-            for place, (name, one) in enumerate(zip(names["throw_method"], every, strict=True))
-            if place != self.chosen and np.isfinite(one)
-        )
-        return _(
-            "The crankshaft vibrates with {stiffness} between throws {gap}, {method}; {others}.",
-            gap=names["throw_gap"][softest],
-            stiffness=number(float(own), "kN·m/rad"),
-            method=title_of(names["throw_method"][self.chosen]),
-            others=others,
-        )
 
     @property
     def chosen_stiffness(self) -> Array:
@@ -111,7 +86,7 @@ def throw_stiffness(declared: DeclaredTrain, layouts: ShaftLayouts) -> ThrowStif
     )
 
 
-def title_of(name: str) -> str:
+def title_of(name: str) -> Words:
     """How answers call a method."""
     return _("given") if name == GIVEN else next(_(method.title) for method in THROW_METHODS if method.name == name)
 
@@ -132,7 +107,7 @@ def _in_torsion(layout: ShaftLayout) -> ShaftInTorsion:
     return ShaftInTorsion(layout.shaft, layout.pins, gaps_of(sizes), declared.material.shear)
 
 
-def _flags(declared: DeclaredTrain, shaft: ShaftInTorsion, by_size: dict[str, Array]) -> Iterator[str]:
+def _flags(declared: DeclaredTrain, shaft: ShaftInTorsion, by_size: dict[str, Array]) -> Iterator[Words]:
     """Mind webs that Ker Wilson's rule does not know, a method that has no number, and one far from what is given."""
     if np.any(ker_wilson_web(shaft.gaps) <= 0):
         yield _("Ker Wilson's rule is out of its range: the crank radius is not more than a fifth of both diameters.")

@@ -60,7 +60,7 @@ class Formula:
     @property
     def said_verdict(self) -> str:
         """The verdict in words, with whether anything computes it."""
-        return _(_VERDICTS[self.verdict, bool(self.command)])
+        return str(_(_VERDICTS[self.verdict, bool(self.command)]))
 
 
 @record

@@ -5,7 +5,7 @@ from textwrap import wrap
 
 from cranktrain.analysis import Result, sentences
 from cranktrain.io.description import counted_by_status, given_numbers, layout_words
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.one_line import short
@@ -25,7 +25,7 @@ def result_page(result: Result, design: int, size: str, title: str = "") -> tupl
     """Begin a sheet of a result; give the room below its head."""
     page = Page(*paper(size))
     at_speed = speed_words(result.get(SpeedCurve), design)
-    top = title_block(page, result.machines[design], title, at_speed, sentences(result.unused))
+    top = title_block(page, result.machines[design], title, at_speed, list(map(str, sentences(result.unused))))
     return page, Box(MARGIN, MARGIN, page.width - 2 * MARGIN, top - 4.0 - MARGIN)
 
 
@@ -67,7 +67,7 @@ def running_words(machine: Machine) -> str:
 
 def speed_words(curve: SpeedCurve | None, design: int = 0) -> str:
     """Say at which speed over the cycle a picture is, as the terminal does; nothing of a constant one."""
-    return "" if curve is None else curve.answer({}, design)
+    return "" if curve is None else str(curve.condition(design))
 
 
 def first_that_holds(*cases: tuple[bool, str]) -> str:

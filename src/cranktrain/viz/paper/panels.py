@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.viz.panel import Curve, Panel, Role, as_shown
 from cranktrain.viz.paper.page import Axes, Box, Page, formula

@@ -11,7 +11,7 @@ import numpy as np
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.output import write_whole
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array

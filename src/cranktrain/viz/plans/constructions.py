@@ -5,7 +5,7 @@ from functools import cache, partial
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.plans.constructions import Construction, Method, construction
 from cranktrain.plans.placement import plain_crank_called

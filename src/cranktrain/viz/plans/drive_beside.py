@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.plans.drive_scheme import DriveShaft
 from cranktrain.plans.together import places_called

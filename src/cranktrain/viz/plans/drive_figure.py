@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.mechanisms.crank_rocker.kinematics import crank_rocker
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.plans.drive_scheme import MEANINGS, ChainFact, DriveElement, DriveShaft
 from cranktrain.quantities import shown
 from cranktrain.saying.scales import scale_for
@@ -73,7 +73,7 @@ def _rows(chain: Sequence[DriveShaft], letter: str) -> Iterator[DriveRow]:
 def _words(one: DriveElement, letter: str) -> str:
     """What an element is; of the crank's shaft that it is the mechanism's."""
     if one.symbol != "crank" or not letter:
-        return one.words
+        return str(one.words)
     return _("{shaft} {letter}, the same as in the mechanism", shaft=one.words, letter=letter.replace("_", ""))
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine

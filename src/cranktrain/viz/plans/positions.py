@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine

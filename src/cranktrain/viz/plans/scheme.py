@@ -5,7 +5,7 @@ from functools import cache, partial
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.drive_scheme import drive_chain

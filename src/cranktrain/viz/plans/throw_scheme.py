@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.plans.machine_throw import MachineThrow, ThrownMachine
 from cranktrain.plans.throw_loads import CrankMasses

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.plans.acting import symbols_together
 from cranktrain.plans.lettering import pin_letters

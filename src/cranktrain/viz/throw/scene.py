@@ -10,7 +10,7 @@ import numpy as np
 from cranktrain.analysis import SpeedWanted
 from cranktrain.errors import InputError, Problem
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN
 from cranktrain.machine import Machine

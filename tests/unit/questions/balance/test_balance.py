@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from tests.machines import RADIUS, ROD, V12, banks, slave, slider, throws
+from tests.told import line_of, lines_of, texts_of
 
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
@@ -38,10 +39,6 @@ def four(balance=None, **fields):
     )
 
 
-def answers(result):
-    return [sentence for sentence in result.answers() if sentence.startswith("Shaking")]
-
-
 def test_lanchester():
     found = four({"shafts": [{"order": 2}]})
     without, left = found.shaking_force_largest
@@ -51,10 +48,10 @@ def test_lanchester():
     np.testing.assert_allclose(found.balance_weight_position, 0.15)
     assert left[1] < 1e-9 * UNIT
     np.testing.assert_array_equal(np.delete(left, 1), np.delete(without, 1))
-    force, couple = answers(found)
-    assert force.startswith("Shaking force: order 2, ")
-    assert "; left with [balance]: order 4, " in force
-    assert couple == "Shaking couple: none; left with [balance]: none."
+    force, left_of_force, couple = lines_of(found, "Balance")[:3]
+    assert force.startswith("shaking force: order 2: ")
+    assert left_of_force.startswith("left with [balance]: order 4: ")
+    assert couple == "shaking couple: none"
 
 
 def test_heights_of_lanchesters_shafts():
@@ -208,7 +205,7 @@ def test_opposed_pistons(lead, ratio):
     np.testing.assert_allclose(found.shaking_force_largest[0], left, atol=1e-9 * UNIT)
     np.testing.assert_allclose(found.shaking_force_x, 0, atol=1e-9 * UNIT)
     if lead == 0:
-        assert answers(found)[0] == "Shaking force: none."
+        assert line_of(found, "Balance", "shaking force") == "none"
     else:
         assert np.degrees(found.shaking_force_direction[0, 0]) == pytest.approx(0, abs=1e-7)
 
@@ -321,7 +318,7 @@ def test_without_spacing_the_couple_is_missing():
         ct.Machine(shaft=throws(0, 180, speed="1 rad/s"), bank={"A": {"mechanism": slider()}}, masses=PISTON)
     )
     assert ("[shaft.main] spacing",) in [
-        missing.needs for missing in result.missing if "shaking_couple_x" in missing.results
+        texts_of(missing.needs) for missing in result.missing if "shaking_couple_x" in missing.results
     ]
     assert "shaking_force_x" in result.catalogue
 

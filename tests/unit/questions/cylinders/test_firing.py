@@ -6,6 +6,7 @@ import tomllib
 import numpy as np
 import pytest
 from tests.machines import V12, banks, slave, slider, throws
+from tests.told import line_of, problems_told, texts_of
 
 import cranktrain as ct
 from cranktrain.questions.cylinders.firing import firing_angles, firing_choices, within_turn
@@ -28,7 +29,7 @@ def fired(shaft, bank, **cylinder):
 def refusal(shaft, bank, **cylinder):
     with pytest.raises(ct.InputError) as caught:
         ct.run(ct.Machine(shaft=shaft, bank=bank, cylinder=cylinder))
-    (problem,) = caught.value.problems
+    (problem,) = problems_told(caught.value.problems)
     return problem
 
 
@@ -94,7 +95,7 @@ def test_uneven_v_twin():
     angles, intervals, result = fired(throws(0), banks(F=0, R=45), cycle="four-stroke", firing_order="1F-1R")
     assert angles == pytest.approx({"1F": 0, "1R": 405})
     assert intervals == pytest.approx({"1F": 405, "1R": 315})
-    assert "405.00 deg (1F), 315.00 deg (1R)" in result.summary()
+    assert line_of(result, "Cylinders", "firing order").startswith("1F-1R, by turns after 405°, 315°; ")
 
 
 def test_parallel_twin_on_one_pin():
@@ -136,8 +137,7 @@ def test_radial_by_a_makers_numbers():
     )
     for place, number in enumerate((1, 3, 5, 7, 9, 2, 4, 6, 8)):
         assert angles[numbers[str(number)]] == pytest.approx(80 * place)
-    said = "Firing order 1-3-5-7-9-2-4-6-8 (1M-2S-4S-6S-8S-1S-3S-5S-7S), evenly every 80.00 deg."
-    assert said in result.summary()
+    assert line_of(result, "Cylinders", "firing order") == "1-3-5-7-9-2-4-6-8, every 80°"
 
 
 def test_order_that_the_pins_do_not_allow():
@@ -168,7 +168,8 @@ def test_order_that_is_no_permutation(order, said, cycle):
 def test_order_without_a_cycle_is_said_to_lack_it():
     result = ct.run(ct.Machine(mechanism=slider(), cylinder={"firing_order": "1"}))
     assert "firing_angle" not in result.catalogue
-    assert [missing.needs for missing in result.missing if "firing_angle" in missing.results] == [("[cylinder] cycle",)]
+    (needs,) = (missing.needs for missing in result.missing if "firing_angle" in missing.results)
+    assert texts_of(needs) == ("[cylinder] cycle",)
 
 
 @pytest.mark.parametrize(
@@ -227,7 +228,7 @@ def test_firing_angles_by_the_makers_numbers():
     }
     result = ct.run(ct.Machine(shaft=throws(0), bank=PAIR, cylinder=cylinder))
     np.testing.assert_allclose(result.firing_angle, [0, 60], atol=1e-9)
-    assert "Firing order 2-1 (1L-1R)" in result.summary()
+    assert line_of(result, "Cylinders", "firing order") == "2-1, by turns after 60°, 660°"
 
 
 OTTO = {
@@ -297,11 +298,12 @@ def test_choices_of_turns_are_counted(seed):
 def test_that_the_most_even_turns_are_taken_is_said():
     result = ct.run(ct.Machine(shaft=throws(0), bank=PAIR, cylinder={"cycle": "four-stroke", "firing_order": "1L 1R"}))
     np.testing.assert_allclose(result.firing_angle, [0, 420], atol=1e-9)
-    assert "Of 2 choices of turns that give this order no other is more even" in " ".join(result.summary().split())
+    said = "1L-1R, by turns after 420°, 300°; the most even of 2 choices"
+    assert line_of(result, "Cylinders", "firing order") == said
     four = ct.Machine(
         shaft=throws(0, 180, 180, 0), bank=banks(A=0), cylinder={"cycle": "four-stroke", "firing_order": "1-3-4-2"}
     )
-    assert "choices of turns" not in " ".join(ct.run(four).summary().split())
+    assert line_of(ct.run(four), "Cylinders", "firing order") == "1-3-4-2, every 180°"
 
 
 IN_LINE_FOUR = throws(0, 180, 180, 0), banks(A=0)
@@ -326,7 +328,7 @@ def test_wrong_orders_are_answered_with_the_two_that_a_flat_shaft_allows(order, 
         shaft, bank = IN_LINE_FOUR
         cylinder = {"cycle": "four-stroke", "firing_order": order}
         ct.run(ct.Machine(shaft=shaft, bank=bank, cylinder=cylinder, running=running))
-    (problem,) = caught.value.problems
+    (problem,) = problems_told(caught.value.problems)
     if running == "ahead":
         assert problem.repair == possible
     else:
@@ -362,4 +364,5 @@ def test_the_makers_numbers_of_a_v8_are_offered_as_the_line_to_paste():
     line = 'numbers = { 1 = "1R", 2 = "2R", 3 = "3R", 4 = "4R", 5 = "1L", 6 = "2L", 7 = "3L", 8 = "4L" }'
     assert problem.repair == f"where these are the maker's numbers, write in [cylinder]: {line}"
     numbers = tomllib.loads(line)["numbers"]
-    assert "evenly every 90.00 deg" in fired(shaft, bank, **given, numbers=numbers)[2].summary()
+    result = fired(shaft, bank, **given, numbers=numbers)[2]
+    assert line_of(result, "Cylinders", "firing order") == "1-5-4-2-6-3-7-8, every 90°"

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from tests.machines import RADIUS, ROD, V12, banks, curve, of, slider, throws
 from tests.sentences import WITHOUT_PISTONS
+from tests.told import problems_told
 
 import cranktrain as ct
 from cranktrain.questions.cylinders.volumes import Chambers
@@ -124,7 +125,7 @@ def test_offset_master_counts_by_its_true_stroke():
 def test_refused(cylinder, path, said):
     with pytest.raises(ct.InputError) as caught:
         run(cylinder, shaft=throws(0, 180))
-    (problem,) = caught.value.problems
+    (problem,) = problems_told(caught.value.problems)
     assert problem.path == path
     assert said in problem.allowed
 

@@ -28,8 +28,8 @@ def pump(on_shaft, scale=1.0, **tables):
 
 def said(machine):
     """Words and number of the row; none without one."""
-    rows = [row for _title, rows in ct.run(machine).rows() for row in rows if row.name == "balanced by"]
-    return [(row.words, row.pieces["rest"].value) for row in rows]
+    rows = [row for _title, rows in ct.run(machine).rows() for row in rows if str(row.name) == "balanced by"]
+    return [(str(row.words), row.words.pieces["rest"].value) for row in rows]
 
 
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 1e3])

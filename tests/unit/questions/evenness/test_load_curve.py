@@ -8,6 +8,7 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from tests.gas_engines import DUAL_CYCLE
 from tests.sentences import AS_AT_THE_START, DESIGNS_ALIKE, FOUR_COLUMNS, GOES_ON, NO_FILE, NO_NUMBERS, NO_UNIT
+from tests.told import line_of, lines_of, texts_of
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -54,7 +55,8 @@ def test_a_pulse_on_a_disc_in_closed_form():
         assert found.smallest_crank_speed_at == pytest.approx(END + RAMP * (1 - MEAN / PEAK), abs=1e-9)
         assert found.remaining_torque == pytest.approx(-MEAN, rel=1e-13)
         assert found.load_factor == 1
-        assert f"A constant torque of {MEAN:.1f} N·m drives the shaft besides." in found.summary()
+        said = f"a further {MEAN:.2f} N·m drives the shaft, which stands nowhere in the file"
+        assert line_of(found, "Evenness", "balanced by") == said
 
 
 def test_the_speed_of_a_disc_under_a_pulse_in_closed_form():
@@ -110,7 +112,7 @@ def test_a_motor_drives_a_press():
     np.testing.assert_allclose(found.crank_speed, speeds[:-1], rtol=0, atol=1e-4 * np.ptp(speeds))
     # the mean over the angle balances exactly
     assert found.mean_speed_over_angle == pytest.approx(SPEED - MEAN / stiffness, rel=1e-4)
-    assert "drives the shaft besides" not in found.summary()
+    assert not any(line.startswith("balanced by: ") for line in lines_of(found, "Evenness"))
 
 
 ENGINE: dict[str, Any] = {
@@ -134,8 +136,13 @@ def test_an_even_curve_is_a_constant_load(scale):
     assert found.load_torque == pytest.approx(7 * factor, rel=1e-9)
     assert found.load_factor == pytest.approx(factor, rel=1e-9)
     assert found.remaining_torque == pytest.approx(plain.mean_torque - 7 * factor, rel=1e-9, abs=1e-9)
-    said = "goes into a constant load of" if scale == "given" else f"load times {factor:.5g} takes the machine's"
-    assert said in found.summary()
+    if scale == "given":
+        said = f"a further {plain.mean_torque - 7:.2f} N·m loads the shaft, which stands nowhere in the file"
+        assert line_of(found, "Evenness", "balanced by") == said
+    else:
+        said = line_of(found, "Evenness", "load, on the mean")
+        assert said.startswith(f"{plain.mean_torque:.2f} N·m, at most ")
+        assert said.endswith(f": the given one times {factor:.3f}")
 
 
 def test_what_a_curve_leaves_may_rise_with_the_speed():
@@ -178,8 +185,8 @@ def test_units_and_columns():
 def test_a_load_that_cannot_be_scaled_is_told():
     found = run(scale="balanced", flywheel=FLYWHEEL)
     assert np.all(np.isnan(found.crank_speed))
-    assert any("is for a machine that gives work" in flag for flag in found.flags)
-    assert "load on the shaft takes" not in found.summary()
+    assert any("is for a machine that gives work" in flag for flag in texts_of(found.flags))
+    assert lines_of(found, "Evenness") == []
 
 
 HEAD = "angle [deg];torque [N·m]\n"
@@ -330,7 +337,7 @@ def test_the_file_stands_beside_the_machine_file(tmp_path):
     (tmp_path / "shears.csv").write_text(PULSE.replace(".", ","), encoding="utf-8")
     found = ct.run(read_machine(tmp_path / "machine.toml").machine)
     assert found.largest_load_torque == pytest.approx(PEAK, rel=1e-13)
-    assert "The load on the shaft takes 21.6 N·m on the mean, at most 400.0 N·m." in found.summary()
+    assert line_of(found, "Evenness", "load, on the mean") == "21.56 N·m, at most 400.0 N·m"
 
 
 def pulse_of(peak, start, unit="N·m"):

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.told import texts_of
 
 import cranktrain as ct
 
@@ -37,7 +38,7 @@ def within(rpm):
 
 
 def asked(rpm):
-    return [one for one in ct.run(engine(rpm)).unlikely if "as warm as its walls" in one]
+    return [one for one in texts_of(ct.run(engine(rpm)).unlikely) if "as warm as its walls" in one]
 
 
 def test_it_is_asked_about_at_two_degrees():

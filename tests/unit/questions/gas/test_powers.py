@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 from tests.machines import slider, throws
+from tests.told import line_of, lines_of, problems_told, texts_of
 
 import cranktrain as ct
 
@@ -38,7 +39,8 @@ def test_indicated_power():
     assert result.mean_indicated_pressure == pytest.approx(NET, rel=1e-4)
     np.testing.assert_allclose(result.bank_indicated_power, INDICATED / 2, rtol=1e-4)
     assert result.mean_torque * SPEED == pytest.approx(float(result.indicated_power), rel=1e-9)
-    assert "Indicated power" in result.summary()
+    assert line_of(result, "Gas", "indicated power") == f"{INDICATED / 1e3:.3f} kW, {NET / 1e3:.0f} kPa"
+    assert not any(line.startswith("brake power: ") for line in lines_of(result, "Gas"))
     assert "brake_power" not in result.catalogue
 
 
@@ -50,7 +52,9 @@ def test_mechanical_efficiency():
     assert result.brake_torque == pytest.approx(0.82 * gas / SPEED, rel=1e-14)
     assert result.brake_efficiency == pytest.approx(0.82, rel=1e-14)
     assert result.mean_brake_pressure == pytest.approx(0.82 * float(result.mean_indicated_pressure), rel=1e-14)
-    assert "Brake power" in result.summary()
+    mean = 0.82 * float(result.mean_indicated_pressure)
+    said = f"{0.82e-3 * gas:.3f} kW, {0.82 * gas / SPEED:.2f} N·m, {mean / 1e3:.1f} kPa"
+    assert line_of(result, "Gas", "brake power") == said
 
 
 def test_friction_pressure():
@@ -70,7 +74,9 @@ def test_a_machine_that_is_driven():
     assert result.brake_power == pytest.approx(gas / 0.8, rel=1e-14)
     assert result.friction_power == pytest.approx(-gas / 4, rel=1e-13)
     assert result.brake_efficiency == pytest.approx(0.8, rel=1e-14)
-    assert "Driven by" in result.summary()
+    said = f"{-gas / 800:.4f} kW, {-gas / 0.8 / SPEED:.3f} N·m, "
+    assert line_of(result, "Gas", "driven with").startswith(said)
+    assert line_of(result, "Gas", "indicated power taken").startswith(f"{-gas / 1e3:.4f} kW, ")
 
 
 def test_designs():
@@ -92,7 +98,7 @@ def test_designs():
 def test_bad_input(cylinder, path, allowed):
     with pytest.raises(ct.InputError) as refused:
         engine(**cylinder)
-    (problem,) = refused.value.problems
+    (problem,) = problems_told(refused.value.problems)
     assert problem.path == f"cylinder.{path}"
     assert allowed in problem.allowed
 
@@ -105,4 +111,4 @@ def test_friction_of_the_machine_is_no_cylinders_own():
 def test_what_is_missing():
     result = ct.run(engine())
     (missing,) = (one for one in result.missing if "brake_power" in one.results)
-    assert missing.needs == ("[cylinder] mechanical_efficiency or friction_pressure",)
+    assert texts_of(missing.needs) == ("[cylinder] mechanical_efficiency or friction_pressure",)

@@ -2,10 +2,9 @@
 
 import numpy as np
 import pytest
+from tests.told import lines_of, texts_of
 
 import cranktrain as ct
-from cranktrain.questions.loads.load_work import LoadWork
-from cranktrain.questions.loads.rows import load_rows
 
 SPEED, RADIUS, MASS = 40.0, 0.05, 3.0
 INERTIA = MASS * RADIUS**2 * SPEED**2 / 2
@@ -21,23 +20,23 @@ def said(torque, on="main", **tables):
         **tables,
     )
     result = ct.run(machine)
-    assert not any("inertia" in flag for flag in result.flags)
-    torques = next(one for one in result.outcomes if hasattr(one, "reduced_inertia_slope"))
-    rows = load_rows({"load": ("work",)}, 0, result[LoadWork], torques)
-    return {row.name: row for row in rows}.get("beside inertia")
+    assert not any("inertia" in flag for flag in texts_of(result.flags))
+    (rows,) = (rows for title, rows in result.rows() if str(title) == "Loads")
+    row = {str(row.name): row for row in rows}.get("beside inertia")
+    return None if row is None else row.words.pieces["part"]
 
 
 @pytest.mark.parametrize("part", [1e-5, 0.005, 0.0099])
 def test_a_load_of_next_to_nothing_is_told(part):
-    row = said(part * INERTIA)
-    assert row.pieces["part"].value == pytest.approx(part, rel=1e-9)
-    assert row.pieces["part"].unit == "%"
+    found = said(part * INERTIA)
+    assert found.value == pytest.approx(part, rel=1e-9)
+    assert found.unit == "%"
 
 
 def test_a_force_by_its_torque_on_the_crank():
     """F r sin φ at most, beside that of the inertia."""
-    row = said(0.002 * INERTIA / RADIUS, on="piston")
-    assert row.pieces["part"].value == pytest.approx(0.002, rel=1e-4)  # its largest lies between points of the grid
+    found = said(0.002 * INERTIA / RADIUS, on="piston")
+    assert found.value == pytest.approx(0.002, rel=1e-4)  # its largest lies between points of the grid
 
 
 @pytest.mark.parametrize("part", [0.0101, 0.5, 100.0])
@@ -55,4 +54,5 @@ def test_without_masses_nothing_is_said():
     )
     torques = next(one for one in result.outcomes if hasattr(one, "reduced_inertia_slope"))
     assert np.max(np.abs(torques.reduced_inertia_slope)) == 0
-    assert "beside inertia" not in [row.name for row in load_rows({"load": ("work",)}, 0, result[LoadWork], torques)]
+    names = [line.partition(":")[0] for line in lines_of(result, "Loads")]
+    assert "work in a cycle" in names and "beside inertia" not in names

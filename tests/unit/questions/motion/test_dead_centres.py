@@ -6,6 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 from tests.machines import RADIUS, ROD, V12, banks, of, slave, slider, throws
+from tests.told import line_of, lines_of
 
 import cranktrain as ct
 
@@ -112,8 +113,13 @@ def test_zero_shift_theorem(gamma, fact, shift):
 def test_answer_names_like_pistons_together():
     """What has no cylinder, as a ram, has no top either, but turns back."""
     parts = {"shaft": throws(0, 180), "bank": banks(A=0)}
-    engine = ct.run(ct.Machine(**parts, cylinder={"bore": "80 mm"})).summary()
-    assert "Strokes: 100.00 mm. True top dead centres: 0.00 deg" in engine
-    ram = ct.run(ct.Machine(**parts)).summary()
-    assert "Strokes: 100.00 mm. Farthest from the shaft: 0.00 deg after the crank points along its line." in ram
-    assert "dead centre" not in ram
+    aside = parts | {"bank": {"A": {"mechanism": slider(offset="20 mm")}}}
+    top = f"{np.degrees(np.arcsin(0.02 / (RADIUS + ROD))):.2f}°"
+    bore = {"cylinder": {"bore": "80 mm"}}
+    for cylinder, words in ((bore, "true top dead centre"), ({}, "farthest from the shaft")):
+        central, offset = (ct.run(ct.Machine(**own, **cylinder)) for own in (parts, aside))
+        assert central.top_shift == pytest.approx(0, abs=1e-9)
+        assert [line.partition(":")[0] for line in lines_of(central, "Motion")] == ["stroke", "largest pressure angle"]
+        assert line_of(central, "Motion", "stroke") == "100.0 mm"
+        assert line_of(offset, "Motion", words).startswith(f"{top} after the crank on ")
+        assert ("dead centre" in offset.summary()) == bool(cylinder)

@@ -5,6 +5,7 @@ from math import asin, degrees, radians
 
 import numpy as np
 import pytest
+from tests.told import texts_of
 
 import cranktrain as ct
 from cranktrain.plans.positions import source_angles
@@ -17,7 +18,7 @@ def press(**fields):
 
 
 def warned(machine):
-    return [flag for flag in ct.run(machine).flags if "permissible" in flag]
+    return [flag for flag in texts_of(ct.run(machine).flags) if "permissible" in flag]
 
 
 def test_what_is_over_the_limit_is_said():

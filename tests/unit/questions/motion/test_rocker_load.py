@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from tests.machines import ROCKER
+from tests.told import texts_of
 
 import cranktrain as ct
 
@@ -56,6 +57,6 @@ def test_load_of_one_rocker_of_two():
 
 def test_without_a_load_radius_it_is_missing():
     result = ct.run(ct.Machine(mechanism=ROCKER))
-    assert [missing.needs for missing in result.missing if "load_stroke" in missing.results] == [
+    assert [texts_of(missing.needs) for missing in result.missing if "load_stroke" in missing.results] == [
         ("[mechanism] load_radius",)
     ]

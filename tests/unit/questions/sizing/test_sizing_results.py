@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
+from tests.told import line_of
 
 import cranktrain as ct
-from cranktrain.questions.sizing.flywheel_sizing import DriveFlywheel, least_inertia
+from cranktrain.questions.sizing.flywheel_sizing import least_inertia
 from cranktrain.questions.sizing.motor_sizing import MotorSizing, SizedDesign
-from cranktrain.questions.sizing.rows import flywheel_rows
 
 STAGE = [{"ratio": 40, "efficiency": 0.846}]
 
@@ -48,7 +48,8 @@ def test_what_is_not_asked_is_not_checked(sized):
 
 
 def test_answer_says_what_governs(sized):
-    assert "misses by 17.10 %: start at the worst angle" in sized.summary()
+    said = line_of(sized, "Drive", "motor that is enough")
+    assert said.endswith("; 3.000 kW misses by 17.10 %: start at the worst angle")
 
 
 def test_pauses_let_a_smaller_motor_do(table):
@@ -114,10 +115,7 @@ def test_flywheel_of_a_motor_that_stalls_without(wanted, closeness):
     shears = ct.load("shears", set={"drive.part.flywheel.inertia": "0.01 kg*m^2"})
     asked = ct.run(shears.with_({"drive.flywheel": {"on": 1, "largest_torque": f"{wanted} N*m"}}))
     assert np.isnan(asked.largest_motor_torque)
-    (said,) = (line.words for line in flywheel_rows({}, 0, asked[DriveFlywheel]))
-    assert said.endswith("without it the motor stalls")
-    assert "Flywheel of the drive: " in asked.summary()
-    assert "without it the motor stalls." in asked.summary()
+    assert line_of(asked, "Drive", "flywheel of the drive").endswith("; without it the motor stalls")
 
     def largest(share):
         inertia = f"{0.01 + share * float(asked.needed_inertia)!r} kg*m^2"

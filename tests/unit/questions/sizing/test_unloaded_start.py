@@ -1,13 +1,15 @@
 """A machine that starts unloaded: what its motor is then checked against, and where that is said."""
 
+import re
+
 import numpy as np
 import pytest
 from scipy.integrate import quad
+from tests.told import row_of, texts_of
 
 import cranktrain as ct
 from cranktrain.cli.synthesis.proposals import give_proposal
-from cranktrain.questions.sizing.motor_sizing import MotorSizing
-from cranktrain.questions.sizing.rows import sizing_rows
+from cranktrain.saying.amounts import measured_in
 from cranktrain.synthesis.drive import drive
 
 RPM = np.pi / 30
@@ -75,13 +77,13 @@ def test_time_of_the_start(started):
 
 def test_it_is_said_where_the_number_stands(started):
     own = ct.run(press({**STARTED, "start": "loaded"}))
-    loaded, unloaded = (next(iter(sizing_rows({}, 0, each[MotorSizing]))) for each in (own, started))
-    assert loaded.words.endswith("if it must start with load at the worst angle, time of a start {share_3}")
-    assert "start, unloaded {share_2}" in unloaded.words
-    for row, sized in ((loaded, own), (unloaded, started)):
-        np.testing.assert_array_equal([piece.value for piece in row.pieces.values()], sized.sizing_share[0, :4])
-    assert any(flag.startswith("A start with its load at the worst angle asks") for flag in own.flags)
-    assert not any("start" in flag for flag in started.flags)
+    loaded, unloaded = (row_of(each, "Drive", "motor is used to").words for each in (own, started))
+    assert re.search(r"% if it must start with load at the worst angle, time of a start \S+\s%$", str(loaded))
+    assert re.search(r", start, unloaded \S+\s%, time of a start \S+\s%$", str(unloaded))
+    for words, sized in ((loaded, own), (unloaded, started)):
+        np.testing.assert_array_equal([one.value for one in measured_in(words)], sized.sizing_share[0, :4])
+    assert any(flag.startswith("A start with its load at the worst angle asks") for flag in texts_of(own.flags))
+    assert not any("start" in flag for flag in texts_of(started.flags))
     assert "unloaded_start" in started.labels["sizing_check"]
     np.testing.assert_array_equal(own.sizing_share[0, :2], started.sizing_share[0, :2])
 
@@ -95,8 +97,8 @@ def test_a_proposal_writes_it(tmp_path):
     assert written.drive.duty.start == proposal.machine.drive.duty.start == "unloaded"
     found = ct.run(written)
     assert float(np.nanmax(found.sizing_share[0])) <= 1
-    assert not any("too small" in flag for flag in found.flags)
-    assert any("started unloaded" in one for one in proposal.remarks)
+    assert not any("too small" in flag for flag in texts_of(found.flags))
+    assert any("started unloaded" in one for one in texts_of(proposal.remarks))
 
 
 def test_open_valves_of_a_compressor():

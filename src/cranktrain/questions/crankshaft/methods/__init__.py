@@ -1,6 +1,6 @@
 """Methods for the loads of main bearings: which there are, in the order of trust, and which a file has numbers for."""
 
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod, TakenBearings
 from cranktrain.questions.crankshaft.methods.clearance import CLEARANCE
 from cranktrain.questions.crankshaft.methods.crank_frame import ELASTIC_FRAME, RIGID_FRAME
@@ -29,6 +29,6 @@ def method_named(name: str) -> BearingMethod:
     return next(method for method in BEARING_METHODS if method.name == name)
 
 
-def title_of(name: str) -> str:
+def title_of(name: str) -> Words:
     """How answers call the method that users call so."""
     return _(method_named(name).title)

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.shafts import Shafts
@@ -112,9 +112,9 @@ def _given(layout: ShaftLayout, mechanisms: Mechanisms, shafts: Shafts, masses: 
     return np.where(weighs > 0, whole, np.nan)
 
 
-def _flags(names: tuple[str, ...], by_sizes: Array, given: Array) -> tuple[str, ...]:
+def _flags(names: tuple[str, ...], by_sizes: Array, given: Array) -> tuple[Words, ...]:
     """Say where no force holds what the sizes weigh, and where [masses.crank] has more; as at the pin, in kg."""
-    flags: list[str] = []
+    flags: list[Words] = []
     bare = np.flatnonzero(np.isnan(given)).tolist()
     if bare:
         said = _("Cranks have no mass without [masses.crank]; by its sizes that of pin {pin} acts like {mass} there.")
@@ -129,7 +129,7 @@ def _flags(names: tuple[str, ...], by_sizes: Array, given: Array) -> tuple[str, 
     return tuple(flags)
 
 
-def _narrow(layouts: ShaftLayouts, names: tuple[str, ...]) -> tuple[str, ...]:
+def _narrow(layouts: ShaftLayouts, names: tuple[str, ...]) -> tuple[Words, ...]:
     """Say of webs that hardly are any: narrower than the pin that they hold."""
     is_narrow = [
         np.any(layout.declared.web_width[0] < layout.declared.pin[0, :, :1], axis=-1) for layout in layouts.each

@@ -7,12 +7,10 @@ import numpy as np
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
-from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.bending.bearing_loads import resultant, unbalanced
 from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.bending.shaft_loads import on_axis
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts, LoadsOverCycle
-from cranktrain.questions.crankshaft.methods import title_of
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.bearings_between_events import BearingsBetweenEvents
 from cranktrain.questions.crankshaft.results.shaft_peaks import ShaftPeaks
@@ -23,7 +21,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.saying.catalogue import extreme, quantity
 from cranktrain.saying.checks import Check, Checked, Flagged
-from cranktrain.saying.wording import Names, number
 
 _CURVE, _FACT = ("bearing_method", "bearing", "crank_angle"), ("bearing_method", "bearing")
 _LIMIT = 1e-11
@@ -63,22 +60,6 @@ class MainBearingLoads(Checked, Flagged):
     mean_bearing_load: Array = quantity(
         "Q_m", "N", _FACT, N_("Mean size of the main bearing's load"), _THEORY, "24.6, 24.10, 24.39 to 24.43"
     )
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say which bearing carries most, by every method."""
-        most = self.largest_bearing_load.value[design]
-        if not np.all(np.isfinite(most)):
-            return None
-        found = (
-            _(
-                "{method} {load} in bearing {bearing}",
-                method=title_of(method),
-                load=number(float(np.max(own)), "kN"),
-                bearing=names["bearing"][first_largest(own)],
-            )
-            for method, own in zip(names["bearing_method"], most, strict=True)
-        )
-        return _("Largest load of a main bearing: {found}.", found=", ".join(found))
 
 
 def main_bearing_loads(

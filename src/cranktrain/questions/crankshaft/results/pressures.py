@@ -4,9 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_
 from cranktrain.motion import Array
-from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft, DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayouts
@@ -16,7 +15,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import StageResult
-from cranktrain.saying.wording import Names, number
 
 _PIN, _BEARING = ("mechanism",), ("bearing_method", "bearing")
 
@@ -38,18 +36,6 @@ class CrankPinPressures(StageResult):
         "p_P,m", "Pa", _PIN, N_("Mean specific pressure of the rod's bearing on the crank pin"), _THEORY, "24.48"
     )
 
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say the largest of all, and whose rod's it is."""
-        pressures = self.largest_crankpin_pressure[design]
-        if np.all(np.isnan(pressures)):
-            return None
-        worst = first_largest(pressures)
-        return _(
-            "Largest specific pressure of a crank pin {pressure}, by the rod of {mechanism}.",
-            pressure=number(float(pressures[worst]), "bar"),
-            mechanism=names["mechanism"][worst],
-        )
-
 
 @record
 class MainBearingPressures(StageResult):
@@ -61,18 +47,6 @@ class MainBearingPressures(StageResult):
     mean_bearing_pressure: Array = quantity(
         "p_m", "Pa", _BEARING, N_("Mean specific pressure of the main bearing"), _THEORY, "24.48"
     )
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say the largest of all by the first method."""
-        pressures = self.largest_bearing_pressure[design, 0]
-        if np.all(np.isnan(pressures)):
-            return None
-        worst = first_largest(pressures)
-        return _(
-            "Largest specific pressure of a main bearing {pressure}, of bearing {bearing}.",
-            pressure=number(float(pressures[worst]), "bar"),
-            bearing=names["bearing"][worst],
-        )
 
 
 def specific_pressure(load: Array, diameter: Array, width: Array) -> Array:

@@ -26,7 +26,6 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.saying.catalogue import extreme, quantity
 from cranktrain.saying.checks import Check, Checked
-from cranktrain.saying.wording import Names, number
 
 _FACT = ("bearing_method", "section")
 _CURVE = (*_FACT, "crank_angle")
@@ -74,17 +73,6 @@ class SectionTorques(Checked):
         _THEORY,
         "24.37, 24.38",
     )
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say which journal and which pin have the widest range, by the first method."""
-        ranges = self.section_torque_range[design, 0]
-        if not np.all(np.isfinite(ranges)):
-            return None
-        said = (
-            _("{range} in {section}", range=number(float(ranges[i]), "N*m"), section=names["section"][i])
-            for i in widest_sections(ranges, self.labels["section"])
-        )
-        return _("Widest range of the shaft's torque: {found}.", found=", ".join(said))
 
 
 SECTIONS = ("journal", "pin")

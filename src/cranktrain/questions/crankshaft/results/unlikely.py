@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.shafts import AxialPlaces, Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest
@@ -75,7 +75,7 @@ def unlikely_crankshafts(
     layouts: ShaftLayouts | None, shafts: Shafts | None, axial: AxialPlaces | None, loads: CrankPinLoads | None
 ) -> UnlikelyCrankshafts:
     """Flag what is beyond the limits."""
-    flags: list[str] = []
+    flags: list[Words] = []
     if layouts is None or shafts is None or axial is None:
         return UnlikelyCrankshafts()
     for layout in layouts.each:
@@ -91,7 +91,7 @@ def unlikely_crankshafts(
     return UnlikelyCrankshafts(unlikely=tuple(flags))
 
 
-def _bearings(declared: DeclaredCrankshaft) -> Iterator[str]:
+def _bearings(declared: DeclaredCrankshaft) -> Iterator[Words]:
     """Flag stiffness, clearance and places of main bearings."""
     diameter = declared.journal[:, declared.standing_on, 0]
     compliance = np.stack([declared.compliance[..., axis, axis] for axis in (0, 1)], axis=1)
@@ -115,7 +115,7 @@ def _bearings(declared: DeclaredCrankshaft) -> Iterator[str]:
         )
 
 
-def _of_bearing_widths(declared: DeclaredCrankshaft) -> Iterator[str]:
+def _of_bearing_widths(declared: DeclaredCrankshaft) -> Iterator[Words]:
     """Flag the first bearing that reaches into a web."""
     half = declared.web_thickness / 2
     begins = declared.planes[:, :, 1] + half[:, :, 1]
@@ -138,7 +138,7 @@ def _of_bearing_widths(declared: DeclaredCrankshaft) -> Iterator[str]:
         )
 
 
-def _of_rod_widths(layout: ShaftLayout, z: Array, pins: Sequence[str]) -> Iterator[str]:
+def _of_rod_widths(layout: ShaftLayout, z: Array, pins: Sequence[str]) -> Iterator[Words]:
     """Flag the first pin on which its rods have no room side by side; those at one place are forked, or one."""
     declared, width = layout.declared, layout.declared.rod_bearing_width
     for pin, name in enumerate(pins):

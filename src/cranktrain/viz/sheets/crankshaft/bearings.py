@@ -4,7 +4,7 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.one_line import short
 from cranktrain.questions.crankshaft.methods import title_of
 from cranktrain.saying.scales import scale_for
@@ -86,7 +86,7 @@ def _write_table(page: Page, shown: OneDesign, room: Box) -> None:
     for place, method in enumerate(methods):
         y -= LEAST_ROW
         page.sample(room.left, room.left + 10.0, y + 0.9, **line_of_method(method, is_first=place == 0))
-        write_row(page, (title_of(method), *column(largest[place].tolist(), unit)), places, y, is_bold=place == 0)
+        write_row(page, (str(title_of(method)), *column(largest[place].tolist(), unit)), places, y, is_bold=place == 0)
     least = np.min(largest, axis=0)
     spread = (np.max(largest, axis=0) - least) / np.where(least > 0.0, least, np.nan)
     rows = (

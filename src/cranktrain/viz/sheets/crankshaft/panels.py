@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.crankshaft.results.section_torques import SECTIONS

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.numerics.ties import largest_first
 from cranktrain.saying.scales import scale_for
 from cranktrain.saying.wording import ABSENT

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of
 from cranktrain.plans.positions import fitting

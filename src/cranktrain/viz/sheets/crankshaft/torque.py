@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import falling, first_largest
 from cranktrain.questions.crankshaft.methods import title_of

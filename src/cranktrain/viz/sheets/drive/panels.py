@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.servo.demand import ServoDemand

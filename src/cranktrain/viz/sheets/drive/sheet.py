@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motors import DeclaredMotor, motor_of
 from cranktrain.questions.servo.demand import ServoDemand
 from cranktrain.saying.scales import scale_for

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.questions.start.record import StartEvent
 from cranktrain.saying.scales import scale_for
@@ -43,7 +43,7 @@ def _event_sorts(events: Sequence[StartEvent]) -> list[EventSort]:
     """Sort events by name: the rare ones, numbered, before the others, each in the order in which it first comes."""
     times: dict[str, list[float]] = {}
     for event in events:
-        times.setdefault(event.name, []).append(event.time)
+        times.setdefault(str(event.name), []).append(event.time)
     rare = [name for name, own in times.items() if len(own) <= _FEW]
     numbered = [EventSort(name, number, tuple(times[name])) for number, name in enumerate(rare, start=1)]
     return numbered + [EventSort(name, 0, tuple(own)) for name, own in times.items() if name not in rare]

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
 from cranktrain.saying.scales import scale_for

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.plans.evenness_diagrams import mertsalov_diagram, wittenbauer_diagram
 from cranktrain.quantities import shown

@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.plans.evenness_diagrams import mertsalov_diagram, wittenbauer_diagram
 from cranktrain.quantities import shown
 from cranktrain.viz.panel import Curve, Panel, closed

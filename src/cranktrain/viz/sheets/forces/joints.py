@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, largest_first

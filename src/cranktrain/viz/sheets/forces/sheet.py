@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.questions.forces.carriers import carriers_of
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.pressures import GasPressures
@@ -186,11 +186,11 @@ def _force_notes(shown: OneDesign, piston: str | None, joints: Sequence[JointFor
     result = shown.result
     masses = result[LoadedMachine].masses
     if (said := result[LoadedMachine].without_mass()) is not None:
-        yield said
+        yield str(said)
     if masses.assumed:
         yield _("Rods without a given inertia have that of two masses at their ends.")
     gas = result.get(GasPressures)
-    yield from () if gas is None else gas.flags
+    yield from () if gas is None else map(str, gas.flags)
     if piston is not None and has_forces(result, piston):
         yield from _on_forces(shown, piston)
     if joints:

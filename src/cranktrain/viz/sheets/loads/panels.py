@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.load_laws import ByAngle, ByTravel
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.shaft_loads import TorqueOnShaft

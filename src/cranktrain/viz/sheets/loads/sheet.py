@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.part_tables import part_name
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.numerics.ties import first_largest

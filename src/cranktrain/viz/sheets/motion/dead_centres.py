@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.plans.drawn_throws import drawn_places
 from cranktrain.record import record
 from cranktrain.viz.panel import OneDesign

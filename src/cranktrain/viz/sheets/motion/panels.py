@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.analysis import Result
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve, rates
 from cranktrain.linkage.forces import Drive
 from cranktrain.machine import Machine

@@ -8,7 +8,7 @@ import numpy as np
 
 from cranktrain.analysis import Result, SpeedWanted
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.plans.drawn_throws import drawn_throws

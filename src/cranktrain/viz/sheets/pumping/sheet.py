@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.panel import OneDesign

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.saying.scales import scale_for
 from cranktrain.viz.panel import OneDesign

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import _
+from cranktrain.language import said as _
 from cranktrain.layout.crank_angle import orders
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import falling

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.told import row_of, texts_of
 
 import cranktrain as ct
 
@@ -13,12 +14,8 @@ def four():
     return ct.run(FOUR)
 
 
-def rows(result):
-    return dict(result.rows())["Main bearings"]
-
-
 def said(result, name):
-    return next(row for row in rows(result) if row.name == name)
+    return row_of(result, "Main bearings", name).words
 
 
 def test_specific_pressures(four):
@@ -48,8 +45,8 @@ def without(machine, *keys):
 def test_no_width_is_guessed():
     result = ct.run(without(FOUR, "bearing_width", "rod_bearing_width"))
     assert not {"largest_bearing_pressure", "largest_crankpin_pressure"} & set(result.catalogue)
-    assert result.needs_of("mean_bearing_pressure") == ("[crankshaft] bearing_width",)
-    assert result.needs_of("mean_crankpin_pressure") == ("[crankshaft] rod_bearing_width",)
+    assert texts_of(result.needs_of("mean_bearing_pressure")) == ("[crankshaft] bearing_width",)
+    assert texts_of(result.needs_of("mean_crankpin_pressure")) == ("[crankshaft] rod_bearing_width",)
     np.testing.assert_array_equal(result.crankpin_wear, ct.run(FOUR).crankpin_wear)
 
 
@@ -62,12 +59,13 @@ def test_one_width_alone_leaves_the_others_unknown():
 def test_the_answer_says_which_method_to_trust(four):
     most = four.largest_bearing_load
     widest = int(np.argmax(np.ptp(most, axis=0)))
-    row = said(four, "to trust")
-    assert row.words.startswith("elastic frame")
-    assert row.pieces["bearing"] == four.labels["bearing"][widest]
-    assert (row.pieces["range"].least, row.pieces["range"].most) == (np.min(most[:, widest]), np.max(most[:, widest]))
+    words = said(four, "to trust")
+    assert str(words).startswith("elastic frame")
+    assert words.pieces["bearing"] == four.labels["bearing"][widest]
+    extent = words.pieces["range"]
+    assert (extent.least, extent.most) == (np.min(most[:, widest]), np.max(most[:, widest]))
     rigid = ct.run(without(FOUR, "bearing_stiffness"))
-    assert said(rigid, "to trust").words.startswith("between both")
+    assert str(said(rigid, "to trust")).startswith("between both")
     loose = ct.run(FOUR.with_({"crankshaft.bearing_clearance": "0.05 mm"}))
     assert said(loose, "with clearance").pieces["bearing"] in four.labels["bearing"]
 
@@ -87,16 +85,16 @@ def test_on_two_bearings_all_methods_are_right():
         },
     )
     result = ct.run(one)
-    assert said(result, "to trust").words == "any: all methods give the same"
+    assert str(said(result, "to trust")) == "any: all methods give the same"
     assert result.labels["section"] == ("journal 1", "pin 1", "journal 2")
 
 
 def test_the_worst_journal_has_the_widest_range(four):
     """Not the largest torque, which the last has."""
     journals = [i for i, name in enumerate(four.labels["section"]) if "journal" in name]
-    row = said(four, "range of torque")
-    assert row.pieces["in_journal"] == "journal 4"
-    assert row.pieces["journal"].value == max(four.section_torque_range[0, journals])
+    words = said(four, "range of torque")
+    assert words.pieces["in_journal"] == "journal 4"
+    assert words.pieces["journal"].value == max(four.section_torque_range[0, journals])
     assert journals[int(np.argmax(four.largest_section_torque[0, journals]))] == journals[-1]
 
 

@@ -1,18 +1,21 @@
-"""Values on the screen: with how many digits each is written, in its unit; of results in tables, four figures."""
+"""Values: with how many digits each is written, in its unit; of results in tables, four figures."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from math import floor, log10
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from cranktrain.cli.screen.typesetting import KEPT
-from cranktrain.language import _
+from cranktrain.language import Said, Words
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.quantities import chosen_unit
-from cranktrain.saying.rows import Amount, Extent, Piece
 from cranktrain.saying.scales import scale_for
 from cranktrain.saying.wording import ABSENT, decimals_for, seen, signless
+
+KEPT = "\N{NO-BREAK SPACE}"
+"""Stands where a line is not to be folded, as between a value and its unit."""
 
 _FIGURES = 4
 _MOST_DECIMALS = 8
@@ -84,37 +87,108 @@ def _decimals_of(sized: Sequence[float], nothing: Sequence[float], most: float, 
     return [many if abs(one) > least else needed for one, many, least in zip(sized, own, nothing, strict=True)]
 
 
-def filled(words: str, pieces: Mapping[str, Piece]) -> str:
-    """Put values into words; those of one quantity have one unit."""
+@dataclass(frozen=True, slots=True, repr=False)
+class Amount(Said):
+    """One value in words.
+
+    Attributes
+    ----------
+    value : float
+        In SI; a speed of rotation, a frequency and an angle in radians.
+    unit : str
+        As in `AnswerLine`.
+    quantity : str
+        Its name in the catalogue; none of what only a sentence has.
+    member : tuple of str
+        Whose it is, by the quantity's dimensions.
+    """
+
+    value: float
+    unit: str
+    quantity: str = ""
+    member: tuple[str, ...] = ()
+
+    @property
+    def size(self) -> float:
+        """How large it is; what is not known has none."""
+        return float(np.abs(np.nan_to_num(self.value)))
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it with its unit."""
+        return self.beside(self.size)
+
+    def beside(self, size: float) -> str:
+        """Say it in the unit of one of a size that it stands beside."""
+        found = written(np.array([self.value]), self.unit, beside=size)
+        return found.whole(found.texts[0])
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Extent(Said):
+    """A range in words: from `least` to `most`, both as in `Amount`, with as many digits as tell them apart.
+
+    positions: the angles where each stands, if that is to be said. [rad]
+    quantity: names in the catalogue of both ends, `least most`; of one name, the curve or the fact of which they are.
+    """
+
+    least: float
+    most: float
+    unit: str
+    positions: tuple[float, float] | None = None
+    quantity: str = ""
+
+    @property
+    def size(self) -> float:
+        """How large its larger end is."""
+        return float(np.max(np.abs(np.nan_to_num((self.least, self.most)))))
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it with its unit."""
+        return self.beside(self.size)
+
+    def beside(self, size: float) -> str:
+        """Say it in the unit of one of a size that it stands beside."""
+        ends = np.array([self.least, self.most])
+        found = written(ends, self.unit, apart=self.positions is None, beside=size)
+        first, last = found.texts[0], found.whole(found.texts[-1])
+        if self.positions is not None:
+            at = written(np.array(self.positions), "position")
+            placed = zip((first, last), at.texts, self.positions, strict=True)
+            first, last = (_placed(end, at.whole(text), angle) for end, text, angle in placed)
+        elif found.texts[0] == found.texts[-1]:
+            return last
+        return _("{least} to {most}", least=first, most=last)
+
+
+def _placed(value: str, at: str, angle: float) -> str:
+    """Say a value and where it stands, if that is known."""
+    return _("{value} at {angle}", value=value, angle=at) if np.isfinite(angle) else value
+
+
+Measured: TypeAlias = "Amount | Extent"
+
+
+def measured_in(words: object) -> Iterator[Measured]:
+    """Give the amounts and ranges in some words."""
+    if isinstance(words, Amount | Extent):
+        yield words
+    elif isinstance(words, Said):
+        for piece in words.each():
+            yield from measured_in(piece)
+
+
+def filled(words: Words) -> str:
+    """Say words in which the values of one quantity have one unit."""
     beside: dict[str, float] = {}
-    for one in pieces.values():
-        if not isinstance(one, str):
-            beside[one.unit] = max(beside.get(one.unit, 0.0), *np.abs(np.nan_to_num(_values(one))).tolist())
-    return words.format(**{name: _piece(one, beside) for name, one in pieces.items()})
+    for one in measured_in(words):
+        beside[one.unit] = max(beside.get(one.unit, 0.0), one.size)
 
+    def tell(piece: object) -> object:
+        if isinstance(piece, Amount | Extent):
+            return piece.beside(beside[piece.unit])
+        return piece.said(tell) if isinstance(piece, Said) else piece
 
-def _values(piece: Amount | Extent) -> Array:
-    return np.array([piece.value] if isinstance(piece, Amount) else [piece.least, piece.most])
-
-
-def _piece(piece: Piece, beside: Mapping[str, float]) -> str:
-    """Write what stands in words."""
-    if isinstance(piece, str):
-        return piece
-    is_span = isinstance(piece, Extent)
-    found = written(_values(piece), piece.unit, apart=is_span and piece.positions is None, beside=beside[piece.unit])
-    last = found.whole(found.texts[-1])
-    if not is_span or (found.texts[0] == found.texts[-1] and piece.positions is None):
-        return last
-    if piece.positions is None:
-        return _("{least} to {most}", least=found.texts[0], most=last)
-    at = written(np.array(piece.positions), "position")
-    ends = (found.texts[0], last)
-    placed = [
-        _("{value} at {angle}", value=end, angle=at.whole(text)) if np.isfinite(angle) else end
-        for end, text, angle in zip(ends, at.texts, piece.positions, strict=True)
-    ]
-    return _("{least} to {most}", least=placed[0], most=placed[1])
+    return str(tell(words))
 
 
 def _text(value: float, decimals: int, sign: str) -> str:

@@ -1,0 +1,99 @@
+"""A row in words: who has what, or from what to what it goes."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from string import digits
+
+from cranktrain.grouping import grouped
+from cranktrain.language import Words
+from cranktrain.language import said as _
+from cranktrain.numerics.ties import first_largest, first_smallest
+from cranktrain.saying.amounts import KEPT, Written, filled, written
+from cranktrain.saying.rows import AnswerLine
+from cranktrain.saying.wording import ABSENT, ranged
+
+_LONGEST_NAME = 12
+_NAMED, _LONGEST = 3, 48
+"""How many values that differ are named one by one, in how many characters; of more there is a range."""
+
+
+def row_words(row: AnswerLine) -> str:
+    """Say a row in one line.
+
+    Examples
+    --------
+    >>> from cranktrain.saying.rows import valued
+    >>> print(row_words(valued("stroke", [0.18, 0.18, 0.1867], "m", ("1L", "2L", "1R"))))
+    stroke: 180.0 mm (L), 186.7 mm (R)
+    """
+    words = filled(row.words)
+    if row.values.size:
+        found = written(row.values, row.unit)
+        different = dict.fromkeys(found.texts)
+        values = found.whole(*different) if len(different) == 1 else by_name(row, found)
+        words = spaced(values, words)
+    return f"{row.name}: {words}".replace(KEPT, " ")
+
+
+def row_lines(groups: Iterable[tuple[Words, Iterable[AnswerLine]]]) -> Iterator[str]:
+    """Say groups of rows: the title of each, and a line for each of its rows."""
+    for title, rows in groups:
+        yield str(title)
+        for row in rows:
+            yield f"  {row_words(row)}"
+
+
+def spaced(values: str, words: str) -> str:
+    """Put words behind values, with a blank between unless they begin with a comma or a semicolon."""
+    return f"{values}{'' if words[:1] in ('', ',', ';') else ' '}{words}"
+
+
+def name_of(some: Sequence[str], members: Sequence[str]) -> str:
+    """Name some of the members by what they have in common: bank L of 1L to 6L, `exhaust` of 1.exhaust to 6.exhaust.
+
+    Examples
+    --------
+    >>> name_of(["1L", "2L"], ["1L", "2L", "1R", "2R"])
+    'L'
+    >>> name_of(["1S", "3S"], ["1S", "2S", "3S"])
+    '1S, 3S'
+    """
+    for common in (_side, _ending):
+        shared = dict.fromkeys(map(common, some))
+        if len(shared) == 1 and "" not in shared and len(members) > 1:
+            (name,) = shared
+            if [member for member in members if common(member) == name] == list(some):
+                return name
+    named = ranged(members, [members.index(one) for one in some])
+    return named if len(named) <= _LONGEST_NAME or len(some) < 2 else f"{some[0]} +{len(some) - 1}"
+
+
+def _ending(member: str) -> str:
+    """What stands behind the number."""
+    return member.lstrip(digits).lstrip(".")
+
+
+def _side(member: str) -> str:
+    """What stands behind the last dot."""
+    return member.rpartition(".")[2] if "." in member else ""
+
+
+def holders(row: AnswerLine, found: Written) -> dict[str, list[str]]:
+    """Members by what is written of them."""
+    return grouped(zip(found.texts, row.members, strict=True))
+
+
+def by_name(row: AnswerLine, found: Written) -> str:
+    """Say who has what, or from what to what they go."""
+    alike = holders(row, found)
+    each = ", ".join(
+        _("{value} ({who})", value=found.whole(text), who=name_of(members, row.members))
+        for text, members in alike.items()
+        if text != ABSENT
+    )
+    if len(alike) <= _NAMED and len(each) <= _LONGEST:
+        return each
+    least, most = (row.members[pick(row.values)] for pick in (first_smallest, first_largest))
+    texts = dict(zip(row.members, found.texts, strict=True))
+    return _(
+        "{least} ({one}) to {most} ({other})", least=texts[least], one=least, most=found.whole(texts[most]), other=most
+    )
