@@ -6,7 +6,7 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.language import Said
-from cranktrain.saying.amounts import measured_in
+from cranktrain.saying.amounts import VALUES, filled, measured_in
 
 LEAST = 0.98
 """Of the numbers that are printed; what is counted, as cylinders are, is of no quantity."""
@@ -19,6 +19,14 @@ def texts_in(words):
             yield from texts_in(piece)
     elif words != "":
         yield str(words)
+
+
+def pieces_of(words):
+    """What words are made of that is said."""
+    if isinstance(words, Said):
+        yield words
+        for piece in words.each():
+            yield from pieces_of(piece)
 
 
 def numbers_of(result):
@@ -46,6 +54,15 @@ def test_nearly_all_numbers_of_all_screens_know_their_quantity():
     assert len(every) > 900
     assert len(unknown) <= (1 - LEAST) * len(every), unknown
     assert {line for _name, line, _quantity in unknown} <= {"natural frequencies"}  # and so many more
+
+
+def test_words_say_where_the_values_of_a_line_stand():
+    """So that a translator has the whole sentence, and none begins with a comma."""
+    for name in ct.example_names():
+        for _title, rows in ct.run(name).rows():
+            for row in rows:
+                assert not row.words or bool(row.values.size) == (VALUES in set(pieces_of(row.words))), row.name
+                assert "{" not in filled(row.words, "4 kN"), row.name
 
 
 @pytest.mark.parametrize("name", ["3d12", "deltic", "pumping_unit_c57", "servo_press", "tilting_table"])

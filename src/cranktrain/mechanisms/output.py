@@ -81,7 +81,7 @@ class OutputPart:
 _OF_RAM = SliderWords(
     stroke=N_("stroke"),
     top=N_("farthest from the shaft"),
-    after_top=N_("after the crank on its line"),
+    after_top=N_("{values} after the crank on its line"),
     bottom=N_("nearest to the shaft"),
     mean_speed=N_("mean speed"),
     largest_speed=N_("largest speed"),
@@ -106,7 +106,7 @@ PISTON: Final = OutputPart(
     words=SliderWords(
         stroke=N_("stroke"),
         top=N_("true top dead centre"),
-        after_top=N_("after the crank on the axis"),
+        after_top=N_("{values} after the crank on the axis"),
         bottom=N_("true bottom dead centre"),
         mean_speed=N_("mean piston speed"),
         largest_speed=N_("largest piston speed"),

@@ -165,6 +165,18 @@ def _placed(value: str, at: str, angle: float) -> str:
     return _("{value} at {angle}", value=value, angle=at) if np.isfinite(angle) else value
 
 
+@dataclass(frozen=True, slots=True, repr=False)
+class _Values(Said):
+    """The values of a row, which stand before all else where they have columns of their own."""
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say nothing: the row says them."""
+        return ""
+
+
+VALUES = _Values()
+"""Stands in a row's words where its values are."""
+
 Measured: TypeAlias = "Amount | Extent"
 
 
@@ -177,8 +189,8 @@ def measured_in(words: object) -> Iterator[Measured]:
             yield from measured_in(piece)
 
 
-def filled(words: Words) -> str:
-    """Say words in which the values of one quantity have one unit."""
+def filled(words: Words, values: str = "") -> str:
+    """Say words in which the values of one quantity have one unit, with those of a row in their place."""
     beside: dict[str, float] = {}
     for one in measured_in(words):
         beside[one.unit] = max(beside.get(one.unit, 0.0), one.size)
@@ -186,6 +198,8 @@ def filled(words: Words) -> str:
     def tell(piece: object) -> object:
         if isinstance(piece, Amount | Extent):
             return piece.beside(beside[piece.unit])
+        if piece is VALUES:
+            return values
         return piece.said(tell) if isinstance(piece, Said) else piece
 
     return str(tell(words))

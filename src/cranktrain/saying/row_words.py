@@ -25,13 +25,18 @@ def row_words(row: AnswerLine) -> str:
     >>> print(row_words(valued("stroke", [0.18, 0.18, 0.1867], "m", ("1L", "2L", "1R"))))
     stroke: 180.0 mm (L), 186.7 mm (R)
     """
-    words = filled(row.words)
-    if row.values.size:
+    if not row.values.size:
+        words = filled(row.words)
+    else:
         found = written(row.values, row.unit)
         different = dict.fromkeys(found.texts)
-        values = found.whole(*different) if len(different) == 1 else by_name(row, found)
-        words = spaced(values, words)
+        words = with_values(row, found.whole(*different) if len(different) == 1 else by_name(row, found))
     return f"{row.name}: {words}".replace(KEPT, " ")
+
+
+def with_values(row: AnswerLine, values: str) -> str:
+    """Say what a row says with its values; these alone where they say all."""
+    return filled(row.words, values) if row.words else values
 
 
 def row_lines(groups: Iterable[tuple[Words, Iterable[AnswerLine]]]) -> Iterator[str]:
@@ -40,11 +45,6 @@ def row_lines(groups: Iterable[tuple[Words, Iterable[AnswerLine]]]) -> Iterator[
         yield str(title)
         for row in rows:
             yield f"  {row_words(row)}"
-
-
-def spaced(values: str, words: str) -> str:
-    """Put words behind values, with a blank between unless they begin with a comma or a semicolon."""
-    return f"{values}{'' if words[:1] in ('', ',', ';') else ' '}{words}"
 
 
 def name_of(some: Sequence[str], members: Sequence[str]) -> str:

@@ -8,10 +8,10 @@ from string import Formatter
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import Words, _
+from cranktrain.language import Message, Words, _
 from cranktrain.motion import Array
 from cranktrain.record import record
-from cranktrain.saying.amounts import Amount, Extent, measured_in
+from cranktrain.saying.amounts import VALUES, Amount, Extent, measured_in
 from cranktrain.saying.catalogue import Entry, entries, values
 from cranktrain.saying.wording import Names
 
@@ -38,7 +38,7 @@ class AnswerLine:
     members : tuple of str
         Whose each value is; none of one value.
     words : Words
-        Behind the values, or instead of them.
+        Instead of values, or with `{values}` where they stand; nothing where these say all.
     quantity : str
         Name in the catalogue of what the values, or numbers in words that are no amounts, are.
     """
@@ -67,10 +67,17 @@ class AnswerLine:
 
 
 def valued(
-    name: Words, values: Array | float, unit: str, members: Sequence[str] = (), words: Words = "", *, quantity: str = ""
+    name: Words,
+    values: Array | float,
+    unit: str,
+    members: Sequence[str] = (),
+    words: Message | None = None,
+    *,
+    quantity: str = "",
 ) -> AnswerLine:
-    """Give a row of values, with words behind them."""
-    return AnswerLine(name, np.atleast_1d(np.asarray(values, dtype=float)), unit, tuple(members), words, quantity)
+    """Give a row of values, and what is said with them: a message with `{values}` where they stand."""
+    said = "" if words is None else words.format(values=VALUES)
+    return AnswerLine(name, np.atleast_1d(np.asarray(values, dtype=float)), unit, tuple(members), said, quantity)
 
 
 def worded(name: Words, words: Words, *, quantity: str = "") -> AnswerLine:
@@ -101,14 +108,13 @@ class Telling:
         name: Words,
         found: object,
         quantity: str,
-        words: Words = "",
+        words: Message | None = None,
         *,
-        at: tuple[int, ...] = (),
         own: Sequence[int] | NDArray[np.intp] | None = None,
         unit: str = "",
         sense: float = 1.0,
     ) -> AnswerLine:
-        """Give a row of a quantity, with words behind its values.
+        """Give a row of a quantity, and what is said with its values.
 
         Parameters
         ----------
@@ -116,18 +122,17 @@ class Telling:
         found : object
             The result that holds it.
         quantity : str
-        words : Words
-        at : tuple of int
-            Which members along its dimensions but the last.
+        words : Message, optional
+            With `{values}` where these stand.
         own : sequence of int, optional
-            Which members along the last dimension; all unless given.
+            Which members; all unless given.
         unit : str
             As in `AnswerLine`, where that is not the catalogue's.
         sense : float
             1, or −1 where its opposite is told.
         """
         entry = entry_called(type(found), quantity)
-        every = self.values(found, quantity)[at]
+        every = self.values(found, quantity)
         members = self.labels[entry.dimensions[-1]] if every.ndim else ()
         if own is not None:
             every, members = every[np.asarray(own)], [members[int(i)] for i in own]

@@ -293,7 +293,7 @@ class TestGroups:
         assert self.lines(valued("stroke", [0.08, 0.08], "m", ("1", "2")))[1:] == ["  stroke  80.00 mm"]
 
     def test_two_columns_with_units_and_words_behind(self):
-        together = _(", {all} in all", all=Amount(0.0388, "m^3"))
+        together = _("{values}, {all} in all", all=Amount(0.0388, "m^3"))
         row = valued("swept volume", [0.019, 0.0198], "m^3", ("L", "R"), together)
         single = valued("bore", 0.15, "m")
         assert self.lines(row, single) == [

@@ -10,7 +10,7 @@ from cranktrain.cli.screen.text import GAP, INDENT, folded
 from cranktrain.grouping import grouped
 from cranktrain.one_line import visible
 from cranktrain.saying.amounts import Written, filled, written
-from cranktrain.saying.row_words import by_name, holders, name_of, spaced
+from cranktrain.saying.row_words import by_name, holders, name_of, with_values
 from cranktrain.saying.rows import AnswerLine
 
 _MOST_COLUMNS = 4
@@ -125,16 +125,15 @@ def _laid(group: RowGroup) -> _Lines:
 
 def _line(row: AnswerLine, found: Written, columns: MemberColumns) -> _Line:
     """Write a row: in the columns, or in one where all are alike, or who has what in words."""
-    words = filled(row.words)
     of = dict(zip(row.members or ("",), found.texts, strict=False))
     different = dict.fromkeys(found.texts)
     if len(different) <= 1:
-        return _Line(str(row.name), tuple(different), found.label, words)
+        return _Line(str(row.name), tuple(different), found.label, filled(row.words))
     of_each = {name_of(members, row.members): text for text, members in holders(row, found).items()}
     for chosen, texts in ((columns.first, of), (columns.names, of_each)):
         if chosen and set(chosen) <= set(texts):
-            return _Line(str(row.name), tuple(texts[one] for one in chosen), found.label, words)
-    return _Line(str(row.name), (), "", spaced(by_name(row, found), words))
+            return _Line(str(row.name), tuple(texts[one] for one in chosen), found.label, filled(row.words))
+    return _Line(str(row.name), (), "", with_values(row, by_name(row, found)))
 
 
 def _folded(line: _Line, names: int, each: int, shift: int, width: int) -> Iterator[Text]:
@@ -144,7 +143,7 @@ def _folded(line: _Line, names: int, each: int, shift: int, width: int) -> Itera
     if line.cells:
         start += "".join(f"{cell:>{each}}" for cell in line.cells)
         start += f" {line.label}" if line.label else ""
-        whole = spaced(start, line.words)
+        whole = start + line.words
     else:
         whole = start + " " * GAP + line.words
     for part in folded(whole, width, indent=" " * min(indent, width // 2), at_hyphens=True):

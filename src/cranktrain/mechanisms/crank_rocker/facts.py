@@ -77,7 +77,7 @@ def transmission_rows(of: Telling, found: Transmission) -> Iterator[AnswerLine]:
     """Say the least transmission angle, and the class where it is none with a crank and a rocker."""
     most = of.values(found, "largest_transmission_angle")
     largest = Amount(float(np.fmax.reduce(most)), "rad", "largest_transmission_angle")
-    words = _("at least, {most} at most", most=largest)
+    words = _("{values} at least, {most} at most", most=largest)
     yield of.row(_("transmission angle"), found, "smallest_transmission_angle", words)
     kinds = sorted({int(value) for value in of.values(found, "grashof_class")} - {0})
     if kinds:

@@ -27,9 +27,9 @@ def volume_rows(
     )
     name = _("swept volume")
     if n_chambers > 1 and each is not None:
-        yield of.row(name, swept, "displacement", _("; {n} × {each}", n=n_chambers, each=each))
+        yield of.row(name, swept, "displacement", _("{values}; {n} × {each}", n=n_chambers, each=each))
     elif len(of.labels["bank"]) > 1:
-        yield of.row(name, swept, "bank_swept_volume", _(", {total} in all", total=total))
+        yield of.row(name, swept, "bank_swept_volume", _("{values}, {total} in all", total=total))
     else:
         yield of.row(name, swept, "swept_volume")
     if chambers is not None:
@@ -44,7 +44,7 @@ def _room_rows(of: Telling, chambers: ChamberVolumes, effective: EffectiveCompre
         part = 1 / (of.values(chambers, "compression_ratio") - 1)
         yield valued(_("clearance"), part, "%", of.labels["chamber"], quantity="compression_ratio")
     else:
-        words = "" if last is None else _("; {last} from the last port on", last=last)
+        words = None if last is None else _("{values}; {last} from the last port on", last=last)
         yield of.row(_("compression ratio"), chambers, "compression_ratio", words)
     if effective is not None and last is None:
         yield of.row(_("ratio from the last port"), effective, ratio)
@@ -54,11 +54,11 @@ def opposed_rows(of: Telling, found: VolumetricDeadCentres) -> Iterator[AnswerLi
     """Lead of the exhaust crank, where the volume is least, and by how much both pistons part."""
     name = _("exhaust crank ahead by") if np.nanmax(of.values(found, "lead")) >= 0 else _("exhaust crank behind by")
     inner = of.alike(found, "inner_volumetric_shift", unit="rad")
-    words = "" if inner is None else _(", least volume {inner} after its dead centre", inner=inner)
+    words = None if inner is None else _("{values}, least volume {inner} after its dead centre", inner=inner)
     lead = of.row(name, found, "lead", words)
     yield replace(lead, values=np.abs(lead.values))
     nominal = of.alike(found, "nominal_stroke")
-    words = "" if nominal is None else _("of {nominal}", nominal=nominal)
+    words = None if nominal is None else _("{values} of {nominal}", nominal=nominal)
     yield of.row(_("both pistons part by"), found, "combined_stroke", words)
 
 
@@ -70,8 +70,8 @@ def port_rows(of: Telling, found: PortTiming) -> Iterator[AnswerLine]:
         words = _("open {first} and close {last} before the scavenge ports", first=first, last=last)
         yield worded(_("exhaust ports"), words)
         return
-    yield of.row(_("exhaust ports open by"), found, opens, _("before the scavenge ports"))
-    yield of.row(_("exhaust ports close by"), found, closes, _("before the scavenge ports"))
+    yield of.row(_("exhaust ports open by"), found, opens, _("{values} before the scavenge ports"))
+    yield of.row(_("exhaust ports close by"), found, closes, _("{values} before the scavenge ports"))
 
 
 def firing_rows(of: Telling, found: Firing) -> Iterator[AnswerLine]:

@@ -16,7 +16,7 @@ from cranktrain.saying.rows import AnswerLine, Telling, valued, worded
 
 def running_rows(of: Telling, work: ShaftWork, running: RunningSpeed | None) -> Iterator[AnswerLine]:
     """Work that the flywheel takes up and gives back, and the speed that comes of it."""
-    yield of.row(_("excess work"), work, "largest_excess_work", _("within a cycle"))
+    yield of.row(_("excess work"), work, "largest_excess_work", _("{values} within a cycle"))
     if running is not None:
         speed = of.extent(running, "smallest_crank_speed", "largest_crank_speed")
         yield of.line(_("speed"), N_("{speed}, δ = {coefficient_of_fluctuation}"), running, speed=speed)
@@ -27,9 +27,9 @@ def load_rows(of: Telling, load: LoadTorque) -> Iterator[AnswerLine]:
     factor, most = of.amount(load, "load_factor"), of.amount(load, "largest_load_torque")
     if not np.isfinite(factor.value * most.value):
         return
-    said = _(", at most {most}: the given one times {factor}") if load.is_scaled else _(", at most {most}")
-    words = said.format(most=most, factor=factor)
-    yield valued(_("load, on the mean"), load.mean_torque[of.design], "N*m", words=words)
+    scaled, given = _("{values}, at most {most}: the given one times {factor}"), _("{values}, at most {most}")
+    words = (scaled if load.is_scaled else given).format(most=most, factor=factor)
+    yield valued(_("load, on the mean"), load.mean_torque[of.design], "N*m", words=words, quantity="load_torque")
 
 
 def balance_rows(of: Telling, balance: ShaftBalance) -> Iterator[AnswerLine]:
@@ -51,7 +51,7 @@ def flywheel_rows(of: Telling, found: FlywheelSize, rim: RimSize | None) -> Iter
         yield worded(name, _("none: the moving parts alone suffice"))
     else:
         mertsalov, textbook = (of.amount(found, "flywheel_inertia_error", form, unit="off") for form in (1, 2))
-        words = _(", Mertsalov {mertsalov}, textbooks {textbook}", mertsalov=mertsalov, textbook=textbook)
+        words = _("{values}, Mertsalov {mertsalov}, textbooks {textbook}", mertsalov=mertsalov, textbook=textbook)
         yield of.row(name, found, "flywheel_inertia", words, own=[0])
     if rim is not None:
         message = N_("{rim_height} high, {rim_width} wide, {rim_outer_diameter} outside, {rim_mass}, {rim_speed}")

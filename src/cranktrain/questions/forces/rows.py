@@ -43,7 +43,7 @@ def _largest(
     at = of.amount(found, f"{quantity}_at", worst)
     (member,) = of.amount(found, quantity, worst).member
     of_whom = member if whose is None else whose.format(member=member)
-    one, many = _("at {angle}", angle=at), _("at {angle}, {whose}", angle=at, whose=of_whom)
+    one, many = _("{values} at {angle}", angle=at), _("{values} at {angle}, {whose}", angle=at, whose=of_whom)
     # What is nothing is largest nowhere.
-    words = "" if np.isnan(at.value) else many if values.size > 1 else one
+    words = None if np.isnan(at.value) else many if values.size > 1 else one
     yield of.row(name, found, quantity, words, own=[worst])

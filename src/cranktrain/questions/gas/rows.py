@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from cranktrain.language import Words, _
+from cranktrain.language import Message, _
 from cranktrain.questions.gas.flows import CompressorCapacity, CompressorFlow
 from cranktrain.questions.gas.heat import HeatBalance
 from cranktrain.questions.gas.powers import BrakePowers, IndicatedPowers
@@ -27,15 +27,15 @@ def pressure_rows(
         yield of.row(_("mean indicated pressure"), pressures, "indicated_mean_pressure", sense=sense)
 
 
-def _after(of: Telling, pressures: GasPressures) -> Words:
+def _after(of: Telling, pressures: GasPressures) -> Message | None:
     """Words for where pressures are largest, if it is at the same angle in all chambers."""
     if np.all(np.abs(of.values(pressures, "peak_pressure_after")) < _AT_DEAD_CENTRE):
-        return _(", at the dead centre")
+        return _("{values}, at the dead centre")
     angle = of.alike(pressures, "peak_pressure_after", unit="rad")
     if angle is None:
-        return ""
-    words = _(", {angle} after the dead centre") if angle.value > 0 else _(", {angle} before the dead centre")
-    return words.format(angle=replace(angle, value=abs(angle.value)))
+        return None
+    after, before = _("{values}, {angle} after the dead centre"), _("{values}, {angle} before the dead centre")
+    return (after if angle.value > 0 else before).format(angle=replace(angle, value=abs(angle.value)))
 
 
 def compressor_rows(of: Telling, lines: CompressorCapacity, flow: CompressorFlow | None) -> Iterator[AnswerLine]:
@@ -43,9 +43,9 @@ def compressor_rows(of: Telling, lines: CompressorCapacity, flow: CompressorFlow
     suction = of.alike(lines, "suction_line_pressure")
     if suction is None:
         yield of.row(_("suction pressure"), lines, "suction_line_pressure")
-    words = "" if suction is None else _(", suction {suction}", suction=suction)
+    words = None if suction is None else _("{values}, suction {suction}", suction=suction)
     yield of.row(_("discharge pressure"), lines, "discharge_line_pressure", words)
-    yield of.row(_("takes in"), lines, "volumetric_efficiency", _("of the swept volume"), unit="%")
+    yield of.row(_("takes in"), lines, "volumetric_efficiency", _("{values} of the swept volume"), unit="%")
     if flow is not None:
         yield of.row(_("flow at the inlet"), flow, "inlet_flow")
 
@@ -61,17 +61,17 @@ def power_rows(
     pressure = of.amount(indicated, "mean_indicated_pressure", sense=sense)
     is_one = of.alike(pressures, "indicated_mean_pressure") is not None
     if len(of.labels["bank"]) > 1 and of.alike(indicated, "bank_indicated_power") is None:
-        words = _(", {total} in all, {pressure}", total=total, pressure=pressure)
-        words = words if is_one else _(", {total} in all", total=total)
+        words = _("{values}, {total} in all, {pressure}", total=total, pressure=pressure)
+        words = words if is_one else _("{values}, {total} in all", total=total)
         yield of.row(name, indicated, "bank_indicated_power", words, sense=sense)
     else:
-        words = _(", {pressure}", pressure=pressure) if is_one else ""
+        words = _("{values}, {pressure}", pressure=pressure) if is_one else None
         yield of.row(name, indicated, "indicated_power", words, sense=sense)
     if brake is not None:
         is_driven = of.values(brake, "brake_power") < 0
         sense = -1.0 if is_driven else 1.0
         words = _(
-            ", {torque}, {pressure}",
+            "{values}, {torque}, {pressure}",
             torque=of.amount(brake, "brake_torque", sense=sense),
             pressure=of.amount(brake, "mean_brake_pressure", sense=sense),
         )
@@ -83,5 +83,5 @@ def heat_rows(of: Telling, heat: HeatBalance) -> Iterator[AnswerLine]:
     """Heat that comes in, what becomes of it."""
     loss, part = of.alike(heat, "wall_loss"), of.alike(heat, "working_turn_efficiency", unit="%")
     is_said = loss is not None and part is not None
-    words = _("a cycle: {part} work, {loss} to the walls", part=part, loss=loss) if is_said else ""
+    words = _("{values} a cycle: {part} work, {loss} to the walls", part=part, loss=loss) if is_said else None
     yield of.row(_("heat"), heat, "released_heat", words)

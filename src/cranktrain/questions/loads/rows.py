@@ -39,4 +39,4 @@ def _largest(of: Telling, name: Words, work: LoadWork, quantity: str) -> AnswerL
     """Largest size of every load of a sort, of one alone also where."""
     at = of.amount(work, f"{quantity}_at", 0)
     is_placed = len(of.labels["load"]) == 1 and np.isfinite(at.value)
-    return of.row(name, work, quantity, _("at {angle}", angle=at) if is_placed else "")
+    return of.row(name, work, quantity, _("{values} at {angle}", angle=at) if is_placed else None)

@@ -83,11 +83,11 @@ def rocker_rows(
         yield worded(_("rocker"), _("turns all round"))
         return
     ends = _(
-        ", from {least} to {most}",
+        "{values}, from {least} to {most}",
         least=of.amount(dead, "smallest_rocker_angle", 0),
         most=of.amount(dead, "largest_rocker_angle", 0),
     )
-    yield of.row(_("swing of the rocker"), dead, "swing", ends if len(names) == 1 else "")
+    yield of.row(_("swing of the rocker"), dead, "swing", ends if len(names) == 1 else None)
     for place, name in enumerate(names[:_FEW]):
         positions = (of.amount(dead, f"{end}_rocker_angle_at", place) for end in ("smallest", "largest"))
         first, second = (replace(one, value=float(around_turn(np.array(one.value)))) for one in positions)
@@ -112,7 +112,7 @@ def closing_rows(of: Telling, closing: Closing) -> Iterator[AnswerLine]:
         return
     least = first_smallest(margins)
     at = of.amount(closing, "closing_angle", least)
-    said = _("of {length}, at {angle}") if len(margins) == 1 else _("of {name} {length}, at {angle}")
+    said = _("{values} of {length}, at {angle}") if len(margins) == 1 else _("{values} of {name} {length}, at {angle}")
     words = said.format(
         name=of.labels["mechanism"][least],
         length=_(closing.length_names[of.design][least]),
