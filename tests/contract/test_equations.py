@@ -6,8 +6,11 @@ from functools import cache
 from itertools import pairwise
 from pathlib import Path
 
+import numpy as np
 import pytest
+from tests.example_runs import ran
 
+import cranktrain as ct
 from cranktrain.analysis.stages import every_stage
 from cranktrain.questions.start.record import StartCurves
 from cranktrain.saying.catalogue import DEFINITION, entries
@@ -63,3 +66,34 @@ def test_a_wrong_equation_is_found(changed, said):
     assert (stroke.source, stroke.equation) == ("docs/theory/slider-crank", "2.7")
     found = wrong(replace(stroke, **changed))
     assert found.startswith(said) if said else found == ""
+
+
+EVERY = {entry.name: entry for entry in ENTRIES}
+LINES = {name: entry for name, entry in EVERY.items() if entry.line}
+
+
+def of_line(entry, result):
+    """What a line gives with the values of its quantities."""
+    written = entry.line.replace("−", "-").replace("·", "*")
+    written = re.sub(r"Σ \{(\w+)\}", r"\1.sum(axis=-1)", written)
+    values = {name: np.asarray(getattr(result, name)) for name in entry.line_of}
+    return eval(re.sub(r"[{}]", "", written), {"__builtins__": {}}, values)
+
+
+@pytest.mark.parametrize("name", LINES)
+def test_a_line_of_symbols_is_the_quantity(name):
+    """With the values that it names, in every example that has it: what a report substitutes gives what it says."""
+    held = 0
+    for example in ct.example_names():
+        result = ran(example)
+        if name in result.catalogue and all(one in result.catalogue for one in LINES[name].line_of):
+            found, line = np.asarray(getattr(result, name)), of_line(LINES[name], result)
+            np.testing.assert_allclose(line, found, rtol=1e-9, atol=1e-9 * np.nanmax(np.abs(found), initial=0.0))
+            held += 1
+    assert held, "no example has it"
+
+
+def test_a_line_is_written_in_symbols():
+    assert EVERY["stroke"].in_symbols(EVERY) == "S = H − h"
+    assert EVERY["displacement"].in_symbols(EVERY) == "V_H = Σ V_h"
+    assert EVERY["top_position"].in_symbols(EVERY) == ""

@@ -1,9 +1,11 @@
 """What a result holds, as data beside each array: symbol, unit, dimensions, sentence, source, equation."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import cache
 from operator import attrgetter
+from string import Formatter
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from cranktrain.language import said as _
@@ -50,6 +52,9 @@ class Entry:
         Of a fact that is the end of a curve, the name of the curve; a curve's screens tell it by such facts.
     is_place : bool
         Whether it is a crank angle at which something is, of which a part in percent says nothing.
+    line : str
+        Where it is one line of other quantities, that line with their names, `{top_position} − {bottom_position}`; `Σ`
+        is the sum over the members of what stands behind it.
     """
 
     name: str
@@ -64,6 +69,7 @@ class Entry:
     worst: Worst | None = None
     of: str = ""
     is_place: bool = False
+    line: str = ""
 
     def __repr__(self) -> str:
         """Show name, symbol, unit and sentence."""
@@ -90,6 +96,16 @@ class Entry:
         """Where its formula stands: `docs/theory/gas, eq. (14.8)`; the page alone where it has no number."""
         return cited(self.source, self.numbers)
 
+    def in_symbols(self, catalogue: Mapping[str, "Entry"]) -> str:
+        """Write its line with the symbols of its quantities, `S = H − h`; nothing where it has none."""
+        symbols = {name: catalogue[name].symbol for name in self.line_of}
+        return f"{self.symbol} = {self.line.format_map(symbols)}" if symbols else ""
+
+    @property
+    def line_of(self) -> tuple[str, ...]:
+        """Names of the quantities in its line."""
+        return tuple(name for _text, name, _form, _sign in Formatter().parse(self.line) if name)
+
     @property
     def at(self) -> str:
         """Of an extreme, the name of the quantity that says at which crank angle it is."""
@@ -112,13 +128,17 @@ def quantity(
     shown: str | None = None,
     worst: Worst | None = None,
     is_place: bool = False,
+    line: str = "",
 ) -> Any:
     """Declare a field of a result class as a quantity of the catalogue; the arguments are those of `Entry`.
 
     It is shown in its own unit unless another is given.
     """
     return _declared(
-        dimensions, source, equation, _Part("", symbol, unit, sentence, shown or unit, worst, is_place=is_place)
+        dimensions,
+        source,
+        equation,
+        _Part("", symbol, unit, sentence, shown or unit, worst, is_place=is_place, line=line),
     )
 
 
@@ -187,6 +207,7 @@ class _Part(NamedTuple):
     worst: Worst | None = None
     of: str = ""
     is_place: bool = False
+    line: str = ""
 
 
 def _declared(dimensions: tuple[str, ...], source: str, equation: str, *parts: _Part) -> Any:
@@ -211,6 +232,7 @@ def entries(result_class: type) -> tuple[Entry, ...]:
             part.worst,
             part.of,
             part.is_place,
+            part.line,
         )
         for held in fields(result_class)
         for part, dimensions, source, equation in held.metadata.get("entries", ())

@@ -49,6 +49,7 @@ class ShakingForces(Shaken):
         _THEORY,
         "16.3",
         worst="largest",
+        line="{shaking_force_forward} + {shaking_force_backward}",
     )
     shaking_force_smallest: Array = quantity(
         "F_q",
@@ -93,6 +94,7 @@ class ShakingCouples(Shaken):
         _THEORY,
         "16.3",
         worst="largest",
+        line="{shaking_couple_forward} + {shaking_couple_backward}",
     )
     shaking_couple_smallest: Array = quantity(
         "C_q",

@@ -145,7 +145,9 @@ class SweptVolumes:
         "V_h", "m^3", _CHAMBER, N_("Swept volume of the chamber, by the true stroke"), _THEORY, "14.25"
     )
     bank_swept_volume: Array = quantity("V_b", "m^3", ("bank",), N_("Swept volume of the bank"), _THEORY, "14.25")
-    displacement: Array = quantity("V_H", "m^3", (), N_("Swept volume of all chambers"), _THEORY, "14.25")
+    displacement: Array = quantity(
+        "V_H", "m^3", (), N_("Swept volume of all chambers"), _THEORY, "14.25", line="Σ {swept_volume}"
+    )
 
 
 def swept_volumes(chambers: Chambers, travel: CylinderTravel) -> SweptVolumes:
@@ -173,7 +175,13 @@ class ChamberVolumes(Flagged):
     )
     clearance_volume: Array = quantity("V_c", "m^3", _CHAMBER, N_("Smallest volume of the chamber"), _THEORY, "14.25")
     compression_ratio: Array = quantity(
-        "ε", "1", _CHAMBER, N_("Geometric compression ratio, largest volume over smallest"), _THEORY, "14.25"
+        "ε",
+        "1",
+        _CHAMBER,
+        N_("Geometric compression ratio, largest volume over smallest"),
+        _THEORY,
+        "14.25",
+        line="1 + {swept_volume} / {clearance_volume}",
     )
 
     is_clearance: bool = False

@@ -46,7 +46,13 @@ class FlywheelSize(Flagged):
         "17.7, 17.9, 17.10",
     )
     wanted_flywheel_moment: Array = quantity(
-        "GD²_f", "kg*m^2", (_METHOD,), N_("Flywheel moment of that flywheel, GD² = 4 J"), _THEORY, "17.14"
+        "GD²_f",
+        "kg*m^2",
+        (_METHOD,),
+        N_("Flywheel moment of that flywheel, GD² = 4 J"),
+        _THEORY,
+        "17.14",
+        line="4 · {flywheel_inertia}",
     )
     flywheel_inertia_error: Array = quantity(
         "ΔJ_f/J_f",

@@ -61,7 +61,14 @@ class RunningSpeed(Checked, Flagged):
         "ω_φ", "rad/s", (), N_("Mean speed over the crank angle"), _THEORY, "17.5", shown="rpm"
     )
     mean_speed_of_extremes: Array = quantity(
-        "ω_a", "rad/s", (), N_("Half the sum of largest and smallest speed"), _THEORY, "17.5", shown="rpm"
+        "ω_a",
+        "rad/s",
+        (),
+        N_("Half the sum of largest and smallest speed"),
+        _THEORY,
+        "17.5",
+        shown="rpm",
+        line="({largest_crank_speed} + {smallest_crank_speed}) / 2",
     )
     largest_crank_speed: Extreme = extreme(
         "ω_M",

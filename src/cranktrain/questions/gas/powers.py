@@ -33,6 +33,7 @@ class IndicatedPowers:
         N_("Indicated mean effective pressure of all chambers: work over displacement"),
         _THEORY,
         "14.8",
+        line="Σ {indicated_work} / {displacement}",
     )
 
 
@@ -76,11 +77,23 @@ class BrakePowers:
 
     friction_power: Array = quantity("P_f", "W", (), N_("Power that friction takes"), _THEORY, "14.15")
     brake_power: Array = quantity(
-        "P_e", "W", (), N_("Power that the shaft gives; negative where it is driven"), _THEORY, "14.15"
+        "P_e",
+        "W",
+        (),
+        N_("Power that the shaft gives; negative where it is driven"),
+        _THEORY,
+        "14.15",
+        line="{indicated_power} − {friction_power}",
     )
     brake_torque: Array = quantity("T_e", "N*m", (), N_("Mean torque that the shaft gives"), _THEORY, "14.26")
     mean_brake_pressure: Array = quantity(
-        "p_me", "Pa", (), N_("Brake mean effective pressure: the shaft's work over displacement"), _THEORY, "14.15"
+        "p_me",
+        "Pa",
+        (),
+        N_("Brake mean effective pressure: the shaft's work over displacement"),
+        _THEORY,
+        "14.15",
+        line="{mean_indicated_pressure} · {brake_power} / {indicated_power}",
     )
     brake_efficiency: Array = quantity(
         "η_m",

@@ -64,7 +64,13 @@ class GasPressures(Flagged):
     )
     indicated_work: Array = quantity("W_i", "J", _CHAMBER, N_("Work of the gas over a cycle, ∮p dV"), _THEORY, "14.8")
     indicated_mean_pressure: Array = quantity(
-        "p_i", "Pa", _CHAMBER, N_("Indicated mean effective pressure: work over swept volume"), _THEORY, "14.8"
+        "p_i",
+        "Pa",
+        _CHAMBER,
+        N_("Indicated mean effective pressure: work over swept volume"),
+        _THEORY,
+        "14.8",
+        line="{indicated_work} / {swept_volume}",
     )
     peak_pressure: Extreme = extreme(
         "p_max",

@@ -128,7 +128,15 @@ class DeadCentres(Flagged):
     """Where each piston truly turns back, and how far it travels; outputs: what each is."""
 
     outputs: tuple[OutputPart, ...]
-    stroke: Array = quantity("S", "m", _PISTON, N_("Stroke, between the true dead centres"), _THEORY, "2.7")
+    stroke: Array = quantity(
+        "S",
+        "m",
+        _PISTON,
+        N_("Stroke, between the true dead centres"),
+        _THEORY,
+        "2.7",
+        line="{top_position} − {bottom_position}",
+    )
     top_dead_centre: Array = quantity(
         "φ_T", "deg", _PISTON, N_("Crank angle of the true top dead centre"), _THEORY, "2.6", is_place=True
     )

@@ -79,7 +79,15 @@ _SWING = Limit(
 class DeadPositions(Flagged):
     """Between which positions each rocker swings; NaN for a rocker that turns with the crank."""
 
-    swing: Array = quantity("ψ", "rad", _ROCKER, N_("Angle through which the rocker swings"), _THEORY, "3.6")
+    swing: Array = quantity(
+        "ψ",
+        "rad",
+        _ROCKER,
+        N_("Angle through which the rocker swings"),
+        _THEORY,
+        "3.6",
+        line="{largest_rocker_angle} − {smallest_rocker_angle}",
+    )
     time_ratio: Array = quantity(
         "k", "1", _ROCKER, N_("Crank travel of the slower swing over that of the faster one"), _THEORY, "3.7"
     )

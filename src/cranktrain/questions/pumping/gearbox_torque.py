@@ -101,7 +101,13 @@ class GearboxTorque(Checked, Flagged):
     mean_gearbox_torque: Array = quantity("T_m", "N*m", (), N_("Mean net torque"), _THEORY, "28.4")
     rms_gearbox_torque: Array = quantity("T_rms", "N*m", (), N_("Root mean square of the net torque"), _THEORY, "28.4")
     cyclic_load_factor: Array = quantity(
-        "CLF", "1", (), N_("Cyclic load factor: root mean square of the net torque over its mean"), _THEORY, "28.7"
+        "CLF",
+        "1",
+        (),
+        N_("Cyclic load factor: root mean square of the net torque over its mean"),
+        _THEORY,
+        "28.7",
+        line="{rms_gearbox_torque} / {mean_gearbox_torque}",
     )
     card_work: Array = quantity(
         "W_c", "J", (), N_("Work of a turn at the polished rod: area of its card"), _THEORY, "28.6"

@@ -53,7 +53,12 @@ class DriveFlywheel(Flagged):
         "25.35, 25.36",
     )
     formula_error: Array = quantity(
-        "Δ_F", "1", (), N_("Error of that formula, relative"), _THEORY, "25.35, 25.36, 25.39"
+        "Δ_F",
+        "1",
+        (),
+        N_("Error of that formula, relative"),
+        _THEORY,
+        "25.35, 25.36, 25.39",
     )
     peak_with_flywheel: Array = quantity(
         "M_F,max", "N*m", (), N_("Largest torque of the motor with it"), _THEORY, "25.39"

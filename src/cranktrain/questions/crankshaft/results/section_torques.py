@@ -72,6 +72,7 @@ class SectionTorques(Checked):
         N_("Range of the torque in the journal or crank pin, largest less least"),
         _THEORY,
         "24.37, 24.38",
+        line="{largest_section_torque} − {least_section_torque}",
     )
 
 
