@@ -147,6 +147,7 @@ def test_words_are_values():
     assert str(words) == "3 of 500.00 mm; x"
     assert repr(words) == "'3 of 500.00 mm; x'"
     assert words != str(words)
+    assert number(0.1 + 0.2, "deg") == number(0.3, "deg") != number(0.31, "deg")  # rounding tells no words apart
 
 
 def test_threads_read_in_their_own_languages_and_units(monkeypatch):

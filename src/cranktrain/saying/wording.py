@@ -42,12 +42,23 @@ _PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0, "m³/h": 3600.0}
 """Units that are no input's, and how many of them one in SI is."""
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@dataclass(frozen=True, slots=True, repr=False, eq=False)
 class _Number(Said):
-    """An SI value, said in a unit or the one that a reader chose for it."""
+    """An SI value, said in a unit or the one that a reader chose for it; those that are said alike are one."""
 
     value: float
     unit: str
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Number) and (self.unit, self._usual) == (other.unit, other._usual)
+
+    def __hash__(self) -> int:
+        return hash((self.unit, self._usual))
+
+    @property
+    def _usual(self) -> str:
+        """How it is written where nobody chose another unit."""
+        return _usual_figure(self.value, self.unit) if np.isfinite(self.value) else ABSENT
 
     def said(self, say: Callable[[object], object]) -> str:
         """Say it."""
@@ -100,6 +111,11 @@ def figure(value: float, unit: str) -> str:
     if (chosen := chosen_unit(unit)) is not None:
         size = of_result(value, chosen, unit)
         return signless(f"{size:.{max(decimals_for(abs(size), 4), 0)}f}")
+    return _usual_figure(value, unit)
+
+
+def _usual_figure(value: float, unit: str) -> str:
+    """Write it where nobody chose another unit."""
     size = value * _PLAIN[unit] if unit in _PLAIN else of_result(value, unit, unit)
     decimals = _DECIMALS.get(unit, 3)
     if unit == "%":
