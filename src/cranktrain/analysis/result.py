@@ -14,7 +14,7 @@ from cranktrain.analysis.stages import Missing, every_stage
 from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.brief import brief
 from cranktrain.faces import face
-from cranktrain.language import Listed, Words, _
+from cranktrain.language import Listed, Message, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import needs_of
 from cranktrain.machine import Machine
@@ -172,7 +172,7 @@ class Result:
             if all(question.is_for([need.text for need in one.needs], design) for question in questions)
         )
 
-    def needs_of(self, *quantities: str) -> tuple[Words, ...]:
+    def needs_of(self, *quantities: str) -> tuple[Message, ...]:
         """What the machine file would have to say for quantities that are missing; nothing of others."""
         return next((one.needs for one in self.missing if not set(quantities).isdisjoint(one.results)), ())
 

@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.analysis import Result, run
 from cranktrain.errors import Problem, refuse
 from cranktrain.grouping import grouped
-from cranktrain.language import Listed, Message, Words, _
+from cranktrain.language import Listed, Words, _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, largest_of
@@ -152,7 +152,7 @@ def _lacking(machine: Machine, result: Result) -> Iterator[Problem]:
     """What a machine lacks for the loads of its main bearings, by path."""
     if _NEEDED in result.catalogue:
         return
-    needs = [need.text for need in result.needs_of(_NEEDED) if isinstance(need, Message)]
+    needs = [need.text for need in result.needs_of(_NEEDED)]
     if not needs:
         yield Problem("mechanism", None, _("must be pistons on a crankshaft: the text speaks of no other machine"))
     for path in (need.replace("] ", ".").strip("[]") for need in needs if need != _WEIGHED):
