@@ -82,7 +82,7 @@ def test_nothing_is_said_while_a_machine_is_computed(speechless, name):
     result = ct.run(machine)
     for kind in result.computed.kinds:
         assert result.computed[kind] is not None
-    found = (result.checks, result.flags, result.unused, result.missing, result.worth_asking)
+    found = (result.checks, result.flag_words, result.unused, result.missing, result.worth_asking)
     speechless.end()
     assert all(str(flag) for flag in found[1])
     assert all(str(check.sentence) and str(check.verdict()) for check in found[0])

@@ -25,7 +25,7 @@ from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry, entries, values
 from cranktrain.saying.checks import Check, Checked, Flagged
 from cranktrain.saying.rows import AnswerLine, Telling
-from cranktrain.saying.wording import Printed
+from cranktrain.saying.wording import in_print
 
 if TYPE_CHECKING:
     import pandas
@@ -210,9 +210,8 @@ class Result:
     @property
     def headline(self) -> dict[str, Fact]:
         """Those facts that say most, question by question."""
-        named = (name for question in self.machines[0].questions for name in question.headline)
         facts = self.facts
-        return {name: facts[name] for name in named if name in facts}
+        return {name: facts[name] for one in self.machines[0].questions for name in one.headline if name in facts}
 
     @property
     def checks(self) -> tuple[Check, ...]:
@@ -220,15 +219,22 @@ class Result:
         return tuple(check for outcome in self._outcomes_of(Checked) for check in outcome.checks)
 
     @property
-    def flags(self) -> tuple[Words, ...]:
-        """Warnings of the stages: a textbook form outside its source's range, and the like."""
-        found = ((*outcome.flags, *outcome.unlikely) for outcome in self._outcomes_of(Flagged))
-        return (*self.computed.coarse, *(Printed(flag) for flags in found for flag in flags))
+    def flags(self) -> tuple[str, ...]:
+        """Warnings: a textbook form outside its source's range, and the like; as they are said here and now."""
+        with self._in_its_units():
+            return tuple(in_print(str(flag)) for flag in self.flag_words)
 
     @property
-    def unlikely(self) -> tuple[Words, ...]:
+    def unlikely(self) -> tuple[str, ...]:
         """Those of the flags that ask whether a number of the file is right."""
-        return tuple(Printed(flag) for outcome in self._outcomes_of(Flagged) for flag in outcome.unlikely)
+        with self._in_its_units():
+            return tuple(in_print(str(flag)) for outcome in self._outcomes_of(Flagged) for flag in outcome.unlikely)
+
+    @property
+    def flag_words(self) -> tuple[Words, ...]:
+        """The flags as data, for whoever says them later, or to others."""
+        found = ((*outcome.flags, *outcome.unlikely) for outcome in self._outcomes_of(Flagged))
+        return (*self.computed.coarse, *(flag for flags in found for flag in flags))
 
     def rows(self, design: int = 0) -> Iterator[tuple[Words, list[AnswerLine]]]:
         """Give the lines of the answer for one design, question by question: titles and rows, if there are any.

@@ -26,36 +26,38 @@ _OF_A_BANK = 2
 
 def show_why(file: MachineFile, result: Result, words: str) -> None:
     """Show where a number is from."""
-    entry, *others = quantities_called(words, result)
+    meant, others = quantities_called(words, result)
+    entry, *beside = meant
     found = behind(entry.name, file.machine)
     with page(title(file.machine)) as console:
-        show_numbers(console, result, [entry.name], is_all=False)
-        section(console, _("Where it is from"), _origin(entry, found, others, result.catalogue))
+        show_numbers(console, result, [one.name for one in meant], is_all=False)
+        section(console, _("Where it is from"), _origin(entry, found, [*beside, *others], result.catalogue))
         inputs = list(_inputs(file, found))
         section(console, _("What this rests on"), input_table(inputs, console.width - INDENT))
 
 
-def quantities_called(words: str, result: Result) -> list[Entry]:
-    """Quantities that words may mean, the one that is meant first.
+def quantities_called(words: str, result: Result) -> tuple[list[Entry], list[Entry]]:
+    """Quantities that words mean, and others that they may mean.
 
-    By its name, by the name of a line of the answer that tells it, by words in its name, or by its symbol.
+    A quantity by its own name; those that lines of the answer tell which are called so; else one by words in its name,
+    or by its symbol.
     """
     catalogue, asked = result.catalogue, spelled(words).lower().split()
-    if "_".join(asked) not in catalogue and (found := _of_line(words, result)):
-        return found
     fitting = [entry for entry in catalogue.values() if set(asked) <= set(entry.words.lower().split())] if asked else []
     by_symbol = [entry for entry in catalogue.values() if entry.symbol == words.strip()]
-    found = sorted(fitting, key=lambda entry: len(entry.words.split())) + by_symbol
-    if not found:
-        meant = nearest("_".join(asked), list(catalogue))
+    fitting = sorted(fitting, key=lambda entry: len(entry.words.split())) + by_symbol
+    meant = [catalogue[words]] if words in catalogue else _of_line(words, result) or fitting[:1]
+    if not meant:
+        near = nearest("_".join(asked), list(catalogue))
         allowed = _("must be words in the name of a result, or its symbol; `cranktrain list results` names all")
-        raise InputError([Problem("--why", words, allowed, _('write "{text}"', text=meant) if meant else None)])
-    return found
+        raise InputError([Problem("--why", words, allowed, _('write "{text}"', text=near) if near else None)])
+    return meant, [entry for entry in fitting if entry not in meant]
 
 
 def _of_line(words: str, result: Result) -> list[Entry]:
     """What the lines of the answer tell that are called so."""
-    called = (row for _title, rows in result.rows() for row in rows if one_line(str(row.name)).lower() == words.lower())
+    asked = " ".join(words.split()).lower()
+    called = (row for _title, rows in result.rows() for row in rows if one_line(str(row.name)).lower() == asked)
     names = dict.fromkeys(name for row in called for name in row.quantities)
     return [result.catalogue[name] for name in names if name in result.catalogue]
 

@@ -121,7 +121,7 @@ def json_text(result: Result, machine: Mapping[str, object], names: Collection[s
             {"table": one.table, "needs": list(map(str, one.needs)), "consequence": str(one.consequence)}
             for one in result.unused
         ],
-        "flags": list(map(str, result.flags)),
+        "flags": list(result.flags),
         "missing": [
             {"results": list(missing.results), "needs": list(map(str, missing.needs))} for missing in result.missing
         ],

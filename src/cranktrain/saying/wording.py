@@ -1,7 +1,7 @@
 """Numbers and names put into sentences."""
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import floor, log10
 from string import digits
@@ -158,21 +158,6 @@ def in_print(sentence: str) -> str:
     for pattern, instead in _PRINTED:
         sentence = re.sub(pattern, instead, sentence)
     return sentence
-
-
-@dataclass(frozen=True, slots=True, repr=False)
-class Printed(Said):
-    """Words whose signs and units are written as they are printed."""
-
-    words: Words
-
-    def said(self, say: Callable[[object], object]) -> str:
-        """Say them."""
-        return in_print(str(say(self.words)))
-
-    def each(self) -> Iterable[object]:
-        """Give them."""
-        return (self.words,)
 
 
 _PRINTED = (

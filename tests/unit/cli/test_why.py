@@ -4,7 +4,7 @@ import pytest
 
 
 def test_where_a_side_force_is_from(typed):
-    output = typed("run", "3d12", "--why", "side force").output
+    output = typed("run", "3d12", "--why", "side_force").output
     assert "N [N]: Force of the wall on the piston toward +y" in output
     assert "docs/theory/forces, eqs. (13.10), (13.31)" in output
     assert "piston_force_set" in output
@@ -27,10 +27,13 @@ def test_a_stroke_rests_on_no_gas(typed):
 @pytest.mark.parametrize(
     ("line", "first", "others"),
     [
-        ("true top dead centre", "Top dead centre after the crank points along the cylinder", ""),
+        ("side force", "N_max [N]: Largest force of the wall, on either side", "side_force"),
+        ("excess work", "ΔA [J]: Largest excess work", "excess_work"),
+        ("true  top dead centre ", "Top dead centre after the crank points along the cylinder", ""),
         ("On a crank pin", "R_max [N]: Largest load of the crank pin", "largest_crankpin_load_at"),
         ("speed", "Smallest speed of the crank", "coefficient_of_fluctuation"),
         ("firing order", "From this cylinder's firing to the next one in the order", ""),
+        ("major orders", "Sum of the cylinders' phase vectors of the order", ""),
     ],
 )
 def test_a_line_of_the_answer(typed, line, first, others):
@@ -38,6 +41,13 @@ def test_a_line_of_the_answer(typed, line, first, others):
     output = " ".join(typed("run", "3d12", "--why", line).output.split())
     assert first in output
     assert not others or others in output[output.index("fit these, too") :]
+
+
+def test_all_numbers_of_a_line_are_shown(typed):
+    """As the answer has them: 1497.5 to 1502.8 rpm, δ = 0.003562."""
+    output = typed("run", "3d12", "--why", "speed").output
+    assert [number in output for number in ("1497", "1503", "0.3562")] == [True] * 3
+    assert "5.573  5.412" in typed("run", "3d12", "--why", "side force").output
 
 
 @pytest.mark.parametrize("words", ["largest side force", "force side LARGEST", "largest_side_force", "N_max"])

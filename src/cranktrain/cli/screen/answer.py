@@ -15,7 +15,7 @@ from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.one_line import visible
-from cranktrain.saying.wording import Printed
+from cranktrain.saying.wording import in_print
 from cranktrain.texts.comparison import TextbookMotion
 
 _MOST_LINES = 3
@@ -65,13 +65,13 @@ def conditions(result: Result, width: int) -> Iterator[str]:
 def minded(result: Result) -> list[str]:
     """Give sentences to mind; ranges of textbook forms stand with these."""
     book = result.get(TextbookMotion)
-    of_books = () if book is None else tuple(map(Printed, book.flags))
+    of_books = () if book is None else tuple(in_print(str(flag)) for flag in book.flags)
     failed = [
         _("A check does not hold: {sentence}", sentence=check.sentence)
         for check in result.checks
         if check.judged[0] and not check.passed[0]
     ]
-    flags = [str(flag) for flag in result.flags if flag not in of_books]
+    flags = [flag for flag in result.flags if flag not in of_books]
     return [*map(str, sentences(result.unused)), *failed, *joined(flags)]
 
 

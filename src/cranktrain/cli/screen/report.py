@@ -53,7 +53,7 @@ def show_full(console: Console, file: MachineFile, result: Result, names: Sequen
     console.print(Text("\n").join(group_lines(groups, console.width)), soft_wrap=True)
     show_numbers(console, result, names, is_all=is_all)
     show_checks(console, result)
-    section(console, _("Mind"), map(str, result.flags))
+    section(console, _("Mind"), result.flags)
     section(console, _("What this rests on"), _provenance(file, console.width - INDENT))
     show_missing(console, result)
 

@@ -48,7 +48,7 @@ def flywheel_rows(of: Telling, found: FlywheelSize, rim: RimSize | None) -> Iter
     """The flywheel for the evenness that is wanted, exact and as others reckon it, and its rim."""
     name = _("flywheel for δ {wanted}", wanted=f"{float(found.wanted[of.design]):.4g}")
     if of.values(found, "flywheel_inertia")[0] <= 0:
-        yield worded(name, _("none: the moving parts alone suffice"))
+        yield worded(name, _("none: the moving parts alone suffice"), quantity="flywheel_inertia")
     else:
         mertsalov, textbook = (of.amount(found, "flywheel_inertia_error", form, unit="off") for form in (1, 2))
         words = _("{values}, Mertsalov {mertsalov}, textbooks {textbook}", mertsalov=mertsalov, textbook=textbook)

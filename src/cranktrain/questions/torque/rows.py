@@ -43,7 +43,8 @@ def major_rows(of: Telling, stars: PhaseStarSums) -> Iterator[AnswerLine]:
     names = of.labels["order"]
     major = [name for name, is_major in zip(names, stars.is_major[of.design], strict=True) if is_major]
     if major and len(major) < len(names):
-        yield worded(_("major orders"), ", ".join([*major[:_NAMED], *["…"] * (len(major) > _NAMED)]))
+        named = ", ".join([*major[:_NAMED], *["…"] * (len(major) > _NAMED)])
+        yield worded(_("major orders"), named, quantity="phase_star_sum")
 
 
 def star_rows(of: Telling, stars: PhaseStarSums, torques: ShaftTorques | None) -> Iterator[AnswerLine]:
