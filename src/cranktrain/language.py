@@ -1,6 +1,7 @@
 """Words for people, in the language of whoever reads them: every string that a user reads passes through here."""
 
 import gettext
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -35,9 +36,10 @@ def _catalogue(language: str | None) -> gettext.NullTranslations:
     return gettext.translation("cranktrain", Path(__file__).parent / "locale", languages, fallback=True)
 
 
-@dataclass(frozen=True, slots=True, repr=False)
-class Said:
+class Said(ABC):
     """Words that are said when they are read, in the language and the units of whoever reads them then."""
+
+    __slots__ = ()
 
     def __str__(self) -> str:
         """Say them."""
@@ -47,9 +49,9 @@ class Said:
         """Show them as a text is shown."""
         return repr(str(self))
 
+    @abstractmethod
     def said(self, say: Callable[[object], object]) -> str:
         """Say them with what `say` makes of each of their pieces."""
-        raise NotImplementedError
 
     def each(self) -> Iterable[object]:
         """Give what they are made of."""

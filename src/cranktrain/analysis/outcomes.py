@@ -274,7 +274,7 @@ def read_only(outcome: object) -> None:
         for value in open_ends.pop():
             if isinstance(value, np.ndarray):
                 value.setflags(write=False)
-            elif not isinstance(value, str | Said) and _may_hold_arrays(type(value)) and id(value) not in seen:
+            elif _may_hold_arrays(type(value)) and id(value) not in seen:
                 seen.add(id(value))
                 open_ends.append(
                     cast("tuple[object, ...]", value) if isinstance(value, tuple) else vars(value).values()
@@ -283,5 +283,8 @@ def read_only(outcome: object) -> None:
 
 @cache
 def _may_hold_arrays(kind: type) -> bool:
-    """Whether a value of some type, no array itself, may hold arrays: a tuple or an object with fields, but no kind."""
-    return issubclass(kind, tuple) or (is_dataclass(cast(object, kind)) and not issubclass(kind, Kind))
+    """Whether a value of some type, no array itself, may hold arrays: a tuple or an object with fields.
+
+    No kind does, and no words.
+    """
+    return issubclass(kind, tuple) or (is_dataclass(cast(object, kind)) and not issubclass(kind, Kind | Said))

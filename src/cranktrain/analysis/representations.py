@@ -56,9 +56,9 @@ def result_html(result: Result) -> str:
     machine = result.machines[0]
     parts = [f"<b>{_name(machine)}</b>", _paragraph(_about(machine))]
     parts += [_paragraph(f"! {sentence}") for sentence in sentences(result.unused)]
-    if result.flags:
-        flagged = _("! 1 flag") if len(result.flags) == 1 else _("! {n} flags", n=len(result.flags))
-        parts.append(_folded(flagged, result.flags))
+    if flags := result.flags:
+        flagged = _("! 1 flag") if len(flags) == 1 else _("! {n} flags", n=len(flags))
+        parts.append(_folded(flagged, flags))
     if result.has_designs:
         parts.append(f"<ul>{''.join(f'<li>{escape(line)}</li>' for line in summary_of_designs(result))}</ul>")
     else:
@@ -90,7 +90,7 @@ def _trust(result: Result) -> Iterator[str]:
     """Say how many checks hold, and do not, and of how much one is warned."""
     held = sum(bool(check.passed.all()) for check in result.checks)
     failed = sum(bool((check.judged & ~check.passed).any()) for check in result.checks)
-    n_flags = len(result.flags) + len(sentences(result.unused))
+    n_flags = len(result.flag_words) + len(sentences(result.unused))
     for n, one, more in (
         (held, _("1 check holds"), _("{n} checks hold")),
         (failed, _("1 check does not hold"), _("{n} checks do not hold")),

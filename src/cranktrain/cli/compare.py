@@ -70,7 +70,7 @@ def _minded(comparison: Comparison) -> Iterator[str]:
         n_failed = sum(bool((check.judged & ~check.passed).any()) for check in result.checks)
         if n_failed:
             yield _("! {name}: checks that do not hold: {n}", name=one_line(name), n=n_failed)
-    flagged = [len(result.flags) for result in comparison.results]
+    flagged = [len(result.flag_words) for result in comparison.results]
     if any(flagged):
         first, second = (one_line(name) for name in comparison.names)
         yield _(

@@ -66,7 +66,8 @@ def _origin(entry: Entry, found: Pipeline, others: list[Entry], catalogue: Mappi
     """What a quantity is, its equation, in symbols where it is a line of others, and the stages that lead to it."""
     yield f"{entry.symbol or entry.name} [{entry.unit}]: {entry.sentence}"
     yield entry.citation
-    yield from filter(None, [entry.in_symbols(catalogue)])
+    if line := entry.in_symbols(catalogue):
+        yield line
     yield _("Stages: {stages}", stages=" → ".join(stage.name for stage in found.stages))
     yield _("More: cranktrain list results --behind {name}", name=entry.name)
     if others:

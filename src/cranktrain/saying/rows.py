@@ -1,7 +1,7 @@
 """Rows of the answer as data: a name, and SI values of some members or words with SI values in them."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import field
 from functools import cache
 from string import Formatter
 
@@ -170,8 +170,11 @@ class Telling:
 
     def alike(self, found: object, quantity: str, *, unit: str = "") -> Amount | None:
         """Give the amount that a quantity is of all its members; None where they differ by more than rounding."""
-        one = alike(self.values(found, quantity), unit or _shown(entry_called(type(found), quantity)))
-        return None if one is None else replace(one, quantity=quantity)
+        every = self.values(found, quantity)
+        known = every[np.isfinite(every)]
+        if known.size == 0 or np.ptp(known) > _SAME * max(float(np.max(np.abs(known))), _SAME):
+            return None
+        return Amount(float(known[0]), unit or _shown(entry_called(type(found), quantity)), quantity)
 
     def line(self, name: Words, message: str, found: object, **pieces: Words) -> AnswerLine:
         """Give a row of words in which `{name}` stands for the amount of a quantity of a result, or for a piece.
@@ -197,11 +200,3 @@ def entry_called(kind: type, quantity: str) -> Entry:
 def _shown(entry: Entry) -> str:
     """What values of a quantity are in rows, where all angles are in radians."""
     return "position" if entry.is_place else "rad" if entry.shown == "deg" else entry.shown
-
-
-def alike(values: Array, unit: str) -> Amount | None:
-    """Give what all values are; None where they differ by more than rounding."""
-    known = values[np.isfinite(values)]
-    if known.size == 0 or np.ptp(known) > _SAME * max(float(np.max(np.abs(known))), _SAME):
-        return None
-    return Amount(float(known[0]), unit)

@@ -14,7 +14,7 @@ from cranktrain.io.syntax import parsed
 from cranktrain.language import Words, _
 from cranktrain.motion import Array
 from cranktrain.plans.machine_drive import machine_drive
-from cranktrain.saying.wording import in_words, number
+from cranktrain.saying.wording import all_of, number
 from cranktrain.textbook.alike import instead
 from cranktrain.textbook.asked_angle import asked_angle
 from cranktrain.textbook.statements import Statement, StatementCurve, Statements, Verdict
@@ -330,5 +330,5 @@ def _of_friction(drive: CrankRockerDrive) -> Iterator[Words]:
         largest=number(found.largest, "N*m"),
         extended=number(found.at_dead[0], "N*m"),
         folded=number(found.at_dead[1], "N*m"),
-        parts=in_words(parts),
+        parts=all_of(parts),
     )

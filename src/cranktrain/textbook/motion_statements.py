@@ -13,7 +13,7 @@ from cranktrain.language import Listed, Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
-from cranktrain.saying.wording import in_words, ranged
+from cranktrain.saying.wording import all_of, ranged
 from cranktrain.textbook.alike import AlikePistons, alike, unspoken
 from cranktrain.textbook.construction_statements import construction_statements
 from cranktrain.textbook.crank_rocker_statements import alike_rockers, crank_rocker_curves, crank_rocker_statements
@@ -167,7 +167,7 @@ def _inside_of(one: Range, places: Sequence[PlacedMechanism]) -> Words:
 def _inside(one: Range, place: PlacedMechanism) -> Words:
     radius, rod, offset = plain_crank(getattr(place.geometry, "master", place.geometry))
     if reasons := list(one.reasons(float(radius / rod), float(offset))):
-        return _("outside, as {reasons}", reasons=in_words(reasons))
+        return _("outside, as {reasons}", reasons=all_of(reasons))
     return _("inside, λ = {ratio:.4g}", ratio=float(f"{float(radius / rod):.4g}"))
 
 

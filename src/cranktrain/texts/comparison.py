@@ -19,7 +19,7 @@ from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
 from cranktrain.saying.catalogue import coefficients, extreme
 from cranktrain.saying.checks import Flagged
-from cranktrain.saying.wording import in_words, ranged
+from cranktrain.saying.wording import all_of, ranged
 from cranktrain.texts.leads import lead_flags
 from cranktrain.texts.plain_cranks import PLAIN, own_angle, plain_crank
 from cranktrain.texts.ranges import RANGES, Range
@@ -222,7 +222,7 @@ def _reasons(one: Range, batch: Batch) -> dict[Words, list[int]]:
     is_outside = one.outside(ratio, offset)
     first = np.argmax(is_outside, axis=0)
     return grouped(
-        (in_words(list(one.reasons(float(ratio[design, member]), float(offset[design, member])))), member)
+        (all_of(list(one.reasons(float(ratio[design, member]), float(offset[design, member])))), member)
         for member, design in enumerate(first.tolist())
         if is_outside[design, member]
     )

@@ -65,13 +65,13 @@ def conditions(result: Result, width: int) -> Iterator[str]:
 def minded(result: Result) -> list[str]:
     """Give sentences to mind; ranges of textbook forms stand with these."""
     book = result.get(TextbookMotion)
-    of_books = () if book is None else tuple(in_print(str(flag)) for flag in book.flags)
+    of_books = () if book is None else book.flags
     failed = [
         _("A check does not hold: {sentence}", sentence=check.sentence)
         for check in result.checks
         if check.judged[0] and not check.passed[0]
     ]
-    flags = [flag for flag in result.flags if flag not in of_books]
+    flags = [in_print(str(flag)) for flag in result.flag_words if flag not in of_books]
     return [*map(str, sentences(result.unused)), *failed, *joined(flags)]
 
 

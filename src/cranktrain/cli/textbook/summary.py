@@ -18,7 +18,7 @@ from cranktrain.language import said as _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.plans.machine_drive import machine_drive, missing_values
-from cranktrain.saying.wording import in_words, ranged
+from cranktrain.saying.wording import all_of, ranged
 from cranktrain.textbook.alike import AlikePistons, alike
 from cranktrain.textbook.motion_statements import form_curves, form_statements
 from cranktrain.textbook.opposed_statements import OpposedCylinders, opposed_cylinders, opposed_statements
@@ -118,7 +118,7 @@ def _inside(one: Range, piston: AlikePistons) -> str:
     if one.most_ratio is None:
         return _("the text gives no range")
     outside = list(one.reasons(piston.ratio, piston.offset))
-    return _("outside, as {reasons}", reasons=in_words(outside)) if outside else _("inside its range")
+    return _("outside, as {reasons}", reasons=all_of(outside)) if outside else _("inside its range")
 
 
 def _of_opposed(cylinders: Sequence[OpposedCylinders], result: Result) -> Iterator[_Row]:
