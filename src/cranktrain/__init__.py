@@ -71,10 +71,10 @@ A motor
 Pictures
     They are figures of matplotlib, which a notebook shows; `ct.viz` has plans and constructions too.
 
-    >>> figure = result.plot("piston_velocity", "piston_acceleration")
-    >>> sheet = result.sheet()
+    >>> figure, sheet = result.plot("piston_velocity", "piston_acceleration"), result.sheet()
     >>> plan = ct.viz.plan_positions(pump, 12)
     >>> ct.viz.save(plan, "positions.svg")  # doctest: +SKIP
+    >>> drawn = ct.drawing(pump, [0, 90])  # the same machine as data: shafts, pins, links, paths; drawn.to_dict()
 
 Two machines
     >>> compared = ct.compare(pump, longer, quantities="largest_piston_speed")
@@ -108,7 +108,7 @@ if TYPE_CHECKING:
     from cranktrain.io.examples import example_names
     from cranktrain.language import in_language
     from cranktrain.machine import Machine
-    from cranktrain.public import behind, compare, run, start, units
+    from cranktrain.public import behind, compare, drawing, run, start, units
     from cranktrain.study.start import Start
 
 __all__ = [
@@ -121,6 +121,7 @@ __all__ = [
     "__version__",
     "behind",
     "compare",
+    "drawing",
     "example_names",
     "in_language",
     "load",
@@ -143,6 +144,7 @@ _HOMES = {
     "Start": "study.start",
     "behind": "public",
     "compare": "public",
+    "drawing": "public",
     "example_names": "io.examples",
     "in_language": "language",
     "load": "io.any_machine",

@@ -15,9 +15,12 @@ from cranktrain.language import said as _
 from cranktrain.quantities import shown_by, units_by_dimension
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from cranktrain.analysis import SpeedWanted
     from cranktrain.analysis.pipeline import Pipeline
     from cranktrain.io.any_machine import MachineLike
+    from cranktrain.panels.drawing import MachineDrawing
     from cranktrain.study.start import Start
     from cranktrain.transient.runs import Progress
 
@@ -213,6 +216,55 @@ def behind(
     source = sources_of(machine, set, partial=False)[0][0]
     with problems_as(source.placed):
         return found_behind(quantity, source.machine)
+
+
+def drawing(
+    machine: "MachineLike",
+    at: "ArrayLike" = 0.0,
+    *,
+    set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
+    mechanism: str | None = None,
+    speed: "SpeedWanted" = "constant",
+) -> "MachineDrawing":
+    """Give a machine's drawing as data: every mechanism of every throw, where it stands, at crank angles.
+
+    Parameters
+    ----------
+    machine : str, path-like, dict or Machine
+        As `run` takes it. Its links may close over a part of the turn; elsewhere pins are NaN.
+    at : float or array-like of shape (n,)
+        Crank angles as the machine shows them. [deg]
+    set : mapping of str, optional
+        Other values by path, as `Machine.with_` takes them.
+    mechanism : str, optional
+        Whose throw alone is drawn, by the mechanism's name or its cylinder's, with all that shares cylinders with it.
+    speed : "constant", "running", array-like of shape (crank_angle,), or SpeedCurve
+        By which some loads go; as `run` takes it.
+
+    Returns
+    -------
+    MachineDrawing
+        Its `shafts`, `mechanisms` with pins of shape (2, n), links, guides and paths, and `loads`, in metres, newtons
+        and radians: X right and Y up from the centre of the main shaft. `to_dict()` is the same for JSON.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with the machine; for angles that are none, and for a mechanism that there is not.
+
+    Examples
+    --------
+    >>> drawn = drawing("deltic", [0.0, 90.0])
+    >>> len(drawn.mechanisms), [shaft.name for shaft in drawn.shafts]
+    (36, ['main', 'right', 'bottom'])
+    >>> drawn.mechanism("1A.exhaust").pins["B"].shape
+    (2, 2)
+    """
+    from cranktrain.panels.drawing_of_machine import machine_drawing
+
+    source = sources_of(machine, set, partial=True)[0][0]
+    with problems_as(source.placed):
+        return machine_drawing(source.machine, at, mechanism=mechanism, speed=speed)
 
 
 @contextmanager

@@ -47,7 +47,8 @@ from cranktrain import viz
 from cranktrain.cli.synthesis.requirements import requirements_of
 from cranktrain.spec import words_of
 from cranktrain.synthesis.counterweights import counterweights
-from cranktrain.viz.sheets.crankshaft.polar import line_of_method
+from cranktrain.panels.sheets.crankshaft.panels import method_place
+from cranktrain.viz.paper.polar import line_of_method
 
 result = ct.run("vaz_21213")
 names = result.labels["bearing_method"]
@@ -63,7 +64,7 @@ json.dump(
         "loads": {name: load[place].tolist() for place, name in enumerate(names)},
         "summary": result.summary(),
         "written": [text.get_text() for axes in sheet.axes for text in axes.texts],
-        "lines": [str(sorted(line_of_method(name, is_first=not place).items())) for place, name in enumerate(names)],
+        "lines": [str(sorted(line_of_method(place).items())) for place in (0, *map(method_place, names[1:]))],
         "drawn": sorted({str(line) for line in drawn}),
         "words": words_of(method.annotation),
         "relieved": str(counterweights(ct.load("vaz_21213"), method="heavier").remarks[0]),

@@ -7,6 +7,7 @@ from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.mechanisms import KINDS
+from cranktrain.panels.throw_scene import scene_of
 from cranktrain.plans.force_polygons import force_polygons
 from cranktrain.plans.positions import position_plan
 from cranktrain.plans.shown_loads import shown_loads
@@ -17,7 +18,6 @@ from cranktrain.viz.paper.load_arrows import load_words
 from cranktrain.viz.plans.cad import dxf
 from cranktrain.viz.plans.sketches import positions_sketch
 from cranktrain.viz.throw.mechanism import mechanism_sketch
-from cranktrain.viz.throw.scene import scene_of
 
 ANGLES = [33.0, 200.0]
 

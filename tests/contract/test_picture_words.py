@@ -17,6 +17,7 @@ from tests.words_on_paper import MILLIMETRE, assert_words_are_readable
 import cranktrain as ct
 from cranktrain import viz
 from cranktrain.io.examples import example_names
+from cranktrain.viz.pictures import drawing_of
 
 POWER = re.compile(r"\d[eE][+\-−]?\d")
 HYPHEN = re.compile(r"(?<![\w.)\]-])-\s?(?=[\d.])")
@@ -42,7 +43,7 @@ def pictures_of(result: ct.Result) -> Iterator[tuple[str, object]]:
         if picture.kind != "file":
             try:
                 of = {"angles": lambda: machine, "cycle": lambda: result, "time": lambda: ct.start(machine)}
-                yield f"{picture.kind} {picture.name}", picture.function(of[picture.over]())
+                yield f"{picture.kind} {picture.name}", drawing_of(picture)(of[picture.over]())
             except ct.InputError:
                 continue
 

@@ -5,28 +5,28 @@ import re
 import subprocess
 import sys
 from functools import cache
-from importlib.util import find_spec
 from pathlib import Path
-from pkgutil import iter_modules
+from pkgutil import iter_modules, walk_packages
 from typing import get_args, get_type_hints
 
 import pytest
 from tests.loaded_machines import LOADED
 
 import cranktrain as ct
-from cranktrain import viz
+from cranktrain import panels, viz
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import every_stage
 from cranktrain.io.examples import example_names
+from cranktrain.panels import sheets
 from cranktrain.saying.catalogue import entries
-from cranktrain.viz import sheets
+from cranktrain.viz.pictures import drawing_of
 
 PACKAGE = Path(viz.__file__).parents[1]
 FOLDERS = sorted(module.name for module in iter_modules(sheets.__path__))
-ABOVE = ("viz", "cli", "__init__.py", "faces.py")
+ABOVE = ("panels", "viz", "cli", "__init__.py", "faces.py")
 """Folders whose modules may speak of pictures."""
 
-DATA = [name for folder in FOLDERS if find_spec(name := f"{sheets.__name__}.{folder}.panels") is not None]
+DATA = [module.name for module in walk_packages(panels.__path__, f"{panels.__name__}.")]
 
 
 @cache
@@ -45,7 +45,7 @@ def shown(picture):
 
 def test_folders_are_named_after_questions():
     assert set(FOLDERS) <= {question.name for question in QUESTIONS}, (
-        "a folder of viz/sheets has the name of the question whose pictures it has"
+        "a folder of panels/sheets has the name of the question whose pictures it has"
     )
 
 
@@ -107,15 +107,27 @@ def test_a_picture_says_what_the_machine_lacks():
     for picture in viz.PICTURES:
         if picture.over == "cycle" and picture.needs:
             with pytest.raises(ct.InputError, match=r"needs .*\["):
-                picture.function(pump)
+                drawing_of(picture)(pump)
 
 
 def test_panels_need_nothing_that_draws():
     code = f"import sys\nfrom importlib import import_module\nfor name in {DATA!r}: import_module(name)\n"
-    code += "print([name for name in sys.modules if name == 'matplotlib' or name.startswith('cranktrain.viz.paper')])"
+    code += "print([name for name in sys.modules if name == 'matplotlib' or name.startswith('cranktrain.viz')])"
     environment = {"PYTHONPATH": ":".join(filter(None, sys.path))}
     done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
-    assert done.stdout == "[]\n", "panels are data: import what draws in sheet.py"
+    assert done.stdout == "[]\n", "panels are data, which a face draws"
+
+
+RUNS = {"Result", "Comparison", "Start", "Proposal", "Statements", "run", "compared", "start"}
+"""What computes, and what it gives: panels are made of these."""
+
+
+def test_what_draws_reads_no_result():
+    """A picture is drawn from its data alone, so that a page and a report show the same."""
+    for path in (PACKAGE / "viz").rglob("*.py"):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        taken = {one.name for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) for one in node.names}
+        assert not taken & RUNS, f"{path} takes {sorted(taken & RUNS)}: what it draws of these is data of panels/"
 
 
 def test_nothing_below_names_pictures():

@@ -29,6 +29,7 @@ import cranktrain as ct
 from cranktrain import language, viz
 from cranktrain.mechanisms import KINDS
 from cranktrain.saying.comments import comments_in
+from cranktrain.viz.pictures import drawing_of
 
 __all__ = ["pseudo"]
 
@@ -156,7 +157,7 @@ def test_pictures(example):
         for picture in (one for one in viz.PICTURES if one.kind != "file"):
             of = {"angles": lambda: result.machines[0], "cycle": lambda: result, "time": lambda: ct.start(example)}
             try:
-                figure = picture.function(of[picture.over]())
+                figure = drawing_of(picture)(of[picture.over]())
             except ct.InputError:
                 continue
             words = {text.get_text() for text in figure.findobj(Text) if text.get_visible()}

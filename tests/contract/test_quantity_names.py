@@ -37,7 +37,7 @@ OTHERS = {
     "quantities/heads.py": "heads of columns in a file of measured pressures",
     "cli/synthesis/requirements.py": "options of the terminal",
     "texts/throw_table.py": "columns of a table that a text has",
-    "viz/paper/page.py": "symbols, which have indices",
+    "panels/formulas.py": "symbols, which have indices",
     "viz/plans/sketches.py": "pins of a drawing, which have indices",
 }
 """Modules that read names of other things, which have words in common with quantities'."""

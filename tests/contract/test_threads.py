@@ -20,6 +20,7 @@ SMALL = {
     "layout/standing.py": "two vectors of the plane",
     "numerics/products.py": "the blocks",
     "numerics/tops.py": "a stack of four by five",
+    "panels/": "vectors of the plane",
     "plans/": "vectors of the plane",
     "transient/clutched/": "the few states of a clutched drive",
     "questions/drive/cycle_equation.py": "the pieces of a cycle, at most some hundreds, by twelve nodes",

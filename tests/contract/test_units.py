@@ -5,13 +5,13 @@ import pint
 import pytest
 
 from cranktrain.analysis import every_stage
+from cranktrain.panels.shapes import Curve, Panel, as_shown
 from cranktrain.quantities import SHOWN, counted_from, shown_by, unit_names, units_by_dimension
 from cranktrain.saying.amounts import figures
 from cranktrain.saying.catalogue import entries
 from cranktrain.saying.scales import SCALES, in_asked_unit, scale_for
 from cranktrain.saying.wording import number
 from cranktrain.study.start import StartCurves
-from cranktrain.viz.panel import Curve, Panel, as_shown
 
 OF_PINT = {
     **{name: name for name in ("mm", "cm", "m", "ft", "rad", "rad/s", "m/s", "mm/s", "ft/s", "N", "kN", "kgf")},

@@ -10,7 +10,7 @@ class NamingPictures(TyperCommand):
 
     def get_help(self, ctx: Any) -> str:
         """Give the help, with the names."""
-        from cranktrain.viz.sheets import PICTURES
+        from cranktrain.panels.sheets import PICTURES
 
         options: Any = self.params
         for option in options:

@@ -22,11 +22,11 @@ from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
+from cranktrain.panels.picture import Picture
 from cranktrain.quantities import Dimension, QuantityError, UnitChoice, read, shown, unlisted
 from cranktrain.record import record
 from cranktrain.viz import PICTURES, save, save_animation
 from cranktrain.viz.output import FORMATS
-from cranktrain.viz.picture import Picture
 
 Angles: TypeAlias = int | list[float] | Literal["source"]
 """How many crank angles over a turn, which [deg], or the twelve positions of [slider-crank-synthesis]."""
@@ -253,20 +253,22 @@ def _degrees(words: str, option: str, text: str) -> list[float]:
 
 def _draw(file: MachineFile, choice: Choice, request: PlotRequest) -> None:
     """Draw once the file is known to be possible, and write it."""
+    from cranktrain.viz.pictures import drawing_of
+
     picture, name, force = choice.picture, request.output or "", request.force
     if picture.name == ".gif":
         save_animation(_result(file, picture, request), name, force=force, piston=request.mechanism)
     elif picture.name == ".dxf":
         options = {"angles": _POSITIONS} | _of_machine(file, choice, request)
-        picture.function(file.machine, path=name, **options, force=force)
+        drawing_of(picture)(file.machine, path=name, **options, force=force)
     elif picture.over == "angles":
         options = _of_machine(file, choice, request) | {"size": choice.size}
-        save(lambda: picture.function(file.machine, **options), name, force=force)
+        save(lambda: drawing_of(picture)(file.machine, **options), name, force=force)
     else:
         angle = {"at": choice.angles[0]} if isinstance(choice.angles, list) else {}
         whose = {"piston": request.mechanism} if request.mechanism is not None else {}
         options = angle | whose | {"size": choice.size} | _chosen(choice)
-        save(lambda: picture.function(_result(file, picture, request), **options), name, force=force)
+        save(lambda: drawing_of(picture)(_result(file, picture, request), **options), name, force=force)
 
 
 def _result(file: MachineFile, picture: Picture, request: PlotRequest) -> Result:

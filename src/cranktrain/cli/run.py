@@ -100,11 +100,12 @@ def _show_curves(file: MachineFile, request: RunRequest, form: "Form | None") ->
 
         write_whole(request.output, written_curves(form, result, chosen.columns, chosen.angles), force=request.force)
     elif request.output is not None:
+        from cranktrain.panels.parts import sheet_of
         from cranktrain.viz.curve_table import curve_table
         from cranktrain.viz.output import save
 
-        sheet = curve_table(result, table_title(asked, chosen), chosen.columns, chosen.angles)
-        save(sheet, request.output, force=request.force)
+        sheet = sheet_of(result, 0, table_title(asked, chosen))
+        save(curve_table(sheet, chosen.columns, chosen.angles), request.output, force=request.force)
     _show_minded(result)
     if request.output is None:
         show_curves(result, asked, request.quantities, chosen)

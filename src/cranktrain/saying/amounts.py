@@ -124,6 +124,44 @@ class Amount(Said):
 
 
 @dataclass(frozen=True, slots=True, repr=False)
+class BareAmount(Said):
+    """One value in words without its unit, which stands elsewhere: that of one of a size beside which it stands."""
+
+    value: float
+    unit: str
+    beside: float = 0.0
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it."""
+        return written(np.array([self.value]), self.unit, beside=self.beside).texts[0]
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class ApartAmount(Said):
+    """The value at a place among several, without its unit, with as many digits as tell all of them apart."""
+
+    values: tuple[float, ...]
+    unit: str
+    place: int
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it."""
+        return written(np.array(self.values), self.unit, apart=True).texts[self.place]
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class UnitLabel(Said):
+    """The unit in which a value of a size is said."""
+
+    unit: str
+    size: float
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it."""
+        return scale_for(self.unit, self.size).label
+
+
+@dataclass(frozen=True, slots=True, repr=False)
 class Extent(Said):
     """A range in words: from `least` to `most`, both as in `Amount`, with as many digits as tell them apart.
 

@@ -3,8 +3,10 @@
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 from math import floor, log10
 from string import digits
+from typing import TypeVar
 
 import numpy as np
 
@@ -12,6 +14,8 @@ from cranktrain.grouping import places_of_equal
 from cranktrain.language import N_, Listed, Said, Words, _
 from cranktrain.motion import Array
 from cranktrain.quantities import Given, chosen_unit, of_result, shown
+
+Chosen = TypeVar("Chosen", bound=Words)
 
 Names = Mapping[str, Sequence[str]]
 """Labels of each dimension: the pistons', the chambers', …"""
@@ -36,6 +40,11 @@ _DECIMALS = {
     "Hz": 2,
     "m³/h": 2,
 }
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+_FIGURES = 4
+"""Of a number that is not round."""
+
 _SLOW_TOO = {"m/s", "m/s^2", "N*m", "N", "kN", "kW", "J", "kg*m^2", "Hz", "m³/h", "s"}
 """Units in which a slow or small machine's numbers need more decimals: three figures at least."""
 _PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0, "m³/h": 3600.0}
@@ -258,3 +267,40 @@ def _in_turn(message: str, names: Sequence[Words]) -> Words:
     for other in others:
         said = _(message, first=said, last=other)
     return said
+
+
+def first_that_holds(*cases: tuple[bool, Chosen]) -> Chosen:
+    """Give the first of some sentences whose case it is."""
+    return next(sentence for holds, sentence in cases if holds)
+
+
+def power_of_ten(value: float) -> str:
+    """Write a very small number by its power of ten.
+
+    Examples
+    --------
+    >>> power_of_ten(3.24e-16), power_of_ten(0.0)
+    ('3.2·10⁻¹⁶', '0')
+    """
+    if value == 0.0:
+        return "0"
+    mantissa, _e, exponent = f"{value:.1e}".partition("e")
+    return f"{true_minus(mantissa)}·10{str(int(exponent)).translate(_RAISED)}"
+
+
+def true_minus(text: str) -> str:
+    """Write the minus of a number as it is printed."""
+    return text.replace("-", "−")
+
+
+def plain(value: float) -> str:
+    """Write a round number as it is, and one that is not with four figures.
+
+    Examples
+    --------
+    >>> plain(0.00005), plain(25.0), plain(0.196850394)
+    ('0.00005', '25', '0.1969')
+    """
+    exact = Decimal(f"{value:.6g}")
+    short = Decimal(f"{value:.{_FIGURES}g}")
+    return true_minus(f"{(exact if len(exact.normalize().as_tuple().digits) < _FIGURES else short).normalize():f}")

@@ -6,9 +6,9 @@ What draws a picture, such as `plan_forces`, is found by its record in `PICTURES
 from collections.abc import Callable
 from typing import Any
 
+from cranktrain.panels.sheets import PICTURES
+from cranktrain.panels.sheets.motion import SHEET_QUANTITIES
 from cranktrain.viz.output import save, save_animation
-from cranktrain.viz.sheets import PICTURES
-from cranktrain.viz.sheets.motion import SHEET_QUANTITIES
 
 __all__ = ["PICTURES", "SHEET_QUANTITIES", "save", "save_animation"]
 
@@ -16,7 +16,9 @@ __all__ = ["PICTURES", "SHEET_QUANTITIES", "save", "save_animation"]
 def __getattr__(name: str) -> Callable[..., Any]:
     for picture in PICTURES:
         if picture.home.endswith(f":{name}"):
-            return picture.function
+            from cranktrain.viz.pictures import drawing_of  # only for who draws
+
+            return drawing_of(picture)
     if name.startswith("_"):
         raise AttributeError(f"cranktrain.viz has no {name}")
     from cranktrain.quantities import nearest  # only after a mistake

@@ -2,14 +2,15 @@
 
 from collections.abc import Iterator, Sequence
 
-from cranktrain.analysis import Result
 from cranktrain.analysis.curve_columns import CurveColumn
 from cranktrain.analysis.figures import shown_in, text_in
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import said as _
 from cranktrain.motion import Array
-from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.page import LINE, Figure, drawing_settings, mathematics
+from cranktrain.panels.formulas import mathematics
+from cranktrain.panels.parts import Sheet
+from cranktrain.viz.paper.head import headed_page
+from cranktrain.viz.paper.page import LINE, Figure, drawing_settings
 from cranktrain.viz.paper.tables import LEAST_ROW, write_table
 
 _HEADS = 2
@@ -27,17 +28,13 @@ _LETTERS, _SYMBOL = 150, 6
 
 
 @drawing_settings()
-def curve_table(
-    result: Result, title: str, columns: Sequence[CurveColumn], angles: Array, *, size: str = "A4"
-) -> Figure:
+def curve_table(sheet: Sheet, columns: Sequence[CurveColumn], angles: Array, *, size: str = "A4") -> Figure:
     """Draw a table of curves.
 
     Parameters
     ----------
-    result : Result
-        Of one machine.
-    title : str
-        What it is of.
+    sheet : Sheet
+        On which it stands alone.
     columns : sequence of CurveColumn
         With values at the angles.
     angles : Array, shape (n,)
@@ -54,7 +51,7 @@ def curve_table(
     InputError
         If there are more lines than a sheet holds.
     """
-    page, box = result_page(result, 0, size, title)
+    page, box = headed_page(sheet, size)
     notes = list(_names(columns))
     top = box.bottom + box.height
     n_lines = int((box.height - LINE * (len(notes) + 1) - _HEAD - LEAST_ROW) / LEAST_ROW)

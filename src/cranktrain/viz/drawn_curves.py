@@ -1,20 +1,18 @@
 """Panels of curves over the crank angle as a figure of the plotting library, which a notebook shows."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from io import BytesIO
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from cranktrain.language import said as _
-from cranktrain.motion import Array
 from cranktrain.one_line import visible
-from cranktrain.record import record
+from cranktrain.panels.plotted import Plot
+from cranktrain.panels.shapes import Curve, Panel, as_shown
+from cranktrain.viz.paper.curves import PENS, comes_near_zero, line_of
 from cranktrain.viz.paper.page import Axes, Figure, drawing_settings
 from cranktrain.viz.paper.style import GRID, HEADING, MUTED, TEXT
-
-LOOKS = ((1.8, ()), (1.2, (6.0, 2.0)), (1.2, (1.5, 1.5)), (1.1, (8.0, 2.0, 1.5, 2.0)), (0.6, ()), (0.6, (4.0, 4.0)))
-"""Width and dashes of the first, second, … curve of a panel [pt]: told apart in grey, too."""
 
 _KEY: Mapping[str, Any] = {"fontsize": TEXT, "frameon": False, "handlelength": 4.0}
 
@@ -23,25 +21,6 @@ _WIDTH, _HEIGHT, _HEAD = 8.0, 2.1, 0.7
 
 _TURN = 360.0
 _DOTS_PER_INCH = 110
-
-
-class CurveLine(NamedTuple):
-    """A curve: its angles [deg] and values, what it is called, its look and its colour."""
-
-    across: Array
-    values: Array
-    name: str
-    look: tuple[float, tuple[float, ...]]
-    colour: str
-
-
-@record
-class CurvePanel:
-    """Curves of one quantity, with title and unit."""
-
-    title: str
-    unit: str
-    lines: tuple[CurveLine, ...]
 
 
 def in_notebook(figure: Figure) -> Figure:
@@ -57,15 +36,12 @@ def in_notebook(figure: Figure) -> Figure:
     return figure
 
 
-def drawn_panels(panels: Sequence[CurvePanel], title: str = "", keys: Sequence[CurveLine] = ()) -> Figure:
+def drawn_plot(plot: Plot) -> Figure:
     """Draw panels one above the other over one crank angle.
 
     Parameters
     ----------
-    panels : sequence of CurvePanel
-    title : str
-    keys : sequence of CurveLine
-        What a key above all panels explains; each panel has its own beside it unless given.
+    plot : Plot
 
     Returns
     -------
@@ -76,19 +52,19 @@ def drawn_panels(panels: Sequence[CurvePanel], title: str = "", keys: Sequence[C
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure as NewFigure
 
-        size = (_WIDTH, _HEAD + _HEIGHT * len(panels))
+        size = (_WIDTH, _HEAD + _HEIGHT * len(plot.panels))
         figure: Figure = NewFigure(figsize=size, facecolor="white", layout="constrained")
         FigureCanvasAgg(figure)
-        if title:
+        if title := str(plot.title):
             figure.suptitle(visible(title), fontsize=HEADING + 1.5, fontweight="bold", parse_math=False)
-        rooms = figure.subplots(len(panels), sharex=True, squeeze=False)[:, 0]
-        for axes, panel in zip(rooms, panels, strict=True):
+        rooms = figure.subplots(len(plot.panels), sharex=True, squeeze=False)[:, 0]
+        for axes, panel in zip(rooms, map(as_shown, plot.panels), strict=True):
             _draw_panel(axes, panel)
-            if not keys and any(line.name for line in panel.lines):
+            if not plot.keys and any(curve.name for curve in panel.curves):
                 _plain(axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **_KEY))
-        if keys:
-            handles = list(map(_drawn_line, keys))
-            _plain(figure.legend(handles=handles, loc="outside upper center", ncols=len(keys), **_KEY))
+        if plot.keys:
+            handles = [_drawn_line(curve, np.zeros(1)) for curve in plot.keys]
+            _plain(figure.legend(handles=handles, loc="outside upper center", ncols=len(plot.keys), **_KEY))
         rooms[-1].set_xlabel(_("Crank angle φ, °"))
     return in_notebook(figure)
 
@@ -99,34 +75,24 @@ def _plain(legend: Any) -> None:
         text.set_parse_math(False)
 
 
-def _draw_panel(axes: Axes, panel: CurvePanel) -> None:
+def _draw_panel(axes: Axes, panel: Panel) -> None:
     """Draw the curves of one quantity, and a line at zero where they come there."""
-    end = max(float(line.across[-1]) for line in panel.lines)
-    every = np.concatenate([line.values for line in panel.lines])
+    end = float(panel.across[-1])
     axes.grid(color=GRID, linewidth=0.5)
-    if np.nanmin(every, initial=0.0) < 0.0 < np.nanmax(every, initial=0.0):
+    if comes_near_zero(panel, 0.0):
         axes.axhline(0.0, color=MUTED, linewidth=0.5, zorder=1)
-    for place, line in enumerate(panel.lines):
-        axes.add_line(_drawn_line(line, layer=2 + place))
+    for curve in panel.curves:
+        axes.add_line(_drawn_line(curve, panel.across_of(curve)))
     axes.autoscale_view()
     axes.set(xlim=(0.0, end), xticks=np.arange(0.0, end + 1.0, 30.0 if end <= _TURN else 60.0))
-    title = visible(f"{panel.title}, {panel.unit}" if panel.unit else panel.title)
+    title = visible(f"{panel.title}, {panel.unit}".removesuffix(", "))
     axes.set_title(title, loc="left", fontsize=HEADING, parse_math=False)
     axes.spines[["top", "right"]].set_visible(False)
 
 
-def _drawn_line(line: CurveLine, layer: float = 2.0) -> Any:
+def _drawn_line(curve: Curve, across: Any) -> Any:
     """What draws a curve, or stands for it in a key."""
     from matplotlib.lines import Line2D
 
-    width, dashes = line.look
-    style: Any = (0, dashes) if dashes else "-"
-    return Line2D(
-        line.across,
-        line.values,
-        color=line.colour,
-        linewidth=width,
-        linestyle=style,
-        label=visible(line.name),
-        zorder=layer,
-    )
+    label = visible(str(curve.name))
+    return Line2D(across, curve.values, label=label, zorder=PENS[curve.role].layer, **line_of(curve))

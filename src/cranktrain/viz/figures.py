@@ -1,17 +1,15 @@
 """Numbers as pictures write them: four figures, a true minus, no powers of ten."""
 
 from collections.abc import Sequence
-from decimal import Decimal
 
 import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.saying.scales import Scale
-from cranktrain.saying.wording import ABSENT, decimals_for, signless
+from cranktrain.saying.wording import ABSENT, decimals_for, signless, true_minus
 
-_DIGITS, _MOST_DECIMALS = 4, 8
+_DIGITS = 4
 _NOTHING = 1e-9
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def figure(value: float) -> str:
@@ -80,48 +78,6 @@ def with_unit(value: float, scale: Scale) -> str:
     return f"{figure(float(scale.of(value)))} {scale.label}".rstrip()
 
 
-def written_apart(values: Array) -> list[str]:
-    """Write numbers with four figures, and with as many more as tell the smallest from the largest by two.
-
-    Examples
-    --------
-    >>> written_apart(np.array([1502.8, 1497.5])), written_apart(np.array([1500.04, 1499.97]))
-    (['1502.8', '1497.5'], ['1500.040', '1499.970'])
-    """
-    decimals = max(0, decimals_for(float(np.max(np.abs(values))), _DIGITS))
-    differs = float(np.ptp(values))
-    if differs > 0.0:
-        decimals = min(max(decimals, 1 - int(np.floor(np.log10(differs)))), _MOST_DECIMALS)
-    return [_written(value, decimals) for value in values.tolist()]
-
-
-def plain(value: float) -> str:
-    """Write a round number as it is, and one that is not with four figures.
-
-    Examples
-    --------
-    >>> plain(0.00005), plain(25.0), plain(0.196850394)
-    ('0.00005', '25', '0.1969')
-    """
-    exact = Decimal(f"{value:.6g}")
-    short = Decimal(f"{value:.{_DIGITS}g}")
-    return true_minus(f"{(exact if len(exact.normalize().as_tuple().digits) < _DIGITS else short).normalize():f}")
-
-
-def power_of_ten(value: float) -> str:
-    """Write a very small number by its power of ten.
-
-    Examples
-    --------
-    >>> power_of_ten(3.24e-16), power_of_ten(0.0)
-    ('3.2·10⁻¹⁶', '0')
-    """
-    if value == 0.0:
-        return "0"
-    mantissa, _e, exponent = f"{value:.1e}".partition("e")
-    return f"{true_minus(mantissa)}·10{str(int(exponent)).translate(_RAISED)}"
-
-
 def _written(value: float, decimals: int, nothing: float = _NOTHING) -> str:
     """Write a number with some decimals, or tens; what is nothing is a bare 0."""
     if not np.isfinite(value):
@@ -129,8 +85,3 @@ def _written(value: float, decimals: int, nothing: float = _NOTHING) -> str:
     if abs(value) < nothing:
         return "0"
     return true_minus(signless(f"{round(value, decimals):.{max(0, decimals)}f}"))
-
-
-def true_minus(text: str) -> str:
-    """Write the minus of a number as it is printed."""
-    return text.replace("-", "−")

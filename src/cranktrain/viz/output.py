@@ -11,7 +11,6 @@ from cranktrain.io.output import write_whole
 from cranktrain.language import said as _
 
 if TYPE_CHECKING:
-    from cranktrain.analysis import Result
     from cranktrain.viz.paper.page import Figure
 
 DOTS_PER_INCH = 150
@@ -52,7 +51,7 @@ def save(figure: "Figure | Callable[[], Figure]", path: "str | os.PathLike[str]"
 
 
 def save_animation(
-    result: "Result", path: "str | os.PathLike[str]", *, force: bool = False, design: int = 0, piston: str | None = None
+    result: Any, path: "str | os.PathLike[str]", *, force: bool = False, design: int = 0, piston: str | None = None
 ) -> None:
     """Save the moving picture of a result as a GIF.
 

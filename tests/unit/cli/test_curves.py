@@ -11,6 +11,7 @@ from tests.sentences import ENDS_IN, WHOLE_NUMBER
 import cranktrain as ct
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis.curve_columns import at_angles, by_default, curve_columns, of_member
+from cranktrain.panels.parts import sheet_of
 from cranktrain.viz.curve_table import curve_table
 
 
@@ -93,7 +94,8 @@ def test_a_table_on_paper(typed, tmp_path):
     result = ct.run("vaz_21213")
     columns = of_member(curve_columns(result, ("gas_force", "side_force"), of_each_method=False), "1")
     places = np.arange(0, 720, 15)
-    figure = curve_table(result, "Table forces of 1", at_angles(columns, places), places.astype(float))
+    sheet = sheet_of(result, 0, "Table forces of 1")
+    figure = curve_table(sheet, at_angles(columns, places), places.astype(float))
     texts = {text.get_text() for text in figure.findobj(Text)}
     assert {f"{angle}" for angle in places} <= texts
     assert {"33.33", "0.2078", "kN"} <= texts

@@ -21,9 +21,9 @@ from tests.sentences import (
 
 import cranktrain as ct
 from cranktrain.cli.plot import PlotRequest, understood
+from cranktrain.panels.sheets import PICTURES
 from cranktrain.plans.positions import source_angles
 from cranktrain.quantities import units_by_dimension
-from cranktrain.viz.sheets import PICTURES
 
 NAMES = {kind: ", ".join(one.name for one in PICTURES if one.kind == kind) for kind in ("plan", "sheet")}
 

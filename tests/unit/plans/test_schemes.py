@@ -5,8 +5,8 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.errors import InputError
+from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.schemes import scheme
-from cranktrain.viz.paper.page import mathematics
 
 FOUR_BAR = {
     "kind": "crank_rocker",

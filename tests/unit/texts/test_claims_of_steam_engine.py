@@ -12,6 +12,7 @@ from tests.texts_said import sentence
 import cranktrain as ct
 from cranktrain.plans.constructions import construction
 from cranktrain.viz import PICTURES
+from cranktrain.viz.pictures import drawing_of
 
 said = partial(sentence, "steam-engine")
 
@@ -56,7 +57,7 @@ def test_a_plan_says_its_scale():
     """1:40 is 40 mm for 1 mm, in the inches of the engine's file."""
     said("the plan says its μ_l")
     (picture,) = (one for one in PICTURES if one.name == "arc")
-    drawn = picture.function(ct.load("great_northern"), scale=40.0)
+    drawn = drawing_of(picture)(ct.load("great_northern"), scale=40.0)
     drawn.canvas.draw()
     assert rf"$\mu_l$ = {40 / 25.4:.3f} in/mm" in [one.get_text() for one in drawn.findobj(Text)]
     plt.close(drawn)

@@ -5,17 +5,18 @@ import pytest
 
 import cranktrain as ct
 from cranktrain import viz
-from cranktrain.viz.panel import OneDesign
-from cranktrain.viz.paper.page import Box
-from cranktrain.viz.sheets import PICTURES
-from cranktrain.viz.sheets.crankshaft.panels import (
+from cranktrain.panels.design import OneDesign
+from cranktrain.panels.sheets import PICTURES
+from cranktrain.panels.sheets.crankshaft.panels import (
     alike_pins,
     bearing_diagrams,
     crank_pin_diagrams,
+    method_place,
     torque_panels,
 )
-from cranktrain.viz.sheets.crankshaft.polar import cells, method_pen
-from cranktrain.viz.sheets.wear.panels import journal_wear, pin_wear, turned_by
+from cranktrain.panels.sheets.wear.panels import journal_wear, pin_wear
+from cranktrain.viz.paper.page import Box
+from cranktrain.viz.paper.polar import cells, method_pen
 
 SHEETS = (viz.sheet_crankshaft, viz.sheet_crankpins, viz.sheet_wear, viz.sheet_shaft_torque)
 
@@ -43,9 +44,11 @@ def test_every_method_has_a_line_of_its_own():
 
 def test_bearings_have_a_diagram_each_with_all_methods(four):
     diagrams = bearing_diagrams(OneDesign(four, 0))
-    assert [one.title for one in diagrams] == [f"Bearing {n}" for n in range(1, 6)]
+    assert [str(one.title) for one in diagrams] == [f"Bearing {n}" for n in range(1, 6)]
     for bearing, one in enumerate(diagrams):
-        assert tuple(curve.method for curve in one.curves) == four.labels["bearing_method"]
+        first, *others = four.labels["bearing_method"]
+        assert method_place(first) == 0
+        assert [curve.place for curve in one.curves] == [0, *map(method_place, others)]
         np.testing.assert_array_equal(one.curves[0].points[:, 0], one.curves[0].points[:, -1])
         # What is ringed lies on the curve, as far as its points are apart.
         largest = four.largest_bearing_load[0, bearing]
@@ -68,11 +71,11 @@ def test_many_alike_pins_are_called_by_the_first():
 def test_rays_count_in_the_sense_of_rotation(four):
     """On paper ray 0 is up, and 90° to the right where the shaft turns clockwise."""
     (clockwise, _rod) = pin_wear(OneDesign(four, 0))
-    at = turned_by(clockwise)
+    at = clockwise.direction
     np.testing.assert_allclose([np.cos(at[0]), np.sin(at[0]), np.cos(at[9])], [0.0, 1.0, 1.0], atol=1e-12)
     other = ct.run(ct.load("vaz_21213").with_({"rotation": "anticlockwise"}))
     bearings = [pair[1] for pair in journal_wear(OneDesign(other, 0))]
-    assert all(np.cos(turned_by(one)[9]) == pytest.approx(-1.0) for one in bearings)
+    assert all(np.cos(one.direction[9]) == pytest.approx(-1.0) for one in bearings)
 
 
 def test_panels_of_torque(four):

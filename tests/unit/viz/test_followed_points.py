@@ -9,6 +9,7 @@ from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.layout.frames import in_machine_axes
+from cranktrain.panels.throw_scene import scene_of
 from cranktrain.plans.placement import frame
 from cranktrain.viz import (
     plan_accelerations,
@@ -25,7 +26,6 @@ from cranktrain.viz import (
 from cranktrain.viz.plans.cad import dxf
 from cranktrain.viz.throw.gif import animation
 from cranktrain.viz.throw.mechanism import mechanism_sketch
-from cranktrain.viz.throw.scene import scene_of
 
 FOUR_BAR = {
     "kind": "crank_rocker",

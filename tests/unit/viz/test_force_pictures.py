@@ -15,6 +15,8 @@ from tests.words_on_paper import assert_words_are_readable, words_of
 import cranktrain as ct
 from cranktrain.errors import InputError
 from cranktrain.io.machine_file import read_machine
+from cranktrain.panels.shapes import Curve, Panel, as_shown
+from cranktrain.panels.sheets.forces.panels import force_panels
 from cranktrain.plans.force_polygons import force_polygons
 from cranktrain.plans.pin_loads import pin_loads
 from cranktrain.plans.polygons import velocity_polygons
@@ -32,12 +34,10 @@ from cranktrain.viz import (
     sheet,
     sheet_forces,
 )
-from cranktrain.viz.panel import Curve, Panel, as_shown
 from cranktrain.viz.paper.sketch import label_outline
 from cranktrain.viz.plans.force_rooms import force_polygon_sketch
 from cranktrain.viz.plans.pin_polar import polar_sketch
 from cranktrain.viz.plans.zhukovsky import lever_sketch
-from cranktrain.viz.sheets.forces.panels import force_panels
 
 NO_ROD = ("scotch_yoke", "oscillating_cylinder", "slotted_lever", "stephenson", "chain")
 ENGINES = ("3d12", "r_1340", "deltic", "vaz_21213")

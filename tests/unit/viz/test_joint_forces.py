@@ -11,11 +11,11 @@ from tests.weighed_machines import WEIGHED
 from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
+from cranktrain.panels.design import OneDesign
+from cranktrain.panels.sheets.forces.at_crank import crank_panels
+from cranktrain.panels.sheets.forces.joints import joint_forces, joint_panels
+from cranktrain.panels.sheets.torque.panels import torque_panel
 from cranktrain.viz import sheet_forces
-from cranktrain.viz.panel import OneDesign
-from cranktrain.viz.sheets.forces.at_crank import crank_panels
-from cranktrain.viz.sheets.forces.joints import joint_forces, joint_panels
-from cranktrain.viz.sheets.torque.panels import torque_panel
 
 ROCKERS = ("tilting_table", "jaw_crusher", "pumping_unit_c57", "shaper", "toggle_press")
 
@@ -59,7 +59,7 @@ def test_sheet(results, name):
     shown = OneDesign(results[name], 0)
     joints = joint_forces(shown, "1")
     panels = list(joint_panels(shown, joints))
-    assert panels[0].title == "Reactions in the joints"
+    assert str(panels[0].title) == "Reactions in the joints"
     assert all(np.all(np.isfinite(panel.values)) and np.any(panel.values) for panel in panels)
     drawn = sheet_of(name)
     assert_words_are_readable(drawn)
@@ -71,7 +71,7 @@ def test_sheet(results, name):
 @pytest.mark.parametrize("name", ROCKERS)
 def test_every_load_has_its_torque_at_the_crank(results, name):
     """By virtual work, which the file's loads do; with a drive it is the drive's static torque at the crank, too."""
-    panels = {panel.title: panel for panel in crank_panels(OneDesign(results[name], 0))}
+    panels = {str(panel.title): panel for panel in crank_panels(OneDesign(results[name], 0))}
     static = panels["Torque that the crank needs"].curves[0]
     assert static.symbol == "M_{st}"
     by_work = -np.sum(results[name].load_torque_on_crank, axis=0)
@@ -112,7 +112,7 @@ def test_curves_at_an_angle(by_hand, degrees):
     for name, expected in sizes.items():
         size, is_own = found.get(name, (0.0, True))  # what bears nothing is left out
         assert size == pytest.approx(expected, abs=(1e-11 if is_own else 1e-3) * most), name
-    panels = {panel.title: panel for panel in crank_panels(shown)}
+    panels = {str(panel.title): panel for panel in crank_panels(shown)}
     static, changing = (curve.values for curve in panels["Torque that the crank needs"].curves)
     inertia, slope = (curve.values for curve in panels["Reduced inertia, and its slope by the angle"].curves)
     whole = next(curve.values for curve in torque_panel(shown).curves if curve.symbol == r"T_\Sigma")

@@ -6,14 +6,14 @@ from tests.loaded_machines import LOADED
 from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
+from cranktrain.panels.design import OneDesign
+from cranktrain.panels.sheets.loads.panels import load_curves, load_panels, travel_panels
 from cranktrain.plans.positions import position_plan
 from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.quantities import shown_by, units_by_dimension
 from cranktrain.viz import plan_accelerations, plan_forces, plan_positions, plan_zhukovsky, sheet, sheet_loads
-from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.load_arrows import load_words
 from cranktrain.viz.plans.sketches import positions_sketch
-from cranktrain.viz.sheets.loads.panels import load_curves, load_panels, travel_panels
 
 
 @pytest.fixture(scope="module")

@@ -5,9 +5,9 @@ import pytest
 from matplotlib.text import Text
 
 import cranktrain as ct
-from cranktrain.viz.panel import OneDesign
-from cranktrain.viz.sheets.pumping.panels import card_curves, pumping_panels, rated_torque
-from cranktrain.viz.sheets.pumping.sheet import sheet_pumping
+from cranktrain.panels.design import OneDesign
+from cranktrain.panels.sheets.pumping.panels import card_panel, pumping_panels, rated_torque
+from cranktrain.viz import sheet_pumping
 
 UNIT = "pumping_unit_c57"
 WITHOUT = {"pumping": {"card": "invented_card"}}
@@ -23,8 +23,12 @@ def test_net_torque_is_the_sum_of_its_parts():
 def test_card_meets_its_permissible_load_where_the_torque_is_at_its_rating():
     result = ct.run(UNIT)
     shown = OneDesign(result, 0)
-    curves = card_curves(shown)
-    assert np.nanmin(curves.up[1]) < 8500 * 4.4482216152605 < curves.high
+    panel = card_panel(shown)
+    card, up, down = panel.curves
+    assert card.values.max() == pytest.approx(8500 * 4.4482216152605)
+    assert np.nanmin(up.values) < card.values.max() < panel.limits[1]
+    assert np.all(np.diff(up.across) >= 0)
+    assert np.all(np.diff(down.across) >= 0)
     over = np.asarray(result.gearbox_torque) > rated_torque(shown)
     up = np.asarray(result.torque_factor) > 0
     beyond = np.asarray(result.polished_rod_load) > np.asarray(result.permissible_load)

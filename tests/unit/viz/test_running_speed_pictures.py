@@ -7,6 +7,7 @@ from tests.sentences import STEADY_RUNNING
 from tests.words_on_paper import assert_words_are_readable, words_of
 
 import cranktrain as ct
+from cranktrain.panels.sheets.motion.panels import panels
 from cranktrain.viz import (
     dxf,
     plan_accelerations,
@@ -18,7 +19,6 @@ from cranktrain.viz import (
     sheet,
     sheet_forces,
 )
-from cranktrain.viz.sheets.motion.panels import panels
 
 ENGINE = ct.load("vaz_21213")
 SAID = f"All of this is {STEADY_RUNNING}, 5172.8 rpm to 5224.7 rpm over the cycle, 5200.0 rpm over time."

@@ -5,7 +5,7 @@ import pytest
 from tests.unit.questions.torsion.test_modes import FLYWHEEL, four, run
 
 import cranktrain as ct
-from cranktrain.viz.sheets.torsion.panels import campbell, mode_shapes
+from cranktrain.panels.sheets.torsion.panels import campbell, mode_shapes
 
 
 def diagram(machine, *, design=0):

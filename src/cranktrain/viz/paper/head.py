@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 from textwrap import wrap
 
-from cranktrain.analysis import Result, sentences
 from cranktrain.io.description import counted_by_status, given_numbers, layout_words
 from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.one_line import short
+from cranktrain.panels.parts import Sheet
 from cranktrain.quantities import shown
-from cranktrain.saying.wording import as_given
+from cranktrain.saying.wording import as_given, first_that_holds
 from cranktrain.viz.paper.page import MARGIN, Box, Page, paper
 from cranktrain.viz.paper.style import MUTED, TITLE
 
@@ -21,11 +21,10 @@ _LETTERS = 60
 """Letters in a line, for each 100 mm."""
 
 
-def result_page(result: Result, design: int, size: str, title: str = "") -> tuple[Page, Box]:
-    """Begin a sheet of a result; give the room below its head."""
+def headed_page(sheet: Sheet, size: str) -> tuple[Page, Box]:
+    """Begin a sheet; give the room below its head."""
     page = Page(*paper(size))
-    at_speed = speed_words(result.get(SpeedCurve), design)
-    top = title_block(page, result.machines[design], title, at_speed, list(map(str, sentences(result.unused))))
+    top = title_block(page, sheet.machine, str(sheet.title), str(sheet.at_speed), list(map(str, sheet.unused)))
     return page, Box(MARGIN, MARGIN, page.width - 2 * MARGIN, top - 4.0 - MARGIN)
 
 
@@ -68,11 +67,6 @@ def running_words(machine: Machine) -> str:
 def speed_words(curve: SpeedCurve | None, design: int = 0) -> str:
     """Say at which speed over the cycle a picture is, as the terminal does; nothing of a constant one."""
     return "" if curve is None else str(curve.condition(design))
-
-
-def first_that_holds(*cases: tuple[bool, str]) -> str:
-    """Give the first of some sentences whose case it is."""
-    return next(sentence for holds, sentence in cases if holds)
 
 
 def _zero_words(machine: Machine) -> str:

@@ -13,6 +13,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of
 from cranktrain.one_line import short
 from cranktrain.plans.acting_loads import ActingLoad
+from cranktrain.plans.stroke_lines import unit
 from cranktrain.plans.vectors import angle_of, turned_left
 from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import with_unit
@@ -141,7 +142,7 @@ def held_by(load: ActingLoad, i: int, longest: float) -> Iterator[Line]:
 def arrow_of(start: Array, end: Array, head: float, habit: Habit = "load") -> tuple[Line, Line]:
     """A line with its head; it ends within the head, whose point would be blunt else."""
     direction = angle_of(end - start)
-    within = end - 0.7 * head * shapes.unit(direction)
+    within = end - 0.7 * head * unit(direction)
     tip = shapes.arrowhead(end, direction, head)._replace(layer="LOADS", order=9)
     return Line(np.stack([start, within], axis=1), "LOADS", habit, 9), tip
 
@@ -181,7 +182,7 @@ def on_one_line(away: Array, way: Array, other: Array, longest: float) -> bool:
 def _arc(load: ActingLoad, share: float, room: ArrowSizes) -> LoadMark:
     """A torque about its link's pin, on the side away from the link."""
     centre, middle = load.place[:, 0], angle_of(load.along[:, 0]) + np.pi
-    point, towards = centre + room.radius * shapes.unit(middle), middle
+    point, towards = centre + room.radius * unit(middle), middle
     if share <= _NONE:
         dashed = shapes.arc(centre, room.radius, middle - np.pi / 2, middle + np.pi / 2)
         return LoadMark(load, (Line(dashed, "LOADS", "part", 9),), point, towards)
@@ -199,6 +200,6 @@ def arc_of(
     start, end = ends
     sense = float(np.sign(end - start))
     lean = 0.5 * head / radius
-    tip = shapes.arrowhead(centre + radius * shapes.unit(end), end + sense * (np.pi / 2 - lean), head)
+    tip = shapes.arrowhead(centre + radius * unit(end), end + sense * (np.pi / 2 - lean), head)
     line = shapes.arc(centre, radius, start, end - sense * 0.7 * head / radius)
     return Line(line, "LOADS", habit, 9), tip._replace(layer="LOADS", order=9)

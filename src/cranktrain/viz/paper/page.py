@@ -1,10 +1,10 @@
 """A sheet of paper: a figure on which everything is placed in millimetres, and a sketch drawn on it to scale."""
 
-import re
 from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager
 from functools import partial
 from importlib import import_module
+from textwrap import wrap
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -13,9 +13,11 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.one_line import visible
+from cranktrain.panels.formulas import FORMULA, mathematics
 from cranktrain.plans.positions import rounded_scale, scale_words
+from cranktrain.saying.amounts import KEPT
 from cranktrain.saying.scales import scale_for
-from cranktrain.viz.figures import plain
+from cranktrain.saying.wording import plain
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
 from cranktrain.viz.paper.style import FILLS, HEADING, INK, MUTED, RULE, SETTINGS, SYMBOL, TEXT, pen_of
 
@@ -30,28 +32,11 @@ LINE = 4.2
 """From one line of notes to the next. [mm]"""
 
 _INCH = 25.4
+_LETTERS = 68
+"""Letters in a line of notes, for each 100 mm."""
 _SIZES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0)}
 _LABEL = 2.5
 """What a label needs inside the edge of a detail. [mm]"""
-
-_LETTERS = 2
-"""So many letters side by side are pins; more are a word."""
-
-_NUMBERED = re.compile(r"([^\W\d_])(\d+)('*)")
-"""A pin of several alike: its number is an index."""
-
-_FORMULA = "\ue000"
-"""Stands on both sides of a formula; what comes from a file has no such sign, see `visible`."""
-
-_SETTABLE = re.compile(
-    r"[A-Za-z0-9\u0370-\u03ff][A-Za-z0-9\u0370-\u03ff,.'′_-]*(?:\^[A-Za-z0-9\u0370-\u03ff]+)?|[A-Z]_[а-я]"
-)
-"""What can be set as a symbol; one letter of a Russian text as an index, too."""
-
-_RUSSIAN = re.compile(r"[а-я]")
-
-INDICES = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-"""Figures as indices, in plain text."""
 
 _SCALES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 10.0)
 
@@ -126,6 +111,10 @@ class Page:
         """Write sentences one below the other, as second text."""
         for number, sentence in enumerate(sentences):
             self.text(x, y - LINE * number, sentence, color=MUTED)
+
+    def wrapped(self, words: object, width: float) -> list[str]:
+        """Fold words into lines of a width. [mm]"""
+        return wrap(str(words), max(int(width * _LETTERS / 100.0), 1))
 
     def ends(self, words: Text) -> tuple[float, float]:
         """Say where written words begin on the left and end on the right. [mm]"""
@@ -237,53 +226,9 @@ def rounded_down(size: float) -> float:
     return next(step * power for step in (5.0, 2.0, 1.0) if step * power <= size * (1 + 1e-9))
 
 
-def formula(tex: str) -> str:
-    """Mark a formula, which stands among words that are drawn as they are: a $ in a name begins none."""
-    return f"{_FORMULA}{tex}{_FORMULA}"
-
-
-def is_formula(words: str) -> bool:
-    """Whether words are a formula and nothing else."""
-    return len(words) > 1 and words[0] == words[-1] == _FORMULA
-
-
 def set_words(words: str) -> dict[str, Any]:
     """Give words to the plotting library: formulas as such, all else plain, and nothing that no font has."""
-    written = visible(words, kept=f"\n{_FORMULA}")
-    if _FORMULA not in written:
+    written = visible(words, kept=f"\n{FORMULA}").replace(KEPT, " ")
+    if FORMULA not in written:
         return {"s": written, "parse_math": False}
-    return {"s": written.replace("$", r"\$").replace(_FORMULA, "$"), "parse_math": True}
-
-
-def mathematics(symbol: str) -> str:
-    """Set a symbol as mathematics: a_BA^n with index and exponent, letters slanted and whole words upright.
-
-    A name with signs that mean something in a formula, or that its fonts lack, stays as it is.
-    """
-    if not _SETTABLE.fullmatch(symbol):
-        return symbol
-    head, _mark, rest = symbol.partition("_")
-    index, _mark, exponent = rest.partition("^")
-    set_index = ",".join(map(_letters_or_word, index.split(",")))
-    numbered = _NUMBERED.fullmatch(head)
-    if numbered and not index:
-        return formula(f"{numbered[1]}_{{{numbered[2]}}}{'′' * len(numbered[3])}")
-    ending = f"{f'_{{{set_index}}}' if index else ''}{f'^{{{exponent}}}' if exponent else ''}"
-    return formula(f"{_letters_or_word(head)}{ending}")
-
-
-def _letters_or_word(name: str) -> str:
-    """Leave letters as they are; set a word upright, and a Russian letter, which slanted looks like a Latin one.
-
-    A prime's own sign is larger than what ' becomes.
-    """
-    bare = name.rstrip("'")
-    primes = "′" * (len(name) - len(bare))
-    if len(bare.replace("'", "")) <= _LETTERS and "_" not in bare and not _RUSSIAN.fullmatch(bare):
-        return bare.replace("'", "′") + primes
-    return rf"\mathrm{{{bare.replace('_', chr(92) + '_')}}}{primes}"
-
-
-def in_words(pin: str) -> str:
-    """Give a pin's name in plain text, its number as an index: B₂."""
-    return pin.translate(INDICES) if _NUMBERED.fullmatch(pin) else pin
+    return {"s": written.replace("$", r"\$").replace(FORMULA, "$"), "parse_math": True}

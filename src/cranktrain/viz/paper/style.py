@@ -19,8 +19,10 @@ COLOURS: Mapping[str, str] = {
     "N": "#584414",
     "K": "#1a7da1",
     "F": INK,
+    "": MUTED,
 }
-"""Colour of a quantity: travel, velocity, acceleration, torque and tangential force, gas, side, radial, resultant."""
+"""Colour of a quantity: travel, velocity, acceleration, torque and tangential force, gas, side, radial, resultant; of
+what is of none."""
 
 FILLS: Mapping[Fill, str] = {"none": "none", "paper": "#ffffff", "light": "#d9dcdf", "dark": "#9aa0a6", "ink": INK}
 

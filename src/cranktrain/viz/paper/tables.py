@@ -2,7 +2,17 @@
 
 from collections.abc import Sequence
 
-from cranktrain.viz.paper.page import Page, is_formula
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.numerics.ties import falling
+from cranktrain.panels.formulas import is_formula
+from cranktrain.panels.parts import Table, TableColumn, peak
+from cranktrain.saying.scales import scale_for
+from cranktrain.saying.wording import ABSENT
+from cranktrain.viz.figures import column
+from cranktrain.viz.paper.page import LINE, Box, Page
+from cranktrain.viz.paper.polar import line_of_method
 from cranktrain.viz.paper.style import SYMBOL, TEXT
 
 ROW, LEAST_ROW = 5.2, 4.5
@@ -10,6 +20,69 @@ ROW, LEAST_ROW = 5.2, 4.5
 
 _FIGURE, _GAP = 1.8, 1.0
 """Width of a figure, and between columns at least. [mm]"""
+
+
+_ABOVE, _RULE, _TITLE = 4.0, 1.2, 6.0
+"""Over the first row, below the head, and of a title. [mm]"""
+_ROUNDING = 1e-6
+"""Of heights. [mm]"""
+_SAMPLE, _NAME = 10.0, 12.0
+"""Length of a line before a row, and where its name begins. [mm]"""
+
+
+def table_height(table: Table, line: float = ROW, n_rows: int | None = None) -> float:
+    """How high a table is with rows of a height, of which there are so many. [mm]"""
+    n = table.n_rows if n_rows is None else n_rows
+    has_groups = any(one.group for one in table.columns)
+    n_lines = len(table.notes) + (n < table.n_rows)
+    return _ABOVE + _RULE + line * (n + 1 + has_groups) + _TITLE * bool(table.title) + LINE * n_lines
+
+
+def draw_table(page: Page, table: Table, box: Box) -> None:
+    """Draw a table in a room, its rows as high as there is room, those of low rank left out where there is none."""
+    line = ROW if table_height(table) <= box.height + _ROUNDING else LEAST_ROW
+    n = table.n_rows
+    while n > 1 and table_height(table, line, n) > box.height + _ROUNDING:
+        n -= 1
+    kept = list(range(n)) if table.ranks is None else sorted(falling(table.ranks)[:n])
+    texts = [_texts(one) for one in table.columns]
+    top = box.bottom + box.height
+    if table.title:
+        page.heading(box.left, top - 3.0, str(table.title))
+        top -= _TITLE
+    groups = [one.group for one in table.columns]
+    rows = [[str(one.head) for one in table.columns], *([cells[row] for cells in texts] for row in kept)]
+    if any(groups):
+        top -= line
+        _write_groups(page, table, groups, (box.left, top - _ABOVE + line, box.width))
+    aside = _NAME if table.samples else 0.0
+    for place, method in enumerate(table.samples):
+        y = top - _ABOVE - _RULE - line * (place + 1) + 0.9
+        page.sample(box.left, box.left + _SAMPLE, y, **line_of_method(method))
+    ends = tuple((box.width * end - aside) / (box.width - aside) for end in table.ends)
+    below = write_table(page, rows, (box.left + aside, top, box.width - aside), ends, line)
+    said = table.left_out or _("and {n} more")
+    left_out = [said.format(n=table.n_rows - n)] if n < table.n_rows else []
+    page.notes(box.left, below, map(str, (*left_out, *table.notes)))
+
+
+def _texts(of: TableColumn) -> list[str]:
+    """Write the cells of a column."""
+    cells = of.cells
+    if not isinstance(cells, np.ndarray):
+        return list(map(str, cells))
+    if of.decimals is not None:
+        return [f"{one:.{of.decimals}f}" if np.isfinite(one) else ABSENT for one in cells.tolist()]
+    return column(cells.tolist(), scale_for(of.unit or "1", max(peak(cells), of.beside)))
+
+
+def _write_groups(page: Page, table: Table, groups: Sequence[str], place: tuple[float, float, float]) -> None:
+    """Write what stands over several columns over the first of each."""
+    left, y, width = place
+    for number, group in enumerate(groups):
+        if group and group not in groups[:number]:
+            start = table.ends[number - 2] if number > 1 else table.ends[0] / 2
+            page.text(left + width * start + 4.0, y, group, fontweight="bold")
 
 
 def write_table(
@@ -49,10 +122,10 @@ def _kept_apart(rows: Sequence[Sequence[str]], ends: Sequence[float]) -> list[fl
     widths = [_width([row[column] for row in rows if len(row) > column]) for column in range(len(ends) + 1)]
     kept = list(ends)
     before = widths[0] if all(row[0].isdigit() for row in rows[-1:]) else 0.0
-    for column, width in enumerate(widths[1:-1]):
-        before = kept[column] = max(kept[column], before + width + _GAP)
-    for column in reversed(range(1, len(ends))):
-        kept[column - 1] = min(kept[column - 1], kept[column] - widths[column + 1] - _GAP)
+    for place, width in enumerate(widths[1:-1]):
+        before = kept[place] = max(kept[place], before + width + _GAP)
+    for place in reversed(range(1, len(ends))):
+        kept[place - 1] = min(kept[place - 1], kept[place] - widths[place + 1] - _GAP)
     return kept
 
 

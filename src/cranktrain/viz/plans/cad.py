@@ -23,7 +23,7 @@ from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.together import places_called
 from cranktrain.plans.vectors import pair
 from cranktrain.saying.scales import scale_for
-from cranktrain.viz.figures import plain
+from cranktrain.saying.wording import plain
 from cranktrain.viz.paper.head import speed_words
 from cranktrain.viz.paper.sketch import LAYERS, Circle, Line, Sketch, bounds_of
 from cranktrain.viz.plans.drive_beside import crank_pin

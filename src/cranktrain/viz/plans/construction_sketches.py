@@ -6,6 +6,7 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.plans.constructions import Construction
+from cranktrain.plans.stroke_lines import Along, unit
 from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch, Wish, placed_labels
@@ -208,7 +209,7 @@ def scheme_sketch(found: Construction, scale: float, bore: float | None) -> Sket
     pins, pistons = (1e3 * found.seen(one) for one in found.dead_pins)
     at = next(iter(lettered_positions(found)), 0)
     width = 0.6 * 1e3 * found.stroke if bore is None else bore
-    line = shapes.Along(np.array([0.0, pistons[1, 0]]), np.array([1.0, 0.0]))
+    line = Along(np.array([0.0, pistons[1, 0]]), np.array([1.0, 0.0]))
     above, below = 0.35 * width, 0.25 * width
     span = float(pistons[0, 1]) - below, float(pistons[0, 0]) + above + 0.06 * width
     sketch.add([Line(line.path((-radius - 4.0 * scale, 0.0), (span[1] + 4.0 * scale, 0.0)), "GUIDES", "axis", 1)])
@@ -239,13 +240,13 @@ def _turning(found: Construction, radius: float, scale: float) -> Iterator[Line]
     sense = -found.sense
     yield Line(shapes.arc(np.zeros(2), reach, np.pi - sense * half, np.pi + sense * half), "DIMENSIONS", "outline", 5)
     end = np.pi + sense * half
-    tip = reach * shapes.unit(end)
+    tip = reach * unit(end)
     yield shapes.arrowhead(tip, float(end + sense * (np.pi / 2 - 1.0 * scale / reach)), 2.4 * scale)
 
 
 def _crank_pin(found: Construction, at: int) -> Array:
     """Where the crank pin truly is in a position; Brix's rays meet the circle elsewhere. [m]"""
-    return float(found.geometry.crank_radius) * shapes.unit(float(found.exact_angle[at]))
+    return float(found.geometry.crank_radius) * unit(float(found.exact_angle[at]))
 
 
 def _exact_piston(found: Construction, at: int) -> Array:

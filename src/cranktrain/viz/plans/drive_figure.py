@@ -10,14 +10,15 @@ from cranktrain.language import said as _
 from cranktrain.mechanisms.crank_rocker.kinematics import crank_rocker
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of
+from cranktrain.plans.stroke_lines import unit
 from cranktrain.references import REFERENCES
 from cranktrain.texts.crank_rocker_drive import Directions, centre_distances, crank_pin_force, directions, rod_force
 from cranktrain.texts.drive_curves import Thing, Verdict, curve_facts, dead_positions, drive_curves, values_at
 from cranktrain.texts.drive_table import CrankRockerDrive
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper import shapes
+from cranktrain.viz.paper.curves import axes_in
 from cranktrain.viz.paper.page import MARGIN, Axes, Box, Figure, Page, drawing_settings, fitting_scale, paper
-from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch, Wish, placed_labels
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED, TITLE
 from cranktrain.viz.paper.tables import LEAST_ROW, write_table
@@ -163,7 +164,7 @@ def _angle_mark(point: Array, to: float, word: str, scale: float) -> Iterator[Li
     yield Line(out, "DIMENSIONS", "thin", 3)
     bent = point[:, np.newaxis] + shapes.arc(np.zeros(2), _ARC * scale, 0.0, to)
     yield Line(bent, "DIMENSIONS", "thin", 3)
-    yield Label(point + (_ARC + 3.2) * scale * shapes.unit(to / 2), word, "symbol")
+    yield Label(point + (_ARC + 3.2) * scale * unit(to / 2), word, "symbol")
 
 
 def _write_numbers(page: Page, drive: CrankRockerDrive, angle: float, place: tuple[float, float, float]) -> None:

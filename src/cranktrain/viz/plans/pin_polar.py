@@ -9,12 +9,14 @@ from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest
+from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.pin_loads import CrankpinLoad, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
 from cranktrain.plans.vectors import angle_of
 from cranktrain.saying.scales import Scale, scale_for
-from cranktrain.viz.figures import aligned, figure, plain, with_unit
-from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics, rounded_down
+from cranktrain.saying.wording import plain
+from cranktrain.viz.figures import aligned, figure, with_unit
+from cranktrain.viz.paper.page import Box, Figure, drawing_settings, rounded_down
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, placed_labels
 from cranktrain.viz.paper.style import INK
 from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_beside, write_scales

@@ -8,16 +8,18 @@ import numpy as np
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.drive_scheme import drive_chain
 from cranktrain.plans.pin_weights import pin_weights
 from cranktrain.plans.positions import plan_angles
 from cranktrain.plans.schemes import MarkedAngle, Scheme, scheme
+from cranktrain.plans.stroke_lines import guide_line, unit
 from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.quantities import shown
 from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
+from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, placed_labels
 from cranktrain.viz.paper.tables import ROW
 from cranktrain.viz.plans.drive_beside import DriveBeside, crank_pin
@@ -147,7 +149,7 @@ def scheme_sketch(found: Scheme, scale: float, marked: str | None = None) -> Ske
     pins = drawing.positions
     sketch.add(frame_lines(drawing, pins, scale))
     for guide in drawing.guides:
-        line = shapes.guide_line(guide.direction, pins[guide.pin][:, 0])
+        line = guide_line(guide.direction, pins[guide.pin][:, 0])
         at = float(line.along @ pins[guide.pin][:, 0])
         half = 0.5 * _CYLINDER * scale
         block = line.block((at - 0.6 * half, at + 0.6 * half), 2.0 * scale)
@@ -183,7 +185,7 @@ def _arcs(found: Scheme, sketch: Sketch, scale: float) -> list[Wish]:
         sketch.add([Line(shapes.arc(vertex, radius, one.start, one.end), "DIMENSIONS", "thin", 4)])
         sketch.add(_head(one, vertex, radius, scale))
         middle = 0.5 * (one.start + one.end)
-        wishes.append(Wish(vertex + radius * shapes.unit(middle), one.letter, middle))
+        wishes.append(Wish(vertex + radius * unit(middle), one.letter, middle))
     return wishes
 
 
@@ -192,7 +194,7 @@ def _head(one: MarkedAngle, vertex: Array, radius: float, scale: float) -> Itera
     if abs(one.end - one.start) * radius > 3.0 * scale:
         sense = float(np.sign(one.end - one.start))
         lean = sense * (np.pi / 2 - 0.8 * scale / radius)
-        yield shapes.arrowhead(vertex + radius * shapes.unit(one.end), one.end + lean, 1.8 * scale)
+        yield shapes.arrowhead(vertex + radius * unit(one.end), one.end + lean, 1.8 * scale)
 
 
 def _forces(found: Scheme, sketch: Sketch, pins: dict[str, Array], scale: float) -> list[Wish]:
@@ -200,7 +202,7 @@ def _forces(found: Scheme, sketch: Sketch, pins: dict[str, Array], scale: float)
     wishes: list[Wish] = []
     for one in found.forces:
         start = pins[one.pin][:, 0]
-        end = start + _FORCE * scale * shapes.unit(one.direction)
+        end = start + _FORCE * scale * unit(one.direction)
         sketch.add([Line(np.stack([start, end], axis=1), "DIMENSIONS", "vector", 7)])
         sketch.add([shapes.arrowhead(end, one.direction, 2.6 * scale)])
         wishes.append(Wish(end, one.letter, one.direction))

@@ -9,15 +9,16 @@ from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.panels.formulas import formula
 from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.positions import plan_angles, scale_words
 from cranktrain.plans.together import placed_together, places_called, together_name
 from cranktrain.plans.vectors import pair, spoken_name
 from cranktrain.quantities import chosen_unit
 from cranktrain.saying.scales import Scale
-from cranktrain.viz.figures import plain
+from cranktrain.saying.wording import plain
 from cranktrain.viz.paper.head import speed_words, title_block
-from cranktrain.viz.paper.page import LINE, MARGIN, Box, Page, fitting_scale, formula, paper
+from cranktrain.viz.paper.page import LINE, MARGIN, Box, Page, fitting_scale, paper
 from cranktrain.viz.paper.sketch import Sketch, bounds_of, labelled_bounds
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import ROW, write_table

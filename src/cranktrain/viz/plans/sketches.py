@@ -8,13 +8,14 @@ from cranktrain.grouping import grouped
 from cranktrain.mechanisms.drawing import Drawing, DrawnLink
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_smallest
+from cranktrain.panels.formulas import INDICES
 from cranktrain.plans.klein import Klein
 from cranktrain.plans.polygons import Polygon
 from cranktrain.plans.positions import PositionPlan
 from cranktrain.plans.shown_loads import ShownLoads
+from cranktrain.plans.stroke_lines import Along, guide_line
 from cranktrain.plans.vectors import POLE, Part, angle_of, spoken_name
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.page import INDICES
 from cranktrain.viz.paper.sketch import Circle, Habit, Layer, Line, Sketch, Wish, placed_labels, together
 from cranktrain.viz.plans.load_sketches import Wording, drawn_loads
 
@@ -170,7 +171,7 @@ def alike(points: Array, scale: float) -> list[list[int]]:
 def frame_lines(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
     """Guides and fixed pivots."""
     for guide in drawing.guides:
-        line = shapes.guide_line(guide.direction, pins[guide.pin][:, 0])
+        line = guide_line(guide.direction, pins[guide.pin][:, 0])
         places = line.along @ pins[guide.pin]
         for side in (-2.0, 2.0):
             wall = line.path((min(places) - 5 * scale, side * scale), (max(places) + 5 * scale, side * scale))
@@ -191,7 +192,7 @@ def _blocks(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[
         ends = pins[slotted[-1]][:, 0] - pins[slotted[0]][:, 0]
         if np.hypot(*ends) >= 0.1 * scale:
             along = ends / np.hypot(*ends)
-            line = shapes.Along(pins[block.pin][:, 0], along)
+            line = Along(pins[block.pin][:, 0], along)
             corners = [(-2.0, -1.2), (2.0, -1.2), (2.0, 1.2), (-2.0, 1.2)]
             points = line.path(*((scale * u, scale * v) for u, v in corners))
             yield Line(points, "LINKS", "outline", 2, is_closed=True, fill="light")

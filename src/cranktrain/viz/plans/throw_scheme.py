@@ -7,7 +7,9 @@ import numpy as np
 
 from cranktrain.language import said as _
 from cranktrain.motion import Array
+from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.machine_throw import MachineThrow, ThrownMachine
+from cranktrain.plans.stroke_lines import unit
 from cranktrain.plans.throw_loads import CrankMasses
 from cranktrain.plans.throw_scheme import SchemeForce, SchemeLength, ThrowScheme, throw_scheme
 from cranktrain.references import REFERENCES
@@ -15,8 +17,8 @@ from cranktrain.saying.scales import scale_for
 from cranktrain.texts.throw_table import Throw
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.page import MARGIN, Box, Figure, Page, drawing_settings, fitting_scale, mathematics, paper
-from cranktrain.viz.paper.panels import axes_in
+from cranktrain.viz.paper.curves import axes_in
+from cranktrain.viz.paper.page import MARGIN, Box, Figure, Page, drawing_settings, fitting_scale, paper
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
 from cranktrain.viz.paper.style import COLOURS, MUTED, TITLE
 from cranktrain.viz.paper.tables import LEAST_ROW, write_table
@@ -259,7 +261,7 @@ def _force(one: SchemeForce, size: float, aside: float, above: float, scale: flo
     x = 1e3 * one.place + aside * scale
     start, end = (np.array([x, y * scale]) for y in (ends if points_away else ends[::-1]))
     direction = float(np.arctan2(*(end - start)[::-1]))
-    line = np.stack([start, end - 0.7 * _HEAD * scale * shapes.unit(direction)], axis=1)
+    line = np.stack([start, end - 0.7 * _HEAD * scale * unit(direction)], axis=1)
     yield Line(line, "DIMENSIONS", "vector", 8)
     yield shapes.arrowhead(end, direction, _HEAD * scale)._replace(order=9)
     letter = np.array([x, (ends[1] + 2.4 * up) * scale])

@@ -8,6 +8,7 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
+from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.acting import symbols_together
 from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.placement import place_called, placed
@@ -17,8 +18,9 @@ from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.vectors import POLE, angle_of, pair, spoken_name, turned_left
 from cranktrain.plans.zhukovsky import LeverForce, ZhukovskyLever, zhukovsky_lever
 from cranktrain.saying.scales import Scale, scale_for
-from cranktrain.viz.figures import column, power_of_ten
-from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
+from cranktrain.saying.wording import power_of_ten
+from cranktrain.viz.figures import column
+from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, bounds_of, placed_labels, together
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW

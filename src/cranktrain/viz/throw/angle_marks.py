@@ -6,11 +6,13 @@ from itertools import pairwise
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.panels.throw_member import DrawnMechanism
+from cranktrain.panels.throw_scene import BIG_EYE, SMALL_EYE, Scene
+from cranktrain.plans.stroke_lines import unit
 from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Circle, Label, Line
 from cranktrain.viz.throw.cylinders import skirt, wall_end, wall_start
-from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, DrawnMechanism, Scene
 
 _LEAST_RING = 11.0
 """Radius of a degree ring on paper that has room for all its figures. [mm]"""
@@ -33,7 +35,7 @@ def degree_ring(
     figures = 30 if radius > _LEAST_RING * scale else 360
     yield Circle(origin, radius, "DIMENSIONS", "thin", 1)
     for degree in range(0, 360, 10):
-        along = shapes.unit(scene.crank_direction(float(degree), scene.leading))
+        along = unit(scene.crank_direction(float(degree), scene.leading))
         tick = (1.6 if degree % 30 == 0 else 0.8) * scale
         yield Line(np.stack([(radius - tick) * along, radius * along], axis=1), "DIMENSIONS", "thin", 1)
         place = (radius + (2.6 + 1.4 * abs(along[0])) * scale) * along
@@ -84,7 +86,7 @@ def rotations(scene: Scene, scale: float) -> Iterator[Line]:
         turns = scene.crank_direction(1.0, member) - scene.crank_direction(0.0, member)
         sense = np.sign((turns + np.pi) % (2 * np.pi) - np.pi)
         end = middle + sense * half
-        tip = member.centre + radius * shapes.unit(end)
+        tip = member.centre + radius * unit(end)
         yield shapes.arrowhead(tip, float(end + sense * (np.pi / 2 - 1.1 * scale / radius)), 2.6 * scale)
 
 

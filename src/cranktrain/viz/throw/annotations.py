@@ -5,13 +5,15 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.panels.throw_member import DrawnMechanism
+from cranktrain.panels.throw_scene import BIG_EYE, Scene
 from cranktrain.plans.acting_loads import ActingLoad
+from cranktrain.plans.stroke_lines import unit
 from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.load_arrows import ArrowSizes, LoadMark, load_marks, load_wishes
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch, Wish, label_outline, placed_labels
 from cranktrain.viz.throw.cylinders import wall_end
-from cranktrain.viz.throw.scene import BIG_EYE, DrawnMechanism, Scene
 
 _LEADER = 5.0
 """A name farther from what it names than this has a line to it. [mm of paper]"""
@@ -92,7 +94,7 @@ def bank_angle(scene: Scene, scale: float) -> Iterator[Line | Label]:
     start, end = directions[0] + np.sign(between) * covered, directions[1] - np.sign(between) * covered
     yield Line(shapes.arc(np.zeros(2), radius, start, end), "DIMENSIONS", "thin", 2)
     middle = (start + end) / 2
-    yield Label((radius + 3.0 * scale) * shapes.unit(middle), f"γ = {np.rad2deg(abs(between)):.4g}°")
+    yield Label((radius + 3.0 * scale) * unit(middle), f"γ = {np.rad2deg(abs(between)):.4g}°")
 
 
 def throw_loads(scene: Scene, angle: float) -> tuple[LoadMark, ...]:

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterator
 
+from cranktrain.panels.throw_member import DrawnMechanism
+from cranktrain.panels.throw_scene import Scene
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Line
-from cranktrain.viz.throw.scene import DrawnMechanism, Scene
 
 _BELOW, _BELOW_IN_STAR = 0.34, 0.14
 """Skirt below the piston pin, in parts of the bore; in a star there is no room for long skirts."""

@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 
+from cranktrain.panels.throw_scene import Scene
 from cranktrain.viz.paper.detail import draw_detail, is_too_small
 from cranktrain.viz.paper.page import Box, Page
 from cranktrain.viz.paper.sketch import Sketch
 from cranktrain.viz.throw.angle_marks import ring_radius
 from cranktrain.viz.throw.mechanism import mechanism_sketch
-from cranktrain.viz.throw.scene import Scene
 
 
 def needs_detail(scene: Scene, scale: float) -> bool:

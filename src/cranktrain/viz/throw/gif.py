@@ -7,17 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from cranktrain.analysis import Result
-from cranktrain.layout.speed import SpeedCurve
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import smallest_of
-from cranktrain.plans.drawn_throws import drawn_throws
+from cranktrain.panels.sheets.motion.sheet import drawn_scenes
+from cranktrain.panels.throw_scene import Scene
 from cranktrain.plans.vectors import pair
 from cranktrain.viz.paper.page import Page, drawing_settings, fitting_scale
 from cranktrain.viz.paper.sketch import Sketch, bounds_of
 from cranktrain.viz.throw.beside import Bounds, arrangements, together
 from cranktrain.viz.throw.mechanism import mechanism_sketch
-from cranktrain.viz.throw.scene import Scene, scene_of
 
 _SIDE, _HEAD = 110.0, 8.0
 """Width of the picture, and the room above the mechanism. [mm]"""
@@ -31,18 +29,8 @@ _SECONDS = 3.0
 """Time that a turn takes in the picture."""
 
 
-def animation(result: Result, *, n_frames: int = 36, design: int = 0, piston: str | None = None) -> bytes:
-    """Draw the moving mechanism.
-
-    Parameters
-    ----------
-    result : Result
-    n_frames : int
-        Over one turn.
-    design : int
-        Which of the result's machines.
-    piston : str, optional
-        Whose throw alone moves, by the mechanism's name or its cylinder's; unless given, one of each sort.
+def animation(result: Any, *, n_frames: int = 36, design: int = 0, piston: str | None = None) -> bytes:
+    """Draw the moving mechanism; parameters as of `drawn_scenes`, and the number of frames over one turn.
 
     Returns
     -------
@@ -51,10 +39,7 @@ def animation(result: Result, *, n_frames: int = 36, design: int = 0, piston: st
     """
     from PIL import Image
 
-    machine = result.machines[design]
-    throws = drawn_throws(machine, piston)
-    speed = result.get(SpeedCurve) or "constant"
-    scenes = [scene_of(machine, throw, is_alone=len(throws) == 1, speed=speed) for throw in throws]
+    scenes = drawn_scenes(result, design, piston)
     tried = np.arange(n_frames) * (360.0 / n_frames)
     angles = [float(a) for a in tried if all(scene.closing_angle(float(a)) == a for scene in scenes)]
     bounds = [_bounds(scene, angles[::3]) for scene in scenes]

@@ -7,6 +7,9 @@ import numpy as np
 
 from cranktrain.mechanisms.drawing import DrawnLink
 from cranktrain.motion import Array
+from cranktrain.panels.throw_member import DrawnMechanism
+from cranktrain.panels.throw_scene import BIG_EYE, SMALL_EYE, Scene
+from cranktrain.plans.stroke_lines import Along, guide_line
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.throw.angle_marks import degree_ring, rotations
@@ -20,7 +23,6 @@ from cranktrain.viz.throw.annotations import (
     throw_loads,
 )
 from cranktrain.viz.throw.cylinders import common_cylinder, cylinder, skirt
-from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, DrawnMechanism, Scene
 
 _COARSE = 5
 """Of a point's curve so manyth a point says where there is no room for a figure of the ring. [deg]"""
@@ -185,7 +187,7 @@ def _break(start: Array, end: Array, radius: float, scale: float) -> Iterator[Li
     """Gap in a rod that is drawn too short, between two wavy lines."""
     middle = 0.5 * (start + end)
     along = (end - start) / np.hypot(*(end - start))
-    line = shapes.Along(middle - np.dot(middle, along) * along, along)
+    line = Along(middle - np.dot(middle, along) * along, along)
     place, half = float(line.place(middle)), 0.17 * radius + 0.6 * scale
     across = np.linspace(-half, half, 17)
     edges = [
@@ -204,7 +206,7 @@ def _other_sliders(
     size = max(0.4 * scene.crank_radius, 1.5 * scale)
     for guide in member.turn.guides[1:]:
         pin = pins[guide.pin]
-        line = shapes.guide_line(guide.direction, pin)
+        line = guide_line(guide.direction, pin)
         travel = line.along @ member.turn_pins[guide.pin]
         low, high = float(np.nanmin(travel)) - 1.4 * size, float(np.nanmax(travel)) + 1.4 * size
         for side in (-1.0, 1.0):

@@ -1,0 +1,80 @@
+"""The sheet of main bearings: a polar diagram of each with all methods overlaid, and the methods' table."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.analysis import Result
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import Words, _
+from cranktrain.one_line import short
+from cranktrain.panels.design import OneDesign
+from cranktrain.panels.parts import Polars, Sheet, SheetColumn, Table, TableColumn, peak, sheet_of
+from cranktrain.panels.sheets.crankshaft.panels import bearing_diagrams, method_place, of_shafts
+from cranktrain.questions.crankshaft.methods import title_of
+from cranktrain.saying.amounts import BareAmount, UnitLabel
+from cranktrain.saying.wording import ABSENT
+
+_NAMES, _WIDEST = 0.16, 0.08
+"""Width of the table's names, and of a column at most, in parts of the sheet's."""
+_LETTERS = 170
+"""Of names that fit side by side into the width."""
+
+
+def sheet_crankshaft(result: Result, *, design: int = 0) -> Sheet:
+    """Collect the loads of all main bearings.
+
+    Parameters
+    ----------
+    result : Result
+        Of a machine with [crankshaft].
+    design : int
+        Which of the result's machines.
+
+    Returns
+    -------
+    Sheet
+
+    Raises
+    ------
+    InputError
+        If the bearings have no loads, as of a shaft that floats.
+    """
+    shown = OneDesign(result, design)
+    largest = shown("largest_bearing_load")
+    if not np.all(np.isfinite(largest)) or not np.any(largest > 0.0):
+        raise InputError([Problem("crankshaft", None, _("gives no loads of bearings, so there is no sheet of them"))])
+    words = _("Loads of journals on bearings, as seen from the free end")
+    diagrams = Polars(bearing_diagrams(shown), notes=words)
+    return sheet_of(result, design, _("Loads of the main bearings"), SheetColumn(1.0, (diagrams, _table(shown))))
+
+
+def _table(shown: OneDesign) -> Table:
+    """The largest loads by every method, beside its line; their spread; and the mean by the first."""
+    largest = shown("largest_bearing_load")
+    bearings, methods = (shown.result.labels[name] for name in ("bearing", "bearing_method"))
+    width = min((1.0 - _NAMES) / len(bearings), _WIDEST)
+    names: list[Words] = [*map(title_of, methods), _("methods differ by, %"), _("mean load by the first")]
+    head = _("Largest load, {unit}", unit=UnitLabel("N", peak(largest)))
+    return Table(
+        (
+            TableColumn(head, names),
+            *(
+                TableColumn(short(name, int(width * _LETTERS)), list(_of_bearing(shown, place)), group=shaft)
+                for place, (shaft, name) in enumerate(of_shafts(bearings))
+            ),
+        ),
+        tuple(_NAMES + width * (place + 1) for place in range(len(bearings))),
+        samples=tuple(method_place(name) if place else 0 for place, name in enumerate(methods)),
+    )
+
+
+def _of_bearing(shown: OneDesign, bearing: int) -> Iterator[Words]:
+    """What stands below the name of a bearing."""
+    largest, mean = shown("largest_bearing_load"), shown("mean_bearing_load")
+    most = peak(largest)
+    own = largest[:, bearing]
+    yield from (BareAmount(float(load), "N", most) for load in own)
+    least = float(np.min(own))
+    yield f"{100 * float(np.max(own) - least) / least:.0f}" if least > 0.0 else ABSENT
+    yield BareAmount(float(mean[0, bearing]), "N", most)

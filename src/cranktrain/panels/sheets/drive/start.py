@@ -1,0 +1,127 @@
+"""A start as a sheet: speed, torque, power and energy over time, its way through the motor's curve, its events."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.language import Listed, Message, Words, _
+from cranktrain.motion import Array
+from cranktrain.panels.parts import CurveCard, Sheet, SheetColumn, Stack, facts_table
+from cranktrain.panels.shapes import Curve, Panel, PanelLine, Role
+from cranktrain.panels.sheets.drive.torque_speed import torque_speed_panel
+from cranktrain.questions.start.record import StartEvent
+from cranktrain.saying.amounts import Amount
+from cranktrain.saying.wording import power_of_ten
+from cranktrain.study.start import Start
+
+_FEW, _MOST = 3, 60
+"""Events of one name that each have a number and a row; lines of one that has none."""
+
+
+class EventSort(NamedTuple):
+    """Events of one name: their number on the picture, 0 of those that come too often for one, and their times. [s]"""
+
+    name: Words
+    number: int
+    times: tuple[float, ...]
+
+
+def event_sorts(events: Sequence[StartEvent]) -> list[EventSort]:
+    """Sort events by name: the rare ones, numbered, before the others, each in the order in which it first comes."""
+    times: dict[Words, list[float]] = {}
+    for event in events:
+        times.setdefault(event.name, []).append(event.time)
+    rare = [name for name, own in times.items() if len(own) <= _FEW]
+    numbered = [EventSort(name, number, tuple(times[name])) for number, name in enumerate(rare, start=1)]
+    return numbered + [EventSort(name, 0, tuple(own)) for name, own in times.items() if name not in rare]
+
+
+def start_picture(start: Start) -> Sheet:
+    """Collect what became of a start.
+
+    Parameters
+    ----------
+    start : Start
+
+    Returns
+    -------
+    Sheet
+        Curves over the time with its events, its way through the motor's curve, and facts; of a start that takes no
+        time facts alone.
+    """
+    run, sorts = start.run, event_sorts(start.events)
+    rows = [*_facts(start), *_event_rows(sorts)]
+    table = facts_table(_("The start"), rows)
+    title = _("Start: {reason}", reason=run.reason)
+    if run.whole_time[-1] <= run.whole_time[0]:
+        return Sheet(start.machine, title, (SheetColumn(1.0, (table,)),))
+    cards: tuple[CurveCard, ...] = ()
+    if start.motor is not None:
+        way = (run.whole.motor_speed, run.whole.motor_torque)
+        cards = (CurveCard((torque_speed_panel(start.motor, 0, way, _("this start")),), height=0.5),)
+    left = Stack(tuple(_panels(start, tuple(_levels(sorts)))), _("Time, s"))
+    return Sheet(start.machine, title, (SheetColumn(0.56, (left,)), SheetColumn(0.44, (*cards, table))))
+
+
+def _levels(sorts: Sequence[EventSort]) -> Iterator[PanelLine]:
+    """Lines at events."""
+    for one in sorts:
+        role = "event" if one.number else "often"
+        for time in one.times if len(one.times) <= _MOST else ():
+            yield PanelLine(time, role, number=one.number, is_upright=True)
+
+
+def _panels(start: Start, levels: tuple[PanelLine, ...]) -> Iterator[Panel]:
+    """Curves one above the other: of the whole run, whatever times were asked for."""
+    curves = start.run.whole
+
+    def panel(title: Message, unit: str, *lines: Curve) -> Panel:
+        return Panel(title, unit, start.run.whole_time, lines, across_unit="s", levels=levels)
+
+    def of(name: str, role: Role, letter: str, symbol: str = "") -> Curve:
+        values: Array = getattr(curves, name)
+        return Curve(values, role, letter, symbol)
+
+    yield panel(_("Speed of the motor"), "rpm", of("motor_speed", "card", "v"))
+    if start.run.stroke is not None:
+        yield panel(_("Speed of the crank"), "rpm", of("crank_speed", "card", "s"))
+    if start.motor is not None:
+        yield panel(_("Torque of the motor"), "N*m", of("motor_torque", "card", "T"))
+        yield panel(_("Power of the motor"), "W", of("motor_power", "card", "j"))
+    yield panel(
+        _("Energy"),
+        "J",
+        of("motor_work", "card", "T", "W_m"),
+        of("load_work", "carried", "s", "W_Q"),
+        of("lost_work", "resultant", "N", "W_v"),
+        of("kinetic_energy", "side", "F", "T"),
+    )
+
+
+def _facts(start: Start) -> Iterator[tuple[Words, Words]]:
+    """What stands in the table, of the whole run, whatever times were asked for."""
+    curves, run = start.run.whole, start.run
+    turned = float(curves.crank_angle_turned[-1] - curves.crank_angle_turned[0])
+    yield _("ends after"), Amount(float(run.whole_time[-1]), "s")
+    yield _("turns of the crank"), Amount(turned / (2 * np.pi), "1")
+    yield _("largest torque of the motor"), Amount(float(np.max(curves.motor_torque)), "N*m")
+    yield _("largest power of the motor"), Amount(float(np.max(curves.motor_power)), "W")
+    yield _("work of the motor"), Amount(float(curves.motor_work[-1]), "J")
+    yield _("work that the loads took"), Amount(float(curves.load_work[-1]), "J")
+    yield _("lost in gearing, clutch and brake"), Amount(float(curves.lost_work[-1]), "J")
+    yield _("in motion at the end"), Amount(float(curves.kinetic_energy[-1]), "J")
+    if np.any(curves.motor_heat > 0):
+        yield _("heat in the motor"), Amount(float(curves.motor_heat[-1]), "J")
+    left_over = float(abs(run.residual) / run.supplied) if run.supplied else 0.0
+    yield _("energy left over, of what was put in"), power_of_ten(left_over)
+
+
+def _event_rows(sorts: Sequence[EventSort]) -> Iterator[tuple[Words, Words]]:
+    """What the table says of events: the number of a mark, its name and time, or how many lines there are."""
+    for one in sorts:
+        if one.number:
+            yield from ((Listed((str(one.number), one.name), "  "), Amount(time, "s")) for time in one.times)
+        else:
+            said = _("{name}, dotted: {n}") if len(one.times) <= _MOST else _("{name}, not drawn: {n}")
+            yield said.format(name=one.name, n=len(one.times)), _("first {time}", time=Amount(one.times[0], "s"))

@@ -1,0 +1,132 @@
+"""One mechanism to draw: its pins over a turn, the line of its stroke, its bore; and where shafts and cylinders are."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.layout.places import PlacedMechanism
+from cranktrain.machine import Machine
+from cranktrain.mechanisms.drawing import Drawing, Guide
+from cranktrain.motion import Array, Point
+from cranktrain.plans.stroke_lines import Along, guide_line, unit
+from cranktrain.questions.cylinders.declared import cylinders_of
+from cranktrain.record import record
+
+
+@record
+class DrawnMechanism:
+    """One mechanism, where it stands, in metres or millimetres.
+
+    Attributes
+    ----------
+    place : PlacedMechanism
+    is_first : bool
+        Drawn filled; all others hollow.
+    turn : Drawing
+        Its pins at crank angles all round a turn, shape (n,), in the unit of length of all its lengths.
+    bore : float or None
+        None where the file has none.
+    centre : Array, shape (2,)
+        Of its shaft, from the main one.
+    cut : float
+        By how much its rod is drawn too short, broken.
+    """
+
+    place: PlacedMechanism
+    is_first: bool
+    turn: Drawing
+    bore: float | None
+    centre: Array
+    cut: float = 0.0
+
+    @cached_property
+    def turn_pins(self) -> dict[str, Array]:
+        """Where its pins are over the turn, by name, shape (2, n)."""
+        return self.turn.positions
+
+    @property
+    def output(self) -> str | None:
+        """Name of the pin that slides in this mechanism's own guide; None for a rocker."""
+        is_slider = self.place.kind.output.is_slider
+        return self.turn.guides[0].pin if is_slider and self.turn.guides else None
+
+    @property
+    def crank_pin(self) -> str:
+        """Name of the crank's pin: the second of the link that is drawn first."""
+        return self.turn.links[0].pins[1]
+
+    @property
+    def metal(self) -> tuple[str, ...]:
+        """Names of its pins without the points that are only followed."""
+        return tuple(name for name in self.turn.pins if name not in self.turn.points)
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is drawn link by link: a mechanism that is not one of the engine's."""
+        return not self.place.kind.is_outlined
+
+    @cached_property
+    def stroke_line(self) -> Along:
+        """Line on which the output pin travels; its foot is nearest the shaft."""
+        return self.line_of(self.turn.guides[0])
+
+    def line_of(self, guide: Guide) -> Along:
+        """Line of one of its guides, which needs one angle at which the links close; its foot is nearest the shaft."""
+        pin = self.turn_pins[guide.pin]
+        closed = np.flatnonzero(np.isfinite(pin[0]))
+        return guide_line(guide.direction, pin[:, closed[0] if closed.size else 0], self.centre)
+
+    @cached_property
+    def travel(self) -> tuple[float, float]:
+        """Nearest and farthest place of the output pin on its line."""
+        places = self.stroke_line.place(self.turn_pins[self.turn.guides[0].pin])
+        return float(np.nanmin(places)), float(np.nanmax(places))
+
+    @property
+    def toward_chamber(self) -> float:
+        """+1 where its crown is the end away from its shaft, −1 of a piston with side rods."""
+        return -1.0 if self.place.is_far else 1.0
+
+    @property
+    def width(self) -> float:
+        """Bore; where the file has none, 0.6 of the stroke for the crosshead that is drawn instead."""
+        return self.bore if self.bore is not None else 0.6 * (self.travel[1] - self.travel[0])
+
+
+class CylinderSizes(NamedTuple):
+    """Bores by mechanism; heights of ports by cylinder, of each "exhaust" and "scavenge". [m]"""
+
+    bores: Mapping[str, float]
+    ports: Mapping[str, Mapping[str, float]]
+
+
+def cylinder_sizes(machine: Machine, places: Sequence[PlacedMechanism]) -> CylinderSizes:
+    """Say how large the cylinders of some mechanisms are, of what the file gives."""
+    pistons = [place for place in places if place.kind.output.is_slider]
+    cylinders = cylinders_of(machine.cylinder, pistons)
+    bored = ((pistons[i].name, one.bore) for one in cylinders for i in one.pistons)
+    ports = {
+        cylinder.name: {
+            end: height.si
+            for end, height in (("exhaust", cylinder.exhaust_port), ("scavenge", cylinder.scavenge_port))
+            if height is not None
+        }
+        for cylinder in cylinders
+    }
+    return CylinderSizes({name: bore.si for name, bore in bored if bore is not None}, ports)
+
+
+def standing(drawing: Drawing, centre: Array, cut: float = 0.0) -> Drawing:
+    """Move a drawing to where its shaft is; with a cut, its output so much nearer to the shaft."""
+
+    def moved(pin: Point, by: Array) -> Point:
+        return Point(*(part._replace(value=part.value + step) for part, step in zip(pin, by, strict=True)))
+
+    pins = {name: moved(pin, centre) for name, pin in drawing.pins.items()}
+    if cut:
+        guide = drawing.guides[0]
+        pins[guide.pin] = moved(pins[guide.pin], -cut * unit(guide.direction).reshape(2))
+    return replace(drawing, pins=pins)

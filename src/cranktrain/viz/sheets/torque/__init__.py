@@ -1,5 +1,0 @@
-"""Which torque comes out: its panels, orders and phase stars stand on the sheet of forces."""
-
-from cranktrain.viz.picture import Picture
-
-PICTURES: tuple[Picture, ...] = ()
