@@ -46,7 +46,7 @@ _KEPT = re.compile(r"\{[^{}]*\}|\$[^$\n]*\$|\x08")
 """Pieces, formulas, and the sign that a paragraph of a help is not to be wrapped."""
 
 _CITED = "|".join(map(re.escape, REFERENCES))
-_FILE = r"\S*\.(?:toml|csv|json|xlsx|png|svg|pdf)\b"
+_FILE = r"\S*\.(?:toml|csv|json|xlsx|nc|png|svg|pdf)\b"
 _TYPED = re.compile(rf"(?<!\w)--?[a-z][\w-]*|\[(?:{_CITED})\]|docs/[\w/-]+|{_FILE}|\w+…")
 """Options, sources, pages, files, names that are cut."""
 _FORMULA = re.compile(r"\$[^$\n]*\$")

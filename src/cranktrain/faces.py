@@ -5,6 +5,8 @@ from importlib import import_module
 from typing import Any
 
 _HOMES = {
+    "checks_record": "io.tables",
+    "conventions": "io.conventions",
     "curves_frame": "io.frames",
     "dataset_of": "analysis.dataset",
     "facts_frame": "io.frames",
@@ -12,7 +14,7 @@ _HOMES = {
     "machine_html": "analysis.representations",
     "machine_line": "analysis.representations",
     "plot_comparison": "viz.curves",
-    "plot_result": "viz.curves",
+    "plot_run": "viz.curves",
     "result_html": "analysis.representations",
     "result_line": "analysis.representations",
     "result_lines": "analysis.representations",

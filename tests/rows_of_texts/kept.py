@@ -51,7 +51,7 @@ def same(found, wanted, within=EXACT):
 def curve_of(found, number, whose, symbol, name=""):
     return next(
         one
-        for one in found.curves
+        for one in found.over_turn
         if (one.equation, one.of, one.symbol) == (number, whose, symbol) and name in one.name
     )
 

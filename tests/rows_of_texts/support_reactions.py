@@ -95,7 +95,7 @@ def check_end(machine, throw, side, bearing):
         if "--set" in command:
             more = {"set": {"balance.weight": tomllib.loads(argument(command, "--set"))["balance"]["weight"]}}
         found = ct.textbook.throw(ct.load(machine, **more), throw, 0)
-        size = {one.symbol[2:]: np.abs(one.values) for one in found.curves}
+        size = {one.symbol[2:]: np.abs(one.values) for one in found.over_turn}
         wanted = split(machine, **more)[bearing]
         same(np.hypot(size[f"K{side}"], size[f"T{side}"]), wanted, 1e-11)
         number = "(48)" if side == "L" else "(49)"

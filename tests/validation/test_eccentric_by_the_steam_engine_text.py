@@ -192,8 +192,8 @@ def test_statements_are_those_of_the_slider_crank(running):
         (one.equation, one.symbol, one.verdict) for one in plain
     ]
     np.testing.assert_allclose([one.value for one in valve], [one.value for one in plain], rtol=0, atol=1e-12)
-    curves = [one for one in ct.textbook.motion(ECC2, set={"running": running}).curves if one.of == "1valve"]
-    for own, other in zip(curves, plain.curves, strict=True):
+    curves = [one for one in ct.textbook.motion(ECC2, set={"running": running}).over_turn if one.of == "1valve"]
+    for own, other in zip(curves, plain.over_turn, strict=True):
         np.testing.assert_allclose(own.values, other.values, rtol=0, atol=1e-12)
         np.testing.assert_allclose(own.exact, other.exact, rtol=0, atol=1e-12)
 

@@ -1,6 +1,8 @@
 """Two machines side by side: their answers, and by how much they differ."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from contextlib import AbstractContextManager
+from dataclasses import replace
 from functools import cached_property
 from html import escape
 from typing import Any, NamedTuple
@@ -13,10 +15,14 @@ from cranktrain.analysis.result import Result
 from cranktrain.errors import Problem, refuse
 from cranktrain.faces import face
 from cranktrain.grouping import grouped
+from cranktrain.language import Listed, Words
 from cranktrain.language import said as _
+from cranktrain.motion import Array
 from cranktrain.one_line import one_line, short
 from cranktrain.quantities import FileUnits, shown_as_in
 from cranktrain.record import record
+from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.run import Run
 
 _LONGEST_HEAD = 10
 """Characters of a column's head; the machines' whole names stand above."""
@@ -74,7 +80,7 @@ def compared(
 
 
 @record
-class Comparison:
+class Comparison(Run):
     """Two machines side by side.
 
     Attributes
@@ -101,7 +107,61 @@ class Comparison:
         """Every fact that at least one of them has, in the order of the questions."""
         return tuple(_compared(row) for row in self._rows)
 
-    def plot(self, *quantities: str) -> Any:
+    @property
+    def subject(self) -> Words:
+        """What stands beside each other."""
+        return " — ".join(self.names)
+
+    @property
+    def catalogue(self) -> Mapping[str, Entry]:
+        """The facts that are compared, along `machine` and their own dimensions."""
+        return self._catalogue
+
+    @cached_property
+    def _catalogue(self) -> dict[str, Entry]:
+        found: dict[str, Entry] = {}
+        for row in self._rows:
+            if row.entry.is_fact:
+                found[row.entry.name] = replace(row.entry, dimensions=("machine", *row.entry.dimensions))
+        return found
+
+    @property
+    def labels(self) -> Mapping[str, tuple[str, ...]]:
+        """The machines, and the members that any of them has along each other dimension."""
+        names = {dimension for entry in self.catalogue.values() for dimension in entry.dimensions[1:]}
+        every = {
+            name: tuple(dict.fromkeys(label for one in self.results for label in one.labels.get(name, ())))
+            for name in sorted(names)
+        }
+        return {"machine": self.names, **every}
+
+    def __getattr__(self, name: str) -> Array:
+        """Give a fact of both, in the unit of its entry; NaN where a machine has none, or no such member."""
+        if name.startswith("_") or name not in self.catalogue:
+            raise AttributeError(name)
+        dimensions = self.catalogue[name].dimensions[1:]
+        found = np.full((len(self.results), *(len(self.labels[one]) for one in dimensions)), np.nan)
+        for place, result in enumerate(self.results):
+            if name in result.catalogue:
+                own = result.labels_of(result.catalogue[name])
+                where = [[self.labels[one].index(label) for label in labels] for one, labels in own.items()]
+                found[np.ix_([place], *where)] = getattr(result, name)
+        return found
+
+    def about(self) -> Iterator[tuple[str, Words]]:
+        """What heads a file of it: both machines."""
+        for result, name in zip(self.results, self.names, strict=True):
+            yield "machine", Listed((name, result.machines[0].name), ": ")
+
+    def before(self) -> Mapping[str, object]:
+        """What a .json has before its numbers: both machines."""
+        return {"machines": {name: one.machines[0].name for name, one in zip(self.names, self.results, strict=True)}}
+
+    def in_its_units(self) -> AbstractContextManager[None]:
+        """Show numbers in the units of the first machine, as far as nobody chose others."""
+        return shown_as_in(self._units)
+
+    def plot(self, *quantities: str, **_members: object) -> Any:
         """Lay the curves of both over each other.
 
         Parameters

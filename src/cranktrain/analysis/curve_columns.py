@@ -12,6 +12,7 @@ from cranktrain.analysis.dimensions import dimension_named
 from cranktrain.analysis.result import Result
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.run import Run
 
 
 class CurveColumn(NamedTuple):
@@ -41,32 +42,32 @@ class CurveColumn(NamedTuple):
         return " ".join(name for dimension, name in self.labels.items() if dimension_named(dimension).own is None)
 
 
-def by_default(result: Result) -> tuple[str, ...]:
+def by_default(run: Run) -> tuple[str, ...]:
     """Name the curves that nobody has to ask for: all but those that are there to be compared."""
     return tuple(
         name
-        for name, entry in result.catalogue.items()
-        if not entry.is_fact and not any(dimension_named(one).is_compared for one in result.labels_of(entry))
+        for name, entry in run.catalogue.items()
+        if run.is_curve(entry) and not any(dimension_named(one).is_compared for one in run.labels_of(entry))
     )
 
 
-def curve_columns(result: Result, names: Collection[str], *, of_each_method: bool = True) -> Iterator[CurveColumn]:
-    """Give curves of one machine, member by member.
+def curve_columns(run: Run, names: Collection[str], *, of_each_method: bool = True) -> Iterator[CurveColumn]:
+    """Give curves, member by member.
 
     Parameters
     ----------
-    result : Result
-        Of one machine.
+    run : Run
+        Of one design.
     names : collection of str
-        Which curves; facts, which have no crank angle, are left out.
+        Which curves; facts, which are not over the axis, are left out.
     of_each_method : bool
         Whether by each method, and by other rivals; else by that which is meant where none is named.
     """
-    for name, entry in result.catalogue.items():
-        if name not in names or entry.is_fact:
+    for name, entry in run.catalogue.items():
+        if name not in names or run.axis is None or not run.is_curve(entry):
             continue
-        curves: Array = np.moveaxis(getattr(result, name), entry.dimensions.index("crank_angle"), -1)
-        labels = result.labels_of(entry)
+        curves: Array = np.moveaxis(getattr(run, name), entry.dimensions.index(run.axis.name), -1)
+        labels = run.labels_of(entry)
         places = [_places(dimension, len(members), all_of=of_each_method) for dimension, members in labels.items()]
         for place in itertools.product(*places):
             chosen = zip(labels.items(), place, strict=True)

@@ -5,24 +5,23 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from cranktrain.analysis.dimensions import dimension_named
-from cranktrain.analysis.result import Result
-from cranktrain.analysis.unused import sentences
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.run import Run
 from cranktrain.saying.scales import in_asked_unit
 
 if TYPE_CHECKING:
     import xarray
 
 
-def dataset_of(result: Result) -> "xarray.Dataset":
-    """Give a result as a dataset.
+def dataset_of(run: Run) -> "xarray.Dataset":
+    """Give a run as a dataset.
 
     Parameters
     ----------
-    result : Result
+    run : Run
 
     Returns
     -------
@@ -38,20 +37,19 @@ def dataset_of(result: Result) -> "xarray.Dataset":
     imported("xarray", "dataset")
     from cranktrain.analysis.guarded_dataset import Dataset  # which needs xarray
 
-    design = ("design",) if result.has_designs else ()
-    chosen = result.catalogue if result.asked is None else dict.fromkeys(result.asked)
+    design = ("design",) if run.n_designs is not None else ()
+    wanted = set(run.wanted)
     variables: dict[str, Any] = {
-        name: ((*design, *entry.dimensions), *with_attributes(entry, getattr(result, name)))
-        for name, entry in result.catalogue.items()
-        if name in chosen
+        name: ((*design, *entry.dimensions), *with_attributes(entry, getattr(run, name)))
+        for name, entry in run.catalogue.items()
+        if name in wanted
     }
     used = {dimension for dimensions, *_rest in variables.values() for dimension in dimensions}
-    coordinates: dict[str, Any] = {
-        name: _coordinate(name, words) for name, words in result.labels.items() if name in used
-    }
-    coordinates["crank_angle"] = ("crank_angle", result.crank_angle, {"units": "deg", "symbol": "φ"})
-    about = {"name": result.machines[0].name, "unused": [*map(str, sentences(result.unused))]}
-    return Dataset(variables, coordinates, about)
+    coordinates: dict[str, Any] = {name: _coordinate(name, words) for name, words in run.labels.items() if name in used}
+    if run.axis is not None:
+        name, unit, symbol, places = run.axis
+        coordinates[name] = (name, places, {"units": unit, "symbol": symbol})
+    return Dataset(variables, coordinates, dict(run.attributes()))
 
 
 def imported(package: str, asked: str) -> Any:

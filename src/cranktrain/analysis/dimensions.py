@@ -17,12 +17,12 @@ _SHARED = {dimension.name: dimension for dimension in (*parts.DIMENSIONS, *texts
 
 @cache
 def dimension_named(name: str) -> ResultDimension:
-    """Give a dimension: one that questions share, or that one of them brings, which has been asked where it is met."""
+    """Give a dimension: one that questions share, or that one of them brings; else a plain one."""
     if name in _SHARED:
         return _SHARED[name]
     # No other question is loaded where one that is has it.
     brought = (one for question in chain(QUESTIONS.loaded, QUESTIONS) for one in question.dimensions)
-    return next(one for one in brought if one.name == name)
+    return next((one for one in brought if one.name == name), ResultDimension(name, ""))
 
 
 class Titled(Mapping[str, tuple[str, ...]]):

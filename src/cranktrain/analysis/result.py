@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import cached_property
 from itertools import groupby
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
+from typing import Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -20,16 +20,13 @@ from cranktrain.layout.question import needs_of
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
 from cranktrain.motion import Array
-from cranktrain.quantities import shown, shown_as_in, units_asked
+from cranktrain.quantities import shown, shown_as_in
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry, entries, values
 from cranktrain.saying.checks import Check, Checked, Flagged
 from cranktrain.saying.rows import AnswerLine, Telling
+from cranktrain.saying.run import Axis, Run
 from cranktrain.saying.wording import in_print
-
-if TYPE_CHECKING:
-    import pandas
-    import xarray
 
 Outcome = TypeVar("Outcome")
 
@@ -59,7 +56,7 @@ class Fact(NamedTuple):
 
 
 @record
-class Result:
+class Result(Run):
     """What a machine does, as far as its file says.
 
     Every quantity of `catalogue` is an attribute: a read-only array in the unit of its entry, the same numbers as in a
@@ -126,9 +123,13 @@ class Result:
         """Entry of every quantity, and the stage's result that holds it."""
         return {entry.name: (entry, kind) for kind in self.computed.kinds for entry in entries(kind)}
 
-    @cached_property
+    @property
     def catalogue(self) -> Mapping[str, Entry]:
         """What there is, by name."""
+        return self._catalogue
+
+    @cached_property
+    def _catalogue(self) -> dict[str, Entry]:
         return {name: entry for name, (entry, _home) in self._homes.items()}
 
     @cached_property
@@ -221,13 +222,13 @@ class Result:
     @property
     def flags(self) -> tuple[str, ...]:
         """Warnings: a textbook form outside its source's range, and the like; as they are said here and now."""
-        with self._in_its_units():
+        with self.in_its_units():
             return tuple(in_print(str(flag)) for flag in self.flag_words)
 
     @property
     def unlikely(self) -> tuple[str, ...]:
         """Those of the flags that ask whether a number of the file is right."""
-        with self._in_its_units():
+        with self.in_its_units():
             return tuple(in_print(str(flag)) for outcome in self._outcomes_of(Flagged) for flag in outcome.unlikely)
 
     @property
@@ -275,89 +276,50 @@ class Result:
         str
         """
         is_of_all = self.has_designs and design is None
-        with self._in_its_units():
+        with self.in_its_units():
             found = face("summary_of_designs")(self) if is_of_all else face("result_lines")(self, design or 0)
             return "\n".join([*map(str, sentences(self.unused)), *found])
 
-    def labels_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
-        """Names along each dimension of a quantity, but for the crank angle."""
-        return {dimension: self.labels[dimension] for dimension in entry.dimensions if dimension != "crank_angle"}
-
-    def titles_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
-        """What people call the members along each dimension of a quantity, but for the crank angle."""
-        return {dimension: self.titles[dimension] for dimension in self.labels_of(entry)}
+    @property
+    def subject(self) -> Words:
+        """Whose result it is."""
+        return self.machines[0].name
 
     @property
-    def dataset(self) -> "xarray.Dataset":
-        """Give the quantities that were asked for, or all, as an xarray dataset with what the catalogue says of them.
+    def axis(self) -> Axis:
+        """Crank angles, which its curves are over."""
+        return Axis("crank_angle", "deg", "φ", self.crank_angle)
 
-        In SI and degrees unless a table [units] of the machine, or `ct.units`, asks for other units. xarray comes with
-        `pip install 'cranktrain[dataset]'`.
-        """
-        with self._in_its_units():
-            units = tuple(units_asked().items())
-            if units not in self._datasets:
-                self._datasets[units] = face("dataset_of")(self)
-        return self._datasets[units]
+    @property
+    def n_designs(self) -> int | None:
+        """How many designs its arrays have along a leading dimension; None of one machine alone."""
+        return len(self.machines) if self.has_designs else None
 
-    def curves(self, *quantities: str, design: int = 0, of_each_method: bool = False) -> "pandas.DataFrame":
-        """Give curves as a data frame, a row for each crank angle.
+    @property
+    def wanted(self) -> Iterable[str]:
+        """Names of what was asked for, or of all."""
+        return self.catalogue if self.asked is None else self.asked
 
-        Parameters
-        ----------
-        *quantities : str
-            Names of curves; all but those by methods that are there to be compared unless given.
-        design : int
-            Which of the result's machines.
-        of_each_method : bool
-            Whether by each method; else by the one that is meant where none is named.
+    def about(self) -> Iterable[tuple[str, Words]]:
+        """What heads a file of it: the machine, and what its numbers count from."""
+        return (("machine", self.machines[0].name), *face("conventions")(self).items())
 
-        Returns
-        -------
-        pandas.DataFrame
-            Its columns are called by quantity and by whose it is: `result.curves()["piston_force"]["1L"]`; its
-            `attrs["units"]` has their units, SI unless others were asked for. `pip install 'cranktrain[dataset]'`.
-        """
-        with self._in_its_units():
-            return face("curves_frame")(self, quantities, design=design, of_each_method=of_each_method)
+    def attributes(self) -> Mapping[str, object]:
+        """What a dataset says of it as a whole: the machine, and what of its file is not used."""
+        return {"name": self.machines[0].name, "unused": [*map(str, sentences(self.unused))]}
 
-    def facts_table(self, *, design: int = 0) -> "pandas.DataFrame":
-        """Give the facts of one machine as a data frame: quantity, of, value, unit, meaning."""
-        with self._in_its_units():
-            return face("facts_frame")(self, design=design)
+    def before(self) -> Mapping[str, object]:
+        """What a .json has before its numbers: what they count from."""
+        return {"conventions": face("conventions")(self)}
 
-    @cached_property
-    def _datasets(self) -> "dict[object, xarray.Dataset]":
-        """Datasets that were made, by the units that were asked for."""
-        return {}
+    def after(self) -> Mapping[str, object]:
+        """What a .json has behind its numbers: checks, what is not used, flags, what is missing."""
+        checks: Mapping[str, object] = face("checks_record")(self)
+        return checks
 
-    def _in_its_units(self) -> AbstractContextManager[None]:
+    def in_its_units(self) -> AbstractContextManager[None]:
         """Show numbers in the units of the first machine, as far as nobody chose others."""
         return shown_as_in(face("units_of")(self.machines[0]))
-
-    def plot(self, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Any:
-        """Draw curves over the crank angle.
-
-        Parameters
-        ----------
-        *quantities : str
-            Names of curves; the main ones of the machine unless given.
-        design : int
-            Which of the result's machines.
-        **members : str or sequence of str
-            Whose, by dimension: `piston="1R"`, `joint=["1L.guide", "1R.guide"]`; the first few unless given.
-
-        Returns
-        -------
-        matplotlib.figure.Figure
-
-        Raises
-        ------
-        InputError
-            Where there is no such curve, or member.
-        """
-        with self._in_its_units():
-            return face("plot_result")(self, *quantities, design=design, **members)
 
     def sheet(self, name: Sheet = "machine", *, size: Literal["A4", "A3"] = "A4", design: int = 0) -> Any:
         """Draw a sheet of paper.
@@ -389,7 +351,7 @@ class Result:
 
     def _repr_html_(self) -> str:
         """Give the answer for a notebook."""
-        with self._in_its_units():
+        with self.in_its_units():
             words: str = face("result_html")(self)
             return words
 

@@ -1,7 +1,7 @@
 """`compare`: two machines side by side, or one with itself where some values are others."""
 
 from collections.abc import Iterator
-from pathlib import Path, PurePath
+from pathlib import Path
 
 from rich.text import Text
 
@@ -9,6 +9,8 @@ from cranktrain.analysis import Result, sentences
 from cranktrain.analysis.comparison import Comparison, compared
 from cranktrain.cli.asked import Asked, in_units_of, units_asked_for
 from cranktrain.cli.how_far import says_how_far
+from cranktrain.cli.quiet_pictures import save_quietly
+from cranktrain.cli.run_files import form_of, write_run
 from cranktrain.cli.screen.text import page
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
@@ -17,6 +19,7 @@ from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
 from cranktrain.record import record
+from cranktrain.viz.output import FORMATS
 
 
 @record
@@ -24,6 +27,7 @@ class CompareRequest(Asked):
     """What is asked of `compare`, as typed; `quantities` is None for the headlines."""
 
     second: str | None = None
+    decimal: str = "point"
     quantities: tuple[str, ...] | None = None
 
 
@@ -47,9 +51,11 @@ def _show(files: tuple[MachineFile, MachineFile], request: CompareRequest) -> No
     results = _computed(files, request)
     comparison = compared(results, _names(request), request.quantities)
     if request.output is not None:
-        from cranktrain.viz import save
-
-        save(comparison.plot, request.output, force=request.force)
+        form = form_of(request.output, request.decimal, FORMATS)
+        if form is not None:
+            write_run(comparison, form, request.output, {}, force=request.force)
+            return
+        save_quietly(comparison.plot, request.output, force=request.force)
         print(_("written: {name}", name=one_line(request.output)))
         return
     heads = [f"{one_line(name)}: {title(file.machine)}" for name, file in zip(comparison.names, files, strict=True)]
@@ -83,13 +89,9 @@ def _minded(comparison: Comparison) -> Iterator[str]:
 
 
 def _check(request: CompareRequest) -> None:
-    """Refuse what cannot be compared, and a picture that cannot be written."""
+    """Refuse what cannot be compared, and a file that cannot be written."""
     if request.output is not None:
-        from cranktrain.viz.output import FORMATS
-
-        if PurePath(request.output).suffix.lower() not in FORMATS:
-            allowed = _("must end in one of: {suffixes}", suffixes=", ".join(FORMATS))
-            raise InputError([Problem("-o", request.output, allowed)])
+        form_of(request.output, request.decimal, FORMATS)
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
         raise InputError([Problem("--quantities", '""', allowed)])

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from cranktrain.cli.options import File, Force, Partial, Quantities, Settings, Units, listed
+from cranktrain.cli.options import Decimal, File, Force, Partial, Quantities, Settings, Units, listed
 from cranktrain.cli.task import put_off
 from cranktrain.language import N_
 
@@ -38,9 +38,10 @@ def add_compare(app: typer.Typer) -> None:
                 "-o",
                 "--output",
                 metavar="FILE",
-                help=N_("Draw the curves of both over each other instead: .png, .svg or .pdf."),
+                help=N_("Write the facts of both: .csv, .json, .xlsx or .nc; or draw their curves: .png, .svg, .pdf."),
             ),
         ] = None,
+        decimal: Decimal = "point",
         partial_turn: Partial = False,
         units: Units = None,
         force: Force = False,
@@ -55,6 +56,7 @@ def add_compare(app: typer.Typer) -> None:
             quantities=names,
             is_partial=partial_turn,
             output=output,
+            decimal=decimal,
             force=force,
             units=units,
         )

@@ -7,7 +7,6 @@ from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
-from rich.text import Text
 
 from cranktrain.analysis import Result
 from cranktrain.analysis.curve_columns import (
@@ -19,8 +18,8 @@ from cranktrain.analysis.curve_columns import (
     of_member,
 )
 from cranktrain.cli.number_lists import exact, numbers_listed
-from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.facts import fact_tables
+from cranktrain.cli.screen.sections import show_page
 from cranktrain.cli.screen.text import INDENT, page, section
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
@@ -30,7 +29,7 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.quantities import unlisted
 from cranktrain.record import record
-from cranktrain.saying.amounts import figures
+from cranktrain.saying.sections import Column, Grid, ShownSection
 
 _HUNDREDTHS = 100
 """Parts of a degree of which angles that can be asked for are whole numbers."""
@@ -176,17 +175,21 @@ def _absence(result: Result, asked: CurvesAsked, names: Sequence[str]) -> Proble
 
 def show_curves(result: Result, asked: CurvesAsked, names: tuple[str, ...] | None, chosen: ChosenCurves) -> None:
     """Show curves at some crank angles."""
-    with page(title(result.machines[0])) as console:
-        width = console.width - INDENT
-        if asked.table is None and chosen.angles.size == 1:
+    if asked.table is None and chosen.angles.size == 1:
+        with page(title(result.machines[0])) as console:
             heading = _("At {angle}", angle=f"{chosen.angles[0]:g}°")
             wanted = by_default(result) if names is None else names
             facts = CurvesAtAngle(result, int(chosen.places[0]), wanted)
-            section(console, heading, fact_tables(facts, tuple(facts.catalogue), width))
-            return
-        tables = {chosen.member: chosen.columns} if asked.table is not None else _by_member(chosen.columns)
-        for member, columns in tables.items():
-            section(console, _heading(asked, chosen, member), _lines(columns, chosen.angles, width))
+            section(console, heading, fact_tables(facts, tuple(facts.catalogue), console.width - INDENT))
+        return
+    tables = {chosen.member: chosen.columns} if asked.table is not None else _by_member(chosen.columns)
+    show_page(
+        title(result.machines[0]),
+        (
+            ShownSection(_heading(asked, chosen, member), (_grid(columns, chosen.angles),))
+            for member, columns in tables.items()
+        ),
+    )
 
 
 def _by_member(columns: Sequence[CurveColumn]) -> dict[str, list[CurveColumn]]:
@@ -211,15 +214,14 @@ def table_title(asked: CurvesAsked, chosen: ChosenCurves) -> str:
     return _("Table {table} of {member}", table=asked.table, member=chosen.member)
 
 
-def _lines(columns: Sequence[CurveColumn], angles: Array, width: int) -> Iterator[str | Text]:
-    """Lay out columns, as many side by side as there is room for, and what they are below."""
-    labels = [f"{angle:g}" for angle in angles.tolist()]
-    each: list[Column] = []
-    for column in columns:
-        shown = figures(column.values, column.entry.shown)
-        each.append(Column(column.entry.symbol or column.entry.name, shown.unit, shown.texts, column.entry.name))
-    for i, part in enumerate(side_by_side(each, width - max(map(len, labels)))):
-        if i:
-            yield ""
-        yield from column_table(part, labels, "φ °")
-        yield ", ".join(f"{column.head} {column.name}" for column in part)
+def _grid(columns: Sequence[CurveColumn], angles: Array) -> Grid:
+    """Columns at some angles, and what they are below."""
+    return Grid(
+        [
+            Column(one.entry.symbol or one.entry.name, one.values.tolist(), one.entry.shown, "amounts", one.entry.name)
+            for one in columns
+        ],
+        [f"{angle:g}" for angle in angles.tolist()],
+        "φ °",
+        names_quantities=True,
+    )

@@ -29,7 +29,7 @@ ResultsOutput = Annotated[
         "-o",
         "--output",
         metavar="FILE",
-        help=N_("Write curves to .csv, or all results to .json or .xlsx; by each method only if named."),
+        help=N_("Write curves to .csv, or all results to .json, .xlsx or .nc; by each method only if named."),
     ),
 ]
 StartOutput = Annotated[

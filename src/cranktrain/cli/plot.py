@@ -297,7 +297,7 @@ def _chosen(choice: Choice) -> dict[str, Any]:
 
 def _with_texts(machine: Machine, request: PlotRequest, problem: Problem) -> Problem:
     """Say with a problem of what mechanisms a machine has which texts speak of it."""
-    from cranktrain.cli.textbook.speaking import with_speaking
+    from cranktrain.textbook.speaking import with_speaking
 
     return with_speaking(machine, request.file, request.settings, ("mechanism",))(problem)
 

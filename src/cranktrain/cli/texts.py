@@ -200,75 +200,41 @@ def add_textbook(app: typer.Typer) -> None:
         ] = None,
         force: Force = False,
     ) -> None:
-        values = tuple(settings or ())
-        of_forces = {"--step": None if step is None else f"{step:g}", "--piston": piston}
-        alone = {
-            "FILE": file or None,
-            "--source": source,
-            "--table": "" if table else None,
-            "--errata": "" if errata else None,
-            "--forces": forces,
-            **of_forces,
-            "--harmonics": "" if harmonics else None,
-            "--crank-to-rod-ratio": crank_to_rod_ratio,
-        }
-        of_throw = {"--throw-number": throw_number, "--crank-masses": crank_masses}
+        from cranktrain.cli.textbook.typed import TextbookRequest, refuse_without_throw
+
+        asked = TextbookRequest(
+            file=file or None,
+            settings=tuple(settings or ()),
+            source=source,
+            equation=equation,
+            table=table,
+            full=full,
+            errata=errata,
+            forces=forces,
+            step=step,
+            piston=piston,
+            harmonics=harmonics,
+            crank_to_rod_ratio=crank_to_rod_ratio,
+            throw=throw,
+            throw_number=throw_number,
+            crank_masses=crank_masses,
+            drive=drive,
+            at=at,
+            output=output,
+            force=force,
+        )
         if equation is not None:
-            from cranktrain.cli.textbook.texts import show_equation
-
-            del alone["--source"]
-            alone |= {
-                "--set": values[0] if values else None,
-                "--full": "" if full else None,
-                **of_throw,
-                "--throw": throw,
-                "--drive": drive,
-                "--at": None if at is None else f"{at:g}",
-                "-o": output,
-                "--force": "" if force else None,
-            }
-            show_equation(equation, source, others=alone)
-            return
-        if drive is not None:
-            from cranktrain.cli.textbook.drive import show_drive
-
-            others = {**alone, **of_throw, "--throw": throw}
-            show_drive(drive, values, output, angle=at, full=full, force=force, others=others)
-            return
-        if throw is not None:
-            from cranktrain.cli.textbook.throw import OfMachine, show_throw
-
-            del alone["--table"]
-            asked = OfMachine(throw_number, at, crank_masses, table)
-            show_throw(throw, values, output, asked=asked, full=full, force=force, others=alone)
-            return
-        from cranktrain.cli.textbook.output import refuse_without_throw
-
-        refuse_without_throw(output, at=at, force=force, of_throw=of_throw)
-        if harmonics or crank_to_rod_ratio is not None:
-            from cranktrain.cli.textbook.harmonics import show_harmonics
-
-            others = {
-                "--table": "" if table else None,
-                "--full": "" if full else None,
-                "--errata": "" if errata else None,
-                "--source": source,
-                "--forces": forces,
-                **of_forces,
-            }
-            show_harmonics(file, values, ratio=crank_to_rod_ratio, others=others)
-            return
-        from cranktrain.cli.textbook.command import show_textbook
-        from cranktrain.cli.textbook.forces import STEP, refuse_with_forces, refuse_without_forces, show_force_tables
-
-        if forces is not None:
-            others = {
-                "--source": source,
-                "--table": "" if table else None,
-                "--errata": "" if errata else None,
-            }
-            refuse_with_forces(others)
-            show_force_tables(file, values, unit=forces, step=STEP if step is None else step, piston=piston, full=full)
-            return
-        refuse_without_forces(of_forces)
-        show_textbook(file, values, source=source, full=full, with_table=table, with_errata=errata)
+            from cranktrain.cli.textbook.equation import show_equation as show
+        elif drive is not None:
+            from cranktrain.cli.textbook.drive import show_drive as show
+        elif throw is not None:
+            from cranktrain.cli.textbook.throw import show_throw as show
+        else:
+            refuse_without_throw(asked)
+            if harmonics or crank_to_rod_ratio is not None:
+                from cranktrain.cli.textbook.harmonics import show_harmonics as show
+            elif forces is not None:
+                from cranktrain.cli.textbook.forces import show_force_tables as show
+            else:
+                from cranktrain.cli.textbook.command import show_textbook as show
+        show(asked)

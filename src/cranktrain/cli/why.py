@@ -1,6 +1,6 @@
 """`run --why`: where a printed number is from: its quantity, its equation, the stages and the inputs behind it."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from rich.text import Text
 
@@ -31,7 +31,7 @@ def show_why(file: MachineFile, result: Result, words: str) -> None:
     found = behind(entry.name, file.machine)
     with page(title(file.machine)) as console:
         show_numbers(console, result, [one.name for one in meant], is_all=False)
-        section(console, _("Where it is from"), _origin(entry, found, [*beside, *others], result.catalogue))
+        section(console, _("Where it is from"), _origin(entry, found, [*beside, *others], result))
         inputs = list(_inputs(file, found))
         section(console, _("What this rests on"), input_table(inputs, console.width - INDENT))
 
@@ -62,12 +62,9 @@ def _of_line(words: str, result: Result) -> list[Entry]:
     return [result.catalogue[name] for name in names if name in result.catalogue]
 
 
-def _origin(entry: Entry, found: Pipeline, others: list[Entry], catalogue: Mapping[str, Entry]) -> Iterator[str | Text]:
+def _origin(entry: Entry, found: Pipeline, others: list[Entry], result: Result) -> Iterator[str | Text]:
     """What a quantity is, its equation, in symbols where it is a line of others, and the stages that lead to it."""
-    yield f"{entry.symbol or entry.name} [{entry.unit}]: {entry.sentence}"
-    yield entry.citation
-    if line := entry.in_symbols(catalogue):
-        yield line
+    yield from map(str, result.why(entry.name))
     yield _("Stages: {stages}", stages=" → ".join(stage.name for stage in found.stages))
     yield _("More: cranktrain list results --behind {name}", name=entry.name)
     if others:

@@ -1,4 +1,4 @@
-"""A result as tables, CSV and JSON: every number with the shortest digits that read back to the same double."""
+"""A run as tables, CSV and JSON: every number with the shortest digits that read back to the same double."""
 
 import csv
 import io
@@ -10,9 +10,9 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.analysis.curve_columns import CurveColumn
-from cranktrain.io.conventions import conventions
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.run import Axis, Run
 from cranktrain.saying.scales import in_asked_unit
 from cranktrain.version import VERSION
 
@@ -20,18 +20,18 @@ HEADS = ("quantity", "of", "value", "unit", "meaning")
 
 
 def csv_text(
-    result: Result, columns: Sequence[CurveColumn], angles: Array | None = None, *, comma: bool = False
+    run: Run, columns: Sequence[CurveColumn], places: Array | None = None, *, comma: bool = False
 ) -> Iterator[str]:
-    """Write curves as a table with one row for each crank angle.
+    """Write curves as a table with one row for each place of the axis, such as a crank angle.
 
     Parameters
     ----------
-    result : Result
-        Of one machine.
+    run : Run
+        Of one design.
     columns : sequence of CurveColumn
         To write.
-    angles : Array, shape (n,)
-        The crank angles of their values; those of the result unless given. [deg]
+    places : Array, shape (n,)
+        Where on the axis their values are; all along it unless given.
     comma : bool
         As spreadsheets take it where a comma divides decimals: semicolons between, a byte-order mark before.
 
@@ -40,7 +40,7 @@ def csv_text(
     str
         Lines: `#` lines with the conventions, a head `name(index) [unit]`, then the numbers; NaN is written `nan`.
     """
-    yield from csv_lines(about(result, columns, angles).items(), headed(result, columns, angles), comma=comma)
+    yield from csv_lines(about(run, columns, places), headed(run, columns, places), comma=comma)
 
 
 def csv_lines(said: Iterable[tuple[str, str]], columns: Mapping[str, Array], *, comma: bool) -> Iterator[str]:
@@ -48,7 +48,7 @@ def csv_lines(said: Iterable[tuple[str, str]], columns: Mapping[str, Array], *, 
     if comma:
         yield "\ufeff"
     for word, sentence in said:
-        yield f"# {word}: {' '.join(sentence.split())}\n"
+        yield _remark(word, sentence)
     row = io.StringIO()
     writer = csv.writer(row, delimiter=";" if comma else ",", lineterminator="\n")
     writer.writerow(columns)
@@ -60,20 +60,28 @@ def csv_lines(said: Iterable[tuple[str, str]], columns: Mapping[str, Array], *, 
         row.truncate()
 
 
-def about(result: Result, columns: Iterable[CurveColumn], angles: Array | None) -> dict[str, str]:
+def _remark(word: str, sentence: str) -> str:
+    """A line that is no row."""
+    return f"# {word}: {' '.join(sentence.split())}\n"
+
+
+def about(run: Run, columns: Iterable[CurveColumn], places: Array | None) -> Iterator[tuple[str, str]]:
     """Say what a table of curves is of, what its numbers count from, and which curves are left out; of `csv_text`."""
-    said = {"cranktrain": VERSION, "machine": result.machines[0].name, **conventions(result)}
-    # Of some angles alone nobody expects all curves.
-    if angles is not None:
-        return said
+    yield "cranktrain", VERSION
+    for word, sentence in run.about():
+        yield word, str(sentence)
+    # Of some places alone nobody expects all curves.
     names = {column.entry.name for column in columns}
-    left_out = [name for name, entry in result.catalogue.items() if name not in names and not entry.is_fact]
-    return said | ({"left out": ", ".join(left_out)} if left_out else {})
+    left_out = [name for name, entry in run.catalogue.items() if name not in names and run.is_curve(entry)]
+    if places is None and left_out:
+        yield "left out", ", ".join(left_out)
 
 
-def headed(result: Result, columns: Iterable[CurveColumn], angles: Array | None) -> dict[str, Array]:
-    """Give the crank angle [deg] and every column by its head, `name(index) [unit]`; parameters as of `csv_text`."""
-    found = {"crank_angle [deg]": result.crank_angle if angles is None else angles}
+def headed(run: Run, columns: Iterable[CurveColumn], places: Array | None) -> dict[str, Array]:
+    """Give the axis and every column by its head, `name(index) [unit]`; parameters as of `csv_text`."""
+    found: dict[str, Array] = {}
+    if run.axis is not None:
+        found[f"{run.axis.name} [{run.axis.unit}]"] = run.axis.values if places is None else places
     for column in columns:
         entry = column.entry
         unit, values = in_asked_unit(entry.unit, column.values, entry.shown)
@@ -81,32 +89,46 @@ def headed(result: Result, columns: Iterable[CurveColumn], angles: Array | None)
     return found
 
 
-def json_text(result: Result, machine: Mapping[str, object], names: Collection[str]) -> Iterator[str]:
-    """Write a result whole.
+def json_text(run: Run, machine: Mapping[str, object], names: Collection[str]) -> Iterator[str]:
+    """Write a run whole.
 
     Parameters
     ----------
-    result : Result
-        Of one machine.
+    run : Run
+        Of one design.
     machine : mapping
-        The data of its file.
+        The data of its file; left out where it is of none.
     names : collection of str
         Quantities to write.
 
     Yields
     ------
     str
-        A JSON object: `cranktrain`, `machine`, `conventions`, `crank_angle`, `quantities`, `facts`, `checks`,
-        `unused`, `flags`, `missing`. Values are nested lists in the order of `dimensions`; NaN is null.
+        A JSON object: `cranktrain`, `machine`, what the run has before its numbers, such as `conventions`, its axis,
+        `quantities`, `facts`, and what it has behind them, such as `checks`. Values are nested lists in the order of
+        `dimensions`; NaN is null.
     """
-    chosen = {name: entry for name, entry in result.catalogue.items() if name in names}
+    chosen = {name: entry for name, entry in run.catalogue.items() if name in names}
+    axis = {} if run.axis is None else {run.axis.name: _along(run.axis)}
     parts = {
         "cranktrain": VERSION,
-        "machine": machine,
-        "conventions": conventions(result),
-        "crank_angle": {"unit": "deg", "symbol": "φ", "values": _nested(result.crank_angle)},
-        "quantities": {name: _described(result, entry) for name, entry in chosen.items() if not entry.is_fact},
-        "facts": {name: _described(result, entry) for name, entry in chosen.items() if entry.is_fact},
+        **({"machine": machine} if machine else {}),
+        **run.before(),
+        **axis,
+        "quantities": {name: _described(run, entry) for name, entry in chosen.items() if run.is_curve(entry)},
+        "facts": {name: _described(run, entry) for name, entry in chosen.items() if not run.is_curve(entry)},
+        **run.after(),
+    }
+    start = "{\n"
+    for name, part in parts.items():
+        yield f"{start}{_json(name)}: {_json(part)}"
+        start = ",\n"
+    yield "\n}\n"
+
+
+def checks_record(result: Result) -> dict[str, object]:
+    """Give checks of a result, what is not used, flags and what is missing, as JSON has them."""
+    return {
         "checks": [
             {
                 "name": check.name,
@@ -126,21 +148,21 @@ def json_text(result: Result, machine: Mapping[str, object], names: Collection[s
             {"results": list(missing.results), "needs": list(map(str, missing.needs))} for missing in result.missing
         ],
     }
-    start = "{\n"
-    for name, part in parts.items():
-        yield f"{start}{_json(name)}: {_json(part)}"
-        start = ",\n"
-    yield "\n}\n"
 
 
-def _described(result: Result, entry: Entry) -> dict[str, object]:
+def _along(axis: Axis) -> dict[str, object]:
+    """The axis with all that is known of it."""
+    return {"unit": axis.unit, "symbol": axis.symbol, "values": _nested(axis.values)}
+
+
+def _described(run: Run, entry: Entry) -> dict[str, object]:
     """One quantity with all that its catalogue entry says."""
-    unit, values = in_asked_unit(entry.unit, getattr(result, entry.name), entry.shown)
+    unit, values = in_asked_unit(entry.unit, getattr(run, entry.name), entry.shown)
     return {
         "unit": unit,
         "symbol": entry.symbol,
         "dimensions": entry.dimensions,
-        "labels": result.labels_of(entry),
+        "labels": run.labels_of(entry),
         "sentence": entry.sentence,
         "source": entry.source,
         "equation": entry.equation,
@@ -160,13 +182,13 @@ def _json(data: object) -> str:
     return json.dumps(data, ensure_ascii=False, allow_nan=False)
 
 
-def fact_rows(result: Result, names: Collection[str]) -> Iterator[tuple[str, str, float, str, str]]:
+def fact_rows(run: Run, names: Collection[str]) -> Iterator[tuple[str, str, float, str, str]]:
     """Give the facts one by one.
 
     Parameters
     ----------
-    result : Result
-        Of one machine.
+    run : Run
+        Of one design.
     names : collection of str
         Quantities to give; curves are left out.
 
@@ -175,29 +197,34 @@ def fact_rows(result: Result, names: Collection[str]) -> Iterator[tuple[str, str
     tuple
         In the order of `HEADS`: name, what of the machine it is of, the value, its unit, what it is.
     """
-    for name, entry in result.catalogue.items():
-        if name in names and entry.is_fact:
-            unit, values = in_asked_unit(entry.unit, np.asarray(getattr(result, name)), entry.shown)
-            for place, of in _places(result, entry):
-                yield name, of, float(values[place]), unit, entry.sentence
+    for name, entry in run.catalogue.items():
+        if name in names and not run.is_curve(entry):
+            unit, values = in_asked_unit(entry.unit, np.asarray(getattr(run, name)), entry.shown)
+            for place, of in _places(run, entry):
+                # Of runs side by side not each has every quantity.
+                if run.axis is not None or not np.isnan(values[place]):
+                    yield name, of, float(values[place]), unit, entry.sentence
 
 
-def _places(result: Result, entry: Entry) -> Iterator[tuple[tuple[int, ...], str]]:
+def _places(run: Run, entry: Entry) -> Iterator[tuple[tuple[int, ...], str]]:
     """Give every place of a quantity's values with its labels."""
-    labels = result.labels_of(entry).values()
+    labels = run.labels_of(entry).values()
     for place in itertools.product(*(range(len(names)) for names in labels)):
         yield place, " ".join(names[i] for names, i in zip(labels, place, strict=True))
 
 
-def fact_csv(result: Result, names: Collection[str], *, comma: bool = False) -> Iterator[str]:
+def fact_csv(run: Run, names: Collection[str], *, comma: bool = False) -> Iterator[str]:
     """Write facts as lines of a CSV; parameters as of `fact_rows`.
 
     With `comma` as spreadsheets take it where a comma divides decimals: semicolons between, a byte-order mark before.
     """
     text = io.StringIO()
+    # Where there are curves, too, their file says what all numbers count from.
+    if run.axis is None:
+        text.writelines(_remark(word, str(sentence)) for word, sentence in run.about())
     writer = csv.writer(text, delimiter=";" if comma else ",", lineterminator="\n")
     writer.writerow(HEADS)
-    for name, of, value, unit, meaning in fact_rows(result, names):
+    for name, of, value, unit, meaning in fact_rows(run, names):
         number = repr(value).replace(".", ",") if comma else repr(value)
         writer.writerow((name, of, number, unit, meaning))
     yield "\ufeff" * comma + text.getvalue()

@@ -6,26 +6,26 @@ from collections.abc import Collection, Iterator, Sequence
 from importlib import import_module
 from typing import Any
 
-from cranktrain.analysis import Result
 from cranktrain.analysis.curve_columns import CurveColumn
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.tables import HEADS, about, fact_rows, headed
 from cranktrain.language import said as _
 from cranktrain.motion import Array
+from cranktrain.saying.run import Run
 
 _LONGEST_CELL = 32_767
 """Characters that a cell of a spreadsheet holds."""
 
 
 def workbook_bytes(
-    result: Result, columns: Sequence[CurveColumn], facts: Collection[str], angles: Array | None = None
+    run: Run, columns: Sequence[CurveColumn], facts: Collection[str], angles: Array | None = None
 ) -> Iterator[bytes]:
     """Write curves, facts and conventions as sheets of an .xlsx.
 
     Parameters
     ----------
-    result : Result
-        Of one machine.
+    run : Run
+        Of one design.
     columns : sequence of CurveColumn
         To write.
     facts : collection of str
@@ -44,7 +44,7 @@ def workbook_bytes(
         If openpyxl is not installed.
     """
     book = _openpyxl().Workbook(write_only=True)
-    shown = headed(result, columns, angles)
+    shown = headed(run, columns, angles)
     curves = book.create_sheet(_("curves"))
     curves.freeze_panes = "B2"
     curves.append(list(map(_text, shown)))
@@ -54,10 +54,10 @@ def workbook_bytes(
         sheet = book.create_sheet(_("facts"))
         sheet.freeze_panes = "A2"
         sheet.append(HEADS)
-        for name, of, value, unit, meaning in fact_rows(result, facts):
+        for name, of, value, unit, meaning in fact_rows(run, facts):
             sheet.append((name, _text(of), _cell(value), unit, meaning))
     head = book.create_sheet(_("about"))
-    for word, sentence in about(result, columns, angles).items():
+    for word, sentence in about(run, columns, angles):
         head.append((word, _text(sentence)))
     content = io.BytesIO()
     book.save(content)

@@ -3,16 +3,17 @@
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from cranktrain.analysis import Result
 from cranktrain.analysis.curve_columns import CurveColumn, by_default, curve_columns
 from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.io.netcdf import netcdf_bytes
 from cranktrain.io.tables import csv_text, fact_csv, json_text
 from cranktrain.io.workbook import workbook_bytes
 from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.record import record
+from cranktrain.saying.run import Run
 
-SUFFIXES = (".csv", ".json", ".xlsx")
+SUFFIXES = (".csv", ".json", ".xlsx", ".nc")
 DECIMALS = ("point", "comma")
 
 
@@ -48,15 +49,15 @@ class Form:
 
 
 def written(
-    form: Form, result: Result, machine: Mapping[str, object], names: Collection[str], *, is_all: bool
+    form: Form, run: Run, machine: Mapping[str, object], names: Collection[str], *, is_all: bool
 ) -> Iterator[str | bytes]:
     """Write a result.
 
     Parameters
     ----------
     form : Form
-    result : Result
-        Of one machine.
+    run : Run
+        Of one design.
     machine : mapping
         The data of its file.
     names : collection of str
@@ -75,21 +76,23 @@ def written(
     """
     comma = form.decimal == "comma"
     if form.suffix == ".json":
-        yield from json_text(result, machine, names)
-    elif form.suffix == ".csv" and form.facts:
-        refuse(_is_curve(name) for name in names if not is_all and not _is_fact(result, name))
-        yield from fact_csv(result, names, comma=comma)
+        yield from json_text(run, machine, names)
+    elif form.suffix == ".nc":
+        yield netcdf_bytes(run, names)
+    elif form.suffix == ".csv" and (form.facts or run.axis is None):
+        refuse(_is_curve(name) for name in names if not is_all and not _is_fact(run, name))
+        yield from fact_csv(run, names, comma=comma)
     else:
-        curves = by_default(result) if is_all else names
-        columns = list(curve_columns(result, curves, of_each_method=not is_all))
+        curves = by_default(run) if is_all else names
+        columns = list(curve_columns(run, curves, of_each_method=not is_all))
         if form.suffix == ".xlsx":
-            yield from workbook_bytes(result, columns, names)
+            yield from workbook_bytes(run, columns, names)
             return
-        refuse(_is_one_value(name) for name in names if not is_all and _is_fact(result, name))
-        yield from csv_text(result, columns, comma=comma)
+        refuse(_is_one_value(name) for name in names if not is_all and _is_fact(run, name))
+        yield from csv_text(run, columns, comma=comma)
 
 
-def written_curves(form: Form, result: Result, columns: Sequence[CurveColumn], angles: Array) -> Iterator[str | bytes]:
+def written_curves(form: Form, run: Run, columns: Sequence[CurveColumn], angles: Array) -> Iterator[str | bytes]:
     """Write some curves at some crank angles alone; the first parameters as of `written`.
 
     Parameters
@@ -98,19 +101,19 @@ def written_curves(form: Form, result: Result, columns: Sequence[CurveColumn], a
     angles : Array, shape (n,)
         [deg]
     """
-    if form.suffix == ".json" or form.facts:
+    if form.suffix in (".json", ".nc") or form.facts:
         allowed = _("has no place among curves at some angles")
         given = Problem("--facts", None, allowed) if form.facts else Problem("-o", form.suffix, allowed)
         raise InputError([replace(given, repair=_("write a .csv or an .xlsx"))])
     if form.suffix == ".xlsx":
-        yield from workbook_bytes(result, columns, (), angles)
+        yield from workbook_bytes(run, columns, (), angles)
     else:
-        yield from csv_text(result, columns, angles, comma=form.decimal == "comma")
+        yield from csv_text(run, columns, angles, comma=form.decimal == "comma")
 
 
-def _is_fact(result: Result, name: str) -> bool:
+def _is_fact(run: Run, name: str) -> bool:
     """Whether a quantity has no crank angle."""
-    return result.catalogue[name].is_fact
+    return not run.is_curve(run.catalogue[name])
 
 
 def _is_curve(name: str) -> Problem:

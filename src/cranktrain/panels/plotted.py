@@ -18,6 +18,8 @@ from cranktrain.plans.placement import first_throw
 from cranktrain.quantities import nearest
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.names import spelled
+from cranktrain.saying.run import Axis, Run
 
 _MAIN = (
     ("piston_displacement", "rocker_angle"),
@@ -51,7 +53,7 @@ _EXACT = "exact"
 
 @record
 class Plot:
-    """Panels of curves one above the other, each over the whole cycle, and what heads them.
+    """Panels of curves one above the other, each over the whole axis, and what heads them.
 
     Attributes
     ----------
@@ -59,21 +61,24 @@ class Plot:
     title : Words
     keys : tuple of Curve
         Explained above all panels, by their names; each panel has its own names unless there are such.
+    over : Words, optional
+        What they are over, without its unit, if that is not the crank angle.
     """
 
     panels: tuple[Panel, ...]
     title: Words = ""
     keys: tuple[Curve, ...] = ()
+    over: Words | None = None
 
 
-def plot_of(result: Result, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Plot:
-    """Collect curves of a result.
+def plot_of(run: Run, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Plot:
+    """Collect curves of a run.
 
     Parameters
     ----------
-    result : Result
+    run : Run
     *quantities : str
-        Names of curves; the main ones of the machine unless given.
+        Names of curves; the main ones unless given.
     design : int
     **members : str or sequence of str
         Whose, by dimension; the first few unless given.
@@ -87,12 +92,15 @@ def plot_of(result: Result, *quantities: str, design: int = 0, **members: "str |
     InputError
         Where there is no such curve, or member.
     """
-    names = quantities or _main_names([result])
-    entries = [_curve_called(name, [result]) for name in names]
-    _refuse_members(members, [dimension for entry in entries for dimension in entry.dimensions])
-    panels = tuple(_panel_of(result, entry, design, members) for entry in entries)
-    title: Words = short(result.machines[design].name, 100) or _("Machine without a name")
-    return Plot(panels, _("{name}, design {design}", name=title, design=design + 1) if result.has_designs else title)
+    names = quantities or _main_names([run])
+    entries = [_curve_called(name, [run]) for name in names]
+    _refuse_members(members, [dimension for entry in entries for dimension in run.labels_of(entry)])
+    panels = tuple(_panel_of(run, entry, design, members) for entry in entries)
+    heading = run.machines[design].name if isinstance(run, Result) else str(run.subject)
+    title: Words = short(heading, 100) or _("Machine without a name")
+    if run.n_designs is not None:
+        title = _("{name}, design {design}", name=title, design=design + 1)
+    return Plot(panels, title, over=_over(run.axis))
 
 
 def plot_of_both(comparison: Comparison, *quantities: str) -> Plot:
@@ -117,7 +125,7 @@ def plot_of_both(comparison: Comparison, *quantities: str) -> Plot:
     asked = [
         name
         for name in comparison.asked or ()
-        if any(name in one.catalogue and not one.catalogue[name].is_fact for one in results)
+        if any(name in one.catalogue and one.is_curve(one.catalogue[name]) for one in results)
     ]
     if not quantities and not asked:
         _refuse_facts(comparison.asked or ())
@@ -134,34 +142,43 @@ def _refuse_facts(asked: Iterable[str]) -> None:
     refuse(Problem("quantities", name, _("has one value for the whole cycle, and no curve")) for name in asked)
 
 
-def _main_names(results: Sequence[Result]) -> tuple[str, ...]:
-    """Curves that say most and that one of the machines has."""
-    found = [name for one in results for name in one.asked or () if not one.catalogue[name].is_fact]
+def _over(axis: Axis | None) -> Words | None:
+    """What is written along an axis that is not the crank angle."""
+    if axis is None or axis.name == "crank_angle":
+        return None
+    return Listed((_(spelled(axis.name).capitalize()), axis.symbol), " ")
+
+
+def _main_names(results: Sequence[Run]) -> tuple[str, ...]:
+    """Curves that say most and that one of the runs has."""
+    asked = [(one, name) for one in results for name in getattr(one, "asked", None) or ()]
+    found = [name for one, name in asked if one.is_curve(one.catalogue[name])]
     if found:
         return tuple(dict.fromkeys(found))
-    _refuse_facts(dict.fromkeys(name for one in results for name in one.asked or ()))
+    _refuse_facts(dict.fromkeys(name for _one, name in asked))
     for alternatives in _MAIN:
         for result in results:
             first = next((name for name in alternatives if name in result.catalogue), None)
             if first is not None and first not in found:
                 found.append(first)
     if not found:
-        found += [name for name, entry in results[0].catalogue.items() if not entry.is_fact][:_MOST_CURVES]
+        found += [name for name, entry in results[0].catalogue.items() if results[0].is_curve(entry)][:_MOST_CURVES]
     if not found:
         raise InputError([Problem("plot", None, _("needs a result with curves; this one has only facts"))])
     return tuple(found)
 
 
-def _curve_called(name: str, results: Sequence[Result]) -> Entry:
+def _curve_called(name: str, results: Sequence[Run]) -> Entry:
     """Find a curve; say of a fact that it is none, of what is missing what it needs."""
-    entry = next((one.catalogue[name] for one in results if name in one.catalogue), None)
-    if entry is None:
+    found = next((one for one in results if name in one.catalogue), None)
+    if found is None:
         needs = next((needs for one in results if (needs := one.needs_of(name))), ())
         if needs:
             raise InputError([Problem("plot", name, _("needs {needs}", needs=Listed(needs)))])
-        curves = [curve for one in results for curve, held in one.catalogue.items() if not held.is_fact]
+        curves = [curve for one in results for curve, held in one.catalogue.items() if one.is_curve(held)]
         raise InputError([unknown("plot", name, curves)])
-    if entry.is_fact:
+    entry = found.catalogue[name]
+    if not found.is_curve(entry):
         raise InputError([Problem("plot", name, _("has one value for the whole cycle, and no curve"))])
     return entry
 
@@ -177,19 +194,20 @@ def unknown(path: str, name: str, known: "Sequence[str] | Mapping[str, object]")
 
 def _refuse_members(members: Mapping[str, object], dimensions: Sequence[str]) -> None:
     """Refuse members of a dimension that none of the curves has."""
-    there = [one for one in dict.fromkeys(dimensions) if one != "crank_angle"]
+    there = list(dict.fromkeys(dimensions))
     wrong = [name for name in members if name not in there]
     if wrong:
         raise InputError(unknown("plot", name, there) for name in wrong)
 
 
-def _panel_of(result: Result, entry: Entry, design: int, members: Mapping[str, "str | Sequence[str]"]) -> Panel:
+def _panel_of(run: Run, entry: Entry, design: int, members: Mapping[str, "str | Sequence[str]"]) -> Panel:
     """Curves of some members of one machine."""
     curves = tuple(
-        Curve(closed(values), role_at(place), _letter(entry), name=name)
-        for place, (name, values) in enumerate(_curves(result, entry, design, members))
+        Curve(closed(values) if isinstance(run, Result) else values, role_at(place), _letter(entry), name=name)
+        for place, (name, values) in enumerate(_curves(run, entry, design, members))
     )
-    return Panel(_(entry.message), entry.shown, _cycle(result), curves)
+    across, unit = _along(run)
+    return Panel(_(entry.message), entry.shown, across, curves, across_unit=unit)
 
 
 def role_at(place: int) -> Role:
@@ -221,13 +239,16 @@ def _letter(entry: Entry) -> str:
 
 
 def _curves(
-    result: Result, entry: Entry, design: int, members: Mapping[str, "str | Sequence[str]"]
+    run: Run, entry: Entry, design: int, members: Mapping[str, "str | Sequence[str]"]
 ) -> list[tuple[str, Array]]:
     """Names and values of the curves of some members; of methods the exact one, of many the first few."""
-    values: Array = np.asarray(getattr(result, entry.name))
-    values = np.moveaxis(values[design] if result.has_designs else values, entry.dimensions.index("crank_angle"), -1)
-    labels, titles = result.labels_of(entry), result.titles_of(entry)
-    usual = _usual(result.machines[design])
+    assert run.axis is not None  # of a curve
+    values: Array = np.asarray(getattr(run, entry.name))
+    values = np.moveaxis(
+        values[design] if run.n_designs is not None else values, entry.dimensions.index(run.axis.name), -1
+    )
+    labels, titles = run.labels_of(entry), run.titles_of(entry)
+    usual = _usual(run.machines[design]) if isinstance(run, Result) else set[str]()
     chosen = [_chosen(dimension, names, members.get(dimension), usual) for dimension, names in labels.items()]
     found = values[np.ix_(*chosen)] if chosen else values[np.newaxis]
     words: list[str] = [""]
@@ -256,6 +277,14 @@ def _chosen(
     if wrong:
         raise InputError(unknown(dimension, name, names) for name in wrong)
     return np.array([list(names).index(name) for name in each], dtype=np.intp)
+
+
+def _along(run: Run) -> tuple[Array, str]:
+    """Where the points of curves stand, and in what; of a cycle its end, too."""
+    if isinstance(run, Result):
+        return _cycle(run), "deg"
+    assert run.axis is not None  # of a curve
+    return run.axis.values, run.axis.unit
 
 
 def _cycle(result: Result) -> Array:

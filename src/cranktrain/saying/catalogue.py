@@ -97,9 +97,10 @@ class Entry:
         return cited(self.source, self.numbers)
 
     def in_symbols(self, catalogue: Mapping[str, "Entry"]) -> str:
-        """Write its line with the symbols of its quantities, `S = H − h`; nothing where it has none."""
-        symbols = {name: catalogue[name].symbol for name in self.line_of}
-        return f"{self.symbol} = {self.line.format_map(symbols)}" if symbols else ""
+        """Write its line with the symbols of its quantities, `S = H − h`; nothing where one of these is missing."""
+        symbols = {name: catalogue[name].symbol for name in self.line_of if name in catalogue}
+        is_whole = symbols and len(symbols) == len(set(self.line_of))
+        return f"{self.symbol} = {self.line.format_map(symbols)}" if is_whole else ""
 
     @property
     def line_of(self) -> tuple[str, ...]:

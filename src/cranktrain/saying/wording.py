@@ -88,6 +88,29 @@ def number(value: float, unit: str) -> Said:
 
 
 @dataclass(frozen=True, slots=True, repr=False)
+class FigureOf(Said):
+    """An SI value as `figure` writes it in a unit that stands elsewhere."""
+
+    value: float
+    unit: str
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it."""
+        return figure(self.value, self.unit)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class UnitOf(Said):
+    """A unit by itself, or the one that a reader chose for it; none of a plain number."""
+
+    unit: str
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it."""
+        return chosen_unit(self.unit) or ("" if self.unit == "1" else self.unit)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
 class _AsGiven(Said):
     """A number of the file, said as it was typed, or in the unit that was chosen for what usually has one."""
 
@@ -172,7 +195,7 @@ def in_print(sentence: str) -> str:
 _PRINTED = (
     (r"(?<![\w.)-])-(?=\d)", "−"),
     (r"\b(k?N|kg)\*m\b", r"\1·m"),
-    (r"\b(m?m/s|kg·m|m?m/rad)\^2(?!\d)", r"\1²"),
+    (r"\b(m?m/s|kg·m|[a-z]+/rad)\^2(?!\d)", r"\1²"),
 )
 
 

@@ -1,19 +1,18 @@
 """A start over time: what was asked of a machine with its motor, and what became of it."""
 
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from cranktrain.analysis.dataset import imported, with_attributes
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.stages import lacking, leading_to, stages_for
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import Listed, _
+from cranktrain.language import Listed, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredDrive, DeclaredStroke
 from cranktrain.machine import Machine
@@ -29,23 +28,24 @@ from cranktrain.questions.start.case import Braking, StartCase
 from cranktrain.questions.start.gentle_rows import corners_and_rows
 from cranktrain.questions.start.notes import start_notes
 from cranktrain.questions.start.parts import DeclaredStart
-from cranktrain.questions.start.record import StartCurves, StartEvent, StartRun
+from cranktrain.questions.start.record import StartCurves, StartEvent, StartEvents, StartRun
 from cranktrain.questions.start.rows import start_rows
 from cranktrain.questions.start.starting import asked_times, run_start, until
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry, entries
 from cranktrain.saying.rows import AnswerLine
+from cranktrain.saying.run import Axis, Run
 from cranktrain.transient.equation import AT_MOTOR, BrakePlace
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
 from cranktrain.transient.reduced import ReducedMachine
 from cranktrain.transient.runs import Progress
 
-if TYPE_CHECKING:
-    import xarray
+_OF_EVENTS = {"event_time": "time", "event_angle": "angle", "event_speed": "speed"}
+"""What is known of an event, by the names of its quantities."""
 
 
 @record
-class Start:
+class Start(Run):
     """A run over time of one machine with its motor.
 
     Attributes
@@ -63,8 +63,10 @@ class Start:
     gear_ratio: float
 
     def __getattr__(self, name: str) -> Array:
-        """Give a curve over time by its name."""
-        if name in self.catalogue:
+        """Give a curve over time, or what is known of each event, by its name."""
+        if name in _OF_EVENTS:
+            return np.array([getattr(event, _OF_EVENTS[name]) for event in self.events])
+        if not name.startswith("_") and name in self.catalogue:
             return getattr(self.run.curves, name)
         raise AttributeError(name)
 
@@ -83,25 +85,66 @@ class Start:
         """Times at which curves stand, shape (time,). [s]"""
         return self.run.time
 
-    @cached_property
+    @property
+    def subject(self) -> Words:
+        """Whose it is."""
+        return self.machine.name
+
+    @property
+    def axis(self) -> Axis:
+        """The time, which its curves are over."""
+        return Axis("time", "s", "t", self.time)
+
+    @property
     def catalogue(self) -> Mapping[str, Entry]:
-        """Curves over time by their names."""
-        return {entry.name: entry for entry in entries(StartCurves)}
+        """Curves over time, and what is known of events, by name."""
+        return {entry.name: entry for entry in (*entries(StartCurves), *entries(StartEvents))}
+
+    @property
+    def labels(self) -> Mapping[str, tuple[str, ...]]:
+        """Events by their names, and numbers where a name comes again."""
+        counts: Counter[str] = Counter()
+        labels: list[str] = []
+        for event in self.events:
+            counts[event.sort] += 1
+            labels.append(f"{event.sort} {counts[event.sort]}" if counts[event.sort] > 1 else event.sort)
+        return {"event": tuple(labels)}
+
+    def attributes(self) -> Mapping[str, object]:
+        """What a dataset says of it as a whole: the machine, and why it ended."""
+        return {"name": self.machine.name, "reason": str(self.run.reason)}
+
+    def about(self) -> Iterator[tuple[str, Words]]:
+        """What heads a file of it: the machine, why it ended, energy that is left over, and what happened."""
+        yield "machine", self.machine.name
+        yield "ended", self.run.reason
+        left_over = _("{residual:.3g} J of {supplied:.6g} J", residual=self.run.residual, supplied=self.run.supplied)
+        yield "energy left over", left_over
+        said = _("{name} at {time!r} s, crank angle {angle!r} deg")
+        for event in self.events:
+            yield "event", said.format(name=event.name, time=event.time, angle=float(np.degrees(event.angle)))
+
+    def before(self) -> Mapping[str, object]:
+        """What a .json has before its numbers: why it ended, energy that is left over, and what happened."""
+        return {
+            "reason": str(self.run.reason),
+            "energy_residual": {"unit": "J", "value": self.run.residual, "supplied": self.run.supplied},
+            "tolerance": self.run.tolerance,
+            "events": [
+                {
+                    "name": str(event.name),
+                    "time": event.time,
+                    "crank_angle": np.degrees(event.angle),
+                    "speed": event.speed,
+                }
+                for event in self.events
+            ],
+        }
 
     @property
     def events(self) -> tuple[StartEvent, ...]:
         """What happened on the way, in the order of time."""
         return self.run.events
-
-    @cached_property
-    def dataset(self) -> "xarray.Dataset":
-        """As a dataset over the time, with units, symbols, sentences and sources."""
-        xarray = imported("xarray", "dataset")
-        variables = {
-            name: (("time",), *with_attributes(entry, getattr(self, name))) for name, entry in self.catalogue.items()
-        }
-        times = ("time", self.time, {"units": "s", "symbol": "t"})
-        return xarray.Dataset(variables, {"time": times}, {"name": self.machine.name, "reason": str(self.run.reason)})
 
     def rows(self) -> list[AnswerLine]:
         """Rows of the answer."""

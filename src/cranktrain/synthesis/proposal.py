@@ -1,7 +1,7 @@
 """A synthesis: what it wants, in SI, and what it proposes: dimensions, what else was considered, the machine file."""
 
 import textwrap
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, NamedTuple, TypeAlias
 
@@ -11,9 +11,12 @@ from cranktrain.brief import brief_fields
 from cranktrain.errors import Problem
 from cranktrain.language import N_, Listed, Said, Words, _
 from cranktrain.machine import Machine
+from cranktrain.motion import Array
 from cranktrain.paths import quoted
 from cranktrain.quantities import Dimension, Quantity, Status, read, shown
 from cranktrain.record import record
+from cranktrain.saying.catalogue import DEFINITION, Entry
+from cranktrain.saying.run import Run
 from cranktrain.saying.wording import precise
 
 Length: TypeAlias = Annotated[float, Quantity(Dimension.LENGTH)]
@@ -44,6 +47,21 @@ _DIMENSIONS = {
     "kW": Dimension.POWER,
     "kg·m²": Dimension.INERTIA,
 }
+_UNITS = {
+    "mm": ("m", "m"),
+    "deg": ("rad", "rad"),
+    "rpm": ("rad/s", "rpm"),
+    "kg": ("kg", "kg"),
+    "N": ("N", "N"),
+    "kN": ("N", "N"),
+    "lbf": ("N", "N"),
+    "N·m": ("N*m", "N*m"),
+    "kW": ("W", "W"),
+    "kg·m²": ("kg*m^2", "kg*m^2"),
+    "%": ("1", "%"),
+}
+"""The catalogue's unit of numbers by the one in which they are shown, and by what that is found; others are alike."""
+_SOURCE = "docs/theory/synthesis"
 _MOST_DIGITS = 17
 _ROUNDINGS = 2
 """By how many units in its last place a text may miss a value: 160 mm are not to read 160.00000000000003."""
@@ -102,7 +120,7 @@ class ProposedTable(NamedTuple):
 
 
 @record
-class Proposal:
+class Proposal(Run):
     """Dimensions that give what was wanted.
 
     Attributes
@@ -120,6 +138,69 @@ class Proposal:
     alternatives: tuple[Alternative, ...]
     remarks: tuple[Words, ...]
     tables: tuple[ProposedTable, ...]
+
+    @property
+    def subject(self) -> Words:
+        """What it is of."""
+        return self.title
+
+    @property
+    def catalogue(self) -> Mapping[str, Entry]:
+        """Its numbers, along `choice` and, where there are several of one, `member`."""
+        found: dict[str, Entry] = {}
+        for one in self._every:
+            unit, shown_by = _UNITS.get(one.unit, (one.unit, one.unit))
+            dimensions = ("choice", "member") if one.member else ("choice",)
+            said = str(one.sentence)
+            found[one.name] = Entry(
+                one.name, one.symbol, unit, dimensions, said, _SOURCE, DEFINITION, one.name, shown_by
+            )
+        return found
+
+    @property
+    def _every(self) -> Iterator[Number]:
+        """All numbers, those of alternatives too."""
+        yield from self.numbers
+        for one in self.alternatives:
+            yield from one.numbers
+
+    @property
+    def labels(self) -> Mapping[str, tuple[str, ...]]:
+        """What is proposed and what else was considered, by numbers; throws, webs, cylinders or bearings."""
+        members = tuple(dict.fromkeys(one.member for one in self._every if one.member))
+        choices = ("proposed", *(str(place + 1) for place in range(len(self.alternatives))))
+        return {"choice": choices, **({"member": members} if members else {})}
+
+    @property
+    def titles(self) -> Mapping[str, tuple[str, ...]]:
+        """What people call these."""
+        return {**self.labels, "choice": (str(_("as proposed")), *(str(one.label) for one in self.alternatives))}
+
+    def __getattr__(self, name: str) -> Array:
+        """Give a number by its name for all choices, in the unit of its entry; NaN where a choice has none."""
+        if name.startswith("_") or name not in self.catalogue:
+            raise AttributeError(name)
+        is_of_members = "member" in self.catalogue[name].dimensions
+        members = self.labels["member"] if is_of_members else ("",)
+        found = np.full((len(self.labels["choice"]), len(members)), np.nan)
+        for row, numbers in enumerate((self.numbers, *(one.numbers for one in self.alternatives))):
+            for one in numbers:
+                if one.name == name:
+                    found[row, members.index(one.member)] = one.value
+        return found if is_of_members else found[:, 0]
+
+    def about(self) -> Iterator[tuple[str, Words]]:
+        """What heads a file of it: what it is of, what choices are, and what is to be minded."""
+        yield "proposal", self.title
+        for label, one in zip(self.labels["choice"][1:], self.alternatives, strict=True):
+            yield f"choice {label}", one.label
+        for remark in self.remarks:
+            yield "mind", remark
+
+    def before(self) -> Mapping[str, object]:
+        """What a .json has before its numbers: what it is of, what choices are, and what is to be minded."""
+        choices = dict(zip(self.labels["choice"], self.titles["choice"], strict=True))
+        return {"proposal": str(self.title), "choices": choices, "remarks": list(map(str, self.remarks))}
 
     def __repr__(self) -> str:
         """Show what it is of, and how much there is, in a line."""

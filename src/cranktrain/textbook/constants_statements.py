@@ -1,12 +1,12 @@
 """What the text on articulated rods states of a slave: the constants of (I.13), beside those of the exact motion."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.errors import problems_as
-from cranktrain.io.any_machine import source_of
+from cranktrain.io.any_machine import MachineLike, source_of
 from cranktrain.language import N_, Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod, articulated_rod
@@ -20,9 +20,6 @@ from cranktrain.texts.articulated_rod import (
     own_top_distance,
     reconstructed,
 )
-
-if TYPE_CHECKING:
-    from cranktrain.io.any_machine import MachineLike
 
 SOURCE = "bolotin"
 EQUATION = "(I.13)"
@@ -54,7 +51,7 @@ class AlikeSlaves(NamedTuple):
 
 
 def constants(
-    machine: "MachineLike",
+    machine: MachineLike,
     *,
     set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
 ) -> Statements:
@@ -124,34 +121,19 @@ def constants_statements(slaves: Sequence[AlikeSlaves]) -> Statements:
 def _of_slaves(one: AlikeSlaves) -> Iterator[Statement]:
     """Every set of constants, and the exact motion's own top."""
     top = one.top_distance
-    right = _numbers(one, of_exact_motion(one.rod))._replace(H=top)
+    right = {**_numbers(one, of_exact_motion(one.rod)), "H": top}
     for name, of in _SETS.items():
-        own = _numbers(one, of(one.rod))
-        for symbol, value, exact in zip(_SYMBOLS, own, right, strict=True):
+        for symbol, value in _numbers(one, of(one.rod)).items():
             is_own = of is of_exact_motion and symbol != "H"
             said: Verdict = "right" if is_own else "approximate" if one.is_central else "out of range"
-            yield _number(one, symbol, _(name), value, said, exact)
-    yield _number(one, "H", _("exact motion"), top, "right", top)
+            unit, exact = _SYMBOLS[symbol], right[symbol]
+            yield Statement(SOURCE, EQUATION, symbol, _(name), one.of, "", value, unit, said, exact)
+    yield Statement(SOURCE, EQUATION, "H", _("exact motion"), one.of, "", top, _SYMBOLS["H"], "right", top)
 
 
-class _Numbers(NamedTuple):
-    """The constants as numbers; as `_SYMBOLS`."""
-
-    E: float
-    Phi: float
-    F: float
-    Theta: float
-    K: float
-    H: float
-
-
-def _numbers(one: AlikeSlaves, harmonics: SlaveHarmonics) -> _Numbers:
-    found = [float(value) for value in (*harmonics, own_top_distance(one.rod, harmonics))]
-    return _Numbers(*found)
-
-
-def _number(one: AlikeSlaves, symbol: str, words: Words, value: float, said: Verdict, exact: float) -> Statement:
-    return Statement(SOURCE, EQUATION, symbol, words, one.of, "", value, _SYMBOLS[symbol], said, exact)
+def _numbers(one: AlikeSlaves, harmonics: SlaveHarmonics) -> dict[str, float]:
+    """The constants by their symbols."""
+    return dict(zip(_SYMBOLS, map(float, (*harmonics, own_top_distance(one.rod, harmonics))), strict=True))
 
 
 def _explained(slaves: Sequence[AlikeSlaves]) -> Iterator[Words]:

@@ -3,12 +3,11 @@
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cranktrain.errors import Problem, problems_as, refuse
-from cranktrain.io.any_machine import source_of
+from cranktrain.io.any_machine import MachineLike, source_of
 from cranktrain.io.own_tables import own_table
 from cranktrain.io.syntax import parsed
 from cranktrain.language import Words, _
@@ -32,9 +31,6 @@ from cranktrain.texts.drive_table import DRIVE_KEYS, CrankRockerDrive, read_driv
 from cranktrain.texts.drive_verdicts import absurdities, pin_friction, swing
 from cranktrain.texts.example_tables import example_table
 from cranktrain.texts.friction_circles import rubbing_links
-
-if TYPE_CHECKING:
-    from cranktrain.io.any_machine import MachineLike
 
 SOURCE = "gandzha"
 USUAL_ANGLE = 60.0

@@ -1,14 +1,13 @@
 """What the texts state of a piston's or a valve's motion: every form with its largest errors, and constructions."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cranktrain.analysis import Result, run
 from cranktrain.errors import problems_as
 from cranktrain.grouping import places_of_equal
-from cranktrain.io.any_machine import source_of
+from cranktrain.io.any_machine import MachineLike, source_of
 from cranktrain.language import Listed, Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
@@ -34,9 +33,6 @@ from cranktrain.texts.plain_cranks import PLAIN, plain_crank
 from cranktrain.texts.ranges import EXACT_ROOT, RANGES, Range
 from cranktrain.texts.steam_engine import exact_root
 
-if TYPE_CHECKING:
-    from cranktrain.io.any_machine import MachineLike
-
 _ERRORS = ("displacement_error", "velocity_error", "acceleration_error")
 NEEDED = (*_ERRORS, "top_dead_centre", "top_shift")
 """Results of a run on which these statements rest."""
@@ -51,7 +47,7 @@ _UNITS = ("m", "m/rad", "m/rad^2")
 
 
 def motion(
-    machine: "MachineLike",
+    machine: MachineLike,
     *,
     set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
 ) -> Statements:

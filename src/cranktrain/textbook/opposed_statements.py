@@ -1,20 +1,21 @@
 """What the text on opposed pistons states of a machine: (I.11), (I.12), lead and dead centres, beside what is exact."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.analysis import Result, run
 from cranktrain.errors import problems_as
 from cranktrain.grouping import grouped
-from cranktrain.io.any_machine import source_of
+from cranktrain.io.any_machine import MachineLike, source_of
 from cranktrain.language import Listed, Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import ENDS
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero, extremes
+from cranktrain.saying.percents import percent
 from cranktrain.saying.wording import number, ranged
 from cranktrain.textbook.alike import unspoken
 from cranktrain.textbook.statements import (
@@ -36,10 +37,6 @@ from cranktrain.texts.opposed import (
     volumetric_dead_centres_to_first_order,
 )
 from cranktrain.texts.opposed_errors import OpposedPair, exact_pair, opposed_errors
-from cranktrain.texts.percents import percent
-
-if TYPE_CHECKING:
-    from cranktrain.io.any_machine import MachineLike
 
 NEEDED = (
     "combined_stroke",
@@ -80,7 +77,7 @@ class OpposedCylinders(NamedTuple):
 
 
 def opposed(
-    machine: "MachineLike",
+    machine: MachineLike,
     *,
     set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
 ) -> Statements:
@@ -197,7 +194,9 @@ def _of_cylinders(one: OpposedCylinders, result: Result) -> Iterator[Statement]:
     """All numbers of one sort of pair."""
     yield from _sizes(one)
     suits: Verdict = "out of range" if is_unsuited(one.pair.lead) else "right"
-    yield _number(one, "", "Δ", _("lead of the exhaust crank"), "", one.pair.lead, "rad", suits, one.pair.lead)
+    yield Statement(
+        SOURCE, "", "Δ", _("lead of the exhaust crank"), one.of[2], "", one.pair.lead, "rad", suits, one.pair.lead
+    )
     yield from _errors(one, opposed_errors(one.pair), _names())
     if one.pair.far:
         printed = tuple(_("{part}, λ as printed", part=name) for name in _names())
@@ -212,21 +211,6 @@ def _names() -> tuple[Words, Words, Words]:
     return _("exhaust"), _("scavenge"), _("both")
 
 
-def _number(
-    one: OpposedCylinders,
-    equation: str,
-    symbol: str,
-    words: Words,
-    at: str,
-    value: float,
-    unit: str,
-    said: Verdict,
-    exact: float,
-) -> Statement:
-    """A number of the cylinders."""
-    return Statement(SOURCE, equation, symbol, words, one.of[2], at, value, unit, said, exact)
-
-
 def _sizes(one: OpposedCylinders) -> Iterator[Statement]:
     """Cranks and rods, with the letters of fig. 1.3."""
     words = {
@@ -238,7 +222,7 @@ def _sizes(one: OpposedCylinders) -> Iterator[Statement]:
         sizes = (own.crank_radius, own.rod_length, own.crank_radius / own.rod_length)
         for letter, name, size, unit in zip("RLλ", words[end], sizes, ("m", "m", "1"), strict=True):
             symbol = f"{letter}_{_INDICES[end]}"
-            yield _number(one, "fig. 1.3", symbol, name, "", float(size), unit, "right", float(size))
+            yield Statement(SOURCE, "fig. 1.3", symbol, name, one.of[2], "", float(size), unit, "right", float(size))
 
 
 def _errors(
@@ -262,17 +246,19 @@ def _dead_centres(one: OpposedCylinders, result: Result) -> Iterator[Statement]:
     half, better = volumetric_dead_centres(np.array(pair.lead)), volumetric_dead_centres_to_first_order(pair.size)
     for at, value, right in zip((INNER, OUTER), half, exact, strict=True):
         name = _("volumetric dead centre at half the lead")
-        yield _number(one, "", "Δ/2", name, at, float(value), "rad", by_text, right)
+        yield Statement(SOURCE, "", "Δ/2", name, one.of[2], at, float(value), "rad", by_text, right)
     for at, value, right in zip((INNER, OUTER), better, exact, strict=True):
         name = _("volumetric dead centre to first order in the lead")
-        yield _number(one, "", "Δ·w_s/(w_e + w_s)", name, at, float(value), "rad", first_order, right)
+        yield Statement(SOURCE, "", "Δ·w_s/(w_e + w_s)", name, one.of[2], at, float(value), "rad", first_order, right)
     stroke = float(result.combined_stroke[place])
     if pair.is_alike:
         value = float(combined_stroke(pair.exhaust.crank_radius, np.array(pair.lead)))
-        yield _number(one, "", "4R cos(Δ/2)", _("combined stroke"), "", value, "m", "right", stroke)
+        yield Statement(SOURCE, "", "4R cos(Δ/2)", _("combined stroke"), one.of[2], "", value, "m", "right", stroke)
     else:
         value = _stroke_by_form(pair.size)
-        yield _number(one, _EQUATIONS[2], "S_Σ", _("combined stroke"), "", value, "m", one.verdict, stroke)
+        yield Statement(
+            SOURCE, _EQUATIONS[2], "S_Σ", _("combined stroke"), one.of[2], "", value, "m", one.verdict, stroke
+        )
 
 
 def _stroke_by_form(size: OpposedSize) -> float:

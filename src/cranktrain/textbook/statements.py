@@ -4,7 +4,9 @@ import csv
 import io
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
+from functools import cached_property
 from importlib import import_module
+from itertools import chain, count
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -13,6 +15,8 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import Said, Words, _
 from cranktrain.motion import Array
 from cranktrain.record import record
+from cranktrain.saying.catalogue import DEFINITION, Entry
+from cranktrain.saying.run import Axis, Run
 from cranktrain.texts.contents import numbers_in, plain_number
 from cranktrain.texts.largest_errors import LargestErrors
 
@@ -33,7 +37,23 @@ LARGEST = "largest"
 
 
 @record
-class Statement:
+class _Stated:
+    """What numbers and curves of a text have in common."""
+
+    source: str
+    equation: str
+    symbol: str
+    words: Words
+    of: str
+
+    @property
+    def name(self) -> str:
+        """What it is, in the reader's language."""
+        return str(self.words)
+
+
+@record
+class Statement(_Stated):
     """One number of a text, of one machine.
 
     Attributes
@@ -60,22 +80,12 @@ class Statement:
         Where it is so; NaN of what holds for the turn. [deg]
     """
 
-    source: str
-    equation: str
-    symbol: str
-    words: Words
-    of: str
     at: str
     value: float
     unit: str
     verdict: Verdict
     exact: float = np.nan
     crank_angle: float = np.nan
-
-    @property
-    def name(self) -> str:
-        """What it is, in the reader's language."""
-        return str(self.words)
 
     @property
     def error(self) -> float:
@@ -88,7 +98,7 @@ _COLUMNS = ["name" if one.name == "words" else one.name for one in fields(Statem
 
 
 @record
-class StatementCurve:
+class StatementCurve(_Stated):
     """A text's curve over the crank angle.
 
     Attributes
@@ -101,24 +111,14 @@ class StatementCurve:
         What is right; None where nothing stands beside it.
     """
 
-    source: str
-    equation: str
-    symbol: str
-    words: Words
-    of: str
     unit: str
     verdict: Verdict
     values: Array
     exact: Array | None = None
 
-    @property
-    def name(self) -> str:
-        """What it is, in the reader's language."""
-        return str(self.words)
-
 
 @record
-class Statements:
+class Statements(Run):
     """All that a text states of a machine, in the text's order.
 
     Attributes
@@ -127,7 +127,7 @@ class Statements:
     each : tuple of Statement
     crank_angle : Array, shape (crank_angle,)
         Of the curves. [deg]
-    curves : tuple of StatementCurve
+    over_turn : tuple of StatementCurve
     sentences : mapping of Words to tuple of Words
         What is to be said of them, by what it is about.
     """
@@ -135,7 +135,7 @@ class Statements:
     heading: Words
     each: tuple[Statement, ...]
     crank_angle: Array
-    curves: tuple[StatementCurve, ...] = ()
+    over_turn: tuple[StatementCurve, ...] = ()
     sentences: Mapping[Words, tuple[Words, ...]] = field(default_factory=dict[Words, tuple[Words, ...]])
 
     @property
@@ -147,6 +147,70 @@ class Statements:
     def notes(self) -> dict[str, tuple[str, ...]]:
         """The sentences in the reader's language."""
         return {str(subject): tuple(map(str, said)) for subject, said in self.sentences.items()}
+
+    @property
+    def subject(self) -> Words:
+        """What they are of."""
+        return self.heading
+
+    @property
+    def axis(self) -> Axis | None:
+        """Crank angles, which the curves are over; None without curves."""
+        return Axis("crank_angle", "deg", "φ", self.crank_angle) if self.over_turn else None
+
+    @cached_property
+    def _named(self) -> "dict[str, Statement | StatementCurve]":
+        """Statements and curves by number, symbol, whose and where; counted where these are alike."""
+        named: dict[str, Statement | StatementCurve] = {}
+        for one in (*self.each, *self.over_turn):
+            where = (one.at,) if isinstance(one, Statement) else (one.verdict,)
+            name = " ".join(filter(None, (one.equation, one.symbol, one.of, *where)))
+            counted = chain((name,), (f"{name} {n}" for n in count(2)))
+            named[next(free for free in counted if free not in named)] = one
+        return named
+
+    @property
+    def catalogue(self) -> Mapping[str, Entry]:
+        """What is stated, along `form`, by the text and exact, and of curves the crank angle."""
+        return {
+            name: Entry(
+                name,
+                one.symbol,
+                one.unit,
+                ("form", "crank_angle") if isinstance(one, StatementCurve) else ("form",),
+                one.name,
+                one.source,
+                one.equation or DEFINITION,
+                name,
+                one.unit,
+            )
+            for name, one in self._named.items()
+        }
+
+    @property
+    def labels(self) -> Mapping[str, tuple[str, ...]]:
+        """The text's, and the exact one beside it."""
+        return {"form": ("text", "exact")}
+
+    def __getattr__(self, name: str) -> Array:
+        """Give what is stated by its name, by the text and exact, or NaN where nothing stands beside."""
+        if name.startswith("_") or name not in self._named:
+            raise AttributeError(name)
+        one = self._named[name]
+        if isinstance(one, Statement):
+            return np.array([one.value, one.exact])
+        return np.stack([one.values, np.full_like(one.values, np.nan) if one.exact is None else one.exact])
+
+    def about(self) -> Iterator[tuple[str, Words]]:
+        """What heads a file of them: what they are of, and what is to be said."""
+        yield "statements", self.heading
+        for subject, sentences in self.sentences.items():
+            yield from ((str(subject), sentence) for sentence in sentences)
+
+    def before(self) -> Mapping[str, object]:
+        """What a .json has before its numbers: what they are of, what is to be said, verdicts."""
+        verdicts = {name: one.verdict for name, one in self._named.items()}
+        return {"statements": self.title, "notes": {k: list(v) for k, v in self.notes.items()}, "verdicts": verdicts}
 
     def __len__(self) -> int:
         """How many there are."""
@@ -175,7 +239,7 @@ class Statements:
     def __repr__(self) -> str:
         """Show what they are of and how many there are, in one line."""
         shown = _("<Statements: {title}; {n} numbers, {n_curves} curves>")
-        return str(shown.format(title=self.heading, n=len(self.each), n_curves=len(self.curves)))
+        return str(shown.format(title=self.heading, n=len(self.each), n_curves=len(self.over_turn)))
 
     @property
     def frame(self) -> "pandas.DataFrame":
@@ -188,16 +252,16 @@ class Statements:
 
         Where there are no curves, the numbers with their names, a row for each.
         """
-        if not self.curves:
+        if not self.over_turn:
             return self._csv_of_numbers()
         heads, columns = ["crank_angle_deg"], [self.crank_angle]
-        are_several = len({one.of for one in self.curves}) > 1
-        for one in self.curves:
+        are_several = len({one.of for one in self.over_turn}) > 1
+        for one in self.over_turn:
             numbered, unit = (f"{one.equation} " if one.equation else ""), f"[{one.unit}]"
             whose = f", {one.of}" if are_several else ""
             heads.append(f"{numbered}{one.symbol} {one.verdict}: {one.name}{whose} {unit}")
             columns.append(one.values)
-            if one.exact is not None and not any(np.array_equal(one.exact, other.values) for other in self.curves):
+            if one.exact is not None and not any(np.array_equal(one.exact, other.values) for other in self.over_turn):
                 heads.append(f"{one.symbol} exact{whose} {unit}")
                 columns.append(one.exact)
         lines = [",".join(f'"{head}"' for head in heads)]
@@ -218,7 +282,7 @@ class Statements:
         """The curves as a data frame over the crank angle: columns by equation, name, whose, verdict and unit."""
         pandas = _pandas()
         columns: dict[tuple[str, ...], Array] = {}
-        for one in self.curves:
+        for one in self.over_turn:
             named = (one.equation, one.name, one.of)
             columns[*named, one.verdict, one.unit] = one.values
             if one.exact is not None:

@@ -2,12 +2,12 @@
 
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.errors import Problem, problems_as, refuse
-from cranktrain.io.any_machine import source_of
+from cranktrain.io.any_machine import MachineLike, source_of
 from cranktrain.io.own_tables import own_table
 from cranktrain.io.syntax import parsed
 from cranktrain.language import N_, Listed, Words, _
@@ -27,9 +27,6 @@ from cranktrain.textbook.statements import Statement, StatementCurve, Statements
 from cranktrain.texts.example_tables import example_table
 from cranktrain.texts.throw_conditions import BalanceConditions, balance_conditions
 from cranktrain.texts.throw_table import CHAIN, Throw, read_throw, symbol_of
-
-if TYPE_CHECKING:
-    from cranktrain.io.any_machine import MachineLike
 
 SOURCE = "crankshaft-reactions"
 REACTIONS = {"kp": "R_KP", "tp": "R_TP", "kl": "R_KL", "tl": "R_TL"}

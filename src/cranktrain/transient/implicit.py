@@ -28,7 +28,7 @@ from cranktrain.transient.rest import (
     let_go_at,
     sense_of_start,
 )
-from cranktrain.transient.runs import Event, Progress, Run, Wanted, energy_account
+from cranktrain.transient.runs import Event, Progress, TransientRun, Wanted, energy_account
 from cranktrain.transient.settling import may_settle, settles
 from cranktrain.transient.step import N_STATE, ROW
 
@@ -121,7 +121,7 @@ def run_implicitly(
     is_compiled: bool = True,
     progress: Progress | None = None,
     ends: list[tuple[float, float]] | None = None,
-) -> Run:
+) -> TransientRun:
     """Run as `runs.run` does, by `solve_ivp` of SciPy with LSODA or Radau; phases, events and reasons are the same.
 
     Parameters
@@ -185,7 +185,7 @@ def run_implicitly(
     in_order = tuple(sorted(going.events, key=lambda one: one.time))
     reason = endings.TIME_OUT if reason == GOING else reason
     table = going.table[is_there]
-    return Run(
+    return TransientRun(
         reason,
         time,
         state,

@@ -79,7 +79,7 @@ class Event:
 
 
 @record
-class Run:
+class TransientRun:
     """What became of a run.
 
     Attributes
@@ -205,7 +205,7 @@ def run(
     is_compiled: bool = True,
     progress: Progress | None = None,
     ends: list[tuple[float, float]] | None = None,
-) -> Run:
+) -> TransientRun:
     """Run a machine by an explicit method.
 
     Parameters
@@ -225,7 +225,7 @@ def run(
 
     Returns
     -------
-    Run
+    TransientRun
 
     Notes
     -----
@@ -281,14 +281,14 @@ def _run_through(
         return STOPPED, kept
 
 
-def _result(reason: int, course: Course, log: Log, asked: Wanted, drive: DriveTrain, machine: Any) -> Run:
+def _result(reason: int, course: Course, log: Log, asked: Wanted, drive: DriveTrain, machine: Any) -> TransientRun:
     """What became of a run whose course has ended."""
     n_samples, n_marks = course.counts[SAMPLE], course.counts[MARKS]
     rows = sorted(log.marks[:n_marks].tolist(), key=_time_of)
     residual, supplied = energy_account(
         drive, (course.here[INERTIA_BEFORE], course.here[INERTIA_AFTER]), asked.start, course.state
     )
-    return Run(
+    return TransientRun(
         reason,
         float(course.here[TIME]),
         np.asarray(course.state),
@@ -307,7 +307,7 @@ def _time_of(mark: list[float]) -> float:
     return mark[1]
 
 
-def run_all(kernels: Kernels, cases: list[tuple[DriveTrain, Wanted]], *, n_threads: int = 2) -> list[Run]:
+def run_all(kernels: Kernels, cases: list[tuple[DriveTrain, Wanted]], *, n_threads: int = 2) -> list[TransientRun]:
     """Run many machines of the same kernels, compiled, on several threads: each has its own cases from the beginning.
 
     Handed out one by one they would wait for each other longer than half a short run takes.
@@ -315,7 +315,7 @@ def run_all(kernels: Kernels, cases: list[tuple[DriveTrain, Wanted]], *, n_threa
     done = [run(kernels, *case) for case in cases[:1]]  # compiles, which threads must not do at once
     rest = cases[1:]
 
-    def some(first: int) -> list[Run]:
+    def some(first: int) -> list[TransientRun]:
         return [run(kernels, *case) for case in rest[first::n_threads]]
 
     with ThreadPoolExecutor(n_threads) as pool:
@@ -334,7 +334,7 @@ def energy_account(drive: DriveTrain, inertias: tuple[float, float], start: Any,
     return float(after - before - given), float(max(abs(end[2]) + abs(end[3]), before, after))
 
 
-def motor_speed(run: Run, drive: DriveTrain) -> Array:
+def motor_speed(run: TransientRun, drive: DriveTrain) -> Array:
     """Speed at the motor's shaft at the samples. [rad/s]"""
     return run.states[:, 1] * overall_ratio(drive.gearing)
 

@@ -10,9 +10,9 @@ from cranktrain.viz.paper.page import Figure
 from cranktrain.viz.pictures import drawing_of
 
 
-def plot_result(result: Any, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Figure:
-    """Draw curves of a result; parameters as of `plot_of`."""
-    return drawn_plot(plot_of(result, *quantities, design=design, **members))
+def plot_run(run: Any, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Figure:
+    """Draw curves of a run; parameters as of `plot_of`."""
+    return drawn_plot(plot_of(run, *quantities, design=design, **members))
 
 
 def plot_comparison(comparison: Any, *quantities: str) -> Figure:

@@ -58,14 +58,16 @@ def drawn_plot(plot: Plot) -> Figure:
         if title := str(plot.title):
             figure.suptitle(visible(title), fontsize=HEADING + 1.5, fontweight="bold", parse_math=False)
         rooms = figure.subplots(len(plot.panels), sharex=True, squeeze=False)[:, 0]
-        for axes, panel in zip(rooms, map(as_shown, plot.panels), strict=True):
+        panels = list(map(as_shown, plot.panels))
+        for axes, panel in zip(rooms, panels, strict=True):
             _draw_panel(axes, panel)
             if not plot.keys and any(curve.name for curve in panel.curves):
                 _plain(axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **_KEY))
         if plot.keys:
             handles = [_drawn_line(curve, np.zeros(1)) for curve in plot.keys]
             _plain(figure.legend(handles=handles, loc="outside upper center", ncols=len(plot.keys), **_KEY))
-        rooms[-1].set_xlabel(_("Crank angle φ, °"))
+        over = _("Crank angle φ, °") if plot.over is None else f"{plot.over}, {panels[-1].across_unit}"
+        rooms[-1].set_xlabel(over)
     return in_notebook(figure)
 
 
@@ -84,7 +86,9 @@ def _draw_panel(axes: Axes, panel: Panel) -> None:
     for curve in panel.curves:
         axes.add_line(_drawn_line(curve, panel.across_of(curve)))
     axes.autoscale_view()
-    axes.set(xlim=(0.0, end), xticks=np.arange(0.0, end + 1.0, 30.0 if end <= _TURN else 60.0))
+    axes.set_xlim(min(float(panel.across[0]), 0.0), end)
+    if panel.across_unit == "°":
+        axes.set_xticks(np.arange(0.0, end + 1.0, 30.0 if end <= _TURN else 60.0))
     title = visible(f"{panel.title}, {panel.unit}".removesuffix(", "))
     axes.set_title(title, loc="left", fontsize=HEADING, parse_math=False)
     axes.spines[["top", "right"]].set_visible(False)

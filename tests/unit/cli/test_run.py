@@ -258,7 +258,7 @@ def test_partial_turn(typed, written):
 @pytest.mark.parametrize("name", ["out", "out.txt", "out.xls", "out.csv.gz"])
 def test_unknown_suffix_is_refused_before_anything_else(typed, name):
     answer = typed("run", "no-such-file.toml", "-o", name)
-    assert answer == (2, "", f"-o = {name}: {ENDS_IN}.csv, .json, .xlsx\n")
+    assert answer == (2, "", f"-o = {name}: {ENDS_IN}.csv, .json, .xlsx, .nc\n")
 
 
 @pytest.mark.parametrize("name", ["out.csv", "OUT.JSON"])

@@ -8,8 +8,8 @@ SLIPS = (
     (("run", "slider-crank"), "is written by: cranktrain new slider_crank -o mine.toml"),
     (("new", "slider_crank", "-o", "n.csv"), '-o = n.csv: must end in .toml: it is a machine file; write "n.toml"'),
     (
-        ("synthesise", "slider-crank", "--stroke", "160 mm", "--pressure-angle", "30 deg", "-o", "press.csv"),
-        '-o = press.csv: must end in .toml: it is a machine file; write "press.toml"',
+        ("synthesise", "slider-crank", "--stroke", "160 mm", "--pressure-angle", "30 deg", "-o", "press.txt"),
+        '-o = press.txt: must end in .toml: it is a machine file; write "press.toml"',
     ),
     (("synthesise", "quick-return", "--stroke", "300 mm"), "--time-ratio: is missing; must be a number without a unit"),
     (("synthesise", "quick-return", "--stroke", "300 mm", "--time-ratio", "x"), "such as 1.2"),

@@ -273,3 +273,12 @@ def test_the_sources_example_with_what_it_does_not_say(typed, more):
     done = typed("synthesise", "slider-crank", "--textbook", *more)
     assert (done.status, done.errors) == (0, "")
     assert value_of(done.output, "S") == 160.00
+
+
+def test_velocities_by_the_formula_are_no_printed_ones(typed):
+    """The text's own requirements typed: rω(sin φ + (r/2l) sin 2φ), rω = 10.048 m/s, r/2l = 0.15; it prints 6.3."""
+    output = typed("synthesise", *PROBLEMS["slider-crank"], "--textbook").output
+    steps = output[output.index("Place and velocity of the slider") :]
+    row = next(line.split() for line in steps.splitlines() if line.startswith("  30°"))
+    by_formula = 10.048 * (0.5 + 0.15 * np.sqrt(3) / 2)
+    assert row[3] == f"{by_formula:.4f}"

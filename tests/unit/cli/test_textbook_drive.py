@@ -100,7 +100,7 @@ def test_mistakes_in_a_table(typed, written, change, said):
         (["--drive", "tilting_table", "--at", "nan"], "'--at': nan must be a number of degrees"),
         (["--drive", "example", "--table"], "must be left out beside --drive"),
         (["--drive", "example", "--throw", "example"], "must be left out beside --drive"),
-        (["--drive", "example", "-o", "drive.xlsx"], ENDS_IN),
+        (["--drive", "example", "-o", "drive.docx"], ENDS_IN),
         (["--drive", "vaz_21213"], "must have a crank-rocker"),
         (["--drive", "pumping_unit_c57", *OF_MACHINE], "  load: must have a torque on the rocker"),
         (["--drive", " "], "must be a file with a drive's table"),
@@ -151,7 +151,7 @@ def test_every_number_of_a_turn_is_shown_whole(typed, symbols, power):
     assert (answer.status, answer.errors) == (0, "")
     assert max(map(len, answer.output.splitlines())) <= 80
     shown, records = table_rows(answer.output), ct.textbook.drive(set=values)
-    curves = [one for one in records.curves if one.verdict != "beyond"]
+    curves = [one for one in records.over_turn if one.verdict != "beyond"]
     assert set(shown) == {(one.equation, one.verdict, one.name) for one in curves}
     for (equation, _verdict, name), cells in shown.items():
         own = [one for one in records if (one.equation, one.name) == (equation, name)]
@@ -193,7 +193,7 @@ def test_screen_says_which_row_is_the_machines(typed, sense, said):
 
 def test_friction_circles_have_the_load_as_a_couple_on_the_rockers_shaft(typed):
     """By an equilibrium of rod, rocker and crank at α = 0, in which a force at A, not a couple, presses on O₁."""
-    rubbing = next(one for one in ct.textbook.drive().curves if one.verdict == "beyond")
+    rubbing = next(one for one in ct.textbook.drive().over_turn if one.verdict == "beyond")
     assert rubbing.values[0] == pytest.approx(_torque_at_zero(with_force_at_a=False), rel=1e-9)
     assert _torque_at_zero(with_force_at_a=True) == pytest.approx(-844.6367, abs=1e-4)
     assert "torque Q r₁ on the rocker's shaft" in re.sub(
@@ -232,4 +232,4 @@ def test_without_friction_nothing_is_said_of_locked_pins(typed):
     said = re.sub(r"\s+", " ", typed("textbook", "--drive", "example", "--set", "f=0", "--full").output)
     assert "The pins have no friction: f or all their radii are 0." in said
     assert "cannot drive" not in said
-    assert "beyond" not in {one.verdict for one in ct.textbook.drive(set={"f": 0}).curves}
+    assert "beyond" not in {one.verdict for one in ct.textbook.drive(set={"f": 0}).over_turn}

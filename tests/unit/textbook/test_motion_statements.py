@@ -26,7 +26,7 @@ def test_errors_of_slaves_are_where_their_curves_differ_most():
     assert len(names) == 2
     for name in names:
         error = next(one for one in found if (one.name, one.symbol) == (name, "Δx"))
-        curve = next(one for one in found.curves if (one.name, one.symbol) == (name, "S"))
+        curve = next(one for one in found.over_turn if (one.name, one.symbol) == (name, "S"))
         off = np.abs(curve.values - curve.exact)
         apart = abs(found.crank_angle[np.argmax(off)] - error.crank_angle)
         assert min(apart, 360.0 - apart) < 1.0
@@ -38,7 +38,7 @@ def test_curves_are_the_texts_formulas():
     found = ct.textbook.motion({"mechanism": slider(rod_length="200 mm")})
     phi, radius, ratio = np.radians(found.crank_angle), 0.05, 0.25
     for sign, name in ((1, "two harmonics"), (-1, "two harmonics from the crank-side dead centre")):
-        curves = {one.equation: one.values for one in found.curves if one.name == name}
+        curves = {one.equation: one.values for one in found.over_turn if one.name == name}
         expected = {
             "(333)": radius * (1 - np.cos(phi) + sign * ratio / 2 * np.sin(phi) ** 2),
             "(336)": radius * (np.sin(phi) + sign * ratio / 2 * np.sin(2 * phi)),
@@ -47,10 +47,10 @@ def test_curves_are_the_texts_formulas():
         for equation, values in expected.items():
             np.testing.assert_allclose(curves[equation], values, rtol=0, atol=1e-16)
     root = radius * (1 - np.cos(phi)) + 0.2 * (1 - np.sqrt(1 - (ratio * np.sin(phi)) ** 2))
-    curve = next(one for one in found.curves if (one.name, one.symbol) == ("exact root", "S"))
+    curve = next(one for one in found.over_turn if (one.name, one.symbol) == ("exact root", "S"))
     np.testing.assert_allclose(curve.values, root, rtol=0, atol=1e-16)
     np.testing.assert_allclose(curve.exact, root, rtol=0, atol=1e-16)
-    assert [one.unit for one in found.curves[:3]] == ["m", "m/rad", "m/rad^2"]
+    assert [one.unit for one in found.over_turn[:3]] == ["m", "m/rad", "m/rad^2"]
 
 
 def test_an_offset_line_of_stroke_is_out_of_every_range():
@@ -91,7 +91,7 @@ def test_pins_of_a_crank_rocker():
         (lengths["rocker_length"], lengths["crank_radius"])
     )
     assert {one.verdict for one in found} == {"right", "refuted", "printed"}
-    curves = {(one.equation, one.verdict): one for one in found.curves}
+    curves = {(one.equation, one.verdict): one for one in found.over_turn}
     np.testing.assert_allclose(curves["(10)", "right"].values, curves["(10)", "right"].exact, rtol=0, atol=1e-12)
     np.testing.assert_allclose(curves["(17)", "right"].values, curves["(10)", "right"].exact ** 2, rtol=0, atol=1e-12)
 

@@ -117,7 +117,7 @@ def test_largest_errors_and_curves_of_one_shaft(far, running):
         error = value(found, equation, "Δx", "largest", name)
         assert error.exact == 0.0
         assert error.value == pytest.approx(share, rel=2e-4)
-        (curve,) = (one for one in found.curves if (one.equation, one.symbol) == (equation, "S"))
+        (curve,) = (one for one in found.over_turn if (one.equation, one.symbol) == (equation, "S"))
         np.testing.assert_allclose(curve.values[:-1], own[::2], rtol=0, atol=1e-9)
         np.testing.assert_allclose(curve.exact[:-1], true[::2], rtol=0, atol=1e-9)
 
@@ -136,7 +136,7 @@ def test_with_the_printed_sign_the_far_piston_is_off_by_twice_its_rods_term():
 def test_exact_travel_is_that_of_a_run(far):
     machine = engine(far)
     found, result = ct.textbook.opposed(machine), ct.run(machine)
-    both = next(one.exact for one in found.curves if (one.equation, one.symbol) == ("(I.11) (I.12)", "S"))
+    both = next(one.exact for one in found.over_turn if (one.equation, one.symbol) == ("(I.11) (I.12)", "S"))
     start = 180.0 if far == "exhaust" else 0.0
     at = np.searchsorted(result.crank_angle, (found.crank_angle[:-1] + start) % 360.0)
     wanted = result.combined_displacement[0, at] + result.least_combined_travel[0]
@@ -177,4 +177,4 @@ def test_what_has_no_opposed_pistons_is_refused():
 def test_data_frames():
     found = ct.textbook.opposed("10d100")
     assert len(found.frame) == len(found.each)
-    assert found.curve_frame.shape == (361, 2 * len(found.curves))
+    assert found.curve_frame.shape == (361, 2 * len(found.over_turn))

@@ -63,7 +63,7 @@ def test_other_requirements_are_those_of_a_machine():
         "shaft": {"main": {"speed": f"{rpm} rpm"}},
     }
     result = ct.run(machine, quantities=["piston_velocity"])
-    (curve,) = found.curves
+    (curve,) = found.over_turn
     # positive toward the shaft
     assert curve.exact[:360] == pytest.approx(np.abs(result.piston_velocity[0]) * np.sign(curve.exact[:360]), abs=1e-9)
     assert np.max(np.abs(curve.values - curve.exact)) > 1e-3

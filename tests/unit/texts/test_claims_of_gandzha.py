@@ -134,7 +134,7 @@ def test_moments_go_down_by_the_square_of_the_ratio():
 
 def test_friction_of_idle_running_never_changes_its_torques_sign():
     said("(21)", "friction reverses with the rocker, and its torque never changes sign")
-    curves = [one for one in ct.textbook.drive("tilting_table").curves if one.equation == "(21)"]
+    curves = [one for one in ct.textbook.drive("tilting_table").over_turn if one.equation == "(21)"]
     (friction,) = (one for one in curves if "friction" in one.name)
     (weight,) = (one for one in curves if "active" in one.name)
     assert np.min(friction.values) > -1e-12

@@ -12,7 +12,7 @@ from rich.text import Text
 from cranktrain.analysis import Result
 from cranktrain.analysis.curve_columns import CurvesAtAngle
 from cranktrain.analysis.dimensions import dimension_named
-from cranktrain.cli.screen.columns import Column, column_table, side_by_side
+from cranktrain.cli.screen.columns import grid_lines
 from cranktrain.cli.screen.text import GAP, table
 from cranktrain.grouping import grouped
 from cranktrain.language import said as _
@@ -21,6 +21,7 @@ from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.saying.amounts import Figures, figures
 from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.sections import Column, Grid
 from cranktrain.saying.wording import ABSENT, ranged
 
 _MOST_COLUMNS = 3
@@ -208,18 +209,17 @@ def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int, titl
     columns = [
         Column(
             row.entry.symbol or row.entry.name,
-            row.unit,
-            tuple(
+            [
                 cell
                 for (_label, texts), label in zip(lines, labels, strict=True)
                 for cell in [texts[i], *([""] * (len(label) - 1))]
-            ),
-            row.entry.name,
+            ],
+            row.unit,
+            quantity=row.entry.name,
         )
         for i, row in enumerate(rows)
     ]
     beside = [part for label in labels for part in label]
-    for part in side_by_side(columns, width - max(map(len, (title, *beside)))):
-        yield ""
-        yield from column_table(part, beside, title)
-        yield ", ".join(f"{column.head} {column.name}" for column in part)
+    yield ""
+    room = width - max(0, len(title) - max(map(len, beside)))
+    yield from grid_lines(Grid(columns, beside, title, names_quantities=True), room)

@@ -68,9 +68,15 @@ def section(console: Console, heading: str, lines: Iterable[str | Text]) -> None
     """Show lines, if any, under a heading; one that is no `Text` is a paragraph, folded to the width of the screen."""
     parts = [part for line in lines for part in ([line] if isinstance(line, Text) else paragraph(console, line))]
     if parts:
-        console.print()
-        console.print(Text(as_printed(visible(heading)), style="bold"))
+        if heading:
+            show_heading(console, heading)
         console.print(Text("\n").join(Text(" " * INDENT) + part for part in parts), soft_wrap=True)
+
+
+def show_heading(console: Console, heading: str) -> None:
+    """Show a heading after an empty line."""
+    console.print()
+    console.print(Text(as_printed(visible(heading)), style="bold"))
 
 
 def paragraph(console: Console, text: str, style: str = "") -> list[Text]:
@@ -174,7 +180,7 @@ def table(
     # Rich's own table takes thirty times as long, a tenth of the time in which `run` answers, and folds elsewhere.
     has_heads = any(heads)
     every = [[as_printed(visible(cell)) for cell in row] for row in ([heads, *rows] if has_heads else rows)]
-    widths = [max(cell_len(row[i]) for row in every) for i in range(len(heads))]
+    widths = [max((cell_len(row[i]) for row in every), default=0) for i in range(len(heads))]
     gap = GAP
     if fold is not None:
         gap = GAP if fold - _width(widths[:-1], GAP) >= min(widths[-1], _LEAST_FOLDED) else 1

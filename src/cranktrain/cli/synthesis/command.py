@@ -106,7 +106,7 @@ _Output = Annotated[
         "-o",
         "--output",
         metavar="FILE",
-        help=N_("Write the machine file here: .toml; or draw twelve positions: .png, .svg, .pdf."),
+        help=N_("Write the machine file: .toml; its numbers: .csv, .json, .xlsx, .nc; or draw it: .png, .svg, .pdf."),
     ),
 ]
 

@@ -1,46 +1,42 @@
-"""A proposal on the screen: its numbers, what else was considered, remarks, and how to go on."""
+"""A proposal: asked for, written, shown, and how to go on."""
 
 import shlex
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from contextlib import nullcontext
 from functools import partial as with_arguments
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
-from rich.console import Console
-from rich.text import Text
-
 from cranktrain.cli.asked import in_units_of
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.quiet_pictures import save_quietly
-from cranktrain.cli.screen.columns import Column, column_tables, worded_tables
-from cranktrain.cli.screen.text import INDENT, page, section, table
+from cranktrain.cli.run_files import write_run
+from cranktrain.cli.screen.sections import show_sections
+from cranktrain.cli.screen.text import page
 from cranktrain.cli.screen.typesetting import printed
 from cranktrain.cli.synthesis.requirements import Typed, proposed
-from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_first_errors
-from cranktrain.cli.textbook.synthesis import show_steps
-from cranktrain.grouping import grouped
 from cranktrain.how_far import say_how_far
 from cranktrain.io.added_tables import with_tables, with_values
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import STANDARD_OUTPUT, write_machine_file
+from cranktrain.io.writers import SUFFIXES, Form
 from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
-from cranktrain.quantities import chosen_unit
-from cranktrain.saying.wording import figure, number
+from cranktrain.saying.wording import number
 from cranktrain.synthesis.counterweights import CounterweightProposal
-from cranktrain.synthesis.proposal import MachineProposal, Number, Proposal
+from cranktrain.synthesis.proposal import MachineProposal, Proposal
+from cranktrain.synthesis.proposal_sections import proposal_sections
+from cranktrain.textbook.shown.errata import first_errors
+from cranktrain.textbook.shown.synthesis import SOURCE_EXAMPLE, step_sections
 from cranktrain.textbook.synthesis_statements import SOURCE as SYNTHESIS
+from cranktrain.texts.contents import text_called
 from cranktrain.viz.output import FORMATS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-_ROUNDING = 1e-12
-"""Of the largest number of a column: below it is nothing but rounding."""
 
 _POSITIONS = 12
 
@@ -63,8 +59,8 @@ def give_proposal(
     typed : mapping
         The requirements.
     output : str or None
-        File to write; `-` for the machine file alone on the standard output; a picture for its plan of positions, of
-        what is for no machine that there is.
+        File to write: the machine file, `-` for that alone on the standard output; the numbers, by the suffix; a
+        picture for its plan of positions, of what is for no machine that there is.
     force : bool
         Replace a file that is there.
     with_source : bool
@@ -85,7 +81,11 @@ def _give_proposal(
     wanted = _with_example(typed) if is_own else typed
     with says_how_far():
         proposal = proposed(problem, wanted, file, None if file is None else _progress)
-    is_plan = output is not None and PurePath(output).suffix.lower() in FORMATS and file is None
+    suffix = PurePath(output or "").suffix.lower()
+    is_plan = suffix in FORMATS and file is None
+    if output is not None and suffix in SUFFIXES:
+        write_run(proposal, Form(suffix), output, {}, force=force)
+        return
     if is_plan:
         write_plan(output or "", proposal.machine_file(), force=force)
     elif output is not None:
@@ -93,12 +93,11 @@ def _give_proposal(
     if output in STANDARD_OUTPUT:
         return
     with page(one_line(str(proposal.title))) as console:
-        show_proposal(console, proposal)
+        show_sections(console, proposal_sections(proposal))
         if with_source:
             with printed():
-                if not is_own:
-                    show_steps(console, typed)
-                show_first_errors(console, SYNTHESIS)
+                show_sections(console, () if is_own else step_sections(typed))
+                show_sections(console, first_errors(text_called(SYNTHESIS)))
         console.print()
         if output is None:
             said = _("-o FILE.toml writes it as a machine file, for: cranktrain run FILE.toml")
@@ -139,68 +138,6 @@ def _machine_file(proposal: Proposal, file: MachineFile | None) -> str:
 def _said(values: Mapping[str, Words]) -> dict[str, str]:
     """What is to stand in a file, said."""
     return {key: str(value) for key, value in values.items()}
-
-
-def show_proposal(console: Console, proposal: Proposal) -> None:
-    """Show numbers, alternatives and remarks."""
-    width = console.width - INDENT
-    section(console, _("Proposed"), _numbers(proposal.numbers, width))
-    section(console, _("Also considered"), _alternatives(proposal, width))
-    section(console, _("Mind"), map(str, proposal.remarks))
-
-
-def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
-    """Numbers one in a line; those of several members, such as the strokes of cylinders, in columns."""
-    single = [one for one in numbers if not one.member]
-    if single:
-        rows = [(str(one.sentence), one.symbol, figure(one.value, one.unit), _unit(one)) for one in single]
-        yield from table(("", "", "", ""), rows, right=(2,))
-    several = grouped((one.name, one) for one in numbers if one.member)
-    members = grouped((tuple(one.member for one in each), each) for each in several.values())
-    for i, (labels, columns) in enumerate(members.items()):
-        if i or single:
-            yield ""
-        yield from column_tables([_column(each[0], each) for each in columns], labels, width)
-        yield ""
-        yield _legend([each[0] for each in columns])
-
-
-def _alternatives(proposal: Proposal, width: int) -> Iterator[str | Text]:
-    """Tables of alternatives, one for each set of numbers; those that the proposal has too stand beside its own."""
-    own = {one.key: one for one in proposal.numbers}
-    others = [(str(label), {one.key: one for one in numbers}) for label, numbers in proposal.alternatives]
-    families = grouped((tuple(own if set(other) <= set(own) else other), (label, other)) for label, other in others)
-    for i, (names, rows) in enumerate(families.items()):
-        if i:
-            yield ""
-        if names == tuple(own):
-            rows.insert(0, (_("as proposed"), own))
-        shown = {name: next(numbers[name] for _label, numbers in rows if name in numbers) for name in names}
-        columns = {name: _column(one, [numbers.get(name) for _label, numbers in rows]) for name, one in shown.items()}
-        kept = [name for name, column in columns.items() if len(set(filter(None, column.texts))) > 1] or list(columns)
-        yield from worded_tables([columns[name] for name in kept], [label for label, _numbers in rows], width)
-        yield ""
-        yield _legend([shown[name] for name in kept])
-
-
-def _column(like: Number, numbers: Sequence[Number | None]) -> Column:
-    """A column of one kind of number; empty where a row has none."""
-    least = _ROUNDING * max((abs(one.value) for one in numbers if one is not None), default=0.0)
-    texts = tuple(
-        "" if one is None else figure(one.value if abs(one.value) > least else 0.0, one.unit) for one in numbers
-    )
-    return Column(like.symbol, _unit(like), texts)
-
-
-def _unit(one: Number) -> str:
-    """Unit in which it is shown; nothing for a plain number."""
-    return chosen_unit(one.unit) or one.unit.removeprefix("1")
-
-
-def _legend(numbers: Sequence[Number]) -> str:
-    """Say what the symbols are."""
-    said = [(one.symbol, str(one.sentence)) for one in numbers]
-    return "; ".join(f"{symbol} {sentence[:1].lower()}{sentence[1:]}" for symbol, sentence in said)
 
 
 def write_plan(path: str, text: str, *, force: bool) -> None:

@@ -1,82 +1,49 @@
-"""What `textbook -o` writes, by how the name ends: a drive's or a throw's table, its curves, or its figures."""
+"""A drive or a throw: shown, or by how the name behind `-o` ends its table, its curves or its figures written."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import PurePath
+from typing import TYPE_CHECKING
 
 from cranktrain.cli.quiet_pictures import save_quietly
-from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.io.output import write_machine_file, write_whole
+from cranktrain.cli.screen.sections import show_page
+from cranktrain.cli.textbook.typed import TextbookRequest
+from cranktrain.errors import Problem
+from cranktrain.io.output import write_whole
+from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
-from cranktrain.plans.machine_throw import ThrownMachine
-from cranktrain.plans.throw_loads import CrankMasses
-from cranktrain.textbook.drive_statements import drive_statements
-from cranktrain.textbook.statements import Statements
-from cranktrain.texts.drive_table import CrankRockerDrive
-from cranktrain.texts.throw_table import Throw
+from cranktrain.saying.sections import PagePart
 from cranktrain.viz.output import FORMATS
 
-TABLE, CURVES = ".toml", ".csv"
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+TABLE, CURVES = ".toml", (".csv", ".json", ".xlsx")
 
 
-def output_problems(output: str | None, *kinds: str, force: bool) -> Iterator[Problem]:
+def output_problems(asked: TextbookRequest, *kinds: str) -> Iterator[Problem]:
     """Refuse a name that says nothing of what is to be written: one of `kinds`, or a picture; `--force` without one."""
-    if output is None and force:
+    if asked.output is None and asked.force:
         yield Problem("--force", None, _("is for a file that is written: ask for -o FILE, too"))
     known = (*kinds, *FORMATS)
-    if output is not None and PurePath(output).suffix.lower() not in known:
-        yield Problem("-o", output, _("must end in one of: {suffixes}", suffixes=", ".join(known)))
+    if asked.output is not None and PurePath(asked.output).suffix.lower() not in known:
+        yield Problem("-o", asked.output, _("must end in one of: {suffixes}", suffixes=", ".join(known)))
 
 
-def write_drive(
-    drive: CrankRockerDrive, text: str | None, name: str, output: str, *, angle: float, force: bool
+def show_or_write(
+    asked: TextbookRequest,
+    head: Words,
+    sections: Iterable[PagePart],
+    texts: Mapping[str, Callable[[], str | Iterable[str | bytes]]],
+    draw: "Callable[[], Figure]",
 ) -> None:
-    """Write the table or the curves, or draw both figures; say what was written."""
-    suffix = PurePath(output).suffix.lower()
-    if suffix == TABLE:
-        if text is None:
-            raise InputError([Problem("-o", output, _("is for a drive's table: a machine has a file of its own"))])
-        write_machine_file(output, text, force=force)
-    elif suffix == CURVES:
-        write_whole(output, drive_statements(drive).csv(), force=force)
+    """Show sections below their head; or write a text by how the name ends, or the figures, and say so."""
+    if asked.output is None:
+        show_page(head, sections)
+        return
+    make = texts.get(PurePath(asked.output).suffix.lower())
+    if make is None:
+        save_quietly(draw, asked.output, force=asked.force)
     else:
-        from cranktrain.viz.plans.drive_figure import drive_figure
-
-        save_quietly(lambda: drive_figure(drive, name, angle), output, force=force)
-    print(_("written: {name}", name=one_line(output)))
-
-
-def refuse_without_throw(
-    output: str | None, *, at: float | None, force: bool, of_throw: Mapping[str, str | None]
-) -> None:
-    """Refuse to write where nothing can be written, and what is asked of a throw or a drive where there is none."""
-    allowed = _("is for a throw or a drive: ask for --throw FILE or --drive FILE, too")
-    given = (("-o", output), ("--force", "" if force else None), ("--at", None if at is None else f"{at:g}"))
-    found = [Problem(option, value or None, allowed) for option, value in given if value is not None]
-    allowed = _("is for a machine's throw: ask for --throw FILE, too")
-    found += [Problem(option, value, allowed) for option, value in of_throw.items() if value is not None]
-    refuse(found)
-
-
-def write_throw(throw: Throw, text: str, name: str, output: str, *, force: bool) -> None:
-    """Write the table, or draw the scheme; say what was written."""
-    if PurePath(output).suffix.lower() == TABLE:
-        write_machine_file(output, text, force=force)
-    else:
-        from cranktrain.viz.plans.throw_scheme import throw_figure
-
-        save_quietly(lambda: throw_figure(throw, name), output, force=force)
-    print(_("written: {name}", name=one_line(output)))
-
-
-def write_machine_throw(
-    of: ThrownMachine, asked: tuple[str, float | None, CrankMasses], found: Statements, output: str, *, force: bool
-) -> None:
-    """Write the curves over the cycle, or draw the scheme with them; say what was written."""
-    if PurePath(output).suffix.lower() == CURVES:
-        write_whole(output, found.csv(), force=force)
-    else:
-        from cranktrain.viz.plans.throw_scheme import machine_throw_figure
-
-        save_quietly(lambda: machine_throw_figure(of, *asked), output, force=force)
-    print(_("written: {name}", name=one_line(output)))
+        write_whole(asked.output, make(), force=asked.force)
+    print(_("written: {name}", name=one_line(asked.output)))

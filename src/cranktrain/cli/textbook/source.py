@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Literal, TypeVar
 
+from cranktrain.cli.textbook.typed import TextbookRequest
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.document import Document
 from cranktrain.io.machine_file import MachineFile, read_machine
@@ -20,11 +21,11 @@ EXAMPLE = "example"
 SETTING = Position("--set")
 
 
-def machine_file(source: str, settings: Sequence[str], example: str) -> MachineFile:
+def machine_file(asked: TextbookRequest, example: str) -> MachineFile:
     """Read the machine with its settings; where none is named, say what could be typed."""
-    if not source:
+    if not asked.file:
         refuse([file_missing(example)])
-    return read_machine(source, settings)
+    return read_machine(asked.file or "", asked.settings)
 
 
 def file_missing(example: str) -> Problem:

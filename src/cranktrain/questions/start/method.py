@@ -12,7 +12,7 @@ from cranktrain.transient.corners import few_ahead
 from cranktrain.transient.equation import DriveTrain, Kernels
 from cranktrain.transient.gearing import overall_ratio
 from cranktrain.transient.implicit import is_stiff, run_implicitly, slip_time_constant
-from cranktrain.transient.runs import Progress, Run, Wanted, run
+from cranktrain.transient.runs import Progress, TransientRun, Wanted, run
 
 _ANGLES = np.linspace(0.0, 2 * np.pi, 61)
 """At which the least inertia is looked for."""
@@ -32,7 +32,7 @@ class Runs(Protocol):
         is_compiled: bool,
         progress: Progress | None,
         ends: list[tuple[float, float]] | None,
-    ) -> Run:
+    ) -> TransientRun:
         """See `runs.run`."""
         ...
 

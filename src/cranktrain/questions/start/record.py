@@ -33,6 +33,19 @@ class StartCurves:
 
 
 @record
+class StartEvents:
+    """What happened on the way; all arrays of shape (event,)."""
+
+    event_time: Array = quantity("t", "s", ("event",), N_("Time of an event"), _THEORY, "26.9")
+    event_angle: Array = quantity(
+        "φ", "rad", ("event",), N_("Crank angle of an event, counted on through all turns"), _THEORY, "26.9"
+    )
+    event_speed: Array = quantity(
+        "ω", "rad/s", ("event",), N_("Speed of the crank at an event"), _THEORY, "26.9", shown="rpm"
+    )
+
+
+@record
 class StartEvent:
     """Something on the way: what it is, not yet translated; time, angle as shown, counted on, speed of the crank.
 

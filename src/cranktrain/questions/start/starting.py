@@ -18,7 +18,7 @@ from cranktrain.saying.wording import number
 from cranktrain.transient import endings
 from cranktrain.transient.equation import MOTOR_WORK, SPEED, DriveTrain
 from cranktrain.transient.reduced import ReducedMachine
-from cranktrain.transient.runs import REASONS, Progress, Run, Wanted, wanted
+from cranktrain.transient.runs import REASONS, Progress, TransientRun, Wanted, wanted
 from cranktrain.transient.step import N_STATE
 
 _NEARLY = 0.98
@@ -118,7 +118,7 @@ def _runs(
     end: float,
     progress: Progress | None,
     steps: list[tuple[float, float]] | None = None,
-) -> Iterator[tuple[_Span, Run]]:
+) -> Iterator[tuple[_Span, TransientRun]]:
     """Run span by span, each from where the last one ended, until one ends for a reason of its own.
 
     `steps` is given times and speeds at which steps end.
@@ -213,7 +213,7 @@ def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: A
     )
 
 
-def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int, asked: Array) -> StartRun:
+def _together(case: StartCase, runs: list[tuple[_Span, TransientRun]], reason: int, asked: Array) -> StartRun:
     """One run of all its spans, times counted on, works added up; in whole, and at the times that were asked for."""
     times, states = list[Array](), list[Array]()
     before = np.zeros(N_STATE)
@@ -242,7 +242,7 @@ def _together(case: StartCase, runs: list[tuple[_Span, Run]], reason: int, asked
     )
 
 
-def _reason(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> str:
+def _reason(case: StartCase, runs: list[tuple[_Span, TransientRun]], reason: int) -> str:
     """Why it ended, by what was asked for."""
     span, last = runs[-1]
     if reason == endings.OVERSPEED:
@@ -256,7 +256,7 @@ def _reason(case: StartCase, runs: list[tuple[_Span, Run]], reason: int) -> str:
     return SETTLED if last.end[SPEED] >= 0 else SETTLED_BACKWARD
 
 
-def _events(case: StartCase, runs: list[tuple[_Span, Run]]) -> Iterator[StartEvent]:
+def _events(case: StartCase, runs: list[tuple[_Span, TransientRun]]) -> Iterator[StartEvent]:
     """What happened on the way, by time; a crank that stops and is held does not turn round."""
     held = {span.start + event.time for span, found in runs for event in found.of_kind(endings.HELD)}
     for span, found in runs:
@@ -288,7 +288,7 @@ def _spans(case: StartCase) -> Iterator[_Span]:
     yield _Span(begins, end, _NEARLY * case.steady_speed if case.is_to_settle else asked, case.machine)
 
 
-def _followed(case: StartCase, span: _Span, found: Run, speed: float) -> float:
+def _followed(case: StartCase, span: _Span, found: TransientRun, speed: float) -> float:
     """When a span is over that follows on the last one, which began at a speed; its own end where none does. [s]"""
     ended = span.start + found.end_time
     if not case.is_to_settle:

@@ -11,6 +11,7 @@ TEXT = Text(
     title=N_("opposed pistons and articulated rods"),
     said_of=N_("opposed pistons, and slaves on articulated rods"),
     letter="D",
+    of_machine="bolotin",
     authors=("Болотин",),
     formulas=(
         Formula(

@@ -16,6 +16,7 @@ TEXT = Text(
     title=N_("static torque and flywheel moment of a crank-rocker's drive"),
     said_of=N_("crank-rockers"),
     letter="B",
+    of_machine="gandzha",
     authors=("Ганджа",),
     formulas=(
         Formula(

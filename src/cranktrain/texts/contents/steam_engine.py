@@ -11,6 +11,7 @@ TEXT = Text(
     title=N_("motion of a steam engine's piston"),
     said_of=N_("central slider-cranks and eccentrics"),
     letter="A",
+    of_machine="steam_engine",
     formulas=(
         Formula(
             "fig. 146",

@@ -3,7 +3,7 @@
 import re
 from typing import Literal
 
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.record import record
 
 Verdict = Literal["right", "right in a range", "wrong"]
@@ -58,9 +58,14 @@ class Formula:
         return tuple(filter(None, (self.command, self.of_machine)))
 
     @property
-    def said_verdict(self) -> str:
+    def verdict_words(self) -> Words:
         """The verdict in words, with whether anything computes it."""
-        return str(_(_VERDICTS[self.verdict, bool(self.command)]))
+        return _(_VERDICTS[self.verdict, bool(self.command)])
+
+    @property
+    def said_verdict(self) -> str:
+        """The same, in the reader's language."""
+        return str(self.verdict_words)
 
 
 @record
@@ -81,6 +86,8 @@ class Text:
         By which the texts are counted, A to E.
     authors : tuple of str
         As they are written; none where the text names none.
+    of_machine : str
+        The module of `cranktrain.textbook.shown` that gives what it has for a machine; none where it has nothing.
     """
 
     name: str
@@ -89,6 +96,7 @@ class Text:
     formulas: tuple[Formula, ...]
     letter: str
     authors: tuple[str, ...] = ()
+    of_machine: str = ""
 
     @property
     def number_ranges(self) -> tuple[str, ...]:

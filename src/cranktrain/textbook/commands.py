@@ -1,4 +1,4 @@
-"""Commands that a screen names, so that they can be copied."""
+"""Commands that a page names, so that they can be copied."""
 
 import shlex
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""Errors of the sources' forms as text."""
+"""Errors in percent, as text."""
 
 from math import floor, isfinite, log10
 

@@ -1,6 +1,6 @@
 import pytest
 
-from cranktrain.texts.percents import percent
+from cranktrain.saying.percents import percent
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,48 @@
+"""A run as a file, by how its name ends: for every command alike."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import PurePath
+
+from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.io.output import write_whole
+from cranktrain.io.writers import DECIMALS, SUFFIXES, Form, written
+from cranktrain.language import said as _
+from cranktrain.one_line import one_line
+from cranktrain.quantities import unlisted
+from cranktrain.saying.run import Run
+
+
+def form_of(output: str, decimal: str = "point", others: Sequence[str] = ()) -> Form | None:
+    """How a run is to be written into a file; None where its name ends in one of `others`, of which else is known.
+
+    Raises
+    ------
+    InputError
+        Where the name ends in nothing that is known, or the form has no place for what is asked.
+    """
+    if decimal not in DECIMALS:
+        raise InputError([unlisted("--decimal", decimal, DECIMALS)])
+    suffix = PurePath(output).suffix.lower()
+    if suffix in others:
+        return None
+    if suffix not in SUFFIXES:
+        allowed = _("must end in one of: {suffixes}", suffixes=", ".join((*SUFFIXES, *others)))
+        raise InputError([Problem("-o", output, allowed)])
+    form = Form(suffix, decimal)
+    refuse(form.problems())
+    return form
+
+
+def texts_of(run: Run) -> dict[str, Callable[[], Iterable[str | bytes]]]:
+    """What makes the files of all of a run, by the suffixes of those that have a place for any name of a quantity."""
+
+    def maker(suffix: str) -> Callable[[], Iterable[str | bytes]]:
+        return lambda: written(Form(suffix), run, {}, tuple(run.catalogue), is_all=True)
+
+    return {suffix: maker(suffix) for suffix in (".json", ".xlsx")}
+
+
+def write_run(run: Run, form: Form, output: str, machine: Mapping[str, object], *, force: bool) -> None:
+    """Write all of a run, with the data of its machine's file where it is of one; say what was written."""
+    write_whole(output, written(form, run, machine, tuple(run.catalogue), is_all=True), force=force)
+    print(_("written: {name}", name=one_line(output)))

@@ -1,0 +1,1 @@
+"""What `textbook` shows, as sections: a module for each subject."""
