@@ -53,6 +53,7 @@ def _show(files: tuple[MachineFile, MachineFile], request: CompareRequest) -> No
     if request.output is not None:
         form = form_of(request.output, request.decimal, FORMATS)
         if form is not None:
+            refuse(_is_curve(name) for name in request.quantities or () if name not in comparison.catalogue)
             write_run(comparison, form, request.output, {}, force=request.force)
             return
         save_quietly(comparison.plot, request.output, force=request.force)
@@ -66,6 +67,12 @@ def _show(files: tuple[MachineFile, MachineFile], request: CompareRequest) -> No
         console.print()
         for line in (*comparison.lines(console.width), "", *_minded(comparison)):
             console.print(Text(line), soft_wrap=len(line) <= console.width)
+
+
+def _is_curve(name: str) -> Problem:
+    """Refuse a curve among the facts of two machines."""
+    allowed = _("is a curve, and a file of two machines has facts")
+    return Problem("quantities", name, allowed, _("write the curves of one, or draw both: -o FILE.png"))
 
 
 def _minded(comparison: Comparison) -> Iterator[str]:

@@ -1,7 +1,7 @@
 """Slips of a new user: each is answered with what is wrong and what to type, and nothing is written."""
 
 import pytest
-from tests.sentences import NO_FILE
+from tests.sentences import ENDS_IN, NO_FILE
 
 SLIPS = (
     (("textbook", "eratta"), f"eratta  {NO_FILE}; did you mean errata?"),
@@ -9,11 +9,15 @@ SLIPS = (
     (("new", "slider_crank", "-o", "n.csv"), '-o = n.csv: must end in .toml: it is a machine file; write "n.toml"'),
     (
         ("synthesise", "slider-crank", "--stroke", "160 mm", "--pressure-angle", "30 deg", "-o", "press.txt"),
-        '-o = press.txt: must end in .toml: it is a machine file; write "press.toml"',
+        f"-o = press.txt: {ENDS_IN}.csv, .json, .xlsx, .nc, .toml, .png, .svg, .pdf",
     ),
     (("synthesise", "quick-return", "--stroke", "300 mm"), "--time-ratio: is missing; must be a number without a unit"),
     (("synthesise", "quick-return", "--stroke", "300 mm", "--time-ratio", "x"), "such as 1.2"),
     (("synthesise", "radial", "--compression-ratio", "x"), "such as 9.5"),
+    (
+        ("compare", "3d12", "kamaz_740", "--quantities", "gas_pressure", "-o", "both.csv"),
+        "gas_pressure: is a curve, and a file of two machines has facts; write the curves of one, or draw both",
+    ),
     (
         ("compare", "3d12", "kamaz_740", "--quantities", "firing_angle", "-o", "both.png"),
         "quantities = firing_angle: has one value for the whole cycle, and no curve",

@@ -2,7 +2,7 @@
 
 import shlex
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from functools import partial as with_arguments
 from pathlib import PurePath
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from cranktrain.cli.asked import in_units_of
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.quiet_pictures import save_quietly
-from cranktrain.cli.run_files import write_run
+from cranktrain.cli.run_files import form_of, write_run
 from cranktrain.cli.screen.sections import show_sections
 from cranktrain.cli.screen.text import page
 from cranktrain.cli.screen.typesetting import printed
@@ -20,7 +20,7 @@ from cranktrain.how_far import say_how_far
 from cranktrain.io.added_tables import with_tables, with_values
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import STANDARD_OUTPUT, write_machine_file
-from cranktrain.io.writers import SUFFIXES, Form
+from cranktrain.io.writers import Form
 from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
@@ -77,14 +77,15 @@ def _give_proposal(
     problem: str, typed: Typed, output: str | None, file: MachineFile | None, *, force: bool, with_source: bool
 ) -> None:
     """Do so, in the units in which numbers are shown."""
+    form = _form(output, () if file is not None else FORMATS)
     is_own = with_source and not any(typed.get(name) for name in SOURCE_EXAMPLE)
     wanted = _with_example(typed) if is_own else typed
     with says_how_far():
         proposal = proposed(problem, wanted, file, None if file is None else _progress)
     suffix = PurePath(output or "").suffix.lower()
     is_plan = suffix in FORMATS and file is None
-    if output is not None and suffix in SUFFIXES:
-        write_run(proposal, Form(suffix), output, {}, force=force)
+    if output is not None and form is not None:
+        write_run(proposal, form, output, {}, force=force)
         return
     if is_plan:
         write_plan(output or "", proposal.machine_file(), force=force)
@@ -107,6 +108,12 @@ def _give_proposal(
             command = shlex.join(["cranktrain", "run", one_line(output)])
             said = _("written: {name}; go on with: {command}", name=one_line(output), command=command)
         console.print(said, soft_wrap=True)
+
+
+def _form(output: str | None, pictures: Sequence[str]) -> Form | None:
+    """How numbers are to be written; None of a machine file, of one without a suffix, too, or a picture."""
+    is_named = output is not None and output not in STANDARD_OUTPUT and PurePath(output).suffix
+    return form_of(output, others=(".toml", *pictures)) if output is not None and is_named else None
 
 
 def _with_example(typed: Typed) -> Typed:
