@@ -8,6 +8,7 @@ import tomllib
 import numpy as np
 import pytest
 from tests.sentences import (
+    ENDS_IN,
     A_LENGTH,
     A_NUMBER,
     A_SMALL_LENGTH,
@@ -248,7 +249,7 @@ def test_a_picture_is_the_plan_of_positions(typed, tmp_path):
     assert "301.0" in drawn  # x at 60°: 40 + √(270² − 4800) mm
     assert typed("synthesise", "slider-crank", *wanted, "-o", "own.svg").status == 2
     refused = typed("synthesise", "counterweights", "vaz_21213", "--bearing", "3", "-o", "own.png")
-    assert "must end in .toml: it is a machine file" in refused.errors
+    assert f"{ENDS_IN}.csv, .json, .xlsx, .nc, .toml" in refused.errors
 
 
 def test_steps_of_the_source_with_requirements_that_are_typed(typed):
