@@ -48,7 +48,7 @@ def at_60(number, symbol="", verdict="right"):
 def table_curve(number, words="", verdict="right"):
     return next(
         one.values[:-1]
-        for one in driven().curves
+        for one in driven().over_turn
         if (one.equation, one.verdict) == (number, verdict) and words in one.name
     )
 

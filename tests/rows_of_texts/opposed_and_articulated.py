@@ -73,7 +73,7 @@ def check_piston(number, name, lag):
 
     def check(_command, _typed):
         theta = PHI - np.radians(lag)
-        found = next(one for one in opposed().curves if (one.equation, one.symbol) == (number, "S"))
+        found = next(one for one in opposed().over_turn if (one.equation, one.symbol) == (number, "S"))
         same(found.values[:-1], 0.127 * (1 - np.cos(theta) + np.sin(theta) ** 2 / 8))
         result = ran("10d100", "piston_displacement")
         same(found.exact[:-1], result.piston_displacement[result.labels["piston"].index(name)], 1e-11)

@@ -130,7 +130,7 @@ def throws_together(_command, _typed):
     """Bearing 3 of the ВАЗ bears throw 2's right side and throw 3's left one, whose cranks stand alike."""
     sums = {}
     for throw, side in ((2, "P"), (3, "L")):
-        for one in ct.textbook.throw("vaz_21213", throw).curves:
+        for one in ct.textbook.throw("vaz_21213", throw).over_turn:
             if one.symbol[-1] == side:
                 sums[one.symbol[2]] = sums.get(one.symbol[2], 0.0) + one.values
     same(np.hypot(sums["K"], sums["T"]), split("vaz_21213")["3"], 1e-11)

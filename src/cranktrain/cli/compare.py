@@ -9,8 +9,7 @@ from cranktrain.analysis import Result, sentences
 from cranktrain.analysis.comparison import Comparison, compared
 from cranktrain.cli.asked import Asked, in_units_of, units_asked_for
 from cranktrain.cli.how_far import says_how_far
-from cranktrain.cli.quiet_pictures import save_quietly
-from cranktrain.cli.run_files import form_of, write_run
+from cranktrain.cli.run_files import form_or_picture, write_run
 from cranktrain.cli.screen.text import page
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
@@ -19,7 +18,6 @@ from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
 from cranktrain.record import record
-from cranktrain.viz.output import FORMATS
 
 
 @record
@@ -51,11 +49,13 @@ def _show(files: tuple[MachineFile, MachineFile], request: CompareRequest) -> No
     results = _computed(files, request)
     comparison = compared(results, _names(request), request.quantities)
     if request.output is not None:
-        form = form_of(request.output, request.decimal, FORMATS)
+        form = form_or_picture(request.output, request.decimal)
         if form is not None:
             refuse(_is_curve(name) for name in request.quantities or () if name not in comparison.catalogue)
             write_run(comparison, form, request.output, {}, force=request.force)
             return
+        from cranktrain.cli.quiet_pictures import save_quietly
+
         save_quietly(comparison.plot, request.output, force=request.force)
         print(_("written: {name}", name=one_line(request.output)))
         return
@@ -98,7 +98,7 @@ def _minded(comparison: Comparison) -> Iterator[str]:
 def _check(request: CompareRequest) -> None:
     """Refuse what cannot be compared, and a file that cannot be written."""
     if request.output is not None:
-        form_of(request.output, request.decimal, FORMATS)
+        form_or_picture(request.output, request.decimal)
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
         raise InputError([Problem("--quantities", '""', allowed)])

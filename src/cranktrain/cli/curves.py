@@ -19,7 +19,6 @@ from cranktrain.analysis.curve_columns import (
 )
 from cranktrain.cli.number_lists import exact, numbers_listed
 from cranktrain.cli.screen.facts import fact_tables
-from cranktrain.cli.screen.sections import show_page
 from cranktrain.cli.screen.text import INDENT, page, section
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
@@ -182,6 +181,8 @@ def show_curves(result: Result, asked: CurvesAsked, names: tuple[str, ...] | Non
             facts = CurvesAtAngle(result, int(chosen.places[0]), wanted)
             section(console, heading, fact_tables(facts, tuple(facts.catalogue), console.width - INDENT))
         return
+    from cranktrain.cli.screen.sections import show_page  # an answer needs none
+
     tables = {chosen.member: chosen.columns} if asked.table is not None else _by_member(chosen.columns)
     show_page(
         title(result.machines[0]),

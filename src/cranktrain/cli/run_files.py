@@ -12,6 +12,13 @@ from cranktrain.quantities import unlisted
 from cranktrain.saying.run import Run
 
 
+def form_or_picture(output: str, decimal: str = "point") -> Form | None:
+    """How a run is to be written into a file; None of a picture; as `form_of`."""
+    from cranktrain.viz.output import FORMATS  # only where something is written
+
+    return form_of(output, decimal, FORMATS)
+
+
 def form_of(output: str, decimal: str = "point", others: Sequence[str] = ()) -> Form | None:
     """How a run is to be written into a file; None where its name ends in one of `others`, of which else is known.
 

@@ -9,8 +9,7 @@ import numpy as np
 from cranktrain.cli.asked import Asked, in_units_of, units_asked_for
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.number_lists import numbers_listed
-from cranktrain.cli.quiet_pictures import save_quietly
-from cranktrain.cli.run_files import form_of, write_run
+from cranktrain.cli.run_files import form_or_picture, write_run
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.sections import show_sections
 from cranktrain.cli.screen.text import page, show_lines
@@ -24,7 +23,6 @@ from cranktrain.record import record
 from cranktrain.saying.sections import Column, Grid, ShownSection, Unfolded, section
 from cranktrain.saying.wording import number
 from cranktrain.study.start import Start, start
-from cranktrain.viz.output import FORMATS
 
 _SHOWN_EVENTS = 12
 
@@ -40,7 +38,7 @@ class StartRequest(Asked):
 
 def show_start(request: StartRequest) -> None:
     """Run, write and show."""
-    form = None if request.output is None else form_of(request.output, request.decimal, FORMATS)
+    form = None if request.output is None else form_or_picture(request.output, request.decimal)
     asked = units_asked_for(request.units)
     file = read_machine(request.file, request.settings)
     times = None if request.at is None else _times(request.at)
@@ -51,6 +49,7 @@ def show_start(request: StartRequest) -> None:
             write_run(found, form, request.output, file.document.data, force=request.force)
             return
         if request.output is not None:
+            from cranktrain.cli.quiet_pictures import save_quietly
             from cranktrain.viz import start_picture
 
             save_quietly(lambda: start_picture(found), request.output, force=request.force)

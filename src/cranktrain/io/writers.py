@@ -5,7 +5,6 @@ from dataclasses import replace
 
 from cranktrain.analysis.curve_columns import CurveColumn, by_default, curve_columns
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.io.netcdf import netcdf_bytes
 from cranktrain.io.tables import csv_text, fact_csv, json_text
 from cranktrain.io.workbook import workbook_bytes
 from cranktrain.language import said as _
@@ -78,6 +77,8 @@ def written(
     if form.suffix == ".json":
         yield from json_text(run, machine, names)
     elif form.suffix == ".nc":
+        from cranktrain.io.netcdf import netcdf_bytes  # only for who asks
+
         yield netcdf_bytes(run, names)
     elif form.suffix == ".csv" and (form.facts or run.axis is None):
         refuse(_is_curve(name) for name in names if not is_all and not _is_fact(run, name))

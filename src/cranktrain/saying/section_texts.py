@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 
 from cranktrain.saying.amounts import figures
-from cranktrain.saying.percents import percent
 from cranktrain.saying.sections import Column, Decimals, How
 from cranktrain.saying.wording import ABSENT, UnitOf, figure, seen, signless
 
@@ -37,6 +36,8 @@ def written_column(column: Column) -> Column:
 def _text(value: float, unit: str, how: How) -> str:
     """Write a number."""
     if not isinstance(how, Decimals):
+        from cranktrain.saying.percents import percent  # an answer needs none
+
         return percent(value) if how == "percent" else figure(value, unit.partition(_BY_ANGLE)[0])
     if not np.isfinite(value):
         return ABSENT

@@ -8,12 +8,12 @@ import tomllib
 import numpy as np
 import pytest
 from tests.sentences import (
-    ENDS_IN,
     A_LENGTH,
     A_NUMBER,
     A_SMALL_LENGTH,
     AN_ANGLE,
     BEYOND_ANY_SIZE,
+    ENDS_IN,
     NOT_POSITIVE,
     WHOLE_NUMBER,
 )
