@@ -159,7 +159,8 @@ class Comparison(Run):
 
     def in_its_units(self) -> AbstractContextManager[None]:
         """Show numbers in the units of the first machine, as far as nobody chose others."""
-        return shown_as_in(self._units)
+        units: FileUnits = face("units_of")(self.results[0].machines[0])
+        return shown_as_in(units)
 
     def plot(self, *quantities: str, **_members: object) -> Any:
         """Lay the curves of both over each other.
@@ -178,14 +179,8 @@ class Comparison(Run):
         InputError
             Where neither machine has such a curve.
         """
-        with shown_as_in(self._units):
+        with self.in_its_units():
             return face("plot_comparison")(self, *quantities)
-
-    @property
-    def _units(self) -> FileUnits:
-        """Units of the first machine, in which both are shown."""
-        units: FileUnits = face("units_of")(self.results[0].machines[0])
-        return units
 
     def lines(self, width: int = 80) -> Iterator[str]:
         """Write it as a table.
@@ -199,7 +194,7 @@ class Comparison(Run):
         ------
         str
         """
-        with shown_as_in(self._units):
+        with self.in_its_units():
             cells = [(row, _texts(row)) for row in self._rows]
         if not cells:
             yield _("Neither machine has a result that could be compared.")
@@ -250,7 +245,7 @@ class Comparison(Run):
             title = _(question.capitalize()) or _("More")
             parts.append(f'<tr><th colspan="6" style="text-align:left">{escape(title)}</th></tr>')
             for row in rows:
-                with shown_as_in(self._units):
+                with self.in_its_units():
                     texts = "".join(f"<td>{escape(text)}</td>" for text in _texts(row))
                 parts.append(f'<tr><td style="text-align:left">{escape(row.name)}</td>{texts}</tr>')
         return "".join([*parts, "</tbody></table>"])

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -174,7 +173,7 @@ def _show_answer(file: MachineFile, result: Result, request: RunRequest) -> None
 
 def _form(request: RunRequest) -> "Form | None":
     """How the output is to be written, by its suffix and what was asked besides; None where there is none."""
-    from cranktrain.io.writers import DECIMALS, SUFFIXES, Form
+    from cranktrain.io.writers import DECIMALS
     from cranktrain.quantities import unlisted
 
     if request.decimal not in DECIMALS:
@@ -184,22 +183,10 @@ def _form(request: RunRequest) -> "Form | None":
         needs = _("is for a file: name one with -o, such as -o {name}", name="facts.csv")
         refuse(Problem(option, None, needs) for option, is_given in given.items() if is_given)
         return None
-    form = Form(PurePath(request.output).suffix.lower(), request.decimal, request.facts)
-    if form.suffix not in SUFFIXES:
-        pictures = _pictures() if request.curves.table is not None else ()
-        if form.suffix in pictures:
-            return None
-        allowed = _("must end in one of: {suffixes}", suffixes=", ".join((*SUFFIXES, *pictures)))
-        raise InputError([Problem("-o", request.output, allowed)])
-    refuse(form.problems())
-    return form
+    from cranktrain.cli.run_files import form_of, form_or_picture  # only where something is written
 
-
-def _pictures() -> tuple[str, ...]:
-    """Suffixes of sheets of paper, which a table may be on."""
-    from cranktrain.viz.output import FORMATS
-
-    return FORMATS
+    how = form_of if request.curves.table is None else form_or_picture  # a table may be on a sheet of paper
+    return how(request.output, request.decimal, facts=request.facts)
 
 
 def _computed(file: MachineFile, request: RunRequest, *, is_answer: bool = False) -> Result:

@@ -1,6 +1,7 @@
 """A run as a file, by how its name ends: for every command alike."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from pathlib import PurePath
 
 from cranktrain.errors import InputError, Problem, refuse
@@ -12,14 +13,14 @@ from cranktrain.quantities import unlisted
 from cranktrain.saying.run import Run
 
 
-def form_or_picture(output: str, decimal: str = "point") -> Form | None:
+def form_or_picture(output: str, decimal: str = "point", *, facts: bool = False) -> Form | None:
     """How a run is to be written into a file; None of a picture; as `form_of`."""
     from cranktrain.viz.output import FORMATS  # only where something is written
 
-    return form_of(output, decimal, FORMATS)
+    return form_of(output, decimal, FORMATS, facts=facts)
 
 
-def form_of(output: str, decimal: str = "point", others: Sequence[str] = ()) -> Form | None:
+def form_of(output: str, decimal: str = "point", others: Sequence[str] = (), *, facts: bool = False) -> Form | None:
     """How a run is to be written into a file; None where its name ends in one of `others`, of which else is known.
 
     Raises
@@ -35,18 +36,19 @@ def form_of(output: str, decimal: str = "point", others: Sequence[str] = ()) -> 
     if suffix not in SUFFIXES:
         allowed = _("must end in one of: {suffixes}", suffixes=", ".join((*SUFFIXES, *others)))
         raise InputError([Problem("-o", output, allowed)])
-    form = Form(suffix, decimal)
+    form = Form(suffix, decimal, facts)
     refuse(form.problems())
     return form
 
 
-def texts_of(run: Run) -> dict[str, Callable[[], Iterable[str | bytes]]]:
-    """What makes the files of all of a run, by the suffixes of those that have a place for any name of a quantity."""
+def texts_of(make: Callable[[], Run]) -> dict[str, Callable[[], Iterable[str | bytes]]]:
+    """What makes a run and files of all of it, by the suffixes of those with a place for any name of a quantity."""
 
-    def maker(suffix: str) -> Callable[[], Iterable[str | bytes]]:
-        return lambda: written(Form(suffix), run, {}, tuple(run.catalogue), is_all=True)
+    def pieces(suffix: str) -> Iterable[str | bytes]:
+        run = make()
+        return written(Form(suffix), run, {}, tuple(run.catalogue), is_all=True)
 
-    return {suffix: maker(suffix) for suffix in (".json", ".xlsx")}
+    return {suffix: partial(pieces, suffix) for suffix in (".json", ".xlsx")}
 
 
 def write_run(run: Run, form: Form, output: str, machine: Mapping[str, object], *, force: bool) -> None:

@@ -1,10 +1,7 @@
 """A sheet as data: columns of parts, each a shape or a table with the room that it wants; and what heads it."""
 
 from collections.abc import Sequence
-from dataclasses import field
 from typing import TypeAlias
-
-import numpy as np
 
 from cranktrain.analysis import Result, sentences
 from cranktrain.language import Message, Words
@@ -262,7 +259,7 @@ class Sheet:
     title: Words
     columns: tuple[SheetColumn, ...]
     at_speed: Words = ""
-    unused: tuple[Words, ...] = field(default=())
+    unused: tuple[Words, ...] = ()
 
 
 def sheet_of(result: Result, design: int, title: Words, *columns: SheetColumn) -> Sheet:
@@ -276,8 +273,3 @@ def facts_table(heading: Words, facts: Sequence[tuple[Words, Words]]) -> Table:
     """Make a table of facts: what each is, and its amount."""
     words, amounts = zip(*facts, strict=True)
     return Table((TableColumn(heading, words), TableColumn("", amounts)), (1.0,))
-
-
-def peak(values: Array) -> float:
-    """Size of the largest value that is known."""
-    return float(np.nanmax(np.abs(values), initial=0.0))

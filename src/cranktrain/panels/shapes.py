@@ -23,6 +23,11 @@ Role: TypeAlias = Literal[
 """What a curve is among those of its panel, by which a face chooses its line."""
 
 
+def peak(values: Array) -> float:
+    """Size of the largest value that is known."""
+    return float(np.nanmax(np.abs(values), initial=0.0))
+
+
 @record
 class Curve:
     """A curve of a panel.
@@ -151,7 +156,7 @@ class Panel:
     def size(self) -> float:
         """Of the largest value that is drawn."""
         drawn = [curve.values for curve in self.curves] if self.limits is None else [np.array(self.limits)]
-        return max(float(np.nanmax(np.abs(values), initial=0.0)) for values in drawn)
+        return max(map(peak, drawn))
 
     @property
     def values(self) -> Array:
@@ -167,7 +172,7 @@ def as_shown(panel: Panel) -> Panel:
     """Give a panel with all in the units in which they are shown, and the labels of these."""
     unit = panel.unit
     up = scale_for(unit, panel.size) if isinstance(unit, str) else Scale(str(unit), factor=1.0)
-    furthest = max(float(np.nanmax(np.abs(panel.across_of(curve)), initial=0.0)) for curve in panel.curves)
+    furthest = max(peak(panel.across_of(curve)) for curve in panel.curves)
     along = scale_for(panel.across_unit, furthest)
 
     def both(ends: tuple[float, float] | None, scale: Scale) -> tuple[float, float] | None:

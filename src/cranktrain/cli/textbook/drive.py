@@ -20,6 +20,7 @@ from cranktrain.textbook.commands import textbook_command
 from cranktrain.textbook.drive_statements import SOURCE, USUAL_ANGLE, drive_statements
 from cranktrain.textbook.shown.drive import ALL, FIGURE, drive_sections
 from cranktrain.textbook.speaking import with_speaking
+from cranktrain.textbook.statements import Statements
 from cranktrain.texts.drive_table import DRIVE_KEYS, CrankRockerDrive, read_drive
 
 if TYPE_CHECKING:
@@ -59,6 +60,9 @@ def show_drive(asked: TextbookRequest) -> None:
 
         return drive_figure(file.drive, one_line(PurePath(source).name), at)
 
+    def stated() -> Statements:
+        return drive_statements(file.drive)
+
     def table() -> str:
         if file.text is None:
             allowed = _("is for a drive's table: a machine has a file of its own")
@@ -69,8 +73,7 @@ def show_drive(asked: TextbookRequest) -> None:
     whole, picture = (textbook_command(*typed, *one.split(), settings=asked.settings) for one in (ALL, FIGURE))
     heading = _("Drive of a crank-rocker, (1) to (21) [{source}]", source=SOURCE)
     sections = drive_sections(file.drive, at, commands=None if asked.full else {ALL: whole, FIGURE: picture})
-    found = drive_statements(file.drive)
-    texts = {TABLE: table, CURVES[0]: found.csv, **texts_of(found)}
+    texts = {TABLE: table, CURVES[0]: lambda: stated().csv(), **texts_of(stated)}
     show_or_write(asked, heading, sections, texts, figure)
 
 

@@ -100,7 +100,7 @@ def _of_machine(asked: TextbookRequest, source: str) -> _ThrowFile:
 
         return machine_throw_figure(machine, *of)
 
-    return _ThrowFile(statements, {CURVES[0]: statements.csv, **texts_of(statements)}, scheme)
+    return _ThrowFile(statements, {CURVES[0]: statements.csv, **texts_of(lambda: statements)}, scheme)
 
 
 def _as_typed(problem: Problem) -> Problem:

@@ -7,7 +7,8 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.numerics.ties import falling
 from cranktrain.panels.formulas import is_formula
-from cranktrain.panels.parts import Table, TableColumn, peak
+from cranktrain.panels.parts import Table, TableColumn
+from cranktrain.panels.shapes import peak
 from cranktrain.saying.scales import scale_for
 from cranktrain.saying.wording import ABSENT
 from cranktrain.viz.figures import column

@@ -9,7 +9,8 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import Words, _
 from cranktrain.one_line import short
 from cranktrain.panels.design import OneDesign
-from cranktrain.panels.parts import Polars, Sheet, SheetColumn, Table, TableColumn, peak, sheet_of
+from cranktrain.panels.parts import Polars, Sheet, SheetColumn, Table, TableColumn, sheet_of
+from cranktrain.panels.shapes import peak
 from cranktrain.panels.sheets.crankshaft.panels import bearing_diagrams, method_place, of_shafts
 from cranktrain.questions.crankshaft.methods import title_of
 from cranktrain.saying.amounts import BareAmount, UnitLabel

@@ -9,7 +9,8 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import Message, _
 from cranktrain.numerics.ties import largest_first
 from cranktrain.panels.design import OneDesign
-from cranktrain.panels.parts import Notes, Polars, Sheet, SheetColumn, Table, TableColumn, peak, sheet_of
+from cranktrain.panels.parts import Notes, Polars, Sheet, SheetColumn, Table, TableColumn, sheet_of
+from cranktrain.panels.shapes import peak
 from cranktrain.panels.sheets.crankshaft.panels import AlikePins, alike_pins, crank_pin_diagrams
 from cranktrain.saying.amounts import UnitLabel
 

@@ -7,8 +7,8 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.numerics.ties import first_largest
 from cranktrain.panels.design import OneDesign
-from cranktrain.panels.parts import BarChart, Sheet, SheetColumn, Stack, Table, TableColumn, peak, sheet_of
-from cranktrain.panels.shapes import Bars
+from cranktrain.panels.parts import BarChart, Sheet, SheetColumn, Stack, Table, TableColumn, sheet_of
+from cranktrain.panels.shapes import Bars, peak
 from cranktrain.panels.sheets.crankshaft.panels import on_journals, torque_panels
 from cranktrain.questions.crankshaft.methods import title_of
 from cranktrain.questions.crankshaft.results.section_torques import SECTIONS

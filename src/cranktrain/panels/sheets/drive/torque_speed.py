@@ -7,8 +7,7 @@ import numpy as np
 from cranktrain.language import Words, _
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
-from cranktrain.panels.parts import peak
-from cranktrain.panels.shapes import Curve, Mark, Panel
+from cranktrain.panels.shapes import Curve, Mark, Panel, peak
 from cranktrain.saying.amounts import UnitLabel
 
 _BEYOND = 1.1

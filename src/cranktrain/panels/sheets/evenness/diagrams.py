@@ -31,10 +31,11 @@ def plan_wittenbauer(result: Result, *, design: int = 0) -> Sheet:
     -------
     Sheet
     """
-    drawn, whole = wittenbauer_panels(result, design)
+    tangents = tangents_of(result, design)
+    drawn, whole = wittenbauer_panels(result, tangents, design)
     title = _("Wittenbauer's diagram: excess work over inertia of the moving parts")
     shown = OneDesign(result, design)
-    tables = _tables(shown, tangents_of(result, design))
+    tables = _tables(shown, tangents)
     columns = (
         SheetColumn(_LEFT, (CurveCard((drawn,), height=1.0),)),
         SheetColumn(1 - _LEFT, (*tables, CurveCard((whole,), height=0.4))),

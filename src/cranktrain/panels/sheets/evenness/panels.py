@@ -43,14 +43,13 @@ def mertsalov_panels(result: Result, design: int = 0) -> tuple[Panel, Panel]:
     )
 
 
-def wittenbauer_panels(result: Result, design: int = 0) -> tuple[Panel, Panel]:
+def wittenbauer_panels(result: Result, tangents: tuple[Tangent, Tangent], design: int = 0) -> tuple[Panel, Panel]:
     """Excess work over the inertia of the moving parts [kg·m²], once round the cycle, with the tangents; and the whole.
 
     The whole has the origin, where the tangents meet.
     """
     found = wittenbauer_diagram(result)
     inertia, work = (closed(part) for part in np.broadcast_arrays(found.inertia[design], found.work[design]))
-    tangents = tangents_of(result, design)
     # Where there is hardly any work, or hardly any change of inertia, the tangents' slope sets the scale.
     slope = float(tangents[0].slope)
     rise, run = slope * float(np.ptp(inertia)), float(np.ptp(work)) / slope

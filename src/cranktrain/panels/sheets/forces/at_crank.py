@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.panels.design import OneDesign, closed
-from cranktrain.panels.shapes import Curve, Panel
+from cranktrain.panels.shapes import Curve, Panel, peak
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 
 _NOTHING = 1e-9
@@ -40,13 +40,8 @@ def crank_torques(shown: OneDesign) -> CrankTorques:
     inertia, slope, driving = (shown(name) for name in ("reduced_inertia", "reduced_inertia_slope", "driving_torque"))
     changing = 0.5 * slope * speed**2
     held = driving - inertia * acceleration - changing
-    least = _NOTHING * max(map(_size, (held, changing, driving)))
-    return CrankTorques(*(one if _size(one) > least else np.zeros(one.shape) for one in (held, changing)))
-
-
-def _size(torque: Array) -> float:
-    """Largest size of a torque, where the links can close. [N·m]"""
-    return float(np.nanmax(np.abs(torque), initial=0.0))
+    least = _NOTHING * max(map(peak, (held, changing, driving)))
+    return CrankTorques(*(one if peak(one) > least else np.zeros(one.shape) for one in (held, changing)))
 
 
 def crank_panels(shown: OneDesign) -> Iterator[Panel]:

@@ -10,6 +10,7 @@ from cranktrain.language import Listed, Words, _
 from cranktrain.panels.design import OneDesign
 from cranktrain.panels.formulas import mathematics
 from cranktrain.panels.parts import BarChart, CurveCard, Notes, Part, Polars, Sheet, SheetColumn, Stack, sheet_of
+from cranktrain.panels.shapes import Bars
 from cranktrain.panels.sheets.forces.at_crank import crank_panels, crank_torques
 from cranktrain.panels.sheets.forces.joints import (
     MOST_CURVES,
@@ -73,11 +74,12 @@ def _beside(shown: OneDesign, piston: str | None, joints: Sequence[JointForce]) 
     if joints:
         yield Polars(joint_diagrams(shown, joints), height=0.39, least=_LEAST_POLAR)
         yield joint_table(shown, joints)
-    yield BarChart(order_bars(shown), height=0.28)
-    stars = largest_stars(shown)
+    bars = order_bars(shown)
+    yield BarChart(bars, height=0.28)
+    stars = largest_stars(shown, bars)
     if stars is not None:
         yield stars
-    yield Notes(tuple(_force_notes(shown, piston, joints)), can_go_on=True)
+    yield Notes(tuple(_force_notes(shown, piston, joints, bars)), can_go_on=True)
 
 
 def _piston(result: Result, wanted: str | None) -> str | None:
@@ -91,7 +93,7 @@ def _piston(result: Result, wanted: str | None) -> str | None:
     return next((name for name in names if has_forces(result, name)), next(iter(names), None))
 
 
-def _force_notes(shown: OneDesign, piston: str | None, joints: Sequence[JointForce]) -> Iterator[Words]:
+def _force_notes(shown: OneDesign, piston: str | None, joints: Sequence[JointForce], bars: Bars) -> Iterator[Words]:
     """Sentences on what is shown: first what is left out, last what the lines mean."""
     result = shown.result
     masses = result[LoadedMachine].masses
@@ -111,7 +113,6 @@ def _force_notes(shown: OneDesign, piston: str | None, joints: Sequence[JointFor
         if several
         else _("Torque: reactions of rigid links.")
     )
-    bars = order_bars(shown)
     if np.any(bars.is_filled & (bars.high > 0)):
         yield _("Filled bars: orders in which all cylinders add up.")
 

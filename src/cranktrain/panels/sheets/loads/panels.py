@@ -14,9 +14,8 @@ from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.shaft_loads import TorqueOnShaft
 from cranktrain.motion import Array
 from cranktrain.panels.design import OneDesign, closed
-from cranktrain.panels.parts import peak
 from cranktrain.panels.plotted import role_at
-from cranktrain.panels.shapes import Curve, Panel
+from cranktrain.panels.shapes import Curve, Panel, peak
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.loads.load_work import LoadWork

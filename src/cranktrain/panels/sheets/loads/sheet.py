@@ -21,9 +21,9 @@ from cranktrain.panels.parts import (
     Table,
     TableColumn,
     ThrowAtAngle,
-    peak,
     sheet_of,
 )
+from cranktrain.panels.shapes import peak
 from cranktrain.panels.sheets.loads.panels import CurveOfLoad, CurvesOfLoads, load_curves, load_panels, travel_panels
 from cranktrain.panels.throw_scene import scene_of
 from cranktrain.plans.drawn_throws import drawn_throws

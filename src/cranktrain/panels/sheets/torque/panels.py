@@ -8,8 +8,8 @@ from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.ties import falling
 from cranktrain.panels.design import OneDesign, closed
-from cranktrain.panels.parts import Stars, peak
-from cranktrain.panels.shapes import Bars, Curve, Panel, Rays
+from cranktrain.panels.parts import Stars
+from cranktrain.panels.shapes import Bars, Curve, Panel, Rays, peak
 from cranktrain.questions.torque.stars import phase_stars
 from cranktrain.saying.amounts import BareAmount, UnitLabel
 
@@ -59,14 +59,13 @@ def _is_constant(shown: OneDesign) -> bool:
     return bool(np.max(np.ptp(torque, axis=-1)) <= _NOTHING * np.max(np.abs(torque)))
 
 
-def largest_stars(shown: OneDesign) -> Stars | None:
-    """Phase stars of the largest orders, by nominal firing; none without a firing order, or of one cylinder.
+def largest_stars(shown: OneDesign, bars: Bars) -> Stars | None:
+    """Phase stars of the largest orders among bars, by nominal firing; none without a firing order, or of one cylinder.
 
     Up is the phase of the first to fire; phases that lag turn clockwise.
     """
     if not shown.has("phase_star_sum") or len(shown("firing_angle")) < 2:
         return None
-    bars = order_bars(shown)
     largest = np.array(falling(bars.high)[:STARS], dtype=np.intp)
     order = bars.across[largest[bars.high[largest] > 0.0]]
     if not order.size:
