@@ -2,6 +2,7 @@
 
 import inspect
 import re
+from collections import Counter
 from dataclasses import replace
 from functools import cache, wraps
 
@@ -15,7 +16,7 @@ from cranktrain.analysis.behind import behind
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.outcomes import read_only, run_stages
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import lacking
+from cranktrain.analysis.stages import lacking, stages_over_time
 from cranktrain.layout.question import CALCULATOR, HAND_OVER, RESULT, tables_of
 from cranktrain.layout.speed import SteadySpeed
 from cranktrain.saying.catalogue import entries
@@ -160,3 +161,28 @@ def test_no_stage_changes_what_another_gave(name):
         read_only(part)
     stages = [giving_read_only(stage) for stage in every_stage()]
     run_stages(stages, parts, lacking(every_stage(), parts))
+
+
+WITH_DRIVE = [name for name in ct.example_names() if ct.load(name).drive is not None]
+
+
+@pytest.mark.parametrize("name", WITH_DRIVE)
+def test_stages_over_time_lead_to_a_start(name):
+    """Of several that give one thing one is for the machine, and what the file says of a start is behind its curves."""
+    machine = ct.load(name)
+    stages = stages_over_time(machine, parts_of((machine,), step=FACTS_STEP))
+    given = Counter(stage.gives for stage in stages)
+    assert [kind.__name__ for kind, n in given.items() if n > 1] == []
+    start = ct.start(machine)
+    found = start.behind("motor_torque")
+    assert found.stages[-1] == "start_curves"
+    assert ("stroke_run" in found.stages) is (machine.drive.stroke is not None)
+    assert "drive" in found.tables
+
+
+def test_behind_a_start_is_no_cycle():
+    """`motor_torque` over the crank angle and over the time are two, with their own stages."""
+    machine = ct.load("shears")
+    cycle, start = ct.run(machine).behind("motor_torque"), ct.start(machine).behind("motor_torque")
+    assert cycle.stages[-1] == "steady_drive"
+    assert set(cycle.stages) < set(start.stages)

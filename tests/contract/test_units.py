@@ -3,15 +3,14 @@
 import numpy as np
 import pint
 import pytest
+from tests.stages import EVERY_STAGE
 
-from cranktrain.analysis import every_stage
 from cranktrain.panels.shapes import Curve, Panel, as_shown
 from cranktrain.quantities import SHOWN, counted_from, shown_by, unit_names, units_by_dimension
 from cranktrain.saying.amounts import figures
 from cranktrain.saying.catalogue import entries
 from cranktrain.saying.scales import SCALES, in_asked_unit, scale_for
 from cranktrain.saying.wording import number
-from cranktrain.study.start import StartCurves
 
 OF_PINT = {
     **{name: name for name in ("mm", "cm", "m", "ft", "rad", "rad/s", "m/s", "mm/s", "ft/s", "N", "kN", "kgf")},
@@ -95,7 +94,7 @@ MEASURES = {
 OF_NONE = {"deg", "position", "1", "number", "m^3/s", "kg*m", "N*m^2", "rad/rad", "rad/rad^2"}
 """Crank angles, numbers, and what no machine file has: in no unit but their own."""
 
-EVERY = {one.name: one for kind in (*(stage.gives for stage in every_stage()), StartCurves) for one in entries(kind)}
+EVERY = {one.name: one for stage in EVERY_STAGE for one in entries(stage.gives)}
 
 NAMES = {one.shown for one in EVERY.values()} | set(SCALES)
 """By which a unit is found for people."""

@@ -13,7 +13,7 @@ from cranktrain.analysis.stages import every_stage, lacking, leading_to, ordered
 from cranktrain.errors import InputError, Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import Listed, Words, _
-from cranktrain.layout.question import Stage, tables_of
+from cranktrain.layout.question import Parts, Stage, tables_of
 from cranktrain.machine import Machine
 from cranktrain.paths import is_table, path_text
 from cranktrain.saying.catalogue import cited, entries
@@ -50,10 +50,17 @@ def behind(quantity: str, machine: Machine | None = None) -> Pipeline:
     >>> found.stages[-1].place.file
     'questions/motion/dead_centres.py'
     """
-    stages = every_stage()
+    if machine is None:
+        return pipeline(quantity, every_stage())
+    return pipeline(quantity, every_stage(), parts_of((machine,), step=FACTS_STEP), machine.declared)
+
+
+def pipeline(
+    quantity: str, stages: Sequence[Stage], parts: Parts | None = None, declared_tables: Mapping[str, Any] | None = None
+) -> Pipeline:
+    """Find what leads to a quantity among some stages: in any machine, or in that of some parts and tables."""
     (giving,) = stages_giving(stages, [quantity], "behind")
     entry = next(entry for entry in entries(giving.gives) if entry.name == quantity)
-    parts = None if machine is None else parts_of((machine,), step=FACTS_STEP)
     absent = {} if parts is None else lacking(stages, parts)
     if giving.outcome in absent:
         raise InputError([Problem("behind", quantity, _lacks(absent[giving.outcome]))])
@@ -61,7 +68,7 @@ def behind(quantity: str, machine: Machine | None = None) -> Pipeline:
     given, by_any = {one.gives for one in way}, {one.gives for one in stages}
     is_known = {one: one in given or (one not in by_any and (parts is None or one in parts)) for one in _needs(way)}
     declared = {
-        part: _tables(tables_of(part), None if machine is None else machine.declared)
+        part: _tables(tables_of(part), declared_tables)
         for part, known in is_known.items()
         if known and part not in given
     }

@@ -8,6 +8,7 @@ from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.run import Behind
 
 
 class Place(NamedTuple):
@@ -87,6 +88,12 @@ class Pipeline:
     entry: Entry
     declared: tuple[PartBehind, ...]
     stages: tuple[StageBehind, ...]
+
+    @property
+    def in_short(self) -> Behind:
+        """Names of the stages, and all tables that are read."""
+        tables = frozenset(table.strip("[]") for part in self.declared for table in part.tables)
+        return Behind(tuple(stage.name for stage in self.stages), tables)
 
     def lines(self, width: int = 80) -> Iterator[str]:
         """Write it as a page.

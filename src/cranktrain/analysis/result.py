@@ -25,7 +25,7 @@ from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry, entries, values
 from cranktrain.saying.checks import Check, Checked, Flagged
 from cranktrain.saying.rows import AnswerLine, Telling
-from cranktrain.saying.run import Axis, Run
+from cranktrain.saying.run import Axis, Behind, Run
 from cranktrain.saying.wording import in_print
 
 Outcome = TypeVar("Outcome")
@@ -316,6 +316,12 @@ class Result(Run):
         """What a .json has behind its numbers: checks, what is not used, flags, what is missing."""
         checks: Mapping[str, object] = face("checks_record")(self)
         return checks
+
+    def behind(self, name: str) -> Behind:
+        """What leads to a quantity in the machine, of several in the first."""
+        from cranktrain.analysis.behind import behind  # only where somebody asks why
+
+        return behind(name, self.machines[0]).in_short
 
     def in_its_units(self) -> AbstractContextManager[None]:
         """Show numbers in the units of the first machine, as far as nobody chose others."""

@@ -93,6 +93,12 @@ def stages_for(machine: Machine) -> tuple[Stage, ...]:
     return stages_of(machine.asks, machine.kinds)
 
 
+def stages_over_time(machine: Machine, parts: Mapping[type, object]) -> tuple[Stage, ...]:
+    """Give the stages of what a machine's file asks, and those over time that are for it, whose names go first."""
+    own = (stage for question in machine.questions for stage in question.over_time())
+    return (*stages_for(machine), *(stage for stage in own if stage.applies_to(parts) is True))
+
+
 def every_stage() -> tuple[Stage, ...]:
     """Give all stages that there are."""
     return stages_of(QUESTIONS.names, KINDS.names)

@@ -256,6 +256,9 @@ class Question:
         stands for what is not declared.
     stages : tuple of Stage
         In the order in which people read their results.
+    over_time : callable
+        The stages that only a start asks, loaded then: what they give is over the time. Several may give one thing; of
+        these one applies.
     dimensions : tuple of ResultDimension
         That its results bring.
     headline : tuple of str
@@ -282,6 +285,7 @@ class Question:
     problems: Callable[[Design], Iterable[Problem]] = _nothing
     parts: Callable[[Designs, Parts], Iterable[object | None]] = _nothing
     stages: tuple[Stage, ...] = ()
+    over_time: Callable[[], tuple[Stage, ...]] = tuple
     dimensions: tuple[ResultDimension, ...] = ()
     headline: tuple[str, ...] = ()
     title: str = ""

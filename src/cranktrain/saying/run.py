@@ -35,6 +35,13 @@ class Axis(NamedTuple):
     values: Array
 
 
+class Behind(NamedTuple):
+    """What leads to a quantity: names of stages in the order in which they run, and tables of the file they read."""
+
+    stages: tuple[str, ...]
+    tables: frozenset[str]
+
+
 class Run:
     """What was asked, and what came of it.
 
@@ -142,6 +149,10 @@ class Run:
         yield entry.citation
         if line := entry.in_symbols(self.catalogue):
             yield line
+
+    def behind(self, _name: str) -> Behind | None:
+        """What leads to a quantity in the machine; None where no stages do."""
+        return None
 
     @property
     def dataset(self) -> "xarray.Dataset":

@@ -9,9 +9,11 @@ from tests.machines import ROCKER
 
 import cranktrain as ct
 from cranktrain.layout.load_laws import ByAngle, ByTravel
+from cranktrain.questions.start.asked import StartAsked
+from cranktrain.questions.start.case import StartCase
 from cranktrain.questions.start.gentle_rows import corners_and_rows
 from cranktrain.questions.start.starting import run_start
-from cranktrain.study.start import parts_and_stages, start_case
+from cranktrain.study.start import over_time
 
 TURN = 2 * math.pi
 CAGE = {"kind": "cage", "size": "15 kW"}
@@ -119,9 +121,9 @@ def rocker(n, **start):
 @pytest.mark.parametrize("machine", [yoke(3600), rocker(3600, duration="3 s")], ids=["travel", "swing"])
 def test_rows_over_travel_and_swing_limit_steps(machine):
     """Two dead centres with the ends of the card beside them, and no row between."""
-    case = start_case(*parts_and_stages(machine))
+    case = over_time(machine, [StartCase])[StartCase]
     assert case.corners.size <= 6
-    found = run_start(case)
+    found = run_start(case, StartAsked())
     assert found.method == "tsit5"
     assert found.n_steps < 250 * np.ptp(found.whole.crank_angle_turned) / TURN
 
@@ -130,12 +132,12 @@ def test_rows_over_travel_and_swing_limit_steps(machine):
 def test_as_one_that_ends_at_every_row(motor, speed, method, monkeypatch):
     """The same start with all rows of a yoke as corners, at arccos(1 − 2s) on the way out, and back."""
     n, duration = 3600, "80 ms" if method == "tsit5" else "200 ms"
-    case = start_case(*parts_and_stages(yoke(n, motor, speed, duration=duration)))
-    found = run_start(case)
+    case = over_time(yoke(n, motor, speed, duration=duration), [StartCase])[StartCase]
+    found = run_start(case, StartAsked())
     out = np.arccos(1 - 2 * np.linspace(0, 1, n)) + case.zero
     case = replace(case, corners=np.concatenate([out, TURN - out]), rows=np.empty(0))
     monkeypatch.setattr("cranktrain.questions.start.method.is_stiff", lambda *_given: False)
-    exact = run_start(case)
+    exact = run_start(case, StartAsked())
     assert (found.method, exact.method) == (method, "tsit5")
     assert found.n_steps < 0.5 * exact.n_steps
     allowed = np.sqrt(found.n_steps) * found.tolerance  # by chance of the error allowed in every step

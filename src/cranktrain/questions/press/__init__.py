@@ -12,9 +12,16 @@ def are_strokes_wanted(stroke: DeclaredStroke | None) -> bool:
     return stroke is not None
 
 
+def _over_time() -> tuple[Stage, ...]:
+    from cranktrain.questions.press.stroke_start import stroke_run  # only where a start asks
+
+    return (Stage(stroke_run, applies=are_strokes_wanted),)
+
+
 QUESTION = Question(
     "press",
     stages=(Stage(press_strokes, applies=are_strokes_wanted),),
+    over_time=_over_time,
     title=N_("Drive"),
     rows=(rows.stroke_rows,),
     uses=(Use(inner_table("drive", "stroke"), (PressStrokes,)),),

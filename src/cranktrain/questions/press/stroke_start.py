@@ -2,15 +2,21 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
+from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.press.case import PressCase
+from cranktrain.questions.press.strokes import PressStrokes
+from cranktrain.questions.start.asked import MovingParts, StartAsked
 from cranktrain.questions.start.curves import at_times
+from cranktrain.questions.start.notes import start_notes
 from cranktrain.questions.start.record import StartCurves, StartEvent, StartRun, StrokeRun
+from cranktrain.questions.start.starting import wanted_times
 from cranktrain.transient.clutched.equation import (
     ANGLE,
     BRAKE_HEAT,
@@ -52,34 +58,37 @@ STROKE_EVENTS = {
 WAITED = N_("the next stroke begins")
 
 
-def run_stroke(case: PressCase, settled: SettledStroke, times: Array | None) -> StartRun:
-    """Give the run of a stroke: from its command until it rests, or until the next where a pace is asked for.
-
-    Parameters
-    ----------
-    case : PressCase
-    settled : SettledStroke
-        If none is found, the last one tried is shown.
-    times : Array or None
-        At which curves are asked for; evenly unless given. [s]
+def stroke_run(strokes: PressStrokes, parts: MovingParts, asked: StartAsked) -> StartRun:
+    """Run the stroke of a press: from its command until it rests, or until the next where a pace is asked for.
 
     Notes
     -----
-    docs/theory/clutched-drive, eqs. (30.1) to (30.15).
+    docs/theory/clutched-drive, eqs. (30.1) to (30.15). If none is found, the last one tried is shown.
     """
+    case, settled = strokes.cases[0], strokes.settled[0]
+    if case is None or settled is None:
+        raise InputError([Problem("drive.stroke", None, flag) for flag in strokes.flags])
+    run = _run(case, settled, parts, asked)
+    if not settled.is_found:
+        run = replace(run, reason=strokes.flags[0])
+    return replace(run, notes=tuple(start_notes(parts, run)))
+
+
+def _run(case: PressCase, settled: SettledStroke, parts: MovingParts, asked_for: StartAsked) -> StartRun:
+    """Run a stroke that is there."""
     runs = [settled.stroke.run, *([] if settled.pace is None else [settled.pace.waiting])]
     end = float(runs[-1].end.time)
     even = np.linspace(0.0, end, _N_SAMPLES)
     whole_time = np.unique(np.concatenate([*(run.times for run in runs), even]))
-    whole = _curves(case, _states(runs, whole_time))
-    asked = even if times is None else times[times <= end]
+    asked = wanted_times(asked_for, parts.start.of(0).interval, parts.start.texts.get("interval", ""), end)
+    each = np.union1d(whole_time, asked)
+    curves = _curves(case, _states(runs, each))
+    whole = at_times(curves, np.searchsorted(each, whole_time))
     reason = _(WAITED) if settled.pace is not None else _(PRESS_REASONS[settled.stroke.run.reason])
     return StartRun(
         reason=reason,
         time=asked,
-        curves=at_times(whole, np.searchsorted(whole_time, even))
-        if times is None
-        else _curves(case, _states(runs, asked)),
+        curves=at_times(curves, np.searchsorted(each, asked)),
         whole_time=whole_time,
         whole=whole,
         events=tuple(_events(case, runs)),

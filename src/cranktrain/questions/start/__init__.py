@@ -1,4 +1,4 @@
-"""Start: how the machine runs up from rest, stalls, is switched and stops; a run over time, which `start` asks for."""
+"""Start: how the machine runs up from rest, stalls, is switched and stops; stages over time, which `start` asks for."""
 
 from collections.abc import Iterator, Mapping
 from typing import cast
@@ -8,7 +8,7 @@ from cranktrain.fluids.compressor import CompressorSpec
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.drive.table import DriveSpec
-from cranktrain.layout.question import Parts, Question
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage
 from cranktrain.questions.start.parts import declared_start
 
 
@@ -35,4 +35,17 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
         yield declared_start(spec.start, designs)
 
 
-QUESTION = Question("start", problems=_problems, parts=_parts, title=N_("Drive"))
+def _over_time() -> tuple[Stage, ...]:
+    from cranktrain.questions.start.over_time import STAGES
+
+    return STAGES
+
+
+QUESTION = Question(
+    "start",
+    problems=_problems,
+    parts=_parts,
+    over_time=_over_time,
+    dimensions=(ResultDimension("time", N_("time"), is_number=True), ResultDimension("event", N_("event"))),
+    title=N_("Drive"),
+)

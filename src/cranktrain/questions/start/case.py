@@ -93,8 +93,6 @@ class StartCase:
         φ where the shown crank angle is 0. [rad]
     steady_speed, cycle_time : float
         Mean speed of the crank in steady running, and the time of a cycle; NaN without it. [rad/s, s]
-    times : Array or None
-        At which curves are asked for, instead of an interval. [s]
     """
 
     machine: ReducedMachine
@@ -111,7 +109,6 @@ class StartCase:
     zero: float
     steady_speed: float
     cycle_time: float
-    times: Array | None = None
 
     @property
     def is_to_settle(self) -> bool:

@@ -1,15 +1,13 @@
 """What a start leaves out of a machine file, or does not come to."""
 
-from collections.abc import Iterator, Mapping
-from typing import Any
+from collections.abc import Iterator
 
 import numpy as np
 
 from cranktrain.language import N_, Words, _
-from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredClutch, DeclaredStroke
-from cranktrain.layout.wish.declared import RockingMotions, WantedMotions
 from cranktrain.motors import DeclaredMotor
 from cranktrain.motors.declared import LONG_SINCE, beyond_measured
+from cranktrain.questions.start.asked import MovingParts
 from cranktrain.questions.start.parts import DeclaredStart
 from cranktrain.questions.start.record import StartRun
 
@@ -27,33 +25,24 @@ BEHIND_STARTER = N_("Its starter is left out: in strokes the motor is on the lin
 IN_STARTER = N_("Its starter is not through yet; steady running is that of the motor behind it: see duration.")
 
 
-def start_notes(parts: Mapping[type, Any], run: StartRun) -> Iterator[Words]:
-    """Sentences on what a start does not use, and on commands that come after its end.
-
-    Parameters
-    ----------
-    parts : mapping of type to part
-        What the machine declares.
-    run : StartRun
-    """
-    motor: DeclaredMotor | None = parts.get(DeclaredMotor)
-    declared: DeclaredStart = parts[DeclaredStart]
-    start = declared.of(0)
+def start_notes(parts: MovingParts, run: StartRun) -> Iterator[Words]:
+    """Sentences on what a start does not use, and on commands that come after its end."""
+    motor, start = parts.motor, parts.start.of(0)
     if motor is None:
         yield _(NO_MOTOR)
-    if WantedMotions in parts or RockingMotions in parts:
+    if parts.wanted is not None or parts.rocking is not None:
         yield _(WISH_LEFT)
     if motor is not None:
         yield from beyond_measured(motor, 0, run.whole.motor_speed)
-    if DeclaredStroke in parts:
+    if parts.stroke is not None:
         if motor is not None and motor.law.is_timed:
             yield _(BEHIND_STARTER)
         return
-    if DeclaredClutch in parts:
+    if parts.clutch is not None:
         yield _(CLUTCH_LOCKED)
-    if DeclaredBrake in parts and np.isinf(start.brake_on):
+    if parts.brake is not None and np.isinf(start.brake_on):
         yield _(BRAKE_OFF)
-    yield from _not_reached(declared, run)
+    yield from _not_reached(parts.start, run)
     if motor is not None and np.isinf(min(start.motor_off, start.motor_reversed)) and _is_starting(motor, run):
         yield _(IN_STARTER)
 

@@ -1,5 +1,10 @@
 """What became of a start: its curves over time, its events, why it ended."""
 
+from collections import Counter
+from collections.abc import Mapping
+
+import numpy as np
+
 from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array
 from cranktrain.record import record
@@ -34,8 +39,9 @@ class StartCurves:
 
 @record
 class StartEvents:
-    """What happened on the way; all arrays of shape (event,)."""
+    """What happened on the way; all arrays of shape (event,), and events by their names, numbered where one repeats."""
 
+    labels: Mapping[str, tuple[str, ...]]
     event_time: Array = quantity("t", "s", ("event",), N_("Time of an event"), _THEORY, "26.9")
     event_angle: Array = quantity(
         "φ", "rad", ("event",), N_("Crank angle of an event, counted on through all turns"), _THEORY, "26.9"
@@ -109,3 +115,19 @@ class StartRun:
     method: str
     stroke: StrokeRun | None = None
     notes: tuple[str, ...] = ()
+
+
+def start_curves(run: StartRun) -> StartCurves:
+    """Give the curves at the times that were asked for."""
+    return run.curves
+
+
+def start_events(run: StartRun) -> StartEvents:
+    """Times, crank angles and speeds of what happened on the way."""
+    counts: Counter[str] = Counter()
+    labels: list[str] = []
+    for event in run.events:
+        counts[event.sort] += 1
+        labels.append(f"{event.sort} {counts[event.sort]}" if counts[event.sort] > 1 else event.sort)
+    each = np.array([(event.time, event.angle, event.speed) for event in run.events]).reshape(-1, 3)
+    return StartEvents({"event": tuple(labels)}, *each.T)

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -10,9 +11,11 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.questions.reduction.unloaded import with_open_valves
+from cranktrain.questions.start.asked import MovingParts, StartAsked
 from cranktrain.questions.start.case import StartCase, Switching, start_kernels
 from cranktrain.questions.start.curves import at_times, close_times, curves_of, in_list
 from cranktrain.questions.start.method import Runs, method_of
+from cranktrain.questions.start.notes import start_notes
 from cranktrain.questions.start.record import StartEvent, StartRun
 from cranktrain.saying.wording import number
 from cranktrain.transient import endings
@@ -61,25 +64,25 @@ class _Span(NamedTuple):
     to_rest: bool = False
 
 
-def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
-    """Run a start to its end.
-
-    Parameters
-    ----------
-    case : StartCase
-    progress : callable, optional
-        Told the time, the crank angle and the speed that it has come to; with it a user may stop a run, and what was
-        computed so far is kept. [s, rad, rad/s]
+def start_run(case: StartCase, parts: MovingParts, asked: StartAsked) -> StartRun:
+    """Run the start to its end, and say what of the file it leaves out.
 
     Notes
     -----
-    docs/theory/transient, eqs. (26.7) to (26.13). Once to find its end, and once more for the states on the way.
+    docs/theory/transient, eqs. (26.7) to (26.13).
     """
+    run = run_start(case, asked)
+    return replace(run, notes=tuple(start_notes(parts, run)))
+
+
+def run_start(case: StartCase, asked_for: StartAsked) -> StartRun:
+    """Run a start: once to find its end, and once more for the states on the way."""
+    progress = asked_for.progress
     steps, run_by = list[tuple[float, float]](), method_of(case)
     first = list(_runs(case, run_by, _NO_TIMES, np.inf, progress, steps))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
-    asked = asked_times(case.start.interval, case.interval_text, end) if case.times is None else until(case.times, end)
+    asked = wanted_times(asked_for, case.start.interval, case.interval_text, end)
     samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close_times(case, steps)]))
     again = list(_runs(case, run_by, samples, end if last.reason == endings.STOPPED else np.inf, None))
     return _together(case, again, last.reason, asked)
@@ -88,16 +91,13 @@ def run_start(case: StartCase, progress: Progress | None = None) -> StartRun:
 _NO_TIMES = np.empty(0)
 
 
-def until(times: Array, end: float) -> Array:
-    """Times at which curves are asked for, none of them after the end of a run. [s]"""
-    if np.any(times > end):
-        allowed = _("must be at most {end}, when it ends", end=number(end, "s"))
-        raise InputError([Problem("at", number(float(np.max(times)), "s"), allowed)])
-    return times
-
-
-def asked_times(interval: float, text: str, end: float) -> Array:
-    """Times at which curves are asked for, by the interval and as the file has it. [s]"""
+def wanted_times(asked: StartAsked, interval: float, text: str, end: float) -> Array:
+    """Times at which curves are wanted, none after the end: those asked for, else by the file's interval. [s]"""
+    if asked.times is not None:
+        if np.any(asked.times > end):
+            allowed = _("must be at most {end}, when it ends", end=number(end, "s"))
+            raise InputError([Problem("at", number(float(np.max(asked.times)), "s"), allowed)])
+        return asked.times
     if np.isinf(interval):
         return np.linspace(0.0, end, _N_SAMPLES)
     n = end / interval + 1

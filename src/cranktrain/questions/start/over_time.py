@@ -1,0 +1,22 @@
+"""Stages over time: from what moves and stops the crank to its curves and events, but for a stroke of a press."""
+
+from cranktrain.layout.drive.declared import DeclaredStroke
+from cranktrain.layout.question import Stage
+from cranktrain.questions.start.asked import MovingParts
+from cranktrain.questions.start.ready import start_case
+from cranktrain.questions.start.record import start_curves, start_events
+from cranktrain.questions.start.starting import start_run
+
+
+def is_no_stroke(stroke: DeclaredStroke | None) -> bool:
+    """Whether a start is a run from rest, and no stroke of a press."""
+    return stroke is None
+
+
+STAGES = (
+    Stage(MovingParts),
+    Stage(start_case, applies=is_no_stroke),
+    Stage(start_run, applies=is_no_stroke),
+    Stage(start_curves),
+    Stage(start_events),
+)

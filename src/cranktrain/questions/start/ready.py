@@ -1,0 +1,70 @@
+"""A machine made ready to start, as far as its file says: what it moves, its motor, its brake, where its loads jump."""
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredDrive
+from cranktrain.questions.drive.steady_drive import SteadyDrive
+from cranktrain.questions.reduction.at_angles import has_inertia, reduced_at
+from cranktrain.questions.reduction.machines import ReducedMachines
+from cranktrain.questions.start.asked import MovingParts
+from cranktrain.questions.start.case import Braking, StartCase
+from cranktrain.questions.start.gentle_rows import corners_and_rows
+from cranktrain.transient.equation import AT_MOTOR, BrakePlace
+from cranktrain.transient.gearing import turning_inertia
+from cranktrain.transient.reduced import ReducedMachine
+
+
+def start_case(
+    drive: DeclaredDrive,
+    parts: MovingParts,
+    machines: ReducedMachines,
+    steady: SteadyDrive | None,
+    crank_angle: CrankAngle,
+) -> StartCase:
+    """Make the machine ready to start: refuse one that has no inertia, or whose load is no number."""
+    if not has_inertia(machines.each[0], turning_inertia(drive.gearings[0])):
+        allowed = _(
+            "moves nothing that has inertia, and a start needs some: of the motor, [drive.part.NAME] or [masses]"
+        )
+        raise InputError([Problem("drive", None, allowed)])
+    _refuse_unknown_load(machines.each[0], crank_angle)
+    brake, place = _brake(parts.brake)
+    start = parts.start.of(0)
+    corners, rows = corners_and_rows(machines.corners[0], machines.misses[0], machines.cycle, start.tolerance)
+    cycle_time = np.nan if steady is None else float(steady.cycle_time[0])
+    return StartCase(
+        machine=machines.each[0],
+        corners=corners,
+        rows=rows,
+        cycle=machines.cycle,
+        gearing=drive.gearings[0],
+        motor=parts.motor,
+        design=0,
+        start=start,
+        interval_text=parts.start.texts.get("interval", ""),
+        brake=brake,
+        place=place,
+        zero=float(crank_angle.zero[0, 0, 0]),
+        steady_speed=machines.cycle / cycle_time,
+        cycle_time=cycle_time,
+    )
+
+
+def _brake(found: DeclaredBrake | None) -> tuple[Braking, BrakePlace]:
+    """The brake of the file, whose torque begins its delay after the command, and where it sits."""
+    if found is None:
+        return Braking(0.0, 0.0, 0.0), AT_MOTOR
+    grip = found.of(0)
+    place = BrakePlace(float(found.on == "crank"), grip.static_torque / grip.torque)
+    return Braking(grip.torque, grip.delay, grip.rise_time), place
+
+
+def _refuse_unknown_load(machine: ReducedMachine, grid: CrankAngle) -> None:
+    """Refuse loads that are no number although the links close: gas can be beyond computing."""
+    there = reduced_at(machine, grid.angle[0, 0])
+    if np.any(np.isfinite(there.inertia) & ~np.isfinite(there.load)):
+        allowed = _("needs the load on the crank, which is no number here: see what `run` says of gas and loads")
+        raise InputError([Problem("drive", None, allowed)])
