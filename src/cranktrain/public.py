@@ -1,16 +1,17 @@
 """What Python users call: run and compare whatever one has of a machine."""
 
-from collections.abc import Generator, Iterable, Mapping
+from collections.abc import Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial as with_arguments
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from cranktrain import analysis
 from cranktrain.analysis import Result
 from cranktrain.analysis.comparison import Comparison, compared
-from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.io.any_machine import sources_of, values_of
+from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.quantities import shown_by, units_by_dimension
 
@@ -71,10 +72,7 @@ def run(
     0.19
     """
     sources, has_designs = sources_of(machine, set, partial=partial)
-    names = (quantities,) if isinstance(quantities, str) else quantities
-    asked = None if names is None else tuple(names)
-    if asked == ():
-        raise InputError([Problem("quantities", "[]", _("must be names of results; result.catalogue has them"))])
+    asked = _names_in(quantities)
     machines = tuple(source.machine for source in sources)
     found = with_arguments(analysis.run, speed=speed, step_degrees=step_degrees, partial=partial, quantities=asked)
     if has_designs:
@@ -169,7 +167,7 @@ def compare(
     names = [_name_of(first), _name_of(named)]
     if second is None:
         names[1] = _("{name} with {values}", name=names[0], values=said)
-    asked = (quantities,) if isinstance(quantities, str) else None if quantities is None else tuple(quantities)
+    asked = _names_in(quantities)
     one = _result(first, {} if second is None else values, asked)
     return compared((one, _result(named, values, asked)), (names[0], names[1]), asked)
 
@@ -292,12 +290,30 @@ def units(*names: str) -> Generator[None]:
     >>> in_inches.attrs["units"], round(float(in_inches[0]), 3), round(float(result.dataset["stroke"][0]), 3)
     ('in', 7.087, 0.18)
     """
-    each = [name.strip() for text in names for name in text.split(",")]
+    texts = _texts("units", names, _("must be names of units, such as psi or in"))
+    each = [name.strip() for text in texts for name in text.split(",")]
     with shown_by(units_by_dimension(each, "units")):
         yield
 
 
 _EXAMPLE = '{"mechanism.rod_length": "140 mm"}'
+
+
+def _names_in(given: object) -> tuple[str, ...] | None:
+    """Names of results that are asked for; None for all."""
+    if given is None:
+        return None
+    is_one = isinstance(given, str) or not hasattr(given, "__iter__")
+    each = (given,) if is_one else tuple(cast("Iterable[object]", given))
+    allowed = _("must be names of results; result.catalogue has them")
+    refuse([] if each else [Problem("quantities", "[]", allowed)])
+    return _texts("quantities", each, allowed)
+
+
+def _texts(path: str, given: Sequence[object], allowed: Words) -> tuple[str, ...]:
+    """Refuse what is no text."""
+    refuse(Problem(path, repr(one), allowed) for one in given if not isinstance(one, str))
+    return tuple(one for one in given if isinstance(one, str))
 
 
 def _result(given: "MachineLike | Result", values: "Mapping[str, object]", asked: tuple[str, ...] | None) -> Result:

@@ -113,6 +113,16 @@ class TestRun:
         (problem,) = problems(lambda: ct.run(TABLES, quantities=[]))
         assert problem.path == "quantities"
 
+    @pytest.mark.parametrize("given", [["stroke", 3], [None], 5])
+    def test_quantities_must_be_texts(self, given):
+        for ask in (lambda: ct.run(TABLES, quantities=given), lambda: ct.compare("3d12", "deltic", quantities=given)):
+            (problem,) = problems(ask)
+            assert problem.path == "quantities"
+
+    def test_units_must_be_texts(self):
+        (problem,) = problems(lambda: ct.units("in", None).__enter__())
+        assert (problem.path, problem.given) == ("units", "None")
+
     def test_names_that_are_no_text(self):
         (problem,) = problems(lambda: ct.run({1: 2}))
         assert problem.given == "1"

@@ -9,6 +9,7 @@ from cranktrain.analysis.behind import first_sentence
 from cranktrain.analysis.stages import key_of
 from cranktrain.io.schema import machine_schema
 from cranktrain.language import in_language
+from cranktrain.layout.question import Stage
 from cranktrain.mechanisms import KINDS
 from cranktrain.plans.acted_links import MASTER
 from cranktrain.questions.balance.shaken import BALANCE
@@ -34,15 +35,22 @@ def _all() -> Iterator[str]:
     yield from map(str.capitalize, QUESTIONS.names)
     for text in _tables():
         yield from comments_in(text)
-    for stage in every_stage():
+    for stage in _stages():
         yield from map(first_sentence, (stage.function, *stage.needs.values()))
     with in_language("en"):
         yield from _descriptions(machine_schema())
 
 
+def _stages() -> Iterator[Stage]:
+    """Stages of a cycle, and those over time."""
+    yield from every_stage()
+    for question in QUESTIONS:
+        yield from question.over_time()
+
+
 def _names() -> Iterator[str]:
     """Results and quantities."""
-    for stage in every_stage():
+    for stage in _stages():
         yield key_of(stage.gives)
         yield from (entry.name for entry in entries(stage.gives))
 
