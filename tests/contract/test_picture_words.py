@@ -109,5 +109,5 @@ def test_every_example_shows_itself(drawn):
     assert result.machines[0].name[:20] in html.unescape(result._repr_html_())
     assert all(curves(axes) for axes in drawn.pictures["plot"].axes)
     beside = ct.compare(result, ran("3d12" if drawn.name != "3d12" else "vaz_21213"))
-    assert all(len(line) <= 80 for line in beside.lines())
+    assert all(len(line) <= 80 for line in str(beside).splitlines())
     assert all(curves(axes) for axes in beside.plot().axes)

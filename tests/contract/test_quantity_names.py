@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from rich.console import Console
 
 import cranktrain as ct
 from cranktrain.analysis import every_stage
@@ -16,8 +15,9 @@ from cranktrain.analysis.comparison import compared
 from cranktrain.analysis.designs_summary import summary_of_designs
 from cranktrain.analysis.outcomes import Outcomes
 from cranktrain.analysis.representations import result_html
+from cranktrain.analysis.result_sections import number_sections
 from cranktrain.analysis.stages import homes
-from cranktrain.cli.screen.report import show_numbers
+from cranktrain.cli.screen.sections import page_lines
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 from cranktrain.record import record
@@ -159,10 +159,9 @@ def screens_of(name):
     """What is shown of a machine: numbers in the terminal, a notebook's page, two side by side, designs, a dataset."""
     machine = ct.load(name)
     result = ct.run(machine, step_degrees=10)
-    console = Console(width=80)
-    with console.capture() as said:
-        show_numbers(console, result, tuple(result.catalogue), is_all=True)
-    yield said.get()
+    yield "\n".join(
+        line.plain for line in page_lines(number_sections(result, tuple(result.catalogue), is_all=True), 80)
+    )
     yield result_html(result)
     yield str(compared((result, result), ("one", "other"), tuple(result.catalogue)))
     yield "\n".join(summary_of_designs(ct.run([machine, machine], step_degrees=10)))
@@ -231,10 +230,8 @@ def test_a_made_up_result_is_shown_as_it_declares():
 
 
 def test_a_curve_is_told_by_the_end_that_is_declared_for_it():
-    console = Console(width=80)
-    with console.capture() as said:
-        show_numbers(console, made_up(), ("hum",), is_all=False)
-    (line,) = (one.split() for one in said.get().splitlines() if one.split()[:1] == ["hum"])
+    lines = (line.plain.split() for line in page_lines(number_sections(made_up(), ("hum",), is_all=False), 80))
+    (line,) = (one for one in lines if one[:1] == ["hum"])
     assert line == ["hum", "h", "−7.000", "N", "272.0"]  # not −5, which is the largest of its four points
 
 

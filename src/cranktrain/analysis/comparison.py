@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cranktrain.analysis.fact_values import FactValues, OneMachine, fact_values, headline_names
-from cranktrain.analysis.figures import difference, percent, shown_in, significant
+from cranktrain.analysis.figures import compared_texts
 from cranktrain.analysis.result import Result
 from cranktrain.errors import Problem, refuse
 from cranktrain.faces import face
@@ -22,17 +22,11 @@ from cranktrain.one_line import one_line, short
 from cranktrain.quantities import FileUnits, shown_as_in
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
-from cranktrain.saying.run import Run
+from cranktrain.saying.run import Behind, Run
+from cranktrain.saying.sections import Compared, ComparedFact, PagePart
 
 _LONGEST_HEAD = 10
 """Characters of a column's head; the machines' whole names stand above."""
-
-_LEAST_WORDS = 12
-"""Columns of the screen for the names of rows."""
-
-_GAP = "  "
-_UNIT = 2
-"""Which of a row's texts is its unit."""
 
 
 class ComparedRow(NamedTuple):
@@ -182,41 +176,20 @@ class Comparison(Run):
         with self.in_its_units():
             return face("plot_comparison")(self, *quantities)
 
-    def lines(self, width: int = 80) -> Iterator[str]:
-        """Write it as a table.
-
-        Parameters
-        ----------
-        width : int
-            Columns of the screen.
-
-        Yields
-        ------
-        str
-        """
-        with self.in_its_units():
-            cells = [(row, _texts(row)) for row in self._rows]
-        if not cells:
+    def sections(self) -> Iterator[PagePart]:
+        """Facts of both side by side, question by question."""
+        groups = grouped((row.question, row) for row in self._rows)
+        if not groups:
             yield _("Neither machine has a result that could be compared.")
             return
-        first, second = self._heads()
-        widths = [max(map(len, column)) for column in zip(*(texts for _row, texts in cells), strict=True)]
-        widths[:2] = max(widths[0], len(first)), max(widths[1], len(second))
-        said = _("difference")
-        widths[3] = max(widths[3], len(said) - widths[2] - 1)  # it stands over the unit, too
-        room = width - sum(widths) - len(_GAP) * (len(widths) - 1) - 1
-        room = max(_LEAST_WORDS, min(max(len(row.name) + 2 for row, _texts in cells), room))
-        difference_head = said.rjust(widths[2] + widths[3] + 1)
-        heads = (first.rjust(widths[0]), second.rjust(widths[1]), difference_head, "%".rjust(widths[4]))
-        yield _GAP.join(("".ljust(room), *heads)).rstrip()
-        for question, rows in grouped((row.question, (row, texts)) for row, texts in cells).items():
-            yield _(question.capitalize()) or _("More")
-            for row, texts in rows:
-                name = f"  {row.name}"
-                if len(name) > room:
-                    yield name
-                    name = ""
-                yield _line(name.ljust(room), texts, widths)
+        yield Compared(
+            self._heads(),
+            [(_(question.capitalize()) or _("More"), list(map(_fact, rows))) for question, rows in groups.items()],
+        )
+
+    def behind(self, name: str) -> Behind | None:
+        """What leads to a fact in the first machine that has it."""
+        return next(one for one in self.results if name in one.catalogue).behind(name)
 
     def _heads(self) -> tuple[str, str]:
         """Names short enough for a column: of a machine with other values, these are named above."""
@@ -235,7 +208,7 @@ class Comparison(Run):
 
     def __str__(self) -> str:
         """Write it as a table."""
-        return "\n".join(self.lines())
+        return self.page().lstrip("\n")
 
     def _repr_html_(self) -> str:
         """Write it as a table of a notebook."""
@@ -246,7 +219,7 @@ class Comparison(Run):
             parts.append(f'<tr><th colspan="6" style="text-align:left">{escape(title)}</th></tr>')
             for row in rows:
                 with self.in_its_units():
-                    texts = "".join(f"<td>{escape(text)}</td>" for text in _texts(row))
+                    texts = "".join(f"<td>{escape(text)}</td>" for text in compared_texts(_fact(row)))
                 parts.append(f'<tr><td style="text-align:left">{escape(row.name)}</td>{texts}</tr>')
         return "".join([*parts, "</tbody></table>"])
 
@@ -283,18 +256,7 @@ def _percent(row: FactValues) -> float:
     return 100.0 * (second - first) / abs(first)
 
 
-def _texts(row: FactValues) -> tuple[str, ...]:
-    """Both values, their unit, their difference in it, and in percent."""
-    shown = shown_in(row.entry.shown, np.array(row.values))
-    first, second = (float(shown.of(value)) for value in row.values)
-    share = _percent(row)
-    return significant(first), significant(second), shown.label, difference(first, second), percent(share)
-
-
-def _line(name: str, texts: tuple[str, ...], widths: list[int]) -> str:
-    """Put a row in a line: units close behind their values, numbers to the right."""
-    first, second, unit, *rest = (
-        text.ljust(width) if number == _UNIT else text.rjust(width)
-        for number, (text, width) in enumerate(zip(texts, widths, strict=True))
-    )
-    return _GAP.join((name, first, f"{second} {unit}", *rest)).rstrip()
+def _fact(row: FactValues) -> ComparedFact:
+    """A fact as it is shown."""
+    first, second = row.values
+    return ComparedFact(row.name, row.entry.shown, first, second, _percent(row))

@@ -4,6 +4,7 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.saying.scales import Scale, scale_for
+from cranktrain.saying.sections import ComparedFact
 from cranktrain.saying.wording import decimals_for, signless
 
 ABSENT = "—"
@@ -74,3 +75,10 @@ def percent(value: float) -> str:
 
 def _signed(value: float, text: str) -> str:
     return f"+{text}" if value > 0 else text
+
+
+def compared_texts(fact: ComparedFact) -> tuple[str, ...]:
+    """Both values, their unit, their difference in it, and in percent."""
+    shown = shown_in(fact.unit, np.array([fact.first, fact.second]))
+    first, second = (float(shown.of(value)) for value in (fact.first, fact.second))
+    return significant(first), significant(second), shown.label, difference(first, second), percent(fact.percent)

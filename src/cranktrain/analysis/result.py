@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import cached_property
 from itertools import groupby
-from typing import Any, Literal, NamedTuple, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -27,6 +27,9 @@ from cranktrain.saying.checks import Check, Checked, Flagged
 from cranktrain.saying.rows import AnswerLine, Telling
 from cranktrain.saying.run import Axis, Behind, Run
 from cranktrain.saying.wording import in_print
+
+if TYPE_CHECKING:
+    from cranktrain.saying.sections import PagePart
 
 Outcome = TypeVar("Outcome")
 
@@ -263,6 +266,15 @@ class Result(Run):
             return ()
         return function(Telling(self.titles, design), **found)
 
+    def answer_rows(self) -> Iterator[tuple[Words, list[AnswerLine]]]:
+        """Lines of the answer, of several designs those of the first."""
+        return self.rows()
+
+    def sections(self) -> Iterator["PagePart"]:
+        """All that there is of one machine, as `--full` shows it: answer, numbers, checks, flags, what is missing."""
+        sections: Iterator[PagePart] = face("result_sections")(self)
+        return sections
+
     def summary(self, design: int | None = None) -> str:
         """Say what is not used of the file, and what was found, in a line each.
 
@@ -321,7 +333,8 @@ class Result(Run):
         """What leads to a quantity in the machine, of several in the first."""
         from cranktrain.analysis.behind import behind  # only where somebody asks why
 
-        return behind(name, self.machines[0]).in_short
+        more = _("More: cranktrain list results --behind {name}", name=name)
+        return behind(name, self.machines[0]).in_short._replace(more=more)
 
     def in_its_units(self) -> AbstractContextManager[None]:
         """Show numbers in the units of the first machine, as far as nobody chose others."""

@@ -242,6 +242,7 @@ def _start(
     output: StartOutput = None,
     settings: Settings = None,
     at: AtTimes = None,
+    why: Why = None,
     decimal: Decimal = "point",
     full: Annotated[bool, typer.Option("--full", help=N_("Show every event."))] = False,
     units: Units = None,
@@ -259,6 +260,7 @@ def _start(
             decimal=decimal,
             full=full,
             at=at,
+            why=why,
         )
     )
 

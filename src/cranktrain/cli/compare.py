@@ -10,8 +10,10 @@ from cranktrain.analysis.comparison import Comparison, compared
 from cranktrain.cli.asked import Asked, in_units_of, units_asked_for
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.run_files import form_or_picture, write_run
+from cranktrain.cli.screen.sections import show_sections
 from cranktrain.cli.screen.text import page
 from cranktrain.cli.screen.title import title
+from cranktrain.cli.why import refuse_beside, show_why
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.examples import example_called
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
@@ -27,6 +29,7 @@ class CompareRequest(Asked):
     second: str | None = None
     decimal: str = "point"
     quantities: tuple[str, ...] | None = None
+    why: str | None = None
 
 
 def show_comparison(request: CompareRequest) -> None:
@@ -38,6 +41,7 @@ def show_comparison(request: CompareRequest) -> None:
         With everything that is wrong with the request, else with both machines.
     """
     _check(request)
+    refuse_beside(request.why, (request.output is not None,))
     asked = units_asked_for(request.units)
     files = _read(request)
     with in_units_of(files[0], asked):
@@ -48,6 +52,9 @@ def _show(files: tuple[MachineFile, MachineFile], request: CompareRequest) -> No
     """Compute both, compare, draw where asked, and show."""
     results = _computed(files, request)
     comparison = compared(results, _names(request), request.quantities)
+    if request.why is not None:
+        show_why(_heads(comparison, files, request)[0], comparison, request.why, files[0])
+        return
     if request.output is not None:
         form = form_or_picture(request.output, request.decimal)
         if form is not None:
@@ -59,14 +66,21 @@ def _show(files: tuple[MachineFile, MachineFile], request: CompareRequest) -> No
         save_quietly(comparison.plot, request.output, force=request.force)
         print(_("written: {name}", name=one_line(request.output)))
         return
+    heads = _heads(comparison, files, request)
+    with page(heads[0]) as console:
+        console.print(Text(heads[1], style="bold"))
+        show_sections(console, comparison.sections())
+        console.print()
+        for line in _minded(comparison):
+            console.print(Text(line), soft_wrap=len(line) <= console.width)
+
+
+def _heads(comparison: Comparison, files: tuple[MachineFile, MachineFile], request: CompareRequest) -> list[str]:
+    """Name both machines; of one with other values, these."""
     heads = [f"{one_line(name)}: {title(file.machine)}" for name, file in zip(comparison.names, files, strict=True)]
     if request.second is None:
         heads[1] = _("changed: {values}", values=one_line(", ".join(request.settings)))
-    with page(heads[0]) as console:
-        console.print(Text(heads[1], style="bold"))
-        console.print()
-        for line in (*comparison.lines(console.width), "", *_minded(comparison)):
-            console.print(Text(line), soft_wrap=len(line) <= console.width)
+    return heads
 
 
 def _is_curve(name: str) -> Problem:

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from cranktrain.cli.options import Decimal, File, Force, Partial, Quantities, Settings, Units, listed
+from cranktrain.cli.options import Decimal, File, Force, Partial, Quantities, Settings, Units, Why, listed
 from cranktrain.cli.task import put_off
 from cranktrain.language import N_
 
@@ -32,6 +32,7 @@ def add_compare(app: typer.Typer) -> None:
         ] = None,
         settings: Settings = None,
         quantities: Quantities = None,
+        why: Why = None,
         output: Annotated[
             str | None,
             typer.Option(
@@ -54,6 +55,7 @@ def add_compare(app: typer.Typer) -> None:
             second=other,
             settings=tuple(settings or ()),
             quantities=names,
+            why=why,
             is_partial=partial_turn,
             output=output,
             decimal=decimal,

@@ -18,8 +18,6 @@ from cranktrain.analysis.curve_columns import (
     of_member,
 )
 from cranktrain.cli.number_lists import exact, numbers_listed
-from cranktrain.cli.screen.facts import fact_tables
-from cranktrain.cli.screen.text import INDENT, page, section
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
@@ -28,7 +26,7 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.quantities import unlisted
 from cranktrain.record import record
-from cranktrain.saying.sections import Column, Grid, ShownSection
+from cranktrain.saying.sections import Column, FactTables, Grid, ShownSection
 
 _HUNDREDTHS = 100
 """Parts of a degree of which angles that can be asked for are whole numbers."""
@@ -174,15 +172,13 @@ def _absence(result: Result, asked: CurvesAsked, names: Sequence[str]) -> Proble
 
 def show_curves(result: Result, asked: CurvesAsked, names: tuple[str, ...] | None, chosen: ChosenCurves) -> None:
     """Show curves at some crank angles."""
-    if asked.table is None and chosen.angles.size == 1:
-        with page(title(result.machines[0])) as console:
-            heading = _("At {angle}", angle=f"{chosen.angles[0]:g}°")
-            wanted = by_default(result) if names is None else names
-            facts = CurvesAtAngle(result, int(chosen.places[0]), wanted)
-            section(console, heading, fact_tables(facts, tuple(facts.catalogue), console.width - INDENT))
-        return
     from cranktrain.cli.screen.sections import show_page  # an answer needs none
 
+    if asked.table is None and chosen.angles.size == 1:
+        heading = _("At {angle}", angle=f"{chosen.angles[0]:g}°")
+        facts = CurvesAtAngle(result, int(chosen.places[0]), by_default(result) if names is None else names)
+        show_page(title(result.machines[0]), [ShownSection(heading, (FactTables(facts, tuple(facts.catalogue)),))])
+        return
     tables = {chosen.member: chosen.columns} if asked.table is not None else _by_member(chosen.columns)
     show_page(
         title(result.machines[0]),

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from rich.text import Text
 
-from cranktrain.analysis import Result
+from cranktrain.analysis import Result, sentences
 from cranktrain.cli.asked import AskedAtSpeed, at_running_speed, in_units_of, units_asked_for
 from cranktrain.cli.curves import (
     CurvesAsked,
@@ -18,9 +18,9 @@ from cranktrain.cli.curves import (
     step_for,
     table_title,
 )
-from cranktrain.cli.screen.text import page, show_lines
+from cranktrain.cli.screen.text import page, paragraph, show_lines
 from cranktrain.errors import InputError, Problem, problems_as, refuse
-from cranktrain.io.machine_file import MachineFile
+from cranktrain.io.machine_file import MachineFile, inputs_of
 from cranktrain.io.output import write_whole
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
@@ -28,6 +28,7 @@ from cranktrain.record import record
 
 if TYPE_CHECKING:
     from cranktrain.io.writers import Form
+    from cranktrain.saying.sections import PagePart
 
 
 @record
@@ -60,9 +61,10 @@ def show_run(request: RunRequest, shown: Shown | None = None) -> None:
     """Compute, write and show."""
     form = _form(request)
     refuse(request.curves.problems())
-    if request.why is not None and (request.output is not None or request.curves or shown):
-        repair = _("leave -o, --at, --table and options of what is shown out")
-        raise InputError([Problem("--why", request.why, _("is shown alone"), repair)])
+    if request.why is not None:
+        from cranktrain.cli.why import refuse_beside
+
+        refuse_beside(request.why, (request.output is not None, request.curves, shown))
     if request.curves and shown:
         raise InputError(
             [Problem("--at", None, _("and --table show curves alone"), _("leave --full and the like out"))]
@@ -74,9 +76,11 @@ def show_run(request: RunRequest, shown: Shown | None = None) -> None:
     file = request.read()
     with in_units_of(file, asked):
         if request.why is not None:
+            from cranktrain.cli.screen.title import title
             from cranktrain.cli.why import show_why
 
-            show_why(file, request.result(file, step_degrees=request.step_degrees), request.why)
+            result = request.result(file, step_degrees=request.step_degrees)
+            show_why(title(file.machine), result, request.why, file)
         elif request.curves:
             _show_curves(file, request, form)
         else:
@@ -132,27 +136,55 @@ def _show(file: MachineFile, request: RunRequest, shown: Shown | None, form: "Fo
 
 def _show_parts(file: MachineFile, result: Result, request: RunRequest, shown: Shown) -> None:
     """Show what was asked for by options."""
-    from cranktrain.cli.screen.report import show_checks, show_full, show_inputs, show_missing
+    from cranktrain.analysis.result_sections import check_section, missing_section
+    from cranktrain.cli.screen.sections import show_sections
     from cranktrain.cli.screen.title import title
+    from cranktrain.io.input_sections import input_section
 
     with page(title(file.machine)) as console:
         if shown.full:
-            show_full(console, file, result, _chosen(result, request), is_all=request.quantities is None)
+            show_lines(console, _above_all(result, console.width))
+            show_sections(console, _all_of(file, result, request))
         if shown.checks and not shown.full:
-            show_checks(console, result)
+            show_sections(console, check_section(result))
         if shown.inputs:
-            show_inputs(console, file)
+            show_sections(console, input_section(inputs_of(file)))
         if shown.missing and not shown.full:
-            show_missing(console, result)
+            show_sections(console, missing_section(result))
+
+
+def _above_all(result: Result, width: int) -> Iterator[Text]:
+    """At which speed all is, where it varies, and what of the file is not used."""
+    from cranktrain.cli.screen.answer import MARK, conditions
+
+    yield from map(Text, conditions(result, width))
+    for sentence in sentences(result.unused):
+        for place, line in enumerate(paragraph(str(sentence), width - len(MARK))):
+            yield Text(" " * len(MARK) if place else MARK) + line
+
+
+def _all_of(file: MachineFile, result: Result, request: RunRequest) -> Iterator["PagePart"]:
+    """All that there is: as a result has it, and what it rests on."""
+    from cranktrain.analysis import result_sections as of_result
+    from cranktrain.io.input_sections import provenance_section
+    from cranktrain.saying.sections import Answer
+
+    yield Answer(tuple(result.answer_rows()))
+    yield from of_result.number_sections(result, _chosen(result, request), is_all=request.quantities is None)
+    yield from of_result.check_section(result)
+    yield from of_result.mind_section(result)
+    yield from provenance_section(file)
+    yield from of_result.missing_section(result)
 
 
 def _show_numbers(result: Result, request: RunRequest) -> None:
     """Show the quantities that were asked for, and what is to be minded before them."""
-    from cranktrain.cli.screen.report import show_numbers
+    from cranktrain.analysis.result_sections import number_sections
+    from cranktrain.cli.screen.sections import show_sections
 
     _show_minded(result)
     with page() as console:
-        show_numbers(console, result, _chosen(result, request), is_all=False)
+        show_sections(console, number_sections(result, _chosen(result, request), is_all=False))
 
 
 def _show_minded(result: Result) -> None:

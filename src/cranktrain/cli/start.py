@@ -10,17 +10,16 @@ from cranktrain.cli.asked import Asked, in_units_of, units_asked_for
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.number_lists import numbers_listed
 from cranktrain.cli.run_files import form_or_picture, write_run
-from cranktrain.cli.screen.groups import RowGroup, group_lines
-from cranktrain.cli.screen.sections import show_sections
-from cranktrain.cli.screen.text import page, show_lines
+from cranktrain.cli.screen.sections import show_page
 from cranktrain.cli.screen.title import title
+from cranktrain.cli.why import refuse_beside, show_why
 from cranktrain.errors import Position, Problem, problems_as, refuse
 from cranktrain.how_far import say_how_far
 from cranktrain.io.machine_file import read_machine
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
 from cranktrain.record import record
-from cranktrain.saying.sections import Column, Grid, ShownSection, Unfolded, section
+from cranktrain.saying.sections import Column, Grid, PagePart, ShownSection, Unfolded
 from cranktrain.saying.wording import number
 from cranktrain.study.start import Start, start
 
@@ -34,10 +33,12 @@ class StartRequest(Asked):
     decimal: str = "point"
     full: bool = False
     at: str | None = None
+    why: str | None = None
 
 
 def show_start(request: StartRequest) -> None:
     """Run, write and show."""
+    refuse_beside(request.why, (request.output is not None, request.full, request.at))
     form = None if request.output is None else form_or_picture(request.output, request.decimal)
     asked = units_asked_for(request.units)
     file = read_machine(request.file, request.settings)
@@ -55,12 +56,12 @@ def show_start(request: StartRequest) -> None:
             save_quietly(lambda: start_picture(found), request.output, force=request.force)
             print(_("written: {name}", name=one_line(request.output)))
             return
-        with page(title(file.machine)) as console:
-            if times is not None:
-                show_sections(console, [ShownSection(_("Start"), (_at_times(found),))])
-                return
-            show_lines(console, group_lines([RowGroup(_("Start"), found.rows())], console.width))
-            show_sections(console, section(_("Events"), _events(found, request)))
+        if request.why is not None:
+            show_why(title(file.machine), found, request.why, file)
+        elif times is not None:
+            show_page(title(file.machine), [ShownSection(_("Start"), (_at_times(found),))])
+        else:
+            show_page(title(file.machine), _shown(found, is_full=request.full))
 
 
 def _times(text: str) -> list[float]:
@@ -86,21 +87,15 @@ def _at_times(found: Start) -> Grid:
     return Grid(columns, [f"{time:g} s" for time in found.time.tolist()])
 
 
-def _events(found: Start, request: StartRequest) -> Iterator[Unfolded]:
-    """What happened on the way, line by line."""
-    events = found.events
-    shown = events if request.full or len(events) <= _SHOWN_EVENTS else events[: _SHOWN_EVENTS - 1]
-    for event in shown:
-        said = _(
-            "{time}  {name}, at {angle}, {speed}",
-            time=f"{event.time:10.6f} s",
-            name=event.name,
-            angle=number(float(np.mod(event.angle, 2 * np.pi)), "deg"),
-            speed=number(event.speed, "rpm"),
-        )
-        yield Unfolded(said)
-    if len(shown) < len(events):
-        yield Unfolded(_("and {n} more: --full shows all", n=len(events) - len(shown)))
+def _shown(found: Start, *, is_full: bool) -> Iterator[PagePart]:
+    """What became of it; of many events the first, unless all are asked for."""
+    n_more = len(found.events) - _SHOWN_EVENTS + 1
+    for part in found.sections():
+        if isinstance(part, ShownSection) and not is_full and n_more > 1:
+            more = Unfolded(_("and {n} more: --full shows all", n=n_more))
+            yield ShownSection(part.heading, (*part.parts[: _SHOWN_EVENTS - 1], more))
+        else:
+            yield part
 
 
 def _progress(now: float, angle: float, speed: float) -> None:

@@ -1,22 +1,20 @@
-"""`run --why`: where a printed number is from: its quantity, its equation, the stages and the inputs behind it."""
+"""`--why`: where a printed number is from: its quantity, its equation, the stages and the inputs behind it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from rich.text import Text
-
-from cranktrain.analysis import Result
-from cranktrain.analysis.behind import behind
-from cranktrain.analysis.pipeline import Pipeline
-from cranktrain.cli.screen.report import input_table, show_numbers
-from cranktrain.cli.screen.text import INDENT, page, section
-from cranktrain.cli.screen.title import title
+from cranktrain.analysis.result_sections import number_sections
+from cranktrain.cli.screen.sections import show_page
 from cranktrain.errors import InputError, Problem
+from cranktrain.io.input_sections import input_section
 from cranktrain.io.machine_file import Input, MachineFile, inputs_of
+from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import spelled
+from cranktrain.saying.run import Behind, Run
+from cranktrain.saying.sections import PagePart, section
 
 _NAMED = 6
 """Other quantities that the words fit."""
@@ -24,29 +22,40 @@ _OF_A_BANK = 2
 """Keys in the path of a bank, of which nothing below is its own."""
 
 
-def show_why(file: MachineFile, result: Result, words: str) -> None:
-    """Show where a number is from."""
-    meant, others = quantities_called(words, result)
+def refuse_beside(words: str | None, others: Iterable[object]) -> None:
+    """Refuse whatever else is to be shown or written where it is asked why."""
+    if words is not None and any(others):
+        repair = _("leave -o, --at, --table and options of what is shown out")
+        raise InputError([Problem("--why", words, _("is shown alone"), repair)])
+
+
+def show_why(head: str, run: Run, words: str, file: MachineFile | None = None) -> None:
+    """Show where a number is from; of a machine with what it rests on in its file."""
+    show_page(head, _why(run, words, file))
+
+
+def _why(run: Run, words: str, file: MachineFile | None) -> Iterator[PagePart]:
+    """The quantities that words mean: their numbers, where the first is from, what it rests on."""
+    meant, others = quantities_called(words, run)
     entry, *beside = meant
-    found = behind(entry.name, file.machine)
-    with page(title(file.machine)) as console:
-        show_numbers(console, result, [one.name for one in meant], is_all=False)
-        section(console, _("Where it is from"), _origin(entry, found, [*beside, *others], result))
-        inputs = list(_inputs(file, found))
-        section(console, _("What this rests on"), input_table(inputs, console.width - INDENT))
+    yield from number_sections(run, [one.name for one in meant], is_all=False)
+    found = run.behind(entry.name)
+    yield from section(_("Where it is from"), _origin(entry, found, [*beside, *others], run))
+    if file is not None and found is not None:
+        yield from input_section(list(_inputs(file, found)))
 
 
-def quantities_called(words: str, result: Result) -> tuple[list[Entry], list[Entry]]:
+def quantities_called(words: str, run: Run) -> tuple[list[Entry], list[Entry]]:
     """Quantities that words mean, and others that they may mean.
 
     A quantity by its own name; those that lines of the answer tell which are called so; else one by words in its name,
     or by its symbol.
     """
-    catalogue, asked = result.catalogue, spelled(words).lower().split()
+    catalogue, asked = run.catalogue, spelled(words).lower().split()
     fitting = [entry for entry in catalogue.values() if set(asked) <= set(entry.words.lower().split())] if asked else []
     by_symbol = [entry for entry in catalogue.values() if entry.symbol == words.strip()]
     fitting = sorted(fitting, key=lambda entry: len(entry.words.split())) + by_symbol
-    meant = [catalogue[words]] if words in catalogue else _of_line(words, result) or fitting[:1]
+    meant = [catalogue[words]] if words in catalogue else _of_line(words, run) or fitting[:1]
     if not meant:
         near = nearest("_".join(asked), list(catalogue))
         allowed = _("must be words in the name of a result, or its symbol; `cranktrain list results` names all")
@@ -54,31 +63,32 @@ def quantities_called(words: str, result: Result) -> tuple[list[Entry], list[Ent
     return meant, [entry for entry in fitting if entry not in meant]
 
 
-def _of_line(words: str, result: Result) -> list[Entry]:
+def _of_line(words: str, run: Run) -> list[Entry]:
     """What the lines of the answer tell that are called so."""
     asked = " ".join(words.split()).lower()
-    called = (row for _title, rows in result.rows() for row in rows if one_line(str(row.name)).lower() == asked)
+    each = (row for _title, rows in run.answer_rows() for row in rows)
+    called = (row for row in each if one_line(str(row.name)).lower() == asked)
     names = dict.fromkeys(name for row in called for name in row.quantities)
-    return [result.catalogue[name] for name in names if name in result.catalogue]
+    return [run.catalogue[name] for name in names if name in run.catalogue]
 
 
-def _origin(entry: Entry, found: Pipeline, others: list[Entry], result: Result) -> Iterator[str | Text]:
+def _origin(entry: Entry, found: Behind | None, others: list[Entry], run: Run) -> Iterator[Words]:
     """What a quantity is, its equation, in symbols where it is a line of others, and the stages that lead to it."""
-    yield from map(str, result.why(entry.name))
-    yield _("Stages: {stages}", stages=" → ".join(stage.name for stage in found.stages))
-    yield _("More: cranktrain list results --behind {name}", name=entry.name)
+    yield from run.why(entry.name)
+    if found is not None:
+        yield _("Stages: {stages}", stages=" → ".join(found.stages))
+        yield from [found.more] if found.more else []
     if others:
         named = [other.name for other in others[:_NAMED]] + (["…"] if len(others) > _NAMED else [])
         yield _("The words fit these, too: {names}", names=", ".join(named))
 
 
-def _inputs(file: MachineFile, found: Pipeline) -> Iterator[Input]:
+def _inputs(file: MachineFile, found: Behind) -> Iterator[Input]:
     """Numbers of the file in the tables that are read on the way."""
-    read = {table.strip("[]") for part in found.declared for table in part.tables}
     for one in inputs_of(file):
         path = one.path.partition("[")[0].split(".")
         above = [".".join(path[:length]) for length in range(1, len(path) + 1)]
         # Of a bank or a shaft its own keys; of what else has a name all that stands in it.
         own = above if path[0] not in ("bank", "shaft") else [above[-2], *above[_OF_A_BANK:]]
-        if not read.isdisjoint(own):
+        if not found.tables.isdisjoint(own):
             yield one

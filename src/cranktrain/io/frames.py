@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import pandas
 
 
-class _OneDesign:
+class _RunOfDesign:
     """A run of several designs as one of one of them."""
 
     def __init__(self, run: Run, design: int) -> None:
@@ -62,7 +62,7 @@ def _of(run: Run, design: int) -> Run:
     if not 0 <= design < (run.n_designs or 1):
         allowed = _("must be from 0 to {last}", last=(run.n_designs or 1) - 1)
         raise InputError([Problem("design", str(design), allowed)])
-    return cast(Run, _OneDesign(run, design)) if run.n_designs is not None else run
+    return cast(Run, _RunOfDesign(run, design)) if run.n_designs is not None else run
 
 
 def _unknown(name: str, known: Sequence[str]) -> Problem:

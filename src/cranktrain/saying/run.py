@@ -5,7 +5,7 @@ frames, draws curves or fills the screen knows no other.
 """
 
 from abc import abstractmethod
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
+    from cranktrain.saying.rows import AnswerLine
     from cranktrain.saying.sections import PagePart
 
 
@@ -36,10 +37,11 @@ class Axis(NamedTuple):
 
 
 class Behind(NamedTuple):
-    """What leads to a quantity: names of stages in the order in which they run, and tables of the file they read."""
+    """What leads to a quantity: names of stages as they run, tables of the file that they read; where more is said."""
 
     stages: tuple[str, ...]
     tables: frozenset[str]
+    more: Words = ""
 
 
 class Run:
@@ -120,8 +122,12 @@ class Run:
         """What people call the members along each dimension of a quantity, but for the axis."""
         return {dimension: self.titles[dimension] for dimension in self.labels_of(entry)}
 
+    def answer_rows(self) -> "Iterable[tuple[Words, Sequence[AnswerLine]]]":
+        """Lines of its answer, under their titles; none where it has no answer of words."""
+        return ()
+
     def sections(self) -> "Iterable[PagePart]":
-        """What a screen shows of it: its facts, and at how many places its curves stand, unless it says more."""
+        """What is shown of it: its facts, and at how many places its curves stand, unless it says more."""
         from cranktrain.saying.sections import Column, Grid, Rows, section  # an answer needs none
 
         single = [name for name, entry in self.catalogue.items() if not entry.dimensions]
@@ -141,6 +147,11 @@ class Run:
         if curves and self.axis is not None:
             said = _("{curves}, at {n} places", curves=", ".join(curves), n=len(self.axis.values))
             yield from section(_("Curves over {axis}", axis=self.axis.name), [said])
+
+    def page(self, width: int = 80) -> str:
+        """Write all that is shown of it as text, in a width of columns."""
+        with self.in_its_units():
+            return "\n".join(line.plain.rstrip() for line in face("page_lines")(self.sections(), width))
 
     def why(self, name: str) -> Iterator[Words]:
         """Where a quantity is from: what it is, its equation, and in symbols where it is a line of others."""

@@ -1,15 +1,17 @@
-"""What is shown, as data: sections of sentences, of rows of words, and of numbers in columns; whoever shows it says it.
+"""What is shown, as data: sections of sentences, of rows of words, of numbers in columns; whoever shows it says it.
 
 Nothing here knows of a screen: how wide it is, where it folds, what is bold. Numbers are numbers, and words are said
 when they are read, in the units and the language of whoever reads them.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple, TypeAlias
+from typing import Literal, NamedTuple, Protocol, TypeAlias
 
 from cranktrain.language import Words
 from cranktrain.record import record
+from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.rows import AnswerLine
 
 Value: TypeAlias = "float | Words"
 """A cell of a column: a number, or words, which stay as they are; none are an empty cell."""
@@ -123,7 +125,64 @@ class Command:
     instead: Words
 
 
-Part: TypeAlias = "Grid | Rows | Unfolded | Command | Words"
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """A paragraph on what does not hold."""
+
+    words: Words
+
+
+class HasFacts(Protocol):
+    """A catalogue of facts, whose values are attributes, in the units of their entries."""
+
+    @property
+    def catalogue(self) -> Mapping[str, Entry]:
+        """What there is, by name."""
+        ...
+
+    def titles_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
+        """What people call the members along each dimension of a quantity."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class FactTables:
+    """Facts by name: members that are alike share a column, as there is room."""
+
+    of: HasFacts
+    names: Sequence[str]
+
+
+class ComparedFact(NamedTuple):
+    """A fact of two beside each other: what it is; both values, NaN for none, in the unit; and in percent of the first.
+
+    The unit is that of the catalogue; percent is NaN where it would say nothing.
+    """
+
+    name: Words
+    unit: str
+    first: float
+    second: float
+    percent: float
+
+
+@record
+class Compared:
+    """Facts of two beside each other, and by how much they differ.
+
+    Attributes
+    ----------
+    heads : tuple of two Words
+        What the two are called.
+    groups : sequence of (Words, sequence of ComparedFact)
+        Under their titles.
+    """
+
+    heads: tuple[Words, Words]
+    groups: Sequence[tuple[Words, Sequence[ComparedFact]]]
+
+
+Part: TypeAlias = "Grid | Rows | Unfolded | Command | Failure | FactTables | Words"
 """Of a section; words are a paragraph, none of them an empty line."""
 
 
@@ -143,8 +202,15 @@ class ShownSection:
     parts: Sequence[Part] = ()
 
 
-PagePart: TypeAlias = "ShownSection | Words"
-"""Of a page; words stand alone, after an empty line."""
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """Lines of the answer in groups under their titles, in common columns."""
+
+    groups: Sequence[tuple[Words, Sequence[AnswerLine]]]
+
+
+PagePart: TypeAlias = "ShownSection | Answer | Compared | Words"
+"""Of a page, after an empty line; words stand alone."""
 
 
 def section(heading: Words, parts: Iterable[Part]) -> Iterator[ShownSection]:

@@ -1,6 +1,7 @@
 """A start over time: what was asked of a machine with its motor, and what became of it."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -18,12 +19,15 @@ from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
 from cranktrain.one_line import short
 from cranktrain.questions.start.asked import MovingParts, StartAsked
-from cranktrain.questions.start.record import StartCurves, StartEvent, StartEvents, StartRun
+from cranktrain.questions.start.facts import StartFacts, StrokeFacts
+from cranktrain.questions.start.record import StartEvent, StartEvents, StartRun
 from cranktrain.questions.start.rows import start_rows
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry, entries
-from cranktrain.saying.rows import AnswerLine
+from cranktrain.saying.rows import AnswerLine, Telling
 from cranktrain.saying.run import Axis, Behind, Run
+from cranktrain.saying.sections import Answer, PagePart, Unfolded, section
+from cranktrain.saying.wording import number
 from cranktrain.transient.gearing import overall_ratio
 from cranktrain.transient.runs import Progress
 
@@ -36,7 +40,8 @@ class Start(Run):
     ----------
     machine : Machine
     run : StartRun
-    happened : StartEvents
+    given : mapping of type to object
+        What the stages over time give that has quantities: curves, events, facts, by type.
     motor : DeclaredMotor or None
     gear_ratio : float
         Turns of the motor for one of the crank.
@@ -44,15 +49,16 @@ class Start(Run):
 
     machine: Machine
     run: StartRun
-    happened: StartEvents
+    given: Mapping[type, Any]
     motor: DeclaredMotor | None
     gear_ratio: float
 
     def __getattr__(self, name: str) -> Array:
-        """Give a curve over time, or what is known of each event, by its name."""
-        if not name.startswith("_") and name in self.catalogue:
-            return getattr(self.run.curves if self.is_curve(self.catalogue[name]) else self.happened, name)
-        raise AttributeError(name)
+        """Give a curve over time, what is known of each event, or a fact, by its name."""
+        if name.startswith("_") or name not in self._homes:
+            raise AttributeError(name)
+        entry, home = self._homes[name]
+        return getattr(home, name) if entry.dimensions else getattr(home, name)[0]
 
     def __repr__(self) -> str:
         """Show whose it is, how long it took and why it ended, in one line."""
@@ -81,13 +87,18 @@ class Start(Run):
 
     @property
     def catalogue(self) -> Mapping[str, Entry]:
-        """Curves over time, and what is known of events, by name."""
-        return {entry.name: entry for entry in (*entries(StartCurves), *entries(StartEvents))}
+        """Curves over time, what is known of events, and facts of the whole run, by name."""
+        return {name: entry for name, (entry, _home) in self._homes.items()}
+
+    @cached_property
+    def _homes(self) -> dict[str, tuple[Entry, Any]]:
+        """Entry of every quantity, and what holds it."""
+        return {entry.name: (entry, home) for kind, home in self.given.items() for entry in entries(kind)}
 
     @property
     def labels(self) -> Mapping[str, tuple[str, ...]]:
         """Events by their names, and numbers where a name comes again."""
-        return self.happened.labels
+        return self.given[StartEvents].labels
 
     def attributes(self) -> Mapping[str, object]:
         """What a dataset says of it as a whole: the machine, and why it ended."""
@@ -130,9 +141,27 @@ class Start(Run):
         """What happened on the way, in the order of time."""
         return self.run.events
 
-    def rows(self) -> list[AnswerLine]:
-        """Rows of the answer."""
-        return list(start_rows(self.run))
+    def answer_rows(self) -> Iterator[tuple[Words, list[AnswerLine]]]:
+        """Lines of the answer."""
+        facts, stroke = self.given[StartFacts], self.given.get(StrokeFacts)
+        yield _("Start"), list(start_rows(Telling(self.labels, 0), self.run, facts, stroke))
+
+    def sections(self) -> Iterator[PagePart]:
+        """The answer, and what happened on the way, line by line."""
+        yield Answer(tuple(self.answer_rows()))
+        yield from section(_("Events"), map(_event_line, self.events))
+
+
+def _event_line(event: StartEvent) -> Unfolded:
+    """Say when and where something happened."""
+    said = _(
+        "{time}  {name}, at {angle}, {speed}",
+        time=f"{event.time:10.6f} s",
+        name=event.name,
+        angle=number(float(np.mod(event.angle, 2 * np.pi)), "deg"),
+        speed=number(event.speed, "rpm"),
+    )
+    return Unfolded(said)
 
 
 def start(machine: Machine, *, at: Sequence[float] | None = None, progress: Progress | None = None) -> Start:
@@ -158,9 +187,11 @@ def start(machine: Machine, *, at: Sequence[float] | None = None, progress: Prog
         With everything that is wrong with the machine, or what it lacks.
     """
     times = None if at is None else np.unique(np.asarray(at, dtype=np.float64))
-    found = over_time(machine, (StartRun, StartEvents, MovingParts, DeclaredDrive), StartAsked(times, progress))
+    results = [stage.gives for question in machine.questions for stage in question.over_time() if stage.results]
+    found = over_time(machine, (StartRun, *results, MovingParts), StartAsked(times, progress))
+    given = {kind: found[kind] for kind in results if kind in found}
     ratio = overall_ratio(found[DeclaredDrive].gearings[0])
-    return Start(machine, found[StartRun], found[StartEvents], found[MovingParts].motor, ratio)
+    return Start(machine, found[StartRun], given, found[MovingParts].motor, ratio)
 
 
 def over_time(machine: Machine, outcomes: Sequence[type], asked: StartAsked | None = None) -> Mapping[type, Any]:

@@ -21,8 +21,7 @@ from tests.sentences import (
 import cranktrain as ct
 from cranktrain.analysis.outcomes import Outcomes
 from cranktrain.cli.screen.answer import answer_lines
-from cranktrain.cli.screen.report import show_full
-from cranktrain.cli.screen.text import page
+from cranktrain.cli.screen.sections import show_page
 from cranktrain.io.machine_file import read_machine
 from cranktrain.record import record
 from cranktrain.saying.checks import Check, Checked, Flagged
@@ -171,8 +170,7 @@ def test_failed_check_is_shown(typed, capsys):
     result = ct.run(file.machine, step_degrees=10)
     found = {type(one): one for one in (*result.outcomes, doubtful)}
     result = dataclasses.replace(result, computed=Outcomes(found, dict(result.labels)))
-    with page("") as console:
-        show_full(console, file, result, ["stroke"], is_all=False)
+    show_page("", result.sections())
     output = " ".join(capsys.readouterr().out.split())
     assert "✗ does not hold (residual 5.0e-01, limit 1e-09): something against something else" in output
     assert "– needs a full turn: something at every angle" in output

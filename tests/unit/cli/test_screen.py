@@ -13,7 +13,7 @@ import cranktrain as ct
 from cranktrain import cli
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.cli.screen.answer import joined
-from cranktrain.cli.screen.groups import RowGroup, group_lines, member_columns, name_of
+from cranktrain.cli.screen.groups import group_lines, member_columns, name_of
 from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.io.examples import EXAMPLES_FOLDER
 from cranktrain.language import _
@@ -287,7 +287,7 @@ class TestColumns:
 
 class TestGroups:
     def lines(self, *rows: AnswerLine, width: int = 80) -> list[str]:
-        return [line.plain for line in group_lines([RowGroup("Motion", rows)], width)]
+        return [line.plain for line in group_lines([("Motion", rows)], width)]
 
     def test_alike_members_share_a_value(self):
         assert self.lines(valued("stroke", [0.08, 0.08], "m", ("1", "2")))[1:] == ["  stroke  80.00 mm"]

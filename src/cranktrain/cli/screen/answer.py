@@ -6,7 +6,7 @@ from rich.text import Text
 
 from cranktrain.analysis import Result, sentences
 from cranktrain.cli.screen.foot import foot_lines
-from cranktrain.cli.screen.groups import RowGroup, group_lines
+from cranktrain.cli.screen.groups import group_lines
 from cranktrain.cli.screen.text import folded
 from cranktrain.cli.screen.title import title_lines
 from cranktrain.cli.screen.typesetting import typeset
@@ -20,7 +20,8 @@ from cranktrain.texts.comparison import TextbookMotion
 
 _MOST_LINES = 3
 """Of one flag; `--full` has the rest."""
-_MARK = "! "
+MARK = "! "
+"""Before what is to be minded."""
 
 
 def answer_lines(file: MachineFile, result: Result, name: str, width: int) -> Iterator[Text]:
@@ -45,7 +46,7 @@ def answer_lines(file: MachineFile, result: Result, name: str, width: int) -> It
     blocks = (
         [Text(first, style="bold"), *map(Text, more), *map(Text, conditions(result, width))],
         map(Text, minded_lines(result, width)),
-        group_lines([RowGroup(str(title), rows) for title, rows in result.rows()], width),
+        group_lines(tuple(result.answer_rows()), width),
         (Text(visible(line)) for line in foot_lines(file, result, name, width)),
     )
     for number, block in enumerate(blocks):
@@ -96,9 +97,9 @@ def minded_lines(result: Result, width: int) -> Iterator[str]:
     """Lay them out, each behind a mark, in a width of columns."""
     for sentence in minded(result):
         said = typeset(visible(sentence))
-        lines = folded(said, width, _MARK, " " * len(_MARK))
+        lines = folded(said, width, MARK, " " * len(MARK))
         if len(lines) >= _MOST_LINES and "; " in said:  # a list
-            lines = folded(_of_several(said), width, _MARK, " " * len(_MARK))
+            lines = folded(_of_several(said), width, MARK, " " * len(MARK))
         if len(lines) > _MOST_LINES:
-            lines = folded(said, width, _MARK, " " * len(_MARK), at_most=_MOST_LINES)
+            lines = folded(said, width, MARK, " " * len(MARK), at_most=_MOST_LINES)
         yield from lines

@@ -9,8 +9,6 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from rich.text import Text
 
-from cranktrain.analysis import Result
-from cranktrain.analysis.curve_columns import CurvesAtAngle
 from cranktrain.analysis.dimensions import dimension_named
 from cranktrain.cli.screen.columns import grid_lines
 from cranktrain.cli.screen.text import GAP, table
@@ -21,17 +19,13 @@ from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.saying.amounts import Figures, figures
 from cranktrain.saying.catalogue import Entry
-from cranktrain.saying.sections import Column, Grid
+from cranktrain.saying.sections import Column, Grid, HasFacts
 from cranktrain.saying.wording import ABSENT, ranged
 
 _MOST_COLUMNS = 3
 """Of a table with one row for each fact; facts that need more groups get one row for each group."""
 
 _OF_MACHINE = ResultDimension("", "")
-
-
-HasFacts: TypeAlias = Result | CurvesAtAngle
-"""What has a catalogue of facts, and their values."""
 
 
 @record

@@ -8,6 +8,7 @@ from rich.text import Text
 
 from cranktrain.cli.screen.text import GAP, INDENT, folded
 from cranktrain.grouping import grouped
+from cranktrain.language import Words
 from cranktrain.one_line import visible
 from cranktrain.saying.amounts import Written, filled, written
 from cranktrain.saying.row_words import by_name, holders, name_of, with_values
@@ -50,13 +51,6 @@ def member_columns(rows: Sequence[Mapping[str, str]]) -> MemberColumns:
     return MemberColumns(tuple(name_of(lot, members) for lot in lots), tuple(lot[0] for lot in lots))
 
 
-class RowGroup(NamedTuple):
-    """Rows of one question under its title."""
-
-    title: str
-    rows: Sequence[AnswerLine]
-
-
 class _Line(NamedTuple):
     """A row as text: cells, none where words say all, the label of their unit, and words."""
 
@@ -74,12 +68,13 @@ class _Lines(NamedTuple):
     lines: list[_Line]
 
 
-def group_lines(groups: Sequence[RowGroup], width: int) -> Iterator[Text]:
+def group_lines(groups: Sequence[tuple[Words, Sequence[AnswerLine]]], width: int) -> Iterator[Text]:
     """Lay out groups of rows.
 
     Parameters
     ----------
-    groups : sequence of RowGroup
+    groups : sequence of (Words, sequence of AnswerLine)
+        Under their titles.
     width : int
         Columns of the screen.
 
@@ -88,7 +83,7 @@ def group_lines(groups: Sequence[RowGroup], width: int) -> Iterator[Text]:
     Text
         Lines, each group's title first, with the names of its columns.
     """
-    laid = [_laid(group) for group in groups]
+    laid = [_laid(str(title), rows) for title, rows in groups]
     lines = [line for one in laid for line in one.lines]
     names = max((cell_len(line.name) for line in lines), default=0)
     cells = [
@@ -109,18 +104,16 @@ def group_lines(groups: Sequence[RowGroup], width: int) -> Iterator[Text]:
             yield from _folded(line, names, each, shift, width)
 
 
-def _laid(group: RowGroup) -> _Lines:
+def _laid(title: str, rows: Sequence[AnswerLine]) -> _Lines:
     """Write the rows of a group."""
-    texts = [written(row.values, row.unit) if row.values.size else Written((), "") for row in group.rows]
+    texts = [written(row.values, row.unit) if row.values.size else Written((), "") for row in rows]
     unlike = [
         dict(zip(row.members, one.texts, strict=True))
-        for row, one in zip(group.rows, texts, strict=True)
+        for row, one in zip(rows, texts, strict=True)
         if len(set(one.texts)) > 1
     ]
     columns = member_columns(unlike)
-    return _Lines(
-        group.title, columns.names, [_line(row, one, columns) for row, one in zip(group.rows, texts, strict=True)]
-    )
+    return _Lines(title, columns.names, [_line(row, one, columns) for row, one in zip(rows, texts, strict=True)])
 
 
 def _line(row: AnswerLine, found: Written, columns: MemberColumns) -> _Line:

@@ -8,9 +8,23 @@ from rich.console import Console
 from rich.text import Text
 
 from cranktrain.cli.screen.columns import grid_lines
-from cranktrain.cli.screen.text import GAP, INDENT, page, section, show_heading, table
+from cranktrain.cli.screen.compared import compared_lines
+from cranktrain.cli.screen.groups import group_lines
+from cranktrain.cli.screen.text import GAP, INDENT, heading_lines, page, paragraph, show_lines, table
 from cranktrain.language import Words
-from cranktrain.saying.sections import Command, Grid, PagePart, Part, Rows, ShownSection, Unfolded
+from cranktrain.saying.sections import (
+    Answer,
+    Command,
+    Compared,
+    FactTables,
+    Failure,
+    Grid,
+    PagePart,
+    Part,
+    Rows,
+    ShownSection,
+    Unfolded,
+)
 
 _CUT = " …"
 _LONGEST = 34
@@ -31,31 +45,58 @@ def show_sections(console: Console, sections: Iterable[PagePart]) -> None:
     console : Console
     sections : iterable of PagePart
     """
+    show_lines(console, page_lines(sections, console.width))
+
+
+def page_lines(sections: Iterable[PagePart], width: int) -> Iterator[Text]:
+    """Lay out sections one below the other, each after an empty line, in a width of columns."""
     for one in sections:
-        if not isinstance(one, ShownSection):
-            console.print()
-            console.print(str(one))
-        elif one.parts:
-            width = console.width - INDENT
-            section(console, str(one.heading), (line for part in one.parts for line in _lines(part, width)))
-        else:
-            show_heading(console, str(one.heading))
+        match one:
+            case ShownSection():
+                yield from _section(one, width)
+            case Answer():
+                yield from (Text(), *group_lines(one.groups, width))
+            case Compared():
+                yield from (Text(), *compared_lines(one, width))
+            case _:
+                yield from (Text(), *paragraph(str(one), width))
 
 
-def _lines(part: Part, width: int) -> Iterator[str | Text]:
+def _section(one: ShownSection, width: int) -> Iterator[Text]:
+    """Lay out a section; nothing where its parts have no lines, but the head of what follows."""
+    lines = [line for part in one.parts for line in _lines(part, width - INDENT)]
+    if lines or not one.parts:
+        yield from heading_lines(str(one.heading))
+    yield from (Text(" " * INDENT) + line for line in lines)
+
+
+def _lines(part: Part, width: int) -> Iterator[Text]:
     """Lay out a part."""
     match part:
         case Grid():
-            yield from grid_lines(part, width)
+            yield from _folded(grid_lines(part, width), width)
+        case FactTables():
+            from cranktrain.cli.screen.facts import fact_tables  # an answer needs none
+
+            yield from _folded(fact_tables(part.of, part.names, width), width)
         case Rows():
             yield from _rows(part, width) if part.cut is None else _cut(part, part.cut, width)
         case Unfolded():
             yield Text(str(part.words), "bold" if part.is_head else "")
         case Command():
             command = f"`{part.typed}`"
-            yield f"{command if cell_len(command) < width else part.instead}: {part.shows}"
+            said = f"{command if cell_len(command) < width else part.instead}: {part.shows}"
+            yield from paragraph(said, width)
+        case Failure():
+            yield from paragraph(str(part.words), width, "red")
         case _:
-            yield str(part)
+            yield from paragraph(str(part), width)
+
+
+def _folded(lines: Iterable[str | Text], width: int) -> Iterator[Text]:
+    """Fold what is no line yet."""
+    for line in lines:
+        yield from [line] if isinstance(line, Text) else paragraph(line, width)
 
 
 def _rows(rows: Rows, width: int) -> list[Text]:

@@ -64,27 +64,16 @@ def _screen() -> Console:
     return Console(**options)
 
 
-def section(console: Console, heading: str, lines: Iterable[str | Text]) -> None:
-    """Show lines, if any, under a heading; one that is no `Text` is a paragraph, folded to the width of the screen."""
-    parts = [part for line in lines for part in ([line] if isinstance(line, Text) else paragraph(console, line))]
-    if parts:
-        if heading:
-            show_heading(console, heading)
-        console.print(Text("\n").join(Text(" " * INDENT) + part for part in parts), soft_wrap=True)
+def heading_lines(heading: str) -> list[Text]:
+    """Lay out a heading after an empty line; nothing without one."""
+    return [Text(), Text(as_printed(visible(heading)), style="bold")] if heading else []
 
 
-def show_heading(console: Console, heading: str) -> None:
-    """Show a heading after an empty line."""
-    console.print()
-    console.print(Text(as_printed(visible(heading)), style="bold"))
-
-
-def paragraph(console: Console, text: str, style: str = "") -> list[Text]:
-    """Fold a text to the width of the screen less the indent; an empty one is an empty line.
+def paragraph(text: str, width: int, style: str = "") -> list[Text]:
+    """Fold a text to a width; an empty one is an empty line.
 
     A command in it stays in one line, or is folded as a shell takes it.
     """
-    width = console.width - INDENT
     whole = _COMMAND.sub(lambda found: found[0].replace(" ", KEPT), as_printed(visible(text)))
     lines = textwrap.wrap(whole, width, break_on_hyphens=False, break_long_words=False)
     return [Text(part, style) for line in lines for part in _in_width(line, width)] or [Text()]

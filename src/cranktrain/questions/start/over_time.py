@@ -1,15 +1,21 @@
-"""Stages over time: from what moves and stops the crank to its curves and events, but for a stroke of a press."""
+"""Stages over time: from what moves and stops the crank to curves, events and facts; a press runs its own stroke."""
 
 from cranktrain.layout.drive.declared import DeclaredStroke
 from cranktrain.layout.question import Stage
 from cranktrain.questions.start.asked import MovingParts
+from cranktrain.questions.start.facts import start_facts, stroke_facts
 from cranktrain.questions.start.ready import start_case
 from cranktrain.questions.start.record import start_curves, start_events
 from cranktrain.questions.start.starting import start_run
 
 
+def is_stroke(stroke: DeclaredStroke | None) -> bool:
+    """Whether a start is a stroke of a press."""
+    return stroke is not None
+
+
 def is_no_stroke(stroke: DeclaredStroke | None) -> bool:
-    """Whether a start is a run from rest, and no stroke of a press."""
+    """Whether a start is a run from rest."""
     return stroke is None
 
 
@@ -19,4 +25,6 @@ STAGES = (
     Stage(start_run, applies=is_no_stroke),
     Stage(start_curves),
     Stage(start_events),
+    Stage(start_facts),
+    Stage(stroke_facts, applies=is_stroke),
 )

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cranktrain.questions.start.rows import effective_torque
+from cranktrain.questions.start.facts import effective_torque
 
 
 @pytest.mark.parametrize("pause", [0.0, 10.0, 1e10])

@@ -3,15 +3,15 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-import numpy as np
-
 from cranktrain.language import Listed, Message, Words, _
 from cranktrain.motion import Array
 from cranktrain.panels.parts import CurveCard, Sheet, SheetColumn, Stack, facts_table
 from cranktrain.panels.shapes import Curve, Panel, PanelLine, Role
 from cranktrain.panels.sheets.drive.torque_speed import torque_speed_panel
+from cranktrain.questions.start.facts import StartFacts
 from cranktrain.questions.start.record import StartEvent
 from cranktrain.saying.amounts import Amount
+from cranktrain.saying.rows import Telling
 from cranktrain.saying.wording import power_of_ten
 from cranktrain.study.start import Start
 
@@ -101,20 +101,21 @@ def _panels(start: Start, levels: tuple[PanelLine, ...]) -> Iterator[Panel]:
 
 def _facts(start: Start) -> Iterator[tuple[Words, Words]]:
     """What stands in the table, of the whole run, whatever times were asked for."""
-    curves, run = start.run.whole, start.run
-    turned = float(curves.crank_angle_turned[-1] - curves.crank_angle_turned[0])
-    yield _("ends after"), Amount(float(run.whole_time[-1]), "s")
-    yield _("turns of the crank"), Amount(turned / (2 * np.pi), "1")
-    yield _("largest torque of the motor"), Amount(float(np.max(curves.motor_torque)), "N*m")
-    yield _("largest power of the motor"), Amount(float(np.max(curves.motor_power)), "W")
-    yield _("work of the motor"), Amount(float(curves.motor_work[-1]), "J")
-    yield _("work that the loads took"), Amount(float(curves.load_work[-1]), "J")
-    yield _("lost in gearing, clutch and brake"), Amount(float(curves.lost_work[-1]), "J")
-    yield _("in motion at the end"), Amount(float(curves.kinetic_energy[-1]), "J")
-    if np.any(curves.motor_heat > 0):
-        yield _("heat in the motor"), Amount(float(curves.motor_heat[-1]), "J")
-    left_over = float(abs(run.residual) / run.supplied) if run.supplied else 0.0
-    yield _("energy left over, of what was put in"), power_of_ten(left_over)
+    of, facts = Telling(start.labels, 0), start.given[StartFacts]
+    named = {
+        "start_duration": _("ends after"),
+        "crank_turns": _("turns of the crank"),
+        "largest_motor_torque": _("largest torque of the motor"),
+        "largest_motor_power": _("largest power of the motor"),
+        "final_motor_work": _("work of the motor"),
+        "final_load_work": _("work that the loads took"),
+        "final_lost_work": _("lost in gearing, clutch and brake"),
+        "final_kinetic_energy": _("in motion at the end"),
+    }
+    if facts.final_motor_heat[0] > 0:
+        named["final_motor_heat"] = _("heat in the motor")
+    yield from ((words, of.amount(facts, name)) for name, words in named.items())
+    yield _("energy left over, of what was put in"), power_of_ten(float(facts.energy_left_over[0]))
 
 
 def _event_rows(sorts: Sequence[EventSort]) -> Iterator[tuple[Words, Words]]:

@@ -1,0 +1,37 @@
+"""What a machine's results rest on, as sections: the numbers of its file, and where they are from."""
+
+from collections.abc import Iterator, Sequence
+
+from cranktrain.io.description import counted_by_status
+from cranktrain.io.machine_file import Input, MachineFile, inputs_of
+from cranktrain.language import said as _
+from cranktrain.one_line import one_line
+from cranktrain.saying.sections import Part, Rows, ShownSection, section
+
+_LISTED = ("assumed", "fitted")
+"""Status of numbers that nobody measured: each of them is named."""
+
+
+def input_section(inputs: Sequence[Input]) -> Iterator[ShownSection]:
+    """Give numbers of a file: path, value, status and note."""
+    yield from section(_("What this rests on"), _rows(inputs))
+
+
+def provenance_section(file: MachineFile) -> Iterator[ShownSection]:
+    """Count the numbers of a file by status, and name those that are assumed or fitted."""
+    inputs = inputs_of(file)
+    counted = counted_by_status(one.given for one in inputs)
+    said = _("{n} numbers of the file: {counted}", n=len(inputs), counted=counted)
+    listed = [one for status in _LISTED for one in inputs if one.given.status == status]
+    yield from section(_("What this rests on"), [said, *_rows(listed)])
+
+
+def _rows(inputs: Sequence[Input]) -> Iterator[Part]:
+    """A row for each number."""
+    notes = ["; ".join(one_line(word) for word in (given.note, given.source) if word) for _path, given in inputs]
+    rows = [
+        (path, one_line(given.text), given.status or "", note)
+        for (path, given), note in zip(inputs, notes, strict=True)
+    ]
+    if rows:
+        yield Rows(rows)
