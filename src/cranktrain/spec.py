@@ -26,7 +26,7 @@ from cranktrain.allowed import ALLOWED, OTHERWISE
 from cranktrain.brief import BriefSignature, brief_fields
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
-from cranktrain.language import Listed, Words, _
+from cranktrain.language import Words, _
 from cranktrain.paths import path_text, value_at
 from cranktrain.quantities import Given, Quantity, nearest, one_of, unknown_key, unlisted, written
 from cranktrain.spec_class import SpecClass
@@ -343,7 +343,7 @@ def _with_example(allowed: Words, where: _Location) -> Words:
         return allowed
     key = where.path.rpartition(".")[2].partition("[")[0]
     example = quantity.of_field(key).example or quantity.dimension.example
-    return Listed((allowed, _(', such as ["{example}", …]', example=example)), "")
+    return _('{allowed}, such as ["{example}", …]', allowed=allowed, example=example)
 
 
 def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:

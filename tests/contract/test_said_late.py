@@ -169,3 +169,30 @@ def test_threads_read_in_their_own_languages_and_units(monkeypatch):
         for of, unit, told in pool.map(read, range(RUNS)):
             assert set(re.findall("‹(.)›", told)) == {of}
             assert {one for one in UNITS if re.search(rf"\d {one}\b", told)} == {unit}
+
+
+WHOLE = re.compile(r"(?![,;:.) ]).*[^ ]", re.DOTALL)
+"""A message that stands alone: it begins with no comma and no blank, and ends with no blank."""
+OF_LINES = {"Next: ", " … (--full)"}
+"""What stands before and behind lines of a screen, and in no sentence."""
+
+
+def messages_in(path):
+    """All messages that are marked for translators in a file, with their lines."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ("_", "N_") and node.args:
+            text = node.args[0]
+            if isinstance(text, ast.Constant) and isinstance(text.value, str):
+                yield node.lineno, text.value
+
+
+@pytest.mark.parametrize("path", sorted(PACKAGE.rglob("*.py")), ids=lambda path: path.relative_to(PACKAGE).as_posix())
+def test_no_message_hangs_on_another(path):
+    """A piece of a sentence that begins with a comma, or with a blank, is a sentence that no language can turn."""
+    hanging = [one for one in messages_in(path) if one[1] and not WHOLE.fullmatch(one[1]) and one[1] not in OF_LINES]
+    assert hanging == [], "make whole sentences of these, each with what it says more as a piece of it"
+
+
+@pytest.mark.parametrize("text", [", in the head", "; none in {designs}", " and {n} more", "named {name}, "])
+def test_a_hanging_message_is_found(text):
+    assert not WHOLE.fullmatch(text)

@@ -1,6 +1,6 @@
 """A result as an xarray dataset, with units, symbols, sentences, sources and equations as attributes."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -38,10 +38,10 @@ def dataset_of(run: Run) -> "xarray.Dataset":
     from cranktrain.analysis.guarded_dataset import Dataset  # which needs xarray
 
     design = ("design",) if run.n_designs is not None else ()
-    wanted = set(run.wanted)
+    wanted, catalogue = set(run.wanted), run.catalogue
     variables: dict[str, Any] = {
-        name: ((*design, *entry.dimensions), *with_attributes(entry, getattr(run, name)))
-        for name, entry in run.catalogue.items()
+        name: ((*design, *entry.dimensions), *with_attributes(entry, getattr(run, name), catalogue))
+        for name, entry in catalogue.items()
         if name in wanted
     }
     used = {dimension for dimensions, *_rest in variables.values() for dimension in dimensions}
@@ -61,15 +61,17 @@ def imported(package: str, asked: str) -> Any:
         raise InputError([Problem(asked, None, _("needs the package {package}", package=package), repair)]) from None
 
 
-def with_attributes(entry: Entry, values: Array) -> tuple[Array, dict[str, str]]:
+def with_attributes(entry: Entry, values: Array, catalogue: Mapping[str, Entry]) -> tuple[Array, dict[str, str]]:
     """Give values in the unit that was asked for, else in the catalogue's, and what that says of them."""
     unit, given = in_asked_unit(entry.unit, values, entry.shown)
+    line = entry.in_symbols(catalogue)
     return given, {
         "units": unit,
         "symbol": entry.symbol,
         "long_name": entry.sentence,
         "source": entry.source,
         "equation": entry.equation,
+        **({"line": line} if line else {}),
     }
 
 

@@ -67,9 +67,9 @@ def _between(values: Array, entry: Entry, members: Sequence[str]) -> str:
     shown = shown_in(entry.shown, values)
     least, most = float(values[finite].min()), float(values[finite].max())
     without = np.flatnonzero(~np.any(finite, axis=1))
-    but = _("; none in {designs}", designs=_named(without, len(values))) if without.size else ""
+    lacking = _named(without, len(values)) if without.size else ""
     if _number(least, shown) == _number(most, shown):
-        return _number(most, shown) + but
+        return _but_in(_number(most, shown), lacking)
     spread = np.ptp(np.where(finite, values, 0.0), axis=0)
     if not without.size and np.all(spread <= _ALIKE * max(abs(least), abs(most))):
         return _("{least} to {most} in each", least=_number(least, shown), most=_number(most, shown))
@@ -80,7 +80,12 @@ def _between(values: Array, entry: Entry, members: Sequence[str]) -> str:
         most=_number(most, shown),
         most_of=_who(values, most, members),
     )
-    return said + but
+    return _but_in(said, lacking)
+
+
+def _but_in(said: str, lacking: str) -> str:
+    """Say which designs have none."""
+    return _("{values}; none in {designs}", values=said, designs=lacking) if lacking else said
 
 
 def _who(values: Array, value: float, members: Sequence[str]) -> str:

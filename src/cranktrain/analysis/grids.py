@@ -81,12 +81,12 @@ def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], s
     if not worst:
         return ()
     named = ", ".join(f"{name} ({100 * missed[name]:.0f} %)" for name in worst[:_NAMED])
-    more = _(" and {n} more", n=len(worst) - _NAMED) if len(worst) > _NAMED else ""
+    some: Words = _("{curves} and {n} more", curves=named, n=len(worst) - _NAMED) if len(worst) > _NAMED else named
     said = _(
         "A step of {step:g} deg is coarse for curves, though not for facts: straight lines between points miss up to"
-        " this much of the range of {curves}{more}."
+        " this much of the range of {curves}."
     )
-    return (said.format(step=round(float(np.degrees(step)), 6), curves=named, more=more),)
+    return (said.format(step=round(float(np.degrees(step)), 6), curves=some),)
 
 
 def _missed(coarse: Array, fine: Array) -> float:

@@ -166,6 +166,7 @@ def _described(run: Run, entry: Entry) -> dict[str, object]:
         "sentence": entry.sentence,
         "source": entry.source,
         "equation": entry.equation,
+        **({"line": line} if (line := entry.in_symbols(run.catalogue)) else {}),
         "values": _nested(values),
     }
 

@@ -9,7 +9,7 @@ from cranktrain.language import Words, _
 from cranktrain.number_table import NumberTable
 from cranktrain.one_line import short
 from cranktrain.quantities import Dimension
-from cranktrain.quantities.heads import axis_of, is_time, time_advice, unit_in
+from cranktrain.quantities.heads import axis_of, in_head, is_time, time_advice, unit_in
 
 Over: TypeAlias = Literal["crank_angles", "travel", "swing"]
 Sort: TypeAlias = Literal["force", "torque"]
@@ -112,9 +112,7 @@ def _size(head: str) -> tuple[Sort, str] | None:
 
 def _without_unit(table: NumberTable, noun: Words, head: str, example: str) -> Problem:
     """Say that a head names no unit of what is meant."""
-    said = _(
-        "names no unit of {noun}{where}", noun=noun, where=_(", in the head “{head}”", head=short(head)) if head else ""
-    )
+    said = in_head(_("names no unit of {noun}", noun=noun), head)
     return Problem("file", table.name, said, _("write it in the head: {example}", example=example))
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Literal, TypeAlias
 
 from cranktrain.language import Words, _
+from cranktrain.one_line import short
 from cranktrain.quantities.dimensions import Dimension, is_unit
 
 Axis: TypeAlias = Literal["angle", "displacement", "volume"]
@@ -135,3 +136,8 @@ def _unit(piece: str, dimension: Dimension) -> str | None:
 def _spaced(head: str) -> str:
     """A head's words with blanks between them: `p_abs_Pa` as `p abs Pa`."""
     return re.sub(r"[_,;:/()\[\]]+", " ", head)
+
+
+def in_head(said: Words, head: str) -> Words:
+    """Say what a head lacks with the head, where there is one."""
+    return _("{said}, in the head “{head}”", said=said, head=short(head)) if head else said

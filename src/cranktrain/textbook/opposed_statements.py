@@ -182,12 +182,16 @@ def opposed_statements(cylinders: Sequence[OpposedCylinders], result: Result) ->
 
 def subjects(one: OpposedCylinders, *, several: bool) -> tuple[Words, Words, Words]:
     """What the notes are about: the formulas, the volumetric dead centres, the lead."""
-    whose = _(" of cylinders {cylinders}", cylinders=one.of[2]) if several else ""
-    return (
-        _("(I.11), (I.12) for cylinders {cylinders} [{source}]", cylinders=one.of[2], source=SOURCE),
-        _("Volumetric dead centres{whose} [{source}]", whose=whose, source=SOURCE),
-        _("Lead of the exhaust crank{whose} [{source}]", whose=whose, source=SOURCE),
+    said = {"cylinders": one.of[2], "source": SOURCE}
+    own, centres, lead = (
+        _("(I.11), (I.12) for cylinders {cylinders} [{source}]"),
+        _("Volumetric dead centres [{source}]"),
+        _("Lead of the exhaust crank [{source}]"),
     )
+    if several:
+        centres = _("Volumetric dead centres of cylinders {cylinders} [{source}]")
+        lead = _("Lead of the exhaust crank of cylinders {cylinders} [{source}]")
+    return own.format(**said), centres.format(**said), lead.format(**said)
 
 
 def _of_cylinders(one: OpposedCylinders, result: Result) -> Iterator[Statement]:

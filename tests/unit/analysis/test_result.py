@@ -102,6 +102,7 @@ def test_dataset(v12):
         "source": "docs/theory/slider-crank",
         "equation": "2.3 to 2.5",
     }
+    assert data["stroke"].attrs["line"] == "S = H − h"
     assert data["crank_angle"].attrs["units"] == "deg"
     assert "design" not in data.dims
 

@@ -95,16 +95,20 @@ def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[Words]:
     found = np.flatnonzero(steep & (np.abs(ends - starts) > _LARGE_STEP * np.ptp(samples.pressures)))
     if found.size:
         largest = int(found[first_largest(np.abs(ends - starts)[found])])
-        sentence = _(
-            "Between {start} and {end} the pressure goes from {before} to {after} bar in one step, far steeper than"
-            " beside it{more}: if it jumps, give the jump as two rows of one angle (or place), before and after; else"
-            " give more rows there. A jump lost between rows takes from the mean pressure, 2 % in steps of 10°."
-        )
-        more = _(", and so in {n} other steps", n=found.size - 1) if found.size > 1 else ""
         start, end = places[largest], places[largest] + lengths[largest]
         before, after = (f"{shown(float(pressure[largest]), 'bar'):.4g}" for pressure in (starts, ends))
         start, end = (f"{shown(float(angle), 'deg') + 0.0:.6g}°" for angle in (start, end))
-        yield sentence.format(start=start, end=end, before=before, after=after, more=more)
+        told = _(
+            "Between {start} and {end} the pressure goes from {before} to {after} bar in one step, far steeper than"
+            " beside it"
+        ).format(start=start, end=end, before=before, after=after)
+        if found.size > 1:
+            told = _("{told}, and so in {n} other steps", told=told, n=found.size - 1)
+        yield _(
+            "{told}: if it jumps, give the jump as two rows of one angle (or place), before and after; else give more"
+            " rows there. A jump lost between rows takes from the mean pressure, 2 % in steps of 10°.",
+            told=told,
+        )
 
 
 def rounded_jump_flags(samples: Samples) -> Iterator[Words]:

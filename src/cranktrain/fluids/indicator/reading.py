@@ -12,7 +12,17 @@ from cranktrain.motion import Array
 from cranktrain.number_table import NumberTable, read_table
 from cranktrain.one_line import short
 from cranktrain.quantities import Dimension, read, shown, unit_names
-from cranktrain.quantities.heads import AXES, Axis, axis_of, is_gauge, is_pressure, is_time, time_advice, unit_in
+from cranktrain.quantities.heads import (
+    AXES,
+    Axis,
+    axis_of,
+    in_head,
+    is_gauge,
+    is_pressure,
+    is_time,
+    time_advice,
+    unit_in,
+)
 from cranktrain.record import record
 
 STANDARD_ATMOSPHERE = 101325.0
@@ -109,7 +119,7 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
     unit = said.pressure_unit or unit_in(labels[level], Dimension.PRESSURE)
     if unit is None:
         repair = _('write pressure_unit = "bar" (or {units})')
-        said_of = _("the file names no unit of pressure{where}", where=_in_head(labels[level]))
+        said_of = in_head(_("the file names no unit of pressure"), labels[level])
         raise _without_unit("pressure_unit", said_of, repair, Dimension.PRESSURE)
     pressures, sentences, is_gauge_known = _absolute(table.rows[:, level], unit, labels[level], said)
     if not said.is_raw:
@@ -164,10 +174,9 @@ def _columns_taken(table: NumberTable, said: Columns, level: int) -> Iterator[Wo
     """Say which column is taken where there are more than the two that are needed."""
     if said.columns is None and table.rows.shape[1] > _PAIR:
         label = table.labels[level] if table.labels else ""
-        sentence = _(
-            "The file has {n} columns; pressures are taken from column {column}{label}: `columns` says otherwise."
-        )
-        yield sentence.format(n=table.rows.shape[1], column=level + 1, label=f", {label}" if label else "")
+        sentence = _("The file has {n} columns; pressures are taken from column {column}: `columns` says otherwise.")
+        column = Listed((str(level + 1), label)) if label else str(level + 1)
+        yield sentence.format(n=table.rows.shape[1], column=column)
 
 
 def _place_scale(
@@ -181,17 +190,12 @@ def _place_scale(
         return 1.0, ()
     if axis == "volume":
         repair = _('write axis_unit = "cm³" (or {units})')
-        said_of = _("the file names no unit of volume{where}", where=_in_head(label))
+        said_of = in_head(_("the file names no unit of volume"), label)
         raise _without_unit("axis_unit", said_of, repair, Dimension.VOLUME)
     farthest = float(np.ptp(table.rows[:, column]))
     unit = "deg" if farthest > _DEGREES_BEYOND else "rad"
     said_so = _("The file does not say the unit of its angles; they reach over {span:.6g}, so {unit} is taken.")
     return read(f"1 {unit}", Dimension.ANGLE), (said_so.format(span=farthest, unit=unit),)
-
-
-def _in_head(label: str) -> Words:
-    """Say which head was read, where there is one."""
-    return _(", in the head “{head}”", head=short(label)) if label else ""
 
 
 def _without_unit(key: str, allowed: Words, repair: Message, dimension: Dimension) -> InputError:
@@ -224,7 +228,7 @@ def _refuse_negative(pressures: Array, table: NumberTable, level: int, *, is_gau
         allowed = _("an absolute pressure must be more than 0 ({n} values are not)", n=wrong.size)
         repair: Words = peg_advice()
         if not is_gauge:
-            repair = Listed((repair, _('; if these are gauge pressures, write pressure = "gauge"')), "")
+            repair = _('{advice}; if these are gauge pressures, write pressure = "gauge"', advice=repair)
         raise InputError([Problem("", f"{table.rows[first, level]:g}", allowed, repair, table.position(first, level))])
 
 
