@@ -73,7 +73,7 @@ def test_members_are_those_of_the_quantity(name):
     for one in named:
         if getattr(one, "member", ()):
             titles = result.titles_of(result.catalogue[one.quantity]).values()
-            assert all(member in of for member, of in zip(one.member, titles, strict=True))
+            assert all(str(member) in of for member, of in zip(one.member, titles, strict=True))
     for _title, rows in result.rows():
         for row in rows:
             if len(row.members) > 1:

@@ -9,12 +9,16 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from tests.pseudo_locale import PSEUDO, is_marked, pseudo
 
 import cranktrain as ct
 from cranktrain import language
-from cranktrain.language import Listed
+from cranktrain.language import Listed, Said
+from cranktrain.saying.amounts import measured_in
+from cranktrain.saying.row_words import row_words
+from cranktrain.saying.rows import AnswerLine
 from cranktrain.saying.wording import number
 
 __all__ = ["pseudo"]
@@ -128,6 +132,23 @@ def test_a_result_is_read_in_two_languages():
     assert read() == usual
     assert not any(map(is_marked, usual))
     assert all(map(is_marked, other))
+
+
+@pytest.mark.usefixtures("pseudo")
+def test_members_are_called_as_who_reads_calls_them():
+    """Rows and amounts that are made hold the titles of members, and not their words in one language."""
+    result = ct.run("shears")
+    rows = [row for _title, rows in result.rows() for row in rows]
+    amounts = [one for row in rows for one in measured_in(row.words)]
+    named = {member for one in amounts for member in getattr(one, "member", ())}
+    titles = [member for member in named if isinstance(member, Said)]
+    assert {"motor", "effective torque", "smallest that passes"} <= set(map(str, titles))
+    with language.in_language(PSEUDO):
+        assert all(is_marked(str(title)) for title in titles)
+    shaft = AnswerLine("torque", np.array([1.0, 2.0]), "N*m", result.titles["drive_shaft"][:2])
+    usual = row_words(shaft)
+    with language.in_language(PSEUDO):
+        assert row_words(shaft) != usual
 
 
 def test_units_are_those_of_who_reads():

@@ -93,7 +93,7 @@ class CurvesAtAngle:
 
     def titles_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
         """What people call the members along each dimension of a quantity."""
-        return {dimension: self._result.titles[dimension] for dimension in entry.dimensions}
+        return {dimension: tuple(map(str, self._result.titles[dimension])) for dimension in entry.dimensions}
 
     def __getattr__(self, name: str) -> Array:
         """Give a curve's values at the angle, in the unit of its entry."""

@@ -6,6 +6,7 @@ from itertools import chain, product
 
 from cranktrain import texts
 from cranktrain.all_questions import QUESTIONS
+from cranktrain.language import Words
 from cranktrain.layout import parts
 from cranktrain.layout.question import ResultDimension
 
@@ -25,13 +26,13 @@ def dimension_named(name: str) -> ResultDimension:
     return next((one for one in brought if one.name == name), ResultDimension(name, ""))
 
 
-class Titled(Mapping[str, tuple[str, ...]]):
+class Titled(Mapping[str, tuple[Words, ...]]):
     """What people call the members along dimensions, found where somebody asks."""
 
     def __init__(self, labels: Mapping[str, tuple[str, ...]]) -> None:
         self._labels = labels
 
-    def __getitem__(self, dimension: str) -> tuple[str, ...]:
+    def __getitem__(self, dimension: str) -> tuple[Words, ...]:
         return dimension_named(dimension).called(self._labels[dimension])
 
     def __iter__(self) -> Iterator[str]:

@@ -117,7 +117,7 @@ class Result(Run):
         return self.computed.labels
 
     @property
-    def titles(self) -> Mapping[str, tuple[str, ...]]:
+    def titles(self) -> Mapping[str, tuple[Words, ...]]:
         """What people call the members along the dimensions: their labels, or in words what these are keys of."""
         return Titled(self.labels)
 
@@ -264,7 +264,7 @@ class Result(Run):
         found: dict[str, object] = {name: self.get(kind) for name, kind in needs.types.items()}
         if any(outcome is None and name not in needs.optional for name, outcome in found.items()):
             return ()
-        return function(Telling(self.titles, design), **found)
+        return function(Telling(self.labels, self.titles, design), **found)
 
     def answer_rows(self) -> Iterator[tuple[Words, list[AnswerLine]]]:
         """Lines of the answer, of several designs those of the first."""

@@ -9,7 +9,7 @@ from types import NoneType
 from typing import Any, NamedTuple, TypeAlias, get_args, get_origin, get_type_hints
 
 from cranktrain.errors import Problem
-from cranktrain.language import N_
+from cranktrain.language import N_, Words
 from cranktrain.layout.design import Design, Designs
 from cranktrain.record import record
 from cranktrain.saying.catalogue import entries
@@ -199,9 +199,9 @@ class ResultDimension(NamedTuple):
     is_compared: bool = False
     titles: Titles = {}  # noqa: RUF012 - nobody changes them
 
-    def called(self, labels: Sequence[str]) -> tuple[str, ...]:
-        """Say what people call some members."""
-        return tuple(str(titled(self.titles, label)) for label in labels)
+    def called(self, labels: Sequence[str]) -> tuple[Words, ...]:
+        """What people call some members."""
+        return tuple(titled(self.titles, label) for label in labels)
 
 
 class Use(NamedTuple):

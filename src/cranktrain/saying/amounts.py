@@ -99,14 +99,14 @@ class Amount(Said):
         As in `AnswerLine`.
     quantity : str
         Its name in the catalogue; none of what only a sentence has.
-    member : tuple of str
+    member : tuple of Words
         Whose it is, by the quantity's dimensions.
     """
 
     value: float
     unit: str
     quantity: str = ""
-    member: tuple[str, ...] = ()
+    member: tuple[Words, ...] = ()
 
     @property
     def size(self) -> float:

@@ -79,21 +79,21 @@ def _side(member: str) -> str:
 
 def holders(row: AnswerLine, found: Written) -> dict[str, list[str]]:
     """Members by what is written of them."""
-    return grouped(zip(found.texts, row.members, strict=True))
+    return grouped(zip(found.texts, row.whose, strict=True))
 
 
 def by_name(row: AnswerLine, found: Written) -> str:
     """Say who has what, or from what to what they go."""
     alike = holders(row, found)
     each = ", ".join(
-        _("{value} ({who})", value=found.whole(text), who=name_of(members, row.members))
+        _("{value} ({who})", value=found.whole(text), who=name_of(members, row.whose))
         for text, members in alike.items()
         if text != ABSENT
     )
     if len(alike) <= _NAMED and len(each) <= _LONGEST:
         return each
-    least, most = (row.members[pick(row.values)] for pick in (first_smallest, first_largest))
-    texts = dict(zip(row.members, found.texts, strict=True))
+    least, most = (row.whose[pick(row.values)] for pick in (first_smallest, first_largest))
+    texts = dict(zip(row.whose, found.texts, strict=True))
     return _(
         "{least} ({one}) to {most} ({other})", least=texts[least], one=least, most=found.whole(texts[most]), other=most
     )

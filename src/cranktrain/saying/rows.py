@@ -35,7 +35,7 @@ class AnswerLine:
         What the values are: a unit of SI as the catalogue has it, or of those that say more, "rpm", "Hz" (both in
         rad/s), "position" (an angle where something stands, in rad), "%" (of 1), "error" and "off" (of 1, the latter
         with its sign).
-    members : tuple of str
+    members : tuple of Words
         Whose each value is; none of one value.
     words : Words
         Instead of values, or with `{values}` where they stand; nothing where these say all.
@@ -46,9 +46,14 @@ class AnswerLine:
     name: Words
     values: Array = field(default_factory=lambda: np.empty(0))
     unit: str = ""
-    members: tuple[str, ...] = ()
+    members: tuple[Words, ...] = ()
     words: Words = ""
     quantity: str = ""
+
+    @property
+    def whose(self) -> tuple[str, ...]:
+        """The members as people call them here and now."""
+        return tuple(map(str, self.members))
 
     @property
     def quantities(self) -> tuple[str, ...]:
@@ -70,7 +75,7 @@ def valued(
     name: Words,
     values: Array | float,
     unit: str,
-    members: Sequence[str] = (),
+    members: Sequence[Words] = (),
     words: Message | None = None,
     *,
     quantity: str = "",
@@ -92,11 +97,14 @@ class Telling:
     Attributes
     ----------
     labels : mapping of str to sequence of str
-        What people call the members along each dimension.
+        Names of the members along each dimension.
+    titles : mapping of str to sequence of Words
+        What people call them.
     design : int
     """
 
     labels: Names
+    titles: Mapping[str, Sequence[Words]]
     design: int
 
     def values(self, found: object, quantity: str) -> Array:
@@ -133,7 +141,7 @@ class Telling:
         """
         entry = entry_called(type(found), quantity)
         every = self.values(found, quantity)
-        members = self.labels[entry.dimensions[-1]] if every.ndim else ()
+        members = self.titles[entry.dimensions[-1]] if every.ndim else ()
         if own is not None:
             every, members = every[np.asarray(own)], [members[int(i)] for i in own]
         return valued(name, sense * every, unit or _shown(entry), members, words, quantity=quantity)
@@ -149,7 +157,7 @@ class Telling:
         value = float(self.values(found, quantity)[member])
         if abs(value) <= _ROUNDING * beside:
             value = 0.0
-        whose = tuple(self.labels[name][place] for name, place in zip(entry.dimensions, member, strict=True))
+        whose = tuple(self.titles[name][place] for name, place in zip(entry.dimensions, member, strict=True))
         return Amount(sense * value, unit or _shown(entry), quantity, whose)
 
     def extent(

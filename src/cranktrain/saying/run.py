@@ -66,7 +66,7 @@ class Run:
         return {}
 
     @property
-    def titles(self) -> Mapping[str, tuple[str, ...]]:
+    def titles(self) -> Mapping[str, tuple[Words, ...]]:
         """What people call the members."""
         return self.labels
 
@@ -119,8 +119,8 @@ class Run:
         return {dimension: self.labels[dimension] for dimension in entry.dimensions if dimension != over}
 
     def titles_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
-        """What people call the members along each dimension of a quantity, but for the axis."""
-        return {dimension: self.titles[dimension] for dimension in self.labels_of(entry)}
+        """What people here and now call the members along each dimension of a quantity, but for the axis."""
+        return {dimension: tuple(map(str, self.titles[dimension])) for dimension in self.labels_of(entry)}
 
     def answer_rows(self) -> "Iterable[tuple[Words, Sequence[AnswerLine]]]":
         """Lines of its answer, under their titles; none where it has no answer of words."""

@@ -144,7 +144,7 @@ class Start(Run):
     def answer_rows(self) -> Iterator[tuple[Words, list[AnswerLine]]]:
         """Lines of the answer."""
         facts, stroke = self.given[StartFacts], self.given.get(StrokeFacts)
-        yield _("Start"), list(start_rows(Telling(self.labels, 0), self.run, facts, stroke))
+        yield _("Start"), list(start_rows(Telling(self.labels, self.titles, 0), self.run, facts, stroke))
 
     def sections(self) -> Iterator[PagePart]:
         """The answer, and what happened on the way, line by line."""

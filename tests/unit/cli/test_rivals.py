@@ -44,7 +44,7 @@ def test_largest_values_of_curves(name, typed):
     rows = joined(said.partition("Largest values")[2])
     for one, entry in curves:
         dimension = entry.dimensions[0]
-        methods = result.titles[dimension]
+        methods = result.titles_of(entry)[dimension]
         own = [row for row in rows if row.split()[0] == one]
         assert len(own) == len(methods)
         for row in own:

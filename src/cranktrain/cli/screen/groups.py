@@ -108,7 +108,7 @@ def _laid(title: str, rows: Sequence[AnswerLine]) -> _Lines:
     """Write the rows of a group."""
     texts = [written(row.values, row.unit) if row.values.size else Written((), "") for row in rows]
     unlike = [
-        dict(zip(row.members, one.texts, strict=True))
+        dict(zip(row.whose, one.texts, strict=True))
         for row, one in zip(rows, texts, strict=True)
         if len(set(one.texts)) > 1
     ]
@@ -118,11 +118,11 @@ def _laid(title: str, rows: Sequence[AnswerLine]) -> _Lines:
 
 def _line(row: AnswerLine, found: Written, columns: MemberColumns) -> _Line:
     """Write a row: in the columns, or in one where all are alike, or who has what in words."""
-    of = dict(zip(row.members or ("",), found.texts, strict=False))
+    of = dict(zip(row.whose or ("",), found.texts, strict=False))
     different = dict.fromkeys(found.texts)
     if len(different) <= 1:
         return _Line(str(row.name), tuple(different), found.label, filled(row.words))
-    of_each = {name_of(members, row.members): text for text, members in holders(row, found).items()}
+    of_each = {name_of(members, row.whose): text for text, members in holders(row, found).items()}
     for chosen, texts in ((columns.first, of), (columns.names, of_each)):
         if chosen and set(chosen) <= set(texts):
             return _Line(str(row.name), tuple(texts[one] for one in chosen), found.label, filled(row.words))

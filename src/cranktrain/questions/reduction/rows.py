@@ -16,7 +16,7 @@ _WORTH_A_ROW = 0.01
 
 def static_rows(of: Telling, found: StaticTorques) -> Iterator[AnswerLine]:
     """Range of the static torque at the first shaft, of the inertia there, and what it is of the drive alone."""
-    shaft = of.labels["drive_shaft"][0]
+    shaft = of.titles["drive_shaft"][0]
     yield worded(
         _("static torque at {shaft}", shaft=shaft),
         _(

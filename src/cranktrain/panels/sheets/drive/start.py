@@ -101,7 +101,7 @@ def _panels(start: Start, levels: tuple[PanelLine, ...]) -> Iterator[Panel]:
 
 def _facts(start: Start) -> Iterator[tuple[Words, Words]]:
     """What stands in the table, of the whole run, whatever times were asked for."""
-    of, facts = Telling(start.labels, 0), start.given[StartFacts]
+    of, facts = Telling(start.labels, start.titles, 0), start.given[StartFacts]
     named = {
         "start_duration": _("ends after"),
         "crank_turns": _("turns of the crank"),
