@@ -35,7 +35,7 @@ class VolumetricDeadCentres:
         "18.2",
     )
     nominal_stroke: Array = quantity(
-        "S_e + S_s", "m", _CYLINDER, N_("Sum of both pistons' own strokes, as makers publish it"), _THEORY, "definition"
+        "S_e + S_s", "m", _CYLINDER, N_("Sum of both pistons' own strokes, as makers publish it"), _THEORY, "18.10"
     )
     inner_volumetric_dead_centre: Array = quantity(
         "φ_i", "deg", _CYLINDER, N_("Crank angle of the least volume"), _THEORY, "18.1", is_place=True
@@ -141,10 +141,10 @@ class CombinedSpeeds:
     """Velocity and acceleration at which opposed pistons part."""
 
     combined_velocity: Array = quantity(
-        "v_Σ", "m/s", _CURVE, N_("Velocity at which both pistons part"), _THEORY, "definition"
+        "v_Σ", "m/s", _CURVE, N_("Velocity at which both pistons part"), _THEORY, "18.10"
     )
     combined_acceleration: Array = quantity(
-        "j_Σ", "m/s^2", _CURVE, N_("Acceleration at which both pistons part"), _THEORY, "definition"
+        "j_Σ", "m/s^2", _CURVE, N_("Acceleration at which both pistons part"), _THEORY, "18.10"
     )
 
 

@@ -118,7 +118,7 @@ class RimSize(Flagged):
         (),
         N_("Mass of the rim by the textbooks' GD² = mD², with its mean diameter"),
         _THEORY,
-        "definition",
+        "17.14",
     )
     rim_speed: Array = quantity("v", "m/s", (), N_("Speed of the rim's outside at the largest speed"), _THEORY, "17.21")
 

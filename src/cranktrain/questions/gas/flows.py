@@ -96,7 +96,7 @@ class CompressorFlow:
     """What the compressors of a machine move at the mean speed."""
 
     inlet_flow: Array = quantity(
-        "Q_s", "m^3/s", _CHAMBER, N_("Volume taken in, as the gas is in the line it comes from"), _THEORY, "definition"
+        "Q_s", "m^3/s", _CHAMBER, N_("Volume taken in, as the gas is in the line it comes from"), _THEORY, "14.27"
     )
 
 

@@ -25,7 +25,7 @@ class HeatBalance:
         _CHAMBER,
         N_("Work of the gas in the working turn over the heat that comes in"),
         _THEORY,
-        "definition",
+        "14.27",
     )
 
 

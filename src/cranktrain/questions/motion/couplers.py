@@ -12,6 +12,7 @@ from cranktrain.questions.motion.dead_centres import rod_angle
 from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
+from cranktrain.references import THEORY_OF_GROUPS as _GROUPS
 from cranktrain.saying.catalogue import coefficients, quantity
 
 _CURVE = ("rocker", "crank_angle")
@@ -49,10 +50,10 @@ class CouplerSpeeds:
     """Angular velocities and accelerations of the rods."""
 
     coupler_angular_velocity: Array = quantity(
-        "ω_2", "rad/s", _CURVE, N_("Angular velocity of the rod"), _THEORY, "definition"
+        "ω_2", "rad/s", _CURVE, N_("Angular velocity of the rod"), _GROUPS, "1.17"
     )
     coupler_angular_acceleration: Array = quantity(
-        "ε_2", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _THEORY, "definition"
+        "ε_2", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _GROUPS, "1.17"
     )
 
 

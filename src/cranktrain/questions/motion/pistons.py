@@ -79,7 +79,7 @@ class PistonSpeeds(Flagged):
     piston_acceleration: Array = quantity(
         "j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY, "2.5"
     )
-    mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY, "definition")
+    mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY, "2.13")
     largest_piston_speed: Extreme = extreme(
         "|v|_max",
         "m/s",

@@ -12,10 +12,10 @@ from cranktrain.motion import ZERO, Array, Coefficient, Link, Point
 from cranktrain.questions.motion.followed import Followed, followed_parts
 from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_GROUPS as _THEORY
 from cranktrain.saying.catalogue import coefficients
 
 _CURVE = ("point", "crank_angle")
-_THEORY = "docs/theory/groups"
 
 
 @record

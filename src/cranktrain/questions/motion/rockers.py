@@ -11,6 +11,7 @@ from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, derivatives_residual
 from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
+from cranktrain.references import THEORY_OF_GROUPS as _GROUPS
 from cranktrain.saying.catalogue import coefficients, extreme, quantity
 from cranktrain.saying.checks import Check, Checked, Flagged, Limit, flagged
 
@@ -184,10 +185,10 @@ class RockerSpeeds:
     """Velocities and accelerations of rockers."""
 
     rocker_angular_velocity: Array = quantity(
-        "ω_3", "rad/s", _CURVE, N_("Angular velocity of the rocker"), _THEORY, "definition"
+        "ω_3", "rad/s", _CURVE, N_("Angular velocity of the rocker"), _GROUPS, "1.17"
     )
     rocker_angular_acceleration: Array = quantity(
-        "ε_3", "rad/s^2", _CURVE, N_("Angular acceleration of the rocker"), _THEORY, "definition"
+        "ε_3", "rad/s^2", _CURVE, N_("Angular acceleration of the rocker"), _GROUPS, "1.17"
     )
 
 

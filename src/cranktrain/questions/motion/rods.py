@@ -16,6 +16,7 @@ from cranktrain.numerics.ties import first_largest
 from cranktrain.numerics.tops import chosen
 from cranktrain.questions.motion.dead_centres import PistonGrid, PistonTurn, slider_and_rod
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_GROUPS as _GROUPS
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
 from cranktrain.saying.catalogue import coefficients, extreme, quantity
 from cranktrain.saying.checks import Flagged
@@ -26,7 +27,6 @@ _ROUNDING = 1e-9
 
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")
-_GROUPS = "docs/theory/groups"
 
 
 @record
@@ -129,11 +129,9 @@ def rod_motion(
 class RodSpeeds:
     """Angular velocities and accelerations of the rods."""
 
-    rod_angular_velocity: Array = quantity(
-        "ω_r", "rad/s", _CURVE, N_("Angular velocity of the rod"), _GROUPS, "definition"
-    )
+    rod_angular_velocity: Array = quantity("ω_r", "rad/s", _CURVE, N_("Angular velocity of the rod"), _GROUPS, "1.17")
     rod_angular_acceleration: Array = quantity(
-        "ε_r", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _GROUPS, "definition"
+        "ε_r", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _GROUPS, "1.17"
     )
 
 

@@ -16,6 +16,7 @@ from cranktrain.questions.press.case import PressCase, PressParts, hindrance, pr
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.start.parts import DeclaredStart
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_CLUTCHED_DRIVES as _THEORY
 from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Check, Checked, Flagged
@@ -25,7 +26,6 @@ from cranktrain.transient.clutched.runs import PRESS_REASONS, RESTS, TIME_IS_OVE
 from cranktrain.transient.clutched.settled import SettledStroke, settled_stroke
 from cranktrain.transient.clutched.stroke import heat_rate_limit, time_limit
 
-_THEORY = "docs/theory/clutched-drive"
 _ENERGY_LIMIT = 1e-6
 _SEEN = 1e-6
 """An angle that is more than rounding of a stroke which was to end there. [rad]"""
@@ -68,7 +68,7 @@ class PressStrokes(Checked, Flagged):
         "Δφ_e", "rad", (), N_("Where the crank rests, from where it started: below 0 before it"), _THEORY, "30.10"
     )
     stroke_time: Array = quantity(
-        "t_s", "s", (), N_("Time of a stroke, from its command until it rests"), _THEORY, "definition"
+        "t_s", "s", (), N_("Time of a stroke, from its command until it rests"), _THEORY, "30.17"
     )
     recovery_time: Array = quantity(
         "t_r",
@@ -76,7 +76,7 @@ class PressStrokes(Checked, Flagged):
         (),
         N_("Time from then until the flywheel has 99 % of its speed at the start"),
         _THEORY,
-        "definition",
+        "30.17",
     )
     flywheel_start_speed: Array = quantity(
         "Ω_0", "rad/s", (), N_("Speed of the flywheel at the start of a stroke"), _THEORY, "30.15", shown="rpm"

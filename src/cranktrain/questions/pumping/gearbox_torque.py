@@ -112,7 +112,7 @@ class GearboxTorque(Checked, Flagged):
     card_work: Array = quantity(
         "W_c", "J", (), N_("Work of a turn at the polished rod: area of its card"), _THEORY, "28.6"
     )
-    polished_rod_power: Array = quantity("P_PR", "W", (), N_("Mean power at the polished rod"), _THEORY, "definition")
+    polished_rod_power: Array = quantity("P_PR", "W", (), N_("Mean power at the polished rod"), _THEORY, "28.13")
     counterbalance_moment: Array = quantity(
         "M", "N*m", (), N_("Largest moment of the counterbalance about the crankshaft"), _THEORY, "definition"
     )
@@ -135,10 +135,10 @@ class GearboxTorque(Checked, Flagged):
         "T_rms,max", "N*m", (), N_("Largest torque with that counterbalance"), _THEORY, "28.8, 28.10"
     )
     torque_share: Array = quantity(
-        "T/T_r", "1", (), N_("Largest torque of either sign, of the gearbox's rating"), _THEORY, "definition"
+        "T/T_r", "1", (), N_("Largest torque of either sign, of the gearbox's rating"), _THEORY, "28.13"
     )
     load_share: Array = quantity(
-        "W/W_r", "1", (), N_("Largest pull at the polished rod, of its rating"), _THEORY, "definition"
+        "W/W_r", "1", (), N_("Largest pull at the polished rod, of its rating"), _THEORY, "28.13"
     )
 
 

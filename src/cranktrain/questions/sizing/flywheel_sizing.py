@@ -20,6 +20,7 @@ from cranktrain.questions.sizing.motor_checks import mean_inertia
 from cranktrain.questions.sizing.parts import WantedFlywheel
 from cranktrain.questions.sizing.peaky_load import PeakyLoad, SlipLine, recovered_inertia
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_DRIVES as _THEORY
 from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged
@@ -30,7 +31,6 @@ from cranktrain.transient.gearing import (
     with_inertia,
 )
 
-_THEORY = "docs/theory/drive"
 _MOST = 1e7
 """In parts of the inertia that is there: above it no flywheel is looked for."""
 _CLOSE = 1e-11

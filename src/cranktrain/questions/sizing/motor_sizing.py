@@ -32,6 +32,7 @@ from cranktrain.questions.sizing.motor_checks import (
 )
 from cranktrain.questions.sizing.parts import DeclaredDuty
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_DRIVES as _THEORY
 from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import Flagged
@@ -39,7 +40,6 @@ from cranktrain.saying.labels import titled
 from cranktrain.saying.wording import number
 from cranktrain.transient.gearing import Gearing, overall_ratio, turning_inertia
 
-_THEORY = "docs/theory/drive"
 _EACH = ("sized_motor",)
 SIZED_MOTORS = {
     "declared": N_("as declared"),

@@ -7,13 +7,12 @@ from cranktrain.motion import Array
 from cranktrain.questions.start.record import StartRun
 from cranktrain.questions.start.starting import EVENTS
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_CLUTCHED_DRIVES as _CLUTCHED
+from cranktrain.references import THEORY_OF_DRIVES as _DRIVE
 from cranktrain.references import THEORY_OF_TRANSIENTS as _THEORY
 from cranktrain.saying.catalogue import DEFINITION, quantity
 from cranktrain.transient.clutched.equation import ANGLE
 from cranktrain.transient.endings import REVERSAL
-
-_CLUTCHED = "docs/theory/clutched-drive"
-_DRIVE = "docs/theory/drive"
 
 _ROUNDING = 1e-9
 _SAME = 8

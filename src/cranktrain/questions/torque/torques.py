@@ -177,9 +177,7 @@ class GearTorques:
     gear_reversals: Array = quantity(
         "n_r", "1", _SHAFT, N_("How often the gear's torque changes its sign over a cycle"), _THEORY, "definition"
     )
-    work_share: Array = quantity(
-        "W/W_Σ", "1", _SHAFT, N_("Share of the shaft in the work of all"), _THEORY, "definition"
-    )
+    work_share: Array = quantity("W/W_Σ", "1", _SHAFT, N_("Share of the shaft in the work of all"), _THEORY, "13.54")
 
 
 def are_geared(shafts: Shafts) -> bool:
