@@ -22,7 +22,7 @@ from cranktrain.one_line import one_line, short
 from cranktrain.quantities import FileUnits, shown_as_in
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
-from cranktrain.saying.run import Behind, Run
+from cranktrain.saying.run import Provenance, Run
 from cranktrain.saying.sections import Compared, ComparedFact, PagePart
 
 _LONGEST_HEAD = 10
@@ -187,7 +187,7 @@ class Comparison(Run):
             [(_(question.capitalize()) or _("More"), list(map(_fact, rows))) for question, rows in groups.items()],
         )
 
-    def behind(self, name: str) -> Behind | None:
+    def behind(self, name: str) -> Provenance | None:
         """What leads to a fact in the first machine that has it."""
         return next(one for one in self.results if name in one.catalogue).behind(name)
 

@@ -8,7 +8,7 @@ from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
-from cranktrain.saying.run import Behind
+from cranktrain.saying.run import Provenance
 
 
 class Place(NamedTuple):
@@ -90,10 +90,10 @@ class Pipeline:
     stages: tuple[StageBehind, ...]
 
     @property
-    def in_short(self) -> Behind:
+    def in_short(self) -> Provenance:
         """Names of the stages, and all tables that are read."""
         tables = frozenset(table.strip("[]") for part in self.declared for table in part.tables)
-        return Behind(tuple(stage.name for stage in self.stages), tables)
+        return Provenance(tuple(stage.name for stage in self.stages), tables)
 
     def lines(self, width: int = 80) -> Iterator[str]:
         """Write it as a page.

@@ -36,7 +36,7 @@ class Axis(NamedTuple):
     values: Array
 
 
-class Behind(NamedTuple):
+class Provenance(NamedTuple):
     """What leads to a quantity: names of stages as they run, tables of the file that they read; where more is said."""
 
     stages: tuple[str, ...]
@@ -161,7 +161,7 @@ class Run:
         if line := entry.in_symbols(self.catalogue):
             yield line
 
-    def behind(self, _name: str) -> Behind | None:
+    def behind(self, _name: str) -> Provenance | None:
         """What leads to a quantity in the machine; None where no stages do."""
         return None
 

@@ -66,7 +66,7 @@ def _section(one: ShownSection, width: int) -> Iterator[Text]:
     """Lay out a section; nothing where its parts have no lines, but the head of what follows."""
     lines = [line for part in one.parts for line in _lines(part, width - INDENT)]
     if lines or not one.parts:
-        yield from heading_lines(str(one.heading))
+        yield from heading_lines(str(one.heading), width)
     yield from (Text(" " * INDENT) + line for line in lines)
 
 

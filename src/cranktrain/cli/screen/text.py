@@ -64,9 +64,11 @@ def _screen() -> Console:
     return Console(**options)
 
 
-def heading_lines(heading: str) -> list[Text]:
+def heading_lines(heading: str, width: int) -> list[Text]:
     """Lay out a heading after an empty line; nothing without one."""
-    return [Text(), Text(as_printed(visible(heading)), style="bold")] if heading else []
+    said = as_printed(visible(heading))
+    lines = textwrap.wrap(said, width, break_on_hyphens=False, break_long_words=False)
+    return [Text(), *(Text(line, "bold") for line in lines)] if heading else []
 
 
 def paragraph(text: str, width: int, style: str = "") -> list[Text]:
