@@ -37,7 +37,7 @@ def grid_lines(grid: Grid, width: int) -> Iterator[str | Text]:
             yield from _with_words(columns, words, width)
             return
         labels = [str(row) for row in range(len(words))]
-    for i, part in enumerate(_side_by_side(columns, width - max(map(cell_len, labels), default=0))):
+    for i, part in enumerate(_side_by_side(columns, width - max(map(cell_len, (title, *labels))))):
         if i and not below:
             yield ""
         has_units = grid.names_quantities or any(column.unit for column in part)

@@ -92,7 +92,7 @@ def fact_tables(result: HasFacts, names: Sequence[str], width: int) -> Iterator[
         if narrow:
             if i:
                 yield ""
-            yield from _by_fact(narrow, groups, members)
+            yield from _by_fact(narrow, groups, members, width)
         wide = [row for row in rows if row not in narrow]
         if wide:
             yield from _by_member(wide, _lines(wide, members), width, _(title) if title else "")
@@ -157,9 +157,12 @@ def _natural_width(rows: Sequence[FactRow], groups: Sequence[Sequence[int]], mem
     )
 
 
-def _by_fact(rows: Sequence[FactRow], groups: Sequence[Sequence[int]], members: Sequence[str]) -> list[Text]:
-    """One row for each fact, one column for each group."""
-    heads = ["", "", "", *(ranged(members, group) for group in groups)]
+def _by_fact(
+    rows: Sequence[FactRow], groups: Sequence[Sequence[int]], members: Sequence[str], width: int
+) -> list[Text]:
+    """One row for each fact, one column for each group; of all, whose names are too long, they are not named."""
+    has_room = len(groups) > 1 or _natural_width(rows, groups, members) <= width
+    heads = ["", "", "", *(ranged(members, group) if has_room else _("all") for group in groups)]
     cells = [[*row.head, *(row.text(members[group[0]]) for group in groups)] for row in rows]
     return table(heads, cells, right=range(3, len(heads)))
 
@@ -215,5 +218,4 @@ def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int, titl
     ]
     beside = [part for label in labels for part in label]
     yield ""
-    room = width - max(0, len(title) - max(map(len, beside)))
-    yield from grid_lines(Grid(columns, beside, title, names_quantities=True), room)
+    yield from grid_lines(Grid(columns, beside, title, names_quantities=True), width)

@@ -29,8 +29,8 @@ _COMMAND = re.compile(r"`cranktrain [^`]*`")
 _WORD = re.compile(r"(?:--set )?(?:'[^']*'|\"[^\"]*\"|[^\s'\"])+")
 """Of a command: what stands between blanks outside of quotes, a setting with its option."""
 
-_LEAST_FOLDED = 9
-"""A cell is not folded narrower than this, however narrow the screen."""
+_LEAST_FOLDED, _NARROWEST = 9, 6
+"""A cell that is narrower than the first makes gaps narrow; than the second it is not, however narrow the screen."""
 
 
 @contextmanager
@@ -175,7 +175,7 @@ def table(
     gap = GAP
     if fold is not None:
         gap = GAP if fold - _width(widths[:-1], GAP) >= min(widths[-1], _LEAST_FOLDED) else 1
-        widths[-1] = max(1, min(widths[-1], max(_LEAST_FOLDED, fold - _width(widths[:-1], gap))))
+        widths[-1] = max(1, min(widths[-1], max(_NARROWEST, fold - _width(widths[:-1], gap))))
     lines: list[Text] = []
     for number, row in enumerate(every):
         *cells, last = row
@@ -192,13 +192,12 @@ def table(
 def _folded(text: str, width: int) -> Iterator[str]:
     """Fold a text to a width; a word that is longer, as `1A.exhaust.main_bearing`, after a dot or underline in it."""
     for line in textwrap.wrap(text, width, break_long_words=False) or [""]:
-        part = ""
-        for piece in re.findall(r"[^._]*[._]*", line) if len(line) > width else [line]:
-            if part and len(part + piece) > width:
-                yield part
-                part = ""
-            part += piece
-        yield part
+        parts = [""]
+        for piece in re.findall(r"[^._]+[._]*|[._]+", line) if len(line) > width else [line]:
+            if parts[-1] and len(parts[-1] + piece) > width:
+                parts.append("")
+            parts[-1] += piece
+        yield from (cut for part in parts for cut in textwrap.wrap(part, width) or [""])
 
 
 def _width(columns: Sequence[int], gap: int) -> int:
