@@ -27,6 +27,7 @@ from cranktrain.saying.catalogue import entries, quantity
 from cranktrain.saying.run import Axis, Run
 from cranktrain.study.start import start
 from cranktrain.synthesis.slider_crank import slider_crank_from_stroke
+from cranktrain.textbook.motion_statements import motion_statements
 
 _PAGE = "docs/theory/synthesis"
 
@@ -76,11 +77,12 @@ def runs():
         "start": start(ct.load("tilting_table"), at=[0.0, 0.5, 1.0]),
         "comparison": compared((ct.run("3d12"), ct.run("vaz_21213")), ("one", "other"), ("stroke", "mean_torque")),
         "proposal": slider_crank_from_stroke(stroke=0.16, pressure_angle=0.5),
+        "statements": motion_statements(ct.load("3d12"), ct.run("3d12")),
         "trial": Trial(),
     }
 
 
-KINDS = ("cycle", "start", "comparison", "proposal", "trial")
+KINDS = ("cycle", "start", "comparison", "proposal", "statements", "trial")
 
 
 def written(run, suffix, folder):

@@ -42,13 +42,13 @@ def form_of(output: str, decimal: str = "point", others: Sequence[str] = (), *, 
 
 
 def texts_of(make: Callable[[], Run]) -> dict[str, Callable[[], Iterable[str | bytes]]]:
-    """What makes a run and files of all of it, by the suffixes of those with a place for any name of a quantity."""
+    """What makes a run and files of all of it, by their suffixes; tables of a text's statements are its own."""
 
     def pieces(suffix: str) -> Iterable[str | bytes]:
         run = make()
         return written(Form(suffix), run, {}, tuple(run.catalogue), is_all=True)
 
-    return {suffix: partial(pieces, suffix) for suffix in (".json", ".xlsx")}
+    return {suffix: partial(pieces, suffix) for suffix in (".json", ".xlsx", ".nc")}
 
 
 def write_run(run: Run, form: Form, output: str, machine: Mapping[str, object], *, force: bool) -> None:

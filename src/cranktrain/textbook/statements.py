@@ -16,6 +16,7 @@ from cranktrain.language import Said, Words, _
 from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.saying.catalogue import DEFINITION, Entry
+from cranktrain.saying.names import key_of_symbol
 from cranktrain.saying.run import Axis, Run
 from cranktrain.texts.contents import numbers_in, plain_number
 from cranktrain.texts.largest_errors import LargestErrors
@@ -160,12 +161,12 @@ class Statements(Run):
 
     @cached_property
     def _named(self) -> "dict[str, Statement | StatementCurve]":
-        """Statements and curves by number, symbol, whose and where; counted where these are alike."""
+        """Statements and curves by keys of symbol, whose, where and number; counted where these are alike."""
         named: dict[str, Statement | StatementCurve] = {}
         for one in (*self.each, *self.over_turn):
-            where = (one.at,) if isinstance(one, Statement) else (one.verdict,)
-            name = " ".join(filter(None, (one.equation, one.symbol, one.of, *where)))
-            counted = chain((name,), (f"{name} {n}" for n in count(2)))
+            where = one.at if isinstance(one, Statement) else one.verdict
+            name = "_".join(map(key_of_symbol, filter(None, (one.symbol, one.of, where, one.equation))))
+            counted = chain((name,), (f"{name}_{n}" for n in count(2)))
             named[next(free for free in counted if free not in named)] = one
         return named
 
@@ -178,7 +179,7 @@ class Statements(Run):
                 one.symbol,
                 one.unit,
                 ("form", "crank_angle") if isinstance(one, StatementCurve) else ("form",),
-                one.name,
+                ", ".join(filter(None, (one.name, one.of, one.at if isinstance(one, Statement) else ""))),
                 one.source,
                 one.equation or DEFINITION,
                 name,
@@ -250,7 +251,8 @@ class Statements(Run):
     def csv(self) -> str:
         """The curves as a table over the crank angle, in SI; exact ones beside, where they are none of the others.
 
-        Where there are no curves, the numbers with their names, a row for each.
+        Where there are no curves, the numbers with their names, a row for each. It is another table than other runs
+        have: what a text says stands in it by the text's own number and letters, with the verdict on it.
         """
         if not self.over_turn:
             return self._csv_of_numbers()

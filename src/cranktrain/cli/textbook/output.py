@@ -18,7 +18,7 @@ from cranktrain.viz.output import FORMATS
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-TABLE, CURVES = ".toml", (".csv", ".json", ".xlsx")
+TABLE, CURVES = ".toml", (".csv", ".json", ".xlsx", ".nc")
 
 
 def output_problems(asked: TextbookRequest, *kinds: str) -> Iterator[Problem]:
