@@ -26,7 +26,6 @@ __all__ = ["pseudo"]
 PACKAGE = Path(ct.__file__).parent
 FACES = ("cli/", "viz/", "io/", "public.py")
 RENDERERS = {
-    "analysis/comparison.py": "writes the table of a comparison",
     "analysis/designs_summary.py": "writes the summary of many designs",
     "analysis/pipeline.py": "writes what stands behind a quantity",
     "analysis/representations.py": "writes what a notebook shows",

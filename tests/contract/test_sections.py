@@ -71,7 +71,8 @@ def test_sections_are_said_when_they_are_read():
         sections = list(run.sections())
         usual = [line.plain for line in page_lines(sections, 80)]
         with in_language(PSEUDO):
-            assert [line.plain for line in page_lines(run.sections(), 80)] != usual
+            said = [line.plain for line in page_lines(sections, 80)]
+            assert said == [line.plain for line in page_lines(run.sections(), 80)] != usual
         assert [line.plain for line in page_lines(sections, 80)] == usual
         with cranktrain.units("in", "psi", "lbf", "lbf*ft"):
             assert [line.plain for line in page_lines(sections, 80)] != usual

@@ -15,8 +15,7 @@ from cranktrain.analysis.result import Result
 from cranktrain.errors import Problem, refuse
 from cranktrain.faces import face
 from cranktrain.grouping import grouped
-from cranktrain.language import Listed, Words
-from cranktrain.language import said as _
+from cranktrain.language import N_, Listed, Words, _
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line, short
 from cranktrain.quantities import FileUnits, shown_as_in
@@ -182,16 +181,13 @@ class Comparison(Run):
         if not groups:
             yield _("Neither machine has a result that could be compared.")
             return
-        yield Compared(
-            self._heads(),
-            [(_(question.capitalize()) or _("More"), list(map(_fact, rows))) for question, rows in groups.items()],
-        )
+        yield Compared(self._heads(), [(_title(question), list(map(_fact, rows))) for question, rows in groups.items()])
 
     def behind(self, name: str) -> Provenance | None:
-        """What leads to a fact in the first machine that has it."""
-        return next(one for one in self.results if name in one.catalogue).behind(name)
+        """What leads to a fact in the first machine; None where it has none."""
+        return self.results[0].behind(name) if name in self.results[0].catalogue else None
 
-    def _heads(self) -> tuple[str, str]:
+    def _heads(self) -> tuple[Words, Words]:
         """Names short enough for a column: of a machine with other values, these are named above."""
         first, second = (one_line(name) for name in self.names)
         if second.startswith(f"{first} ") and first:
@@ -204,7 +200,7 @@ class Comparison(Run):
         first, second = (short(name) for name in self.names)
         n_rows = len(self._rows)
         rows = _("1 row") if n_rows == 1 else _("{n} rows", n=n_rows)
-        return _("<Comparison of {first} and {second}: {rows}>", first=first, second=second, rows=rows)
+        return str(_("<Comparison of {first} and {second}: {rows}>", first=first, second=second, rows=rows))
 
     def __str__(self) -> str:
         """Write it as a table."""
@@ -212,16 +208,22 @@ class Comparison(Run):
 
     def _repr_html_(self) -> str:
         """Write it as a table of a notebook."""
-        heads = "".join(f"<th>{escape(text)}</th>" for text in ("", *self._heads(), "", _("difference"), "%"))
+        titles = map(str, ("", *self._heads(), "", _("difference"), "%"))
+        heads = "".join(f"<th>{escape(text)}</th>" for text in titles)
         parts = [f"<p>{escape(' — '.join(self.names))}</p><table><thead><tr>{heads}</tr></thead><tbody>"]
         for question, rows in grouped((row.question, row) for row in self._rows).items():
-            title = _(question.capitalize()) or _("More")
-            parts.append(f'<tr><th colspan="6" style="text-align:left">{escape(title)}</th></tr>')
+            title = escape(str(_title(question)))
+            parts.append(f'<tr><th colspan="6" style="text-align:left">{title}</th></tr>')
             for row in rows:
                 with self.in_its_units():
                     texts = "".join(f"<td>{escape(text)}</td>" for text in compared_texts(_fact(row)))
                 parts.append(f'<tr><td style="text-align:left">{escape(row.name)}</td>{texts}</tr>')
         return "".join([*parts, "</tbody></table>"])
+
+
+def _title(question: str) -> Words:
+    """Title of a question's facts, or of those of none."""
+    return _(question.capitalize() if question else N_("More"))
 
 
 def _brief_name(name: str) -> str:
@@ -259,4 +261,4 @@ def _percent(row: FactValues) -> float:
 def _fact(row: FactValues) -> ComparedFact:
     """A fact as it is shown."""
     first, second = row.values
-    return ComparedFact(row.name, row.entry.shown, first, second, _percent(row))
+    return ComparedFact(row.called, row.entry.shown, first, second, _percent(row))

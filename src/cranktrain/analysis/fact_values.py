@@ -1,6 +1,7 @@
 """Values of facts of one machine or of several side by side: a row for what stands alike in all of them."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -10,10 +11,23 @@ from cranktrain.analysis.figures import shown_in, text_in
 from cranktrain.analysis.members import Labelled, rows_of
 from cranktrain.analysis.result import Result
 from cranktrain.grouping import grouped
+from cranktrain.language import Said, Words
 from cranktrain.layout.question import Question
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import said_name
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class FactName(Said):
+    """A fact in words, with whose it is."""
+
+    entry: Entry
+    of: str
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it."""
+        return ", ".join((self.entry.words, *map(said_name, self.of.split(", ")))) if self.of else self.entry.words
 
 
 @record
@@ -37,9 +51,14 @@ class FactValues:
     values: tuple[float, ...]
 
     @property
-    def name(self) -> str:
+    def called(self) -> Words:
         """The fact in words, with whose it is."""
-        return ", ".join((self.entry.words, *map(said_name, self.of.split(", ")))) if self.of else self.entry.words
+        return FactName(self.entry, self.of)
+
+    @property
+    def name(self) -> str:
+        """The same here and now."""
+        return str(self.called)
 
     @property
     def texts(self) -> tuple[tuple[str, ...], str]:

@@ -10,11 +10,11 @@ from cranktrain.analysis.result import Result
 from cranktrain.analysis.stages import Missing
 from cranktrain.language import Words, _
 from cranktrain.numerics.ties import first_largest, largest_of
-from cranktrain.saying.amounts import figures
+from cranktrain.saying.amounts import LoneFigure
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.run import Axis, Run
 from cranktrain.saying.sections import Answer, FactTables, Failure, PagePart, Part, Rows, ShownSection, section
-from cranktrain.saying.wording import ABSENT, all_of
+from cranktrain.saying.wording import ABSENT, InPrint, all_of
 
 _NAMED = 4
 """How many of the results that something would give are named."""
@@ -63,7 +63,7 @@ def check_section(result: Result) -> Iterator[ShownSection]:
 
 def mind_section(result: Result) -> Iterator[ShownSection]:
     """Give all that is to be minded."""
-    yield from section(_("Mind"), result.flags)
+    yield from section(_("Mind"), map(InPrint, result.flag_words))
 
 
 def missing_section(result: Result) -> Iterator[ShownSection]:
@@ -79,11 +79,11 @@ def _peaks(run: Run, axis: Axis, names: Sequence[str]) -> Iterator[tuple[Words, 
         labels = run.titles_of(entry)
         for place, method in rivals(labels):
             value, at, member = _refined(run, entry, place) or _in_steps(run, axis, entry, place)
-            shown = figures(np.array([value]), entry.shown)
+            number, unit = (LoneFigure(value, entry.shown, is_unit) for is_unit in (False, True))
             along = [names for names, chosen in zip(labels.values(), place, strict=True) if isinstance(chosen, slice)]
             members = [", ".join(names) for names in itertools.product(*along)]
             whose = ", ".join(filter(None, (method, members[member] if len(members) > 1 else "")))
-            words = (ABSENT, "", "", method) if np.isnan(value) else (shown.texts[0], shown.unit, at, whose)
+            words = (ABSENT, "", "", method) if np.isnan(value) else (number, unit, at, whose)
             yield entry.name, entry.symbol, *words
 
 

@@ -150,6 +150,20 @@ class ApartAmount(Said):
 
 
 @dataclass(frozen=True, slots=True, repr=False)
+class LoneFigure(Said):
+    """A value of the catalogue as tables write it that stands alone, or the unit that it has there."""
+
+    value: float
+    unit: str
+    is_unit: bool = False
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it."""
+        found = figures(np.array([self.value]), self.unit)
+        return found.unit if self.is_unit else found.texts[0]
+
+
+@dataclass(frozen=True, slots=True, repr=False)
 class UnitLabel(Said):
     """The unit in which a value of a size is said."""
 

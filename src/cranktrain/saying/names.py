@@ -23,14 +23,13 @@ def key_of_symbol(text: str) -> str:
     >>> key_of_symbol("θ″₂"), key_of_symbol("Δx"), key_of_symbol("(I.11)"), key_of_symbol("1L")
     ('theta_2_2', 'Delta_x', 'I_11', '1L')
     """
-    parts = unicodedata.normalize("NFKD", text).replace("″", "′′").replace("′′", "_2_").replace("′", "_1_")
-    ascii_words = "".join(one if one.isascii() and one.isalnum() else _in_ascii(one) for one in parts)
-    return "_".join(filter(None, ascii_words.split("_")))
+    parts = unicodedata.normalize("NFKD", text).replace("″", "′′").replace("′′", " 2 ").replace("′", " 1 ")
+    return "_".join("".join(one if one.isascii() and one.isalnum() else _in_ascii(one) for one in parts).split())
 
 
 def _in_ascii(letter: str) -> str:
-    """Name a letter that is not ASCII as it is called, α alpha; of all else an underline stays."""
+    """Name a letter that is not ASCII as it is called, α alpha; of all else a blank stays."""
     if not letter.isalpha():
-        return "_"
+        return " "
     *_before, size, _letter, called = ("", "", *unicodedata.name(letter).split(" "))[-4:]
-    return f"_{called.capitalize() if size == 'CAPITAL' else called.lower()}_"
+    return f" {called.capitalize() if size == 'CAPITAL' else called.lower()} "

@@ -1,7 +1,7 @@
 """Numbers and names put into sentences."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from math import floor, log10
@@ -190,6 +190,21 @@ def in_print(sentence: str) -> str:
     for pattern, instead in _PRINTED:
         sentence = re.sub(pattern, instead, sentence)
     return sentence
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class InPrint(Said):
+    """Words with signs and units as they are printed."""
+
+    words: Words
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say them."""
+        return in_print(str(say(self.words)))
+
+    def each(self) -> Iterable[object]:
+        """Give them."""
+        return (self.words,)
 
 
 _PRINTED = (
