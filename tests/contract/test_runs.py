@@ -187,6 +187,12 @@ def test_every_quantity_says_where_it_is_from(kind):
         assert where.startswith(entry.source)
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_name_of_none_is_answered(kind):
+    with pytest.raises(ct.InputError, match="is no quantity of this run"):
+        next(iter(runs()[kind].why("no such thing")))
+
+
 def test_a_kind_that_nobody_knows_has_a_screen_and_a_picture():
     console = Console(file=io.StringIO(), width=80)
     trial = runs()["trial"]

@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from cranktrain.errors import InputError, Problem
 from cranktrain.faces import face
 from cranktrain.language import Words, _
 from cranktrain.motion import Array
-from cranktrain.quantities import units_asked
+from cranktrain.quantities import nearest, units_asked
 from cranktrain.saying.amounts import Amount
 from cranktrain.saying.catalogue import Entry
 
@@ -155,6 +156,10 @@ class Run:
 
     def why(self, name: str) -> Iterator[Words]:
         """Where a quantity is from: what it is, its equation, and in symbols where it is a line of others."""
+        if name not in self.catalogue:
+            meant = nearest(name, list(self.catalogue))
+            repair = _('write "{text}"', text=meant) if meant else _("`catalogue` names all")
+            raise InputError([Problem("why", name, _("is no quantity of this run"), repair)])
         entry = self.catalogue[name]
         yield f"{entry.symbol or entry.name} [{entry.unit}]: {entry.sentence}"
         yield entry.citation
