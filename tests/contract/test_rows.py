@@ -32,7 +32,7 @@ def pieces_of(words):
 def numbers_of(result):
     """Of each number of the answer, the line that has it and the quantities that it says it is of."""
     labels = {name for names in result.titles.values() for name in names}
-    for _title, rows in result.rows():
+    for _title, rows in result.answer_rows():
         for row in rows:
             if row.values.size:
                 yield row, (row.quantity,)
@@ -54,6 +54,16 @@ def test_nearly_all_numbers_of_all_screens_know_their_quantity():
     assert len(every) > 900
     assert len(unknown) <= (1 - LEAST) * len(every), unknown
     assert {line for _name, line, _quantity in unknown} <= {"natural frequencies"}  # and so many more
+
+
+@pytest.mark.parametrize("name", ["shears", "high_slip_press", "compressor_start"])
+def test_all_numbers_of_a_start_know_their_quantity(name):
+    start = ct.start(name)
+    every = [(str(row.name), one) for row, quantities in numbers_of(start) for one in quantities]
+    assert len(every) >= 10
+    assert [one for one in every if one[1] not in start.catalogue and one[0] != "mind"] == []
+    for row, quantities in numbers_of(start):
+        assert all(start.catalogue[one].equation for one in quantities if str(row.name) != "mind")
 
 
 def test_words_say_where_the_values_of_a_line_stand():
