@@ -23,6 +23,13 @@ def around_zero(angle: Array, period: float = 2 * np.pi) -> Array:
     return np.mod(angle + period / 2, period) - period / 2
 
 
+def slower_over_faster(travel: Array) -> Array:
+    """Way of the slower part of a turn over that of the faster one, where one part is a travel of any sense. [rad]"""
+    there = np.mod(travel, 2 * np.pi)
+    slower = np.maximum(there, 2 * np.pi - there)
+    return slower / (2 * np.pi - slower)
+
+
 def unwrapped(angle: Array) -> Array:
     """Angles without jumps of a turn along the last axis, across NaN too. [rad]"""
     place: NDArray[np.intp] = np.where(np.isnan(angle), 0, np.arange(angle.shape[-1], dtype=np.intp))

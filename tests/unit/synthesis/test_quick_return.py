@@ -27,6 +27,7 @@ def test_run_of_the_offset_slider_crank_gives_the_requirements(ratio, slow_strok
     toward = (result.bottom_dead_centre[0] - result.top_dead_centre[0]) % 360
     slow, quick = (toward, 360 - toward) if slow_stroke == "toward" else (360 - toward, toward)
     assert slow / quick == pytest.approx(ratio, rel=1e-12)
+    assert result.stroke_time_ratio[0] == pytest.approx(ratio, rel=1e-12)
 
 
 def test_given_rod():

@@ -10,7 +10,7 @@ from cranktrain.layout.mechanisms import Distinct, Mechanisms, Pistons, distinct
 from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Coefficient, Link
-from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, turn_grid
+from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, slower_over_faster, turn_grid
 from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.questions.motion.outputs import InCylinders, outputs_of
 from cranktrain.record import record
@@ -155,12 +155,15 @@ class DeadCentres(Flagged):
     bottom_position: Array = quantity(
         "h", "m", _PISTON, N_("Distance from shaft centre to piston pin at bottom dead centre"), _THEORY, "2.7"
     )
+    stroke_time_ratio: Array = quantity(
+        "k", "1", _PISTON, N_("Crank travel of the slower stroke over that of the faster one"), _THEORY, "2.8"
+    )
 
 
 def dead_centres(
     pistons: Pistons, turn: PistonTurn, crank_angle: CrankAngle, cylinders: InCylinders | None
 ) -> DeadCentres:
-    """True dead centres of every piston, roots of s′; docs/theory/slider-crank, eqs. (2.6) and (2.7)."""
+    """True dead centres of every piston, roots of s′; docs/theory/slider-crank, eqs. (2.6) to (2.8)."""
     different = turn.distinct
     bottom, top = (Extreme(one.angle[0], one.value[0]) for one in turn.peaks)
     stroke, position = (different.spread(one)[..., 0] for one in (top.value - bottom.value, top.value))
@@ -173,5 +176,6 @@ def dead_centres(
         bottom_shift=different.spread(around_zero(bottom.angle - np.pi))[..., 0],
         top_position=position,
         bottom_position=different.spread(bottom.value)[..., 0],
+        stroke_time_ratio=different.spread(slower_over_faster(bottom.angle - top.angle))[..., 0],
         unlikely=tuple(flagged(_DISTANCE, np.abs(position) / stroke, stroke / np.abs(position))),
     )

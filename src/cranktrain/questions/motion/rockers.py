@@ -7,7 +7,15 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Rockers
 from cranktrain.layout.speed import Speed, rates
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, derivatives_residual, turn_grid, turning_points, unwrapped
+from cranktrain.numerics import (
+    DERIVATIVES_LIMIT,
+    Extreme,
+    derivatives_residual,
+    slower_over_faster,
+    turn_grid,
+    turning_points,
+    unwrapped,
+)
 from cranktrain.questions.motion.grid_motion import GridMotion
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
@@ -121,8 +129,6 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
     least, most = turning_points(
         lambda phi: _without_jumps(rocker_angle(rockers, phi), turn), _counted(turn.samples.value, turn.middle)
     )
-    travel = np.mod(most.angle - least.angle, 2 * np.pi)
-    slower = np.maximum(travel, 2 * np.pi - travel)
 
     def swinging(values: Array) -> Array:
         return np.where(np.isnan(turn.middle), np.nan, values)[..., 0]
@@ -130,7 +136,7 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
     swing = swinging(most.value - least.value)
     return DeadPositions(
         swing=swing,
-        time_ratio=swinging(slower / (2 * np.pi - slower)),
+        time_ratio=swinging(slower_over_faster(most.angle - least.angle)),
         largest_rocker_angle=Extreme(swinging(crank_angle.counted(most.angle)), swinging(most.value)),
         smallest_rocker_angle=Extreme(swinging(crank_angle.counted(least.angle)), swinging(least.value)),
         unlikely=tuple(flagged(_SWING, 1 / swing, swing)),

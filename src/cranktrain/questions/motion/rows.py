@@ -22,6 +22,8 @@ from cranktrain.saying.wording import around_turn
 
 _ON_AXIS = np.radians(0.005)
 """A dead centre so near the axis is shown as on it. [rad]"""
+_QUICK = 1.1
+"""A time ratio from which on a ram, or a tool, is quick on one of its ways."""
 _NEAR = 0.2
 """A closing margin that is more says nothing of most machines."""
 
@@ -44,6 +46,9 @@ def slider_rows(
             yield top
             if output.is_loaded:
                 yield bottom
+        is_tool = output.is_loaded and not output.has_chambers
+        if is_tool and np.any(of.values(centres, "stroke_time_ratio")[own] > _QUICK):
+            yield of.row(_("time ratio"), centres, "stroke_time_ratio", own=own)
         if speeds is not None:
             yield from _speed_rows(of, speeds, own, words, is_loaded=output.is_loaded)
         if rods is not None and output.is_loaded:

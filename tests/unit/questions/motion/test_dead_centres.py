@@ -123,3 +123,56 @@ def test_answer_names_like_pistons_together():
         assert line_of(central, "Motion", "stroke") == "100.0 mm"
         assert line_of(offset, "Motion", words).startswith(f"{top} after the crank on ")
         assert ("dead centre" in offset.summary()) == bool(cylinder)
+
+
+def whitworth(**numbers):
+    """A lever that turns all round its pivot below the shaft, and a ram on a line through that pivot."""
+    return ct.Machine(
+        name="Whitworth's quick return",
+        rotation="anticlockwise",
+        shaft={"main": {"speed": "60 rpm"}},
+        mechanism={
+            "kind": "chain",
+            "output": "ram",
+            "fixed": {"D": ["0 mm", f"-{numbers['centres']} mm"]},
+            "crank": {"main": {"radius": f"{numbers['radius']} mm"}},
+            "part": [
+                {
+                    "type": "swivel",
+                    "pin": "main.pin",
+                    "guide": {"name": "lever", "from": "D"},
+                    "slider": "block",
+                },
+                {"type": "point", "name": "P", "link": "lever", "along": "-120 mm"},
+                {
+                    "type": "slide",
+                    "rod": {"name": "rod", "from": "P", "length": "600 mm"},
+                    "slider": "ram",
+                    "guide": {"through": "D", "direction": "0 deg", "offset": "0 mm"},
+                    "side": "ahead",
+                },
+            ],
+        },
+    )
+
+
+@pytest.mark.parametrize(("radius", "centres", "shown"), [(150, 100, "2.735"), (150, 30, "1.294"), (200, 170, "4.662")])
+def test_time_ratio_of_a_quick_return(radius, centres, shown):
+    """The ram turns back where the lever lies on its line: while the crank pin is below that, the stroke is the faster.
+
+    The crank goes there by π − 2·arcsin(c/r), the other way by the rest; 2.7352 for 100 in 150.
+    """
+    result = ct.run(whitworth(radius=radius, centres=centres))
+    low = np.arcsin(centres / radius)
+    ratio = (np.pi + 2 * low) / (np.pi - 2 * low)
+    assert result.stroke_time_ratio[0] == pytest.approx(ratio, rel=1e-12)
+    assert line_of(result, "Motion", "time ratio").endswith(shown)
+
+
+def test_time_ratio_of_engines_is_in_no_line():
+    """It is a fact of every piston: 1 of a central crank, (π + ϑ)/(π − ϑ) of an offset one."""
+    result = ct.run(ct.Machine(mechanism=slider(offset="20 mm"), cylinder={"bore": "80 mm"}))
+    theta = np.arcsin(0.02 / (ROD - RADIUS)) - np.arcsin(0.02 / (ROD + RADIUS))
+    assert result.stroke_time_ratio[0] == pytest.approx((np.pi + theta) / (np.pi - theta), rel=1e-12)
+    assert "time ratio" not in result.summary()
+    assert ct.run(ct.Machine(mechanism=slider())).stroke_time_ratio[0] == pytest.approx(1.0, abs=1e-14)
