@@ -166,7 +166,7 @@ def test_loads_over_the_cycle_are_written(typed, tmp_path, monkeypatch):
         (("kamaz_740", "--throw-number", "9"), "--throw-number = 9: must be the number of a throw: 1, 2, 3, 4"),
         (("kamaz_740", "--crank-masses", "x"), "--crank-masses = x: must be one of: given, sizes"),
         (("kamaz_740", "--at", "1e999"), "'--at': 1e999 must be a number of degrees"),
-        (("kamaz_740", "-o", "t.toml"), f"{ENDS_IN}.csv, .json, .xlsx, .png, .svg, .pdf"),
+        (("kamaz_740", "-o", "t.toml"), f"{ENDS_IN}.csv, .json, .xlsx, .nc, .png, .svg, .pdf"),
         (("example", "--at", "3", "--table"), "--table: is for the throw of a machine: name its file"),
         (("kamaz_740", "--set", "K1=3 N"), f"K1 = 3 N: {NOT_A_KEY}"),
         (("kamaz_740", "--forces", "N"), "must be left out beside --throw"),

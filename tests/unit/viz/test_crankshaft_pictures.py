@@ -82,7 +82,7 @@ def test_panels_of_torque(four):
     journals, pins = torque_panels(OneDesign(four, 0))
     assert [len(panel.curves) for panel in (journals, pins)] == [5, 4]
     thick = [curve.name for panel in (journals, pins) for curve in panel.curves if curve.role == "whole"]
-    assert thick == ["journal 4", "pin 4"]
+    assert list(map(str, thick)) == ["journal 4", "pin 4"]
 
 
 @pytest.mark.parametrize("n", [1, 2, 5, 7, 21])

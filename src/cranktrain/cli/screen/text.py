@@ -29,6 +29,9 @@ _COMMAND = re.compile(r"`cranktrain [^`]*`")
 _WORD = re.compile(r"(?:--set )?(?:'[^']*'|\"[^\"]*\"|[^\s'\"])+")
 """Of a command: what stands between blanks outside of quotes, a setting with its option."""
 
+_PIECE = re.compile(r"[^\s._]+[._]*|[._]+")
+"""Of a cell that is folded: a word, or what of it ends in a dot or an underline."""
+
 _LEAST_FOLDED, _NARROWEST = 9, 6
 """A cell that is narrower than the first makes gaps narrow; than the second it is not, however narrow the screen."""
 
@@ -174,7 +177,8 @@ def table(
     widths = [max((cell_len(row[i]) for row in every), default=0) for i in range(len(heads))]
     gap = GAP
     if fold is not None:
-        gap = GAP if fold - _width(widths[:-1], GAP) >= min(widths[-1], _LEAST_FOLDED) else 1
+        least = max(_LEAST_FOLDED, *(cell_len(piece) for row in every for piece in _PIECE.findall(row[-1])))
+        gap = GAP if fold - _width(widths[:-1], GAP) >= min(widths[-1], least) else 1
         widths[-1] = max(1, min(widths[-1], max(_NARROWEST, fold - _width(widths[:-1], gap))))
     lines: list[Text] = []
     for number, row in enumerate(every):
@@ -193,7 +197,7 @@ def _folded(text: str, width: int) -> Iterator[str]:
     """Fold a text to a width; a word that is longer, as `1A.exhaust.main_bearing`, after a dot or underline in it."""
     for line in textwrap.wrap(text, width, break_long_words=False) or [""]:
         parts = [""]
-        for piece in re.findall(r"[^._]+[._]*|[._]+", line) if len(line) > width else [line]:
+        for piece in _PIECE.findall(line) if len(line) > width else [line]:
             if parts[-1] and len(parts[-1] + piece) > width:
                 parts.append("")
             parts[-1] += piece

@@ -93,7 +93,7 @@ def test_the_worst_journal_has_the_widest_range(four):
     """Not the largest torque, which the last has."""
     journals = [i for i, name in enumerate(four.labels["section"]) if "journal" in name]
     words = said(four, "range of torque")
-    assert words.pieces["in_journal"] == "journal 4"
+    assert str(words.pieces["in_journal"]) == "journal 4"
     assert words.pieces["journal"].value == max(four.section_torque_range[0, journals])
     assert journals[int(np.argmax(four.largest_section_torque[0, journals]))] == journals[-1]
 
