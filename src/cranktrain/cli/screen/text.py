@@ -177,8 +177,9 @@ def table(
     widths = [max((cell_len(row[i]) for row in every), default=0) for i in range(len(heads))]
     gap = GAP
     if fold is not None:
-        least = max(_LEAST_FOLDED, *(cell_len(piece) for row in every for piece in _PIECE.findall(row[-1])))
-        gap = GAP if fold - _width(widths[:-1], GAP) >= min(widths[-1], least) else 1
+        pieces = (cell_len(piece) for row in every for piece in _PIECE.findall(row[-1]))
+        least = max(pieces, default=0)
+        gap = GAP if fold - _width(widths[:-1], GAP) >= min(widths[-1], max(_LEAST_FOLDED, least)) else 1
         widths[-1] = max(1, min(widths[-1], max(_NARROWEST, fold - _width(widths[:-1], gap))))
     lines: list[Text] = []
     for number, row in enumerate(every):
