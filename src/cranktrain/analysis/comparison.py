@@ -21,7 +21,7 @@ from cranktrain.one_line import one_line, short
 from cranktrain.quantities import FileUnits, shown_as_in
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
-from cranktrain.saying.run import Provenance, Run
+from cranktrain.saying.run import BehindQuantity, Run
 from cranktrain.saying.sections import Compared, ComparedFact, PagePart
 
 _LONGEST_HEAD = 10
@@ -183,7 +183,7 @@ class Comparison(Run):
             return
         yield Compared(self._heads(), [(_title(question), list(map(_fact, rows))) for question, rows in groups.items()])
 
-    def behind(self, name: str) -> Provenance | None:
+    def behind(self, name: str) -> BehindQuantity | None:
         """What leads to a fact in the first machine; None where it has none."""
         return self.results[0].behind(name) if name in self.results[0].catalogue else None
 

@@ -8,7 +8,7 @@ from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
-from cranktrain.saying.run import Provenance
+from cranktrain.saying.run import BehindQuantity
 
 
 class Place(NamedTuple):
@@ -90,10 +90,10 @@ class Pipeline:
     stages: tuple[StageBehind, ...]
 
     @property
-    def in_short(self) -> Provenance:
+    def in_short(self) -> BehindQuantity:
         """Names of the stages, and all tables that are read."""
         tables = frozenset(table.strip("[]") for part in self.declared for table in part.tables)
-        return Provenance(tuple(stage.name for stage in self.stages), tables)
+        return BehindQuantity(tuple(stage.name for stage in self.stages), tables)
 
     def lines(self, width: int = 80) -> Iterator[str]:
         """Write it as a page.

@@ -25,7 +25,7 @@ from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry, entries, values
 from cranktrain.saying.checks import Check, Checked, Flagged
 from cranktrain.saying.rows import AnswerLine, Telling
-from cranktrain.saying.run import Axis, Provenance, Run
+from cranktrain.saying.run import Axis, BehindQuantity, Run
 from cranktrain.saying.wording import in_print
 
 if TYPE_CHECKING:
@@ -329,7 +329,7 @@ class Result(Run):
         checks: Mapping[str, object] = face("checks_record")(self)
         return checks
 
-    def behind(self, name: str) -> Provenance:
+    def behind(self, name: str) -> BehindQuantity:
         """What leads to a quantity in the machine, of several in the first."""
         from cranktrain.analysis.behind import behind  # only where somebody asks why
 

@@ -1,7 +1,7 @@
 """All that is shown of a run as sections: its numbers, its checks, what to mind, what is missing."""
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -20,12 +20,24 @@ _NAMED = 4
 """How many of the results that something would give are named."""
 
 
-def result_sections(result: Result) -> Iterator[PagePart]:
-    """Give all that there is of one machine: answer, numbers, checks, what to mind, what is missing."""
+def result_sections(
+    result: Result, names: Sequence[str] | None = None, rests_on: Iterable[ShownSection] = ()
+) -> Iterator[PagePart]:
+    """Give all that there is of one machine: answer, numbers, checks, what to mind, what is missing.
+
+    Parameters
+    ----------
+    result : Result
+    names : sequence of str, optional
+        Which of its quantities; all unless given.
+    rests_on : iterable of ShownSection
+        What the numbers rest on, where there is a file.
+    """
     yield Answer(tuple(result.answer_rows()))
-    yield from number_sections(result, tuple(result.catalogue), is_all=True)
+    yield from number_sections(result, tuple(result.catalogue) if names is None else names, is_all=names is None)
     yield from check_section(result)
-    yield from mind_section(result)
+    yield from section(_("Mind"), map(InPrint, result.flag_words))
+    yield from rests_on
     yield from missing_section(result)
 
 
@@ -59,11 +71,6 @@ def number_sections(run: Run, names: Sequence[str], *, is_all: bool) -> Iterator
 def check_section(result: Result) -> Iterator[ShownSection]:
     """Give every check with its residual and limit."""
     yield from section(_("Checks"), _checks(result))
-
-
-def mind_section(result: Result) -> Iterator[ShownSection]:
-    """Give all that is to be minded."""
-    yield from section(_("Mind"), map(InPrint, result.flag_words))
 
 
 def missing_section(result: Result) -> Iterator[ShownSection]:

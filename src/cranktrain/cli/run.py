@@ -28,7 +28,6 @@ from cranktrain.record import record
 
 if TYPE_CHECKING:
     from cranktrain.io.writers import Form
-    from cranktrain.saying.sections import PagePart
 
 
 @record
@@ -136,15 +135,16 @@ def _show(file: MachineFile, request: RunRequest, shown: Shown | None, form: "Fo
 
 def _show_parts(file: MachineFile, result: Result, request: RunRequest, shown: Shown) -> None:
     """Show what was asked for by options."""
-    from cranktrain.analysis.result_sections import check_section, missing_section
+    from cranktrain.analysis.result_sections import check_section, missing_section, result_sections
     from cranktrain.cli.screen.sections import show_sections
     from cranktrain.cli.screen.title import title
-    from cranktrain.io.input_sections import input_section
+    from cranktrain.io.input_sections import input_section, provenance_section
 
     with page(title(file.machine)) as console:
         if shown.full:
             show_lines(console, _above_all(result, console.width))
-            show_sections(console, _all_of(file, result, request))
+            names = None if request.quantities is None else _chosen(result, request)
+            show_sections(console, result_sections(result, names, provenance_section(file)))
         if shown.checks and not shown.full:
             show_sections(console, check_section(result))
         if shown.inputs:
@@ -161,20 +161,6 @@ def _above_all(result: Result, width: int) -> Iterator[Text]:
     for sentence in sentences(result.unused):
         for place, line in enumerate(paragraph(str(sentence), width - len(MARK))):
             yield Text(" " * len(MARK) if place else MARK) + line
-
-
-def _all_of(file: MachineFile, result: Result, request: RunRequest) -> Iterator["PagePart"]:
-    """All that there is: as a result has it, and what it rests on."""
-    from cranktrain.analysis import result_sections as of_result
-    from cranktrain.io.input_sections import provenance_section
-    from cranktrain.saying.sections import Answer
-
-    yield Answer(tuple(result.answer_rows()))
-    yield from of_result.number_sections(result, _chosen(result, request), is_all=request.quantities is None)
-    yield from of_result.check_section(result)
-    yield from of_result.mind_section(result)
-    yield from provenance_section(file)
-    yield from of_result.missing_section(result)
 
 
 def _show_numbers(result: Result, request: RunRequest) -> None:

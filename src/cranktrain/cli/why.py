@@ -13,7 +13,7 @@ from cranktrain.one_line import one_line
 from cranktrain.quantities import nearest
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import spelled
-from cranktrain.saying.run import Provenance, Run
+from cranktrain.saying.run import BehindQuantity, Run
 from cranktrain.saying.sections import PagePart, section
 
 _NAMED = 6
@@ -72,7 +72,7 @@ def _of_line(words: str, run: Run) -> list[Entry]:
     return [run.catalogue[name] for name in names if name in run.catalogue]
 
 
-def _origin(entry: Entry, found: Provenance | None, others: list[Entry], run: Run) -> Iterator[Words]:
+def _origin(entry: Entry, found: BehindQuantity | None, others: list[Entry], run: Run) -> Iterator[Words]:
     """What a quantity is, its equation, in symbols where it is a line of others, and the stages that lead to it."""
     yield from run.why(entry.name)
     if found is not None:
@@ -83,7 +83,7 @@ def _origin(entry: Entry, found: Provenance | None, others: list[Entry], run: Ru
         yield _("The words fit these, too: {names}", names=", ".join(named))
 
 
-def _inputs(file: MachineFile, found: Provenance) -> Iterator[Input]:
+def _inputs(file: MachineFile, found: BehindQuantity) -> Iterator[Input]:
     """Numbers of the file in the tables that are read on the way."""
     for one in inputs_of(file):
         path = one.path.partition("[")[0].split(".")

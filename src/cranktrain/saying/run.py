@@ -37,7 +37,7 @@ class Axis(NamedTuple):
     values: Array
 
 
-class Provenance(NamedTuple):
+class BehindQuantity(NamedTuple):
     """What leads to a quantity: names of stages as they run, tables of the file that they read; where more is said."""
 
     stages: tuple[str, ...]
@@ -166,7 +166,7 @@ class Run:
         if line := entry.in_symbols(self.catalogue):
             yield line
 
-    def behind(self, _name: str) -> Provenance | None:
+    def behind(self, _name: str) -> BehindQuantity | None:
         """What leads to a quantity in the machine; None where no stages do."""
         return None
 

@@ -25,7 +25,7 @@ from cranktrain.questions.start.rows import start_rows
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry, entries
 from cranktrain.saying.rows import AnswerLine, Telling
-from cranktrain.saying.run import Axis, Provenance, Run
+from cranktrain.saying.run import Axis, BehindQuantity, Run
 from cranktrain.saying.sections import Answer, PagePart, Unfolded, section
 from cranktrain.saying.wording import number
 from cranktrain.transient.gearing import overall_ratio
@@ -131,7 +131,7 @@ class Start(Run):
             ],
         }
 
-    def behind(self, name: str) -> Provenance:
+    def behind(self, name: str) -> BehindQuantity:
         """What leads to a quantity in the machine."""
         parts = _parts(self.machine, StartAsked())
         return pipeline(name, stages_over_time(self.machine, parts), parts, self.machine.declared).in_short

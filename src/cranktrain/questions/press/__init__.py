@@ -1,15 +1,10 @@
 """Press: single strokes by clutch and brake, and how many a minute there can be."""
 
 from cranktrain.language import N_
-from cranktrain.layout.drive.declared import DeclaredStroke
 from cranktrain.layout.question import Question, Stage, Use, inner_table
 from cranktrain.questions.press import rows
 from cranktrain.questions.press.strokes import PressStrokes, press_strokes
-
-
-def are_strokes_wanted(stroke: DeclaredStroke | None) -> bool:
-    """Whether single strokes are asked for."""
-    return stroke is not None
+from cranktrain.questions.start.parts import are_strokes_wanted
 
 
 def _over_time() -> tuple[Stage, ...]:

@@ -4,14 +4,10 @@ from cranktrain.layout.drive.declared import DeclaredStroke
 from cranktrain.layout.question import Stage
 from cranktrain.questions.start.asked import MovingParts
 from cranktrain.questions.start.facts import start_facts, stroke_facts
+from cranktrain.questions.start.parts import are_strokes_wanted
 from cranktrain.questions.start.ready import start_case
 from cranktrain.questions.start.record import start_curves, start_events
 from cranktrain.questions.start.starting import start_run
-
-
-def is_stroke(stroke: DeclaredStroke | None) -> bool:
-    """Whether a start is a stroke of a press."""
-    return stroke is not None
 
 
 def is_no_stroke(stroke: DeclaredStroke | None) -> bool:
@@ -26,5 +22,5 @@ STAGES = (
     Stage(start_curves),
     Stage(start_events),
     Stage(start_facts),
-    Stage(stroke_facts, applies=is_stroke),
+    Stage(stroke_facts, applies=are_strokes_wanted),
 )

@@ -6,6 +6,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from cranktrain.layout.design import Designs
+from cranktrain.layout.drive.declared import DeclaredStroke
 from cranktrain.layout.drive.table import StartSpec
 from cranktrain.motion import Array
 from cranktrain.quantities import Given
@@ -74,3 +75,8 @@ def declared_start(spec: StartSpec, designs: Designs) -> DeclaredStart:
     unsaid = dict.fromkeys(given, np.inf) | {"unloaded_until": 0.0}
     orders = [unsaid[name] if one is None else one.array for name, one in given.items()]
     return DeclaredStart(designs.by_design(orders), {name: one.text for name, one in given.items() if one is not None})
+
+
+def are_strokes_wanted(stroke: DeclaredStroke | None) -> bool:
+    """Whether single strokes of a press are asked for; then a start is one."""
+    return stroke is not None
