@@ -57,6 +57,12 @@ OF_PINT = {
     "1/h": "turn/h",
     "Ω": "ohm",
     "mΩ": "mohm",
+    **{name: name for name in ("m³/h", "m³/min", "m³/s", "L/min", "L/s", "kg/h", "kg/min", "kg/s", "lb/h", "lb/min")},
+    "cfm": "ft³/min",
+    "gpm": "gallon/min",
+    "t/h": "1000 kg/h",
+    "g/mol": "g",
+    "kg/mol": "kg",
 }
 """What each unit of the list is to pint. A frequency among results is that of a vibration, in rad/s: turns of it."""
 
@@ -79,6 +85,8 @@ MEASURES = {
     "kg": "kg",
     "kg*m^2": "kg·m²",
     "K": "K",
+    "m^3/s": "m³/h",
+    "kg/s": "kg/h",
     "s": "s",
     "m^2": "cm²",
     "%": "%",
@@ -91,7 +99,7 @@ MEASURES = {
 }
 """By a unit of the catalogue or of rows: a unit of the dimension that it is of, or of what is derived by an angle."""
 
-OF_NONE = {"deg", "position", "1", "number", "m^3/s", "kg*m", "N*m^2", "rad/rad", "rad/rad^2"}
+OF_NONE = {"deg", "position", "1", "number", "J/m^3", "kg*m", "N*m^2", "rad/rad", "rad/rad^2"}
 """Crank angles, numbers, and what no machine file has: in no unit but their own."""
 
 EVERY = {one.name: one for stage in EVERY_STAGE for one in entries(stage.gives)}

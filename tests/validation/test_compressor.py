@@ -69,7 +69,9 @@ def stage(volume, clearance, temperature):
     """A stage of one chamber, its numbers and its room of one design."""
     shape = (1, 1, 1)
     numbers = CompressorNumbers(
-        *(np.full(shape, value) for value in (np.nan, np.nan, 1.3, 1.3, 0.0, 0.0, temperature)), None
+        *(np.full(shape, value) for value in (np.nan, np.nan, 1.3, 1.3, 0.0, 0.0, temperature)),
+        None,
+        *(np.full(shape, value) for value in (0.0289647, 101325.0, 273.15)),
     )
     room = VolumeLimits(np.full(shape, clearance * volume), np.full(shape, (1 + clearance) * volume))
     nothing = np.zeros(shape)

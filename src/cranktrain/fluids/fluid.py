@@ -90,11 +90,14 @@ class Kink(NamedTuple):
         NaN where it has none. [m³]
     sense, turn : float
         On which branch, as in `ChamberState`: +1 where the volume grows; +1 in the working turn.
+    called : str
+        What happens there, where results say when it does: a key of `GasEvents.named`.
     """
 
     volume: Array
     sense: float
     turn: float
+    called: str = ""
 
 
 _Table = TypeVar("_Table", bound=FluidSpec)

@@ -35,6 +35,8 @@ _POUND_FORCE = _POUND * _GRAVITY
 _PSI = _POUND_FORCE / _INCH**2
 _TECHNICAL_ATMOSPHERE = _GRAVITY * 10**4
 TURN = 2 * Fraction("3.1415926535897932384626433832795028841971693993751")
+_GALLON = 231 * _INCH**3
+"""The gallon of the United States."""
 _AMBIENT = 101325
 _FREEZING = "273.15"
 
@@ -211,6 +213,36 @@ class Dimension(Enum):
         (_unit("W/m²/K", "W/(m²·K)", "Вт/м²/К"), _unit("kW/m²/K", "kW/(m²·K)", "кВт/м²/К", si=1000)),
     )
     DENSITY = (N_("a density"), "7200 kg/m³", (_unit("kg/m³", "кг/м³"), _unit("g/cm³", "г/см³", si=1000)))
+    FLOW = (
+        N_("a flow of volume"),
+        "300 m³/h",
+        (
+            _unit("m³/h", "м³/ч", si=Fraction(1, 3600)),
+            _unit("m³/min", "м³/мин", si=Fraction(1, 60)),
+            _unit("m³/s", "м³/с"),
+            _unit("L/min", "l/min", "л/мин", si=Fraction(1, 60000)),
+            _unit("L/s", "l/s", "л/с", si="0.001"),
+            _unit("cfm", "ft³/min", si=_FOOT**3 / 60),
+            _unit("gpm", "gal/min", si=_GALLON / 60),
+        ),
+    )
+    MASS_FLOW = (
+        N_("a flow of mass"),
+        "360 kg/h",
+        (
+            _unit("kg/h", "кг/ч", si=Fraction(1, 3600)),
+            _unit("kg/min", "кг/мин", si=Fraction(1, 60)),
+            _unit("kg/s", "кг/с"),
+            _unit("t/h", "т/ч", si=Fraction(1000, 3600)),
+            _unit("lb/h", "фунт/ч", si=_POUND / 3600),
+            _unit("lb/min", "фунт/мин", si=_POUND / 60),
+        ),
+    )
+    MOLAR_MASS = (
+        N_("a molar mass"),
+        "28.96 g/mol",
+        (_unit("g/mol", "kg/kmol", "г/моль", "кг/кмоль", si="0.001"), _unit("kg/mol", "кг/моль")),
+    )
     TEMPERATURE = (N_("a temperature"), "20 °C", (_unit("°C", "degC", "°С", offset=_FREEZING), _unit("K", "К")))
     TIME = (
         N_("a time"),

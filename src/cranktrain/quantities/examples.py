@@ -164,6 +164,8 @@ EXAMPLES = {
     "starting_ratio": "2.3",
     "starts_per_hour": "12 1/h",
     "static_torque": "6000 N·m",
+    "standard_pressure": "101.325 kPa",
+    "standard_temperature": "0 °C",
     "stator_resistance": "0.9 Ω",
     "step_ratio": "2.5",
     "strokes_per_minute": "30",

@@ -32,6 +32,7 @@ PositiveEnergy: TypeAlias = Annotated[Given, Quantity(Dimension.ENERGY, above=0.
 HeatTransfer: TypeAlias = Annotated[Given, Quantity(Dimension.HEAT_TRANSFER, at_least=0.0)]
 PositiveDensity: TypeAlias = Annotated[Given, Quantity(Dimension.DENSITY, above=0.0)]
 PositiveTorsionalStiffness: TypeAlias = Annotated[Given, Quantity(Dimension.TORSIONAL_STIFFNESS, above=0.0)]
+PositiveMolarMass: TypeAlias = Annotated[Given, Quantity(Dimension.MOLAR_MASS, above=0.0)]
 Temperature: TypeAlias = Annotated[Given, Quantity(Dimension.TEMPERATURE, above=0.0)]
 PositivePower: TypeAlias = Annotated[Given, Quantity(Dimension.POWER, above=0.0)]
 PositiveTime: TypeAlias = Annotated[Given, Quantity(Dimension.TIME, above=0.0)]

@@ -34,6 +34,9 @@ DIMENSIONALITY = {
     Dimension.DENSITY: {M: 1, L: -3},
     Dimension.ENERGY: {M: 1, L: 2, T: -2},
     Dimension.HEAT_TRANSFER: {M: 1, T: -3, "[temperature]": -1},
+    Dimension.FLOW: {L: 3, T: -1},
+    Dimension.MASS_FLOW: {M: 1, T: -1},
+    Dimension.MOLAR_MASS: {M: 1, "[substance]": -1},
     Dimension.TEMPERATURE: {"[temperature]": 1},
     Dimension.TIME: {T: 1},
     Dimension.FREQUENCY: {T: -1},
@@ -65,6 +68,8 @@ OF_PINT = {
     "PS": "metric_horsepower",
     "hp": "UK_horsepower",
     "°C": "delta_degree_Celsius",
+    "cfm": "foot ** 3 / min",
+    "gpm": "gallon / min",
 }
 """What pint calls a unit, where it is not called so."""
 UNITS = [(dimension, unit) for dimension in Dimension for unit in dimension.units]

@@ -77,6 +77,7 @@ GENERAL = (
         "last_speed",
         "length",
         "mass",
+        "molar_mass",
         "near",
         "no_load_speed",
     ),

@@ -1,12 +1,13 @@
 """Compressor with clearance: suction, compression, discharge, re-expansion; one stage or several that share a flow."""
 
-from cranktrain.fluids.compressor.chamber import in_chamber, turn_work, valve_kinks
+from cranktrain.fluids.compressor.chamber import DISCHARGE_OPENS, SUCTION_OPENS, in_chamber, turn_work, valve_kinks
 from cranktrain.fluids.compressor.pressure import (
     Compressor,
     capacity,
     compressor_pressure,
     compressor_slope,
     compressor_work,
+    discharge_temperature,
     suction_heating,
 )
 from cranktrain.fluids.compressor.spec import CompressorSpec, compressor_numbers, stage_problems
@@ -14,7 +15,17 @@ from cranktrain.fluids.compressor.stages import staged
 from cranktrain.fluids.fluid import Fluid
 from cranktrain.language import N_
 
-__all__ = ["KIND", "Compressor", "CompressorSpec", "capacity", "compressor_work", "suction_heating"]
+__all__ = [
+    "DISCHARGE_OPENS",
+    "KIND",
+    "SUCTION_OPENS",
+    "Compressor",
+    "CompressorSpec",
+    "capacity",
+    "compressor_work",
+    "discharge_temperature",
+    "suction_heating",
+]
 
 KIND = Fluid(
     name="compressor",
@@ -39,5 +50,7 @@ compression_exponent = 1.35
 # suction_loss = 0.03             # by which part of the line's the pressure is less in the chamber
 # discharge_loss = 0.03
 # suction_temperature = "20 °C"
+# molar_mass = "28.9647 g/mol"    # dry air
+# standard_temperature = "0 °C"   # of the state at which flow counts as well, with standard_pressure
 """,
 )

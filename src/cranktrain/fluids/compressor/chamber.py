@@ -11,10 +11,15 @@ from cranktrain.fluids.state import VolumeLimits
 from cranktrain.motion import Array
 
 
+SUCTION_OPENS, DISCHARGE_OPENS = "suction opens", "discharge opens"
+"""What happens at kinks of its pressure."""
+
+
 class CompressorNumbers(NamedTuple):
     """What a machine file's table says: pressures of the lines, NaN to be found [Pa]; exponents, losses [1]; [K].
 
-    takes_from: the stage before, if any.
+    takes_from: the stage before, if any. molar_mass [kg/mol]; standard_pressure, standard_temperature: at which the
+    standard flow counts [Pa, K].
     """
 
     suction_pressure: Any
@@ -25,6 +30,9 @@ class CompressorNumbers(NamedTuple):
     discharge_loss: Any
     suction_temperature: Any
     takes_from: Any
+    molar_mass: Any
+    standard_pressure: Any
+    standard_temperature: Any
 
 
 def in_chamber(numbers: CompressorNumbers, rooms: Rooms) -> Compressor:
@@ -45,9 +53,11 @@ def valve_kinks(compressor: Compressor, limits: VolumeLimits) -> tuple[Kink, ...
     """Where suction and discharge valves open, in every turn; nowhere if nothing is delivered."""
     found = corners(compressor, limits)
     delivers = found.discharge_opens > limits.smallest
-    opens = ((found.suction_opens, 1.0), (found.discharge_opens, -1.0))
+    opens = ((found.suction_opens, 1.0, SUCTION_OPENS), (found.discharge_opens, -1.0, DISCHARGE_OPENS))
     return tuple(
-        Kink(np.where(delivers, volume, np.nan), sense, turn) for volume, sense in opens for turn in (1.0, -1.0)
+        Kink(np.where(delivers, volume, np.nan), sense, turn, called)
+        for volume, sense, called in opens
+        for turn in (1.0, -1.0)
     )
 
 

@@ -158,6 +158,18 @@ def capacity(compressor: Compressor, limits: VolumeLimits) -> Array:
     return (limits.largest - opens) / (limits.largest - limits.smallest)
 
 
+def discharge_temperature(compressor: Compressor, limits: VolumeLimits) -> Array:
+    """Temperature at which the gas is delivered; NaN where none is. [K]
+
+    Notes
+    -----
+    From the end of suction along the polytrope, T₁ π^((n_c − 1)/n_c). docs/theory/gas, eq. (14.28).
+    """
+    rise = compressor.discharge_pressure / compressor.suction_pressure
+    start = compressor.temperature * suction_heating(compressor, limits)
+    return start * rise ** (1 - 1 / compressor.compression_exponent)
+
+
 def suction_heating(compressor: Compressor, limits: VolumeLimits) -> Array:
     """Temperature at the end of suction over that of what is taken in, T₁/T_s, by which the masses close.
 

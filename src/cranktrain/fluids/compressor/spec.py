@@ -14,7 +14,7 @@ from cranktrain.fluids.fluid import FluidSpec, table_path
 from cranktrain.language import N_, _
 from cranktrain.motion import single
 from cranktrain.paths import quantity_path
-from cranktrain.quantities import Dimension, Given, PositivePressure, Quantity, Temperature
+from cranktrain.quantities import Dimension, Given, PositiveMolarMass, PositivePressure, Quantity, Temperature
 from cranktrain.spec import missing
 
 Loss = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
@@ -51,6 +51,16 @@ class CompressorSpec(FluidSpec, frozen=True):
     suction_temperature: Temperature = Field(
         default=Given(293.15, "20 °C"), description=N_("Of what it takes in; behind a cooler, that of the cooled gas.")
     )
+    molar_mass: PositiveMolarMass = Field(
+        default=Given(0.0289647, "28.9647 g/mol"), description=N_("Of the gas, an ideal one; dry air unless given.")
+    )
+    standard_pressure: PositivePressure = Field(
+        default=Given(101325.0, "1.01325 bar"), description=N_("Of the standard state at which flow is counted as well.")
+    )
+    standard_temperature: Temperature = Field(
+        default=Given(273.15, "0 °C"),
+        description=N_("Of the standard state: 0 °C of a normal cubic metre, 60 °F of a standard cubic foot."),
+    )
 
 
 def compressor_numbers(spec: CompressorSpec) -> CompressorNumbers:
@@ -68,6 +78,9 @@ def compressor_numbers(spec: CompressorSpec) -> CompressorNumbers:
         spec.discharge_loss.array,
         spec.suction_temperature.array,
         spec.takes_from,
+        spec.molar_mass.array,
+        spec.standard_pressure.array,
+        spec.standard_temperature.array,
     )
 
 

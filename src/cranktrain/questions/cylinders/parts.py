@@ -10,13 +10,14 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts
 from cranktrain.motion import Array
 from cranktrain.numerics.designs import by_design
-from cranktrain.questions.cylinders.declared import Cylinder, cylinder_problems, cylinders_of
+from cranktrain.quantities import Given
+from cranktrain.questions.cylinders.declared import Cylinder, cylinder_problems, cylinders_of, name_of_side
 from cranktrain.questions.cylinders.firing import Cycle, FiringOrder, common_order
 from cranktrain.questions.cylinders.firing_order import firing_order_of
 from cranktrain.questions.cylinders.ports import Ports
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.cylinders.travel import CylinderPistons
-from cranktrain.questions.cylinders.volumes import Chambers, CompressionRatios
+from cranktrain.questions.cylinders.volumes import ATMOSPHERE, Chambers, CompressionRatios
 
 
 def cylinders(design: Design) -> tuple[Cylinder, ...]:
@@ -82,14 +83,14 @@ def chambers_at(design: Design, piston: str) -> dict[int, str]:
 def chamber_names(cylinders: Sequence[Cylinder]) -> list[str]:
     """Name the chambers: `1L`, or `1L.head` and `1L.crank` where both sides of the piston work."""
     return [
-        cylinder.name if cylinder.chambers == ("head",) else f"{cylinder.name}.{side}"
+        cylinder.name if cylinder.chambers == ("head",) else name_of_side(cylinder.name, side)
         for cylinder, side in chamber_sides(cylinders)
     ]
 
 
 def chambers_of(cylinders: Sequence[Cylinder], n_pistons: int, n_designs: int) -> Chambers | None:
     """Signed area matrix of the working chambers; None where no bore is given."""
-    bore, rod = (_si(cylinders, field, n_designs) for field in ("bore", "piston_rod"))
+    bore, rod, ambient = (_si(cylinders, field, n_designs) for field in ("bore", "piston_rod", "ambient"))
     if not cylinders or np.any(np.isnan(bore)):
         return None
     cylinder, sides = _sides(cylinders)
@@ -108,12 +109,17 @@ def chambers_of(cylinders: Sequence[Cylinder], n_pistons: int, n_designs: int) -
         cylinder=cylinder,
         is_head=is_head,
         areas=areas,
+        ambient=np.where(np.isnan(ambient), ATMOSPHERE, ambient)[:, cylinder],
     )
 
 
 def _si(cylinders: Sequence[Cylinder], field: str, n_designs: int) -> Array:
     """Give a field of all cylinders, shape (design, cylinder), NaN where one has none."""
-    given = [getattr(cylinder, field) for cylinder in cylinders]
+    return _as_numbers([getattr(cylinder, field) for cylinder in cylinders], n_designs)
+
+
+def _as_numbers(given: Sequence[Given | None], n_designs: int) -> Array:
+    """Numbers of all designs, shape (design, given); NaN for none."""
     return by_design([np.nan if value is None else value.array for value in given], n_designs)
 
 
@@ -128,21 +134,22 @@ def compression_ratios_of(cylinders: Sequence[Cylinder], n_designs: int) -> Comp
 
     The common ratio is the first master's; the heads of the other cylinders share its deck and chamber.
     """
-    ratio = _si(cylinders, "compression_ratio", n_designs)
+    rooms = [room for one in cylinders for room in one.ratios]
+    ratio = _as_numbers([room.ratio for room in rooms], n_designs)
     cylinder, sides = _sides(cylinders)
     is_head = sides == "head"
     heads = np.flatnonzero(is_head).tolist()
     leader = next((k for k in heads if cylinders[int(cylinder[k])].is_master), heads[0] if heads else 0)
-    if not cylinders or np.any(np.isnan(ratio[:, cylinder[leader]])):
+    if not cylinders or np.any(np.isnan(ratio[:, leader])):
         return None
-    has_own = np.array([one.has_own_ratio for one in cylinders])[cylinder]
+    has_own = np.array([room.is_own for room in rooms])
     owners: list[int] = cylinder.tolist()
     of_piston = {piston: k for k in heads for piston in cylinders[int(cylinder[k])].pistons}
     return CompressionRatios(
-        value=np.where((cylinder == cylinder[leader]) | ~is_head | has_own, ratio[:, cylinder], np.nan),
+        value=np.where((cylinder == cylinder[leader]) | ~is_head | has_own, ratio, np.nan),
         leader=np.where(is_head, leader, np.arange(len(cylinder))),
         master=np.array([of_piston.get(cylinders[i].carrier, k) for k, i in enumerate(owners)], dtype=np.intp),
-        is_clearance=cylinders[int(cylinder[leader])].paths["compression_ratio"].endswith(".clearance"),
+        is_clearance=rooms[leader].is_clearance,
     )
 
 

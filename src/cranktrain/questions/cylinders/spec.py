@@ -53,6 +53,13 @@ class CylinderSpec(Spec, frozen=True):
     piston_rod: PositiveLength | None = Field(
         default=None, description=N_("Diameter of the piston rod, which takes up room on the crank's side.")
     )
+    ambient: Pressure | None = Field(
+        default=None,
+        description=N_(
+            "Absolute pressure on the piston where no chamber is: in the crankcase, or on the piston rod; 101.325 kPa "
+            "unless given."
+        ),
+    )
 
     def _problems(self) -> Iterator[Problem]:
         """Find two chambers on one side of a piston, and room that is given twice."""
@@ -60,6 +67,10 @@ class CylinderSpec(Spec, frozen=True):
             yield Problem("clearance", self.clearance.text, _("must not stand beside compression_ratio, which says it"))
         if self.chambers is not None and len(set(self.chambers)) < len(self.chambers):
             yield Problem("chambers", None, _("must name each side once"))
+
+
+ROOM = ("compression_ratio", "clearance")
+"""Keys that a single chamber's table may have: each says how much room is left in it."""
 
 
 def ratio_of(table: CylinderSpec) -> tuple[str, Given] | None:
@@ -74,7 +85,7 @@ def ratio_of(table: CylinderSpec) -> tuple[str, Given] | None:
 
 
 class CylindersSpec(CylinderSpec, OverriddenSpec, frozen=True):
-    """All cylinders: their common dimensions, cycle, firing and friction, and `overrides` by bank or cylinder.
+    """All cylinders: their common dimensions, cycle, firing and friction, and `overrides` by bank, cylinder or chamber.
 
     Firing is an order, or the crank angles at which the cylinders fire, as they are shown: one for each cylinder in the
     order of the file, or by name.
@@ -110,8 +121,10 @@ class CylindersSpec(CylinderSpec, OverriddenSpec, frozen=True):
     )
     overrides: Mapping[str, CylinderSpec] = Field(
         default={},
-        alias="NAME (a bank or cylinder)",
-        description=N_("What one bank or one cylinder has of its own."),
+        alias="NAME (a bank, a cylinder or a chamber)",
+        description=N_(
+            'What one bank or one cylinder has of its own, or one side of a piston, as "1.crank": its clearance.'
+        ),
     )
 
     @property

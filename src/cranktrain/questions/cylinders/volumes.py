@@ -18,6 +18,8 @@ from cranktrain.saying.checks import Flagged, Limit, flagged
 from cranktrain.saying.wording import ranged
 
 _CHAMBER = ("chamber",)
+ATMOSPHERE = 101325.0
+"""Pressure under pistons, and on piston rods, where the file says none. [Pa]"""
 
 
 @record
@@ -36,6 +38,8 @@ class Chambers:
         Whether it is at the head, or between opposed pistons; otherwise it is on the crank's side.
     areas : Array, shape (design, piston, chamber)
         Signed: a chamber's volume grows by the area for each metre of piston displacement. [m²]
+    ambient : Array, shape (design, chamber)
+        Absolute pressure on the same piston where no chamber is. [Pa]
     """
 
     needs: ClassVar[str] = N_("[cylinder] bore")
@@ -45,6 +49,7 @@ class Chambers:
     cylinder: NDArray[np.intp]
     is_head: NDArray[np.bool_]
     areas: Array
+    ambient: Array
 
     @property
     def labels(self) -> dict[str, tuple[str, ...]]:

@@ -6,7 +6,7 @@ from cranktrain.errors import Problem
 from cranktrain.fluids import FluidSpec, fluid_of
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.question import Parts, Question, Stage, TableFile, Use, keys
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, TableFile, Use, keys
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.cylinders.firing import Cycle, FiringOrder
 from cranktrain.questions.cylinders.spec import CylindersSpec
@@ -54,9 +54,11 @@ QUESTION = Question(
         Stage(flows.compressor_flow),
         Stage(heat.heat_balance, applies=heat.has_heat),
         Stage(powers.indicated_powers),
+        Stage(flows.compressor_stages),
         Stage(powers.brake_powers),
         Stage(unlikely.unlikely_gas),
     ),
+    dimensions=(ResultDimension("gas_stage", N_("stage")),),
     headline=("brake_power", "indicated_power", "indicated_mean_pressure", "peak_pressure"),
     title=N_("Gas"),
     rows=(

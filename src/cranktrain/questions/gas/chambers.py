@@ -25,8 +25,6 @@ from cranktrain.record import record
 from cranktrain.saying.checks import Flagged
 from cranktrain.saying.wording import ranged
 
-AMBIENT = 101325.0
-"""Pressure under the pistons. [Pa]"""
 _TELLING = np.array([0.0, 0.6, 1.7, 3.9])
 _DIGITS = 9
 """Of volumes that are one."""
@@ -191,8 +189,7 @@ class GasInChambers(Flagged):
 
     def force(self, pressure: Array) -> Array:
         """Force of the gas less the ambient pressure on every piston, toward its shaft, (design, piston, n). [N]"""
-        areas = self.chambers.areas
-        return self.chambers.pushed(pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
+        return self.chambers.pushed(pressure - self.chambers.ambient[..., np.newaxis])
 
 
 def gas_in_chambers(
@@ -287,13 +284,15 @@ def _volume_from_firing(
 
 
 def _origin(gas: GasInChambers, declared: DeclaredGas) -> NDArray[np.intp]:
-    """Find the first chamber of each design that one table fills too, and that goes through the same volumes."""
+    """Find the first chamber of each design that one table fills too, with the same volumes against the same ambient."""
     every = range(len(gas.chambers.names))
     then = gas.at_own(gas.firing + _TELLING, every, lambda angle: gas.volume(angle).value)
     seen = np.concatenate([*gas.limits, then], axis=-1)
     place = 10.0 ** (_DIGITS - 1 - np.floor(np.log10(np.abs(seen))))
     rounded = np.rint(seen * place) / place
     is_same = np.all(rounded[:, :, np.newaxis] == rounded[:, np.newaxis], axis=-1)
+    ambient = gas.chambers.ambient
+    is_same &= ambient[:, :, np.newaxis] == ambient[:, np.newaxis]
     return np.argmax(is_same & (declared.table[:, np.newaxis] == declared.table), axis=-1)
 
 

@@ -49,6 +49,10 @@ class DeclaredGas:
         """Whether cylinders fire, and so need a cycle and an order."""
         return any(table.fluid.fires for table in self.tables)
 
+    def numbers(self, path: str) -> Any:
+        """Numbers of the table with that path."""
+        return next(table.numbers for table in self.tables if table.path == path)
+
 
 def gas_tables(design: Design) -> dict[str, FluidSpec]:
     """Give the fluids of a machine by their paths; none where it has no `[gas]`."""

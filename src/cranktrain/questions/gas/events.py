@@ -1,9 +1,11 @@
 """Events of the gas: dead centres and kinks of its pressure, between which all torques are smooth."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
+from cranktrain.fluids import Kink
 from cranktrain.motion import Array, Coefficient
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.gas.chambers import GasInChambers
@@ -23,10 +25,13 @@ class GasEvents:
         φ of each chamber's dead centres, kinks and ends of pieces of a measured card in a cycle; NaN for none. [rad]
     least : Coefficient, shape (design, distinct, 1)
         Volume of the gas's distinct chambers at their firing. [m³, m³/rad, m³/rad²]
+    named : mapping of str to Array, shape (design, chamber)
+        φ of those kinks that are called something, in the working turn. [rad]
     """
 
     angle: Array
     least: Coefficient
+    named: Mapping[str, Array]
 
 
 def gas_events(gas: GasInChambers, travel: CylinderTravel) -> GasEvents:
@@ -34,18 +39,35 @@ def gas_events(gas: GasInChambers, travel: CylinderTravel) -> GasEvents:
     firing, opposite = gas.dead_centres(travel)
     turns = 2 * np.pi * np.arange(round(gas.cycle / (2 * np.pi)))
     least = _volume_at(gas, firing[:, gas.distinct, np.newaxis], gas.distinct)
+    kinks = _kinks(gas, firing, least)
     return GasEvents(
         np.concatenate(
             [
                 firing[..., np.newaxis] + turns,
                 opposite[..., np.newaxis] + turns,
-                _kinks(gas, firing, least),
+                kinks,
                 gas.firing + _breaks(gas),
             ],
             axis=-1,
         ),
         least,
+        _named(gas, kinks),
     )
+
+
+def _named(gas: GasInChambers, kinks: Array) -> dict[str, Array]:
+    """φ of the kinks that are called something, by the names: NaN of chambers whose gas has none so called."""
+    found: dict[str, Array] = {}
+    for number, (places, kink) in enumerate(_each_kink(gas)):
+        if kink.called and kink.turn > 0:
+            whole = found.setdefault(kink.called, np.full(kinks.shape[:2], np.nan))
+            whole[:, places] = kinks[:, places, number]
+    return found
+
+
+def _each_kink(gas: GasInChambers) -> list[tuple[NDArray[np.intp], Kink]]:
+    """Kinks of all fluids, each with the chambers that have it."""
+    return [(one.places, kink) for one in gas.fillings for kink in one.fluid.kinks(one.ready, one.rooms.limits)]
 
 
 def _volume_at(gas: GasInChambers, angle: Array, places: Sequence[int]) -> Coefficient:
@@ -88,7 +110,7 @@ def _breaks(gas: GasInChambers) -> Array:
 
 def _kinks_of_fluids(gas: GasInChambers) -> Array:
     """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
-    each = [(one.places, kink) for one in gas.fillings for kink in one.fluid.kinks(one.ready, one.rooms.limits)]
+    each = _each_kink(gas)
     filled = np.full((3, *gas.firing.shape[:2], len(each)), np.nan)
     for number, (places, kink) in enumerate(each):
         for part, value in zip(filled, (kink.volume[..., 0], kink.sense, kink.turn), strict=True):

@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from cranktrain.language import Message, _
-from cranktrain.questions.gas.flows import CompressorCapacity, CompressorFlow
+from cranktrain.language import N_, Message, _
+from cranktrain.questions.gas.flows import CompressorCapacity, CompressorStages
 from cranktrain.questions.gas.heat import HeatBalance
 from cranktrain.questions.gas.powers import BrakePowers, IndicatedPowers
 from cranktrain.questions.gas.pressures import GasPressures
@@ -38,16 +38,21 @@ def _after(of: Telling, pressures: GasPressures) -> Message | None:
     return (after if angle.value > 0 else before).format(angle=replace(angle, value=abs(angle.value)))
 
 
-def compressor_rows(of: Telling, lines: CompressorCapacity, flow: CompressorFlow | None) -> Iterator[AnswerLine]:
-    """Between which pressures a compressor works, what it takes in and what flows."""
+def compressor_rows(of: Telling, lines: CompressorCapacity, stages: CompressorStages | None) -> Iterator[AnswerLine]:
+    """Between which pressures a compressor works, how warm it delivers, what it takes in and what flows."""
     suction = of.alike(lines, "suction_line_pressure")
     if suction is None:
         yield of.row(_("suction pressure"), lines, "suction_line_pressure")
-    words = None if suction is None else _("{values}, suction {suction}", suction=suction)
+    warm = of.alike(lines, "discharge_temperature")
+    is_said = suction is not None and warm is not None
+    words = _("{values} at {warm}, suction {suction}", suction=suction, warm=warm) if is_said else None
     yield of.row(_("discharge pressure"), lines, "discharge_line_pressure", words)
+    if not is_said:
+        yield of.row(_("discharge temperature"), lines, "discharge_temperature")
     yield of.row(_("takes in"), lines, "volumetric_efficiency", _("{values} of the swept volume"), unit="%")
-    if flow is not None:
-        yield of.row(_("flow at the inlet"), flow, "inlet_flow")
+    if stages is not None:
+        said = N_("{total_inlet_flow} at the inlet, {total_mass_flow}, {specific_power}")
+        yield of.line(_("capacity"), said, stages)
 
 
 def power_rows(

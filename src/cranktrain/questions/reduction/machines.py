@@ -17,7 +17,7 @@ from cranktrain.numerics.polyline import Polyline
 from cranktrain.questions.evenness.spec import GivenFlywheel
 from cranktrain.questions.forces.events import ForceEvents, with_shafts
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.gas.chambers import AMBIENT, Filling
+from cranktrain.questions.gas.chambers import Filling, GasInChambers
 from cranktrain.questions.reduction.smooth import smooth_pieces
 from cranktrain.record import record
 from cranktrain.transient.reduced import (
@@ -110,7 +110,7 @@ def reduced_machines(
             ReducedMachine(
                 own.reshape(len(own), -1),
                 *_loads(loaded, ways, on_shaft, others, design, float(crank_angle.zero[design, 0, 0])),
-                *_chambers(remembering, first_volume, design),
+                *_chambers(loaded.gas, first_volume, design),
             )
             for design, own in enumerate(pieces)
         ),
@@ -241,20 +241,20 @@ def _table(rows: Sequence[tuple[Any, ...]], width: int) -> Array:
     return np.array(rows, dtype=float).reshape(-1, width)
 
 
-def _chambers(remembering: Sequence[Filling], first_volume: int, design: int) -> tuple[Array, Array]:
+def _chambers(gas: GasInChambers | None, first_volume: int, design: int) -> tuple[Array, Array]:
     """Chambers of compressors of one design, and room for what they remember."""
     rows: list[ReducedChamber] = []
-    for filling in remembering:
+    for filling in [] if gas is None else gas.filled_with("compressor"):
         for place in filling.places.tolist():
-            gas: Compressor = filling.of_chamber(design, place)
+            own: Compressor = filling.of_chamber(design, place)
             rows.append(
                 ReducedChamber(
                     volume=first_volume + len(rows),
-                    suction_pressure=_only(gas.suction_pressure),
-                    discharge_pressure=_only(gas.discharge_pressure),
-                    compression_exponent=_only(gas.compression_exponent),
-                    expansion_exponent=_only(gas.expansion_exponent),
-                    ambient=AMBIENT,
+                    suction_pressure=_only(own.suction_pressure),
+                    discharge_pressure=_only(own.discharge_pressure),
+                    compression_exponent=_only(own.compression_exponent),
+                    expansion_exponent=_only(own.expansion_exponent),
+                    ambient=_only(gas.chambers.ambient[design, place]),
                 )
             )
     return _table(rows, len(ReducedChamber._fields)), np.zeros((len(rows), 2))
@@ -278,7 +278,8 @@ def _gas_over_cycle(
 
     def torque(angle: Array) -> Array:
         volume = gas.volume(angle)
-        return np.sum(((gas.pressure(angle, volume) - AMBIENT) * volume.first)[:, own], axis=1)
+        over = gas.pressure(angle, volume) - gas.chambers.ambient[..., np.newaxis]
+        return np.sum((over * volume.first)[:, own], axis=1)
 
     yield _Curve(_each_design(torque, crank_angle, events), False, np.ones(1), 0.0)
 

@@ -29,7 +29,7 @@ from cranktrain.questions.forces.events import ForceEvents, breaks_at_speed
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques, driving_torques, reduced_batches
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
-from cranktrain.questions.gas.chambers import AMBIENT, GasInChambers
+from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.events import GasEvents
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.motion.pistons import PistonMotion
@@ -298,6 +298,7 @@ def _of_chambers(
                 * -gas.pistons.alone(design, piston, cut.angle + start).slider.first[0]
                 for piston in by_chamber[0].tolist()
             ]
-        torque = np.stack([(pressure - AMBIENT) * slope for slope in slopes])
+        over = pressure - gas.chambers.ambient[design, first]
+        torque = np.stack([over * slope for slope in slopes])
         starts = gas.firing[design, places, 0] - crank_angle.zero[design, 0, 0]
         yield Source(design, cut, torque, starts, shafts[np.stack(by_chamber)])

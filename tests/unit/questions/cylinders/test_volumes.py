@@ -163,7 +163,12 @@ def test_pressures_push_their_own_pistons():
     """A double-acting piston and one of two opposed ones, in whole numbers: forces by hand, and NaN stays at home."""
     areas = np.array([[[3.0, -2.0, 0.0], [0.0, 0.0, 5.0], [0.0, 0.0, 5.0]]])
     chambers = Chambers(
-        ("1.head", "1.crank", "2"), ("", "", ""), np.array([0, 0, 1]), np.array([True, False, True]), areas
+        ("1.head", "1.crank", "2"),
+        ("", "", ""),
+        np.array([0, 0, 1]),
+        np.array([True, False, True]),
+        areas,
+        np.full((1, 3), 1.0),
     )
     pressure = np.array([[[7.0, 4.0], [1.0, 6.0], [np.nan, 2.0]]])
     np.testing.assert_array_equal(chambers.pushed(pressure), [[[19.0, 0.0], [np.nan, 10.0], [np.nan, 10.0]]])
