@@ -11,12 +11,14 @@ if TYPE_CHECKING:
     from cranktrain.layout.drive.table import DriveSpec
     from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
     from cranktrain.questions.pumping.spec import PumpingSpec
+    from cranktrain.questions.rod_load.spec import RodSpec
     from cranktrain.questions.torsion.spec import TorsionSpec
 else:
     CrankshaftSpec = when_given("cranktrain.questions.crankshaft.spec", "CrankshaftSpec")
     DriveSpec = when_given("cranktrain.layout.drive.table", "DriveSpec")
     GearSpec = when_given("cranktrain.questions.crankshaft.spec", "GearSpec")
     PumpingSpec = when_given("cranktrain.questions.pumping.spec", "PumpingSpec")
+    RodSpec = when_given("cranktrain.questions.rod_load.spec", "RodSpec")
     TorsionSpec = when_given("cranktrain.questions.torsion.spec", "TorsionSpec")
 
 __all__ = [
@@ -26,6 +28,7 @@ __all__ = [
     "GearSpec",
     "PumpingSpec",
     "Questions",
+    "RodSpec",
     "TorsionSpec",
 ]
 
@@ -60,6 +63,7 @@ QUESTIONS = Questions(
         "balance": (),
         "evenness": (),
         "wear": (),
+        "rod_load": ("gas", "rod_load"),
         "crankshaft": ("crankshaft", "gear"),
         "torsion": ("torsion",),
         "reduction": ("drive",),

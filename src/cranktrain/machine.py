@@ -9,7 +9,7 @@ from typing import Any, Literal, Self
 import numpy as np
 from pydantic import Field, ValidationError
 
-from cranktrain.all_questions import QUESTIONS, CrankshaftSpec, DriveSpec, GearSpec, PumpingSpec, TorsionSpec
+from cranktrain.all_questions import QUESTIONS, CrankshaftSpec, DriveSpec, GearSpec, PumpingSpec, RodSpec, TorsionSpec
 from cranktrain.allowed import Name
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.faces import face
@@ -138,10 +138,9 @@ class Machine(Spec, frozen=True):
     )
     crankshaft: CrankshaftSpec | None = Field(default=None, description=N_("The crankshaft's sections and bearings."))
     gear: Mapping[Name, GearSpec] = Field(default={}, description=N_("Gears between shafts, by name, and their teeth."))
-    torsion: TorsionSpec | None = Field(
-        default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
-    )
+    torsion: TorsionSpec | None = Field(default=None, description=N_("The crankshaft as it vibrates in torsion."))
     drive: DriveSpec | None = Field(default=None, description=N_("What drives the crank, and how it starts."))
+    rod_load: RodSpec | None = Field(default=None, description=N_("Limits of rod loads, masses of crossheads."))
     pumping: PumpingSpec | None = Field(default=None, description=N_("A beam pumping unit: its loads and ratings."))
 
     def __init__(self, /, **data: Any) -> None:

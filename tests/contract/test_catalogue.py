@@ -84,6 +84,7 @@ EVERYTHING = {
         "coefficient": 0.02,
         "rim": {"mean_diameter": "600 mm"},
     },
+    "rod_load": {"compression": "40 kN"},
     "drive": {
         "motor": {"kind": "shunt", "torque": "100 N·m", "speed": "1750 rpm", "no_load_speed": "1800 rpm"},
         "stage": [{"ratio": 2}],

@@ -216,6 +216,7 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     ),
     "compressor.compressor_work": lambda angle, size, side: (compressor(size), limits(size)),
     "compressor.capacity": lambda angle, size, side: (compressor(size), limits(size)),
+    "compressor.discharge_temperature": lambda angle, size, side: (compressor(size), limits(size)),
     "compressor.suction_heating": lambda angle, size, side: (compressor(size), limits(size)),
     "dual.corner_pressures": lambda angle, size, side: (ideal_cycle(size), 3.1 + 0.1 * np.cos(angle)),
     "dual.ideal_mean_pressures": lambda angle, size, side: (ideal_cycle(size), 3.1 + 0.1 * np.cos(angle)),

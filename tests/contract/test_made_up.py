@@ -210,9 +210,7 @@ def package(tmp_path_factory):
     machine = package / "machine.py"
     added(machine, "    drive: DriveSpec", '    noise: NoiseSpec | None = Field(default=None, description="Noise.")')
     text = machine.read_text(encoding="utf-8")
-    machine.write_text(
-        text.replace("PumpingSpec, TorsionSpec\n", "PumpingSpec, TorsionSpec, NoiseSpec\n"), encoding="utf-8"
-    )
+    machine.write_text(text.replace("RodSpec, TorsionSpec\n", "RodSpec, TorsionSpec, NoiseSpec\n"), encoding="utf-8")
     added(questions, "    TorsionSpec = ", '    NoiseSpec = when_given("cranktrain.questions.noise.spec", "NoiseSpec")')
     return root
 

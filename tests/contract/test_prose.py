@@ -79,7 +79,11 @@ NOT_COMPUTED = {
     "src/cranktrain/questions/loads/README.md": {"2 %": "a limit"},
     "src/cranktrain/questions/pumping/README.md": {"1 %": "a limit of the flag"},
     "src/cranktrain/questions/wear/README.md": {"60°": "the rule"},
-    "src/cranktrain/fluids/compressor/README.md": {"20 °C": "a default", "1.9 %": "of the tests' case"},
+    "src/cranktrain/fluids/compressor/README.md": {
+        "1.01325 bar": "one atmosphere",
+        "20 °C": "a default",
+        "1.9 %": "of the tests' case",
+    },
     "src/cranktrain/fluids/dual/README.md": {"101.325 kPa": "the standard atmosphere", "50 kPa": "a limit of the flag"},
     "src/cranktrain/fluids/indicator/README.md": {
         "1 %": "a limit",
@@ -90,6 +94,7 @@ NOT_COMPUTED = {
         "60°": "a limit",
         "25°": "a limit",
     },
+    "src/cranktrain/questions/rod_load/README.md": {"15°": "API 618", "3 %": "API 618"},
     "src/cranktrain/fluids/wiebe/README.md": {"99.9 %": "1 − 1/1000", "99.3 %": "1 − e⁻⁵"},
 }
 """Numbers that nothing here has to show, and why: what is to be tried, chosen, or another's."""

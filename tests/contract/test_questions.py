@@ -74,7 +74,9 @@ def test_questions_come_in_the_order_of_their_layers():
 def test_folder_and_pages(question):
     assert (ROOT / f"docs/questions/{question.name}.md").is_file(), "write the page, which includes the folder's README"
     text = (FOLDER / question.name / "README.md").read_text(encoding="utf-8")
-    assert text.startswith(f"# {question.name.capitalize()}\n"), "a question's README begins with its name"
+    assert text.startswith(f"# {question.name.capitalize().replace('_', ' ')}\n"), (
+        "a question's README begins with its name"
+    )
     assert [head for head in re.findall(r"^## (.+)$", text, re.MULTILINE) if head in HEADS] == HEADS, (
         "give the README these heads in this order"
     )

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import cached_property
-from itertools import groupby
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
@@ -14,6 +13,7 @@ from cranktrain.analysis.stages import Missing, every_stage
 from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.brief import brief
 from cranktrain.faces import face
+from cranktrain.grouping import grouped
 from cranktrain.language import Listed, Message, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import needs_of
@@ -35,7 +35,8 @@ Outcome = TypeVar("Outcome")
 
 # fmt: off
 Sheet: TypeAlias = Literal[
-    "machine", "forces", "crankshaft", "crankpins", "wear", "shaft_torque", "loads", "drive", "pumping", "torsion",
+    "machine", "forces", "crankshaft", "crankpins", "wear", "rod_load", "shaft_torque", "loads", "drive", "pumping",
+    "torsion",
 ]
 # fmt: on
 """Sheets of paper by their names."""
@@ -254,7 +255,7 @@ class Result(Run):
         """Give what says the lines of the answer, by the titles under which it says them."""
         machine = self.machines[0]
         own = tuple(rows for kind in machine.kinds for rows in KINDS.named(kind).rows)
-        for title, alike in groupby(machine.questions, lambda question: question.title):
+        for title, alike in grouped((question.title, question) for question in machine.questions).items():
             each = [(*question.rows, *(own if question is machine.questions[0] else ())) for question in alike]
             yield title, [rows_of for functions in each for rows_of in functions]
 
@@ -347,7 +348,7 @@ class Result(Run):
         ----------
         name : Sheet
             `machine` (motion and what the machine does, on one page), `forces`, `crankshaft`, `crankpins`, `wear`,
-            `shaft_torque`, `loads`, `drive`, `pumping` or `torsion`.
+            `rod_load`, `shaft_torque`, `loads`, `drive`, `pumping` or `torsion`.
         size : "A4" or "A3"
         design : int
             Which of the result's machines.

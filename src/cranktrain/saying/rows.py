@@ -118,6 +118,7 @@ class Telling:
         quantity: str,
         words: Message | None = None,
         *,
+        at: tuple[int, ...] = (),
         own: Sequence[int] | NDArray[np.intp] | None = None,
         unit: str = "",
         sense: float = 1.0,
@@ -132,15 +133,17 @@ class Telling:
         quantity : str
         words : Message, optional
             With `{values}` where these stand.
+        at : tuple of int
+            Which member along each dimension but the last.
         own : sequence of int, optional
-            Which members; all unless given.
+            Which members of the last; all unless given.
         unit : str
             As in `AnswerLine`, where that is not the catalogue's.
         sense : float
             1, or −1 where its opposite is told.
         """
         entry = entry_called(type(found), quantity)
-        every = self.values(found, quantity)
+        every = self.values(found, quantity)[at]
         members = self.titles[entry.dimensions[-1]] if every.ndim else ()
         if own is not None:
             every, members = every[np.asarray(own)], [members[int(i)] for i in own]

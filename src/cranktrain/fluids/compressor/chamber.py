@@ -10,7 +10,6 @@ from cranktrain.fluids.fluid import Kink, Rooms
 from cranktrain.fluids.state import VolumeLimits
 from cranktrain.motion import Array
 
-
 SUCTION_OPENS, DISCHARGE_OPENS = "suction opens", "discharge opens"
 """What happens at kinks of its pressure."""
 

@@ -55,7 +55,8 @@ class CompressorSpec(FluidSpec, frozen=True):
         default=Given(0.0289647, "28.9647 g/mol"), description=N_("Of the gas, an ideal one; dry air unless given.")
     )
     standard_pressure: PositivePressure = Field(
-        default=Given(101325.0, "1.01325 bar"), description=N_("Of the standard state at which flow is counted as well.")
+        default=Given(101325.0, "1.01325 bar"),
+        description=N_("Of the standard state at which flow is counted as well."),
     )
     standard_temperature: Temperature = Field(
         default=Given(273.15, "0 °C"),

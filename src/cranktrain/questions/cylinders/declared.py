@@ -12,12 +12,11 @@ from cranktrain.quantities import Given
 from cranktrain.questions.cylinders.spec import ROOM, CylinderSpec, CylindersSpec, ratio_of
 from cranktrain.record import record
 
-
 SIDES = ("head", "crank")
 """Of a piston."""
 
 
-class Room(NamedTuple):
+class ChamberRoom(NamedTuple):
     """Compression ratio of a chamber, as the nearest table gives it, and where that stands in the file."""
 
     ratio: Given | None
@@ -49,7 +48,7 @@ class Cylinder:
         As the file has them.
     chambers : tuple of str
         Sides of the piston on which there is a chamber.
-    ratios : tuple of Room
+    ratios : tuple of ChamberRoom
         Of each chamber.
     paths : mapping of str to str
         Where in the machine file each field that is given stands.
@@ -69,7 +68,7 @@ class Cylinder:
     exhaust_port: Given | None
     scavenge_port: Given | None
     chambers: tuple[str, ...]
-    ratios: tuple["Room", ...]
+    ratios: tuple["ChamberRoom", ...]
     paths: Mapping[str, str]
     is_master: bool
     carrier: int
@@ -157,7 +156,9 @@ def _cylinder(
         scavenge_port=values.get("scavenge_port"),
         chambers=chambers,
         ratios=tuple(
-            Room(given[side].values.get("compression_ratio"), given[side].paths.get("compression_ratio", "cylinder."))
+            ChamberRoom(
+                given[side].values.get("compression_ratio"), given[side].paths.get("compression_ratio", "cylinder.")
+            )
             for side in chambers
         ),
         paths=given[""].paths,

@@ -62,6 +62,11 @@ class Chambers:
         return np.max(np.abs(self.areas), axis=1)
 
     @property
+    def are_double_acting(self) -> bool:
+        """Whether any piston works on the crank's side, and so through a piston rod."""
+        return not np.all(self.is_head)
+
+    @property
     def leading(self) -> NDArray[np.intp]:
         """A piston of each chamber, shape (chamber,)."""
         return self._own[0][0]

@@ -31,7 +31,14 @@ _ALIKE = 1e-9
 
 @record
 class LargestForces(Flagged):
-    """Largest forces of every piston with a rod, by the reactions; errors of the formula, in parts of exact peaks."""
+    """Largest forces of every piston with a rod, by the reactions; errors of the formula, in parts of exact peaks.
+
+    Attributes
+    ----------
+    is_master : array of bool, shape (piston,)
+    has_rod_loads : bool
+        Whether gas works on both sides of a piston, so that rod loads say more than the largest force in a rod.
+    """
 
     largest_piston_force: Extreme = extreme(
         "P_max",
@@ -80,6 +87,7 @@ class LargestForces(Flagged):
         "13.31, 13.35, 13.36",
     )
     is_master: NDArray[np.bool_] = field(kw_only=True)
+    has_rod_loads: bool = field(kw_only=True)
 
 
 @record
@@ -150,6 +158,7 @@ def largest_forces(
         side_force_formula_error=_errors(forces.side_force),
         tangential_force_formula_error=_errors(forces.tangential_force),
         is_master=is_master,
+        has_rod_loads=loaded.gas is not None and loaded.gas.chambers.are_double_acting,
         flags=tuple(one_sided([(_("largest"), peak)], names)),
     )
 

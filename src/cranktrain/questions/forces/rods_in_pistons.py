@@ -35,8 +35,8 @@ class ForcesOfRods(NamedTuple):
 class RodsInPistons(NamedTuple):
     """Rods of one kind of mechanism: their batch, which pistons they drive; motion and joints; bodies and conditions.
 
-    on_piston: gas and loads on the piston; borne: what loads do to the rod; piston_mass, and shares: the rod's at its
-    ends [kg].
+    on_piston: gas and loads on the piston, of_gas: the gas alone; borne: what loads do to the rod; piston_mass, and
+    shares: the rod's at its ends [kg].
     """
 
     batch: Batch
@@ -47,6 +47,7 @@ class RodsInPistons(NamedTuple):
     shares: TwoMasses
     piston_mass: Array
     on_piston: Wrench
+    of_gas: Wrench
     borne: Wrench
     drive: Drive
     gravity: Gravity
@@ -106,6 +107,7 @@ def rods_in_pistons(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Ite
                 shares,
                 bodies["slider"].mass,
                 loads["slider"],
+                batch.kind.dynamics.by_link(one.pressed)["slider"],
                 loads["rod"],
                 one.conditions.drive,
                 made.gravity,

@@ -20,9 +20,13 @@ def force_rows(
     pins: CrankPinLoads | None,
     edges: GuideEdges | None,
 ) -> Iterator[AnswerLine]:
-    """Of rods, against guides, on crank pins and edges; of a machine without such rods in its joints."""
+    """Of rods, against guides, on crank pins and edges; of a machine without such rods in its joints.
+
+    Of double-acting pistons with gas rod loads say more than the largest force in the rod.
+    """
     if largest is not None:
-        yield of.row(_("in the rod"), largest, "largest_rod_force")
+        if not largest.has_rod_loads:
+            yield of.row(_("in the rod"), largest, "largest_rod_force")
         yield of.row(_("side force"), largest, "largest_side_force")
     if pins is not None:
         yield from _largest(of, _("on a crank pin"), pins, "largest_crankpin_load", _("rod of {member}"))

@@ -284,7 +284,7 @@ def _volume_from_firing(
 
 
 def _origin(gas: GasInChambers, declared: DeclaredGas) -> NDArray[np.intp]:
-    """Find the first chamber of each design that one table fills too, with the same volumes against the same ambient."""
+    """Find the first chamber of each design with the same table, volumes and ambient."""
     every = range(len(gas.chambers.names))
     then = gas.at_own(gas.firing + _TELLING, every, lambda angle: gas.volume(angle).value)
     seen = np.concatenate([*gas.limits, then], axis=-1)

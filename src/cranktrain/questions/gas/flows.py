@@ -1,6 +1,6 @@
 """What compressors take in and deliver: between which pressures, how much, how warm, and the power that it takes."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,7 +21,7 @@ from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.saying.catalogue import quantity
-from cranktrain.saying.checks import Flagged
+from cranktrain.saying.checks import Flagged, StageResult
 from cranktrain.saying.wording import ranged
 
 if TYPE_CHECKING:
@@ -151,22 +151,22 @@ def compressor_flow(
 
     The gas is an ideal one.
     """
-    volume, mass, standard = [], [], []
-    for one in gas.filled_with("compressor"):
+
+    def of_stage(one: Filling) -> tuple[Array, Array, Array]:
         compressor, numbers = one.ready, declared.numbers(one.rooms.path)
         part = capacities.volumetric_efficiency[:, one.places, np.newaxis]
         thinner = compressor.suction_pressure / compressor.line_pressure
-        taken = part * one.rooms.swept_volume * thinner * (speed.mean / TURN)
+        volume = part * one.rooms.swept_volume * thinner * (speed.mean / TURN)
         specific = GAS_CONSTANT / numbers.molar_mass
-        moved = compressor.line_pressure * taken / (specific * compressor.temperature)
-        volume.append((one, taken[..., 0]))
-        mass.append((one, moved[..., 0]))
-        standard.append((one, (moved * specific * numbers.standard_temperature / numbers.standard_pressure)[..., 0]))
-    return CompressorFlow(*map(gas.by_chamber, (volume, mass, standard)))
+        mass = compressor.line_pressure * volume / (specific * compressor.temperature)
+        return volume, mass, mass * specific * numbers.standard_temperature / numbers.standard_pressure
+
+    each = [(one, of_stage(one)) for one in gas.filled_with("compressor")]
+    return CompressorFlow(*(gas.by_chamber((one, found[part][..., 0]) for one, found in each) for part in range(3)))
 
 
 @record
-class CompressorStages:
+class CompressorStages(StageResult):
     """What stages of compressors move and take, each that of the chambers of one table, and what they do in all."""
 
     stage_inlet_flow: Array = quantity(
@@ -197,7 +197,6 @@ class CompressorStages:
     specific_power: Array = quantity(
         "P/Q", "J/m^3", (), N_("Power that the gas of all stages takes, over what the first take in"), _THEORY, "14.30"
     )
-    labels: Mapping[str, tuple[str, ...]]
 
 
 def compressor_stages(
