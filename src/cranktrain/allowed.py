@@ -37,6 +37,25 @@ ALLOWED = {
     "frozen_instance": N_("must not be changed; make a new one"),
 }
 
+ELSEWHERE = {
+    "flywheel": "[evenness] flywheel",
+    **dict.fromkeys(("n", "rpm", "omega", "speed"), "[shaft.main] speed"),
+    **dict.fromkeys(("throws", "spacing"), "[shaft.main] throws, spacing"),
+    "cylinders": '[shaft.main] throws = ["0 deg", "180 deg"]',
+    **{key: f"[mechanism] {key}" for key in ("kind", "stroke", "crank_radius", "rod_length", "offset")},
+    **dict.fromkeys(("lambda", "λ"), "[mechanism] crank_to_rod_ratio"),
+    **{key: f"[cylinder] {key}" for key in ("bore", "cycle", "firing_order", "compression_ratio", "clearance")},
+    **dict.fromkeys(("epsilon", "ε"), "[cylinder] compression_ratio"),
+    "double_acting": '[cylinder] chambers = ["head", "crank"]',
+    **dict.fromkeys(("mass", "piston"), "[masses.piston] mass"),
+    "rod": "[masses.rod] mass",
+    "crank": "[masses.crank] mass",
+    "motor": "[drive.motor] kind",
+    **dict.fromkeys(("compressor", "indicator", "card"), "[gas] kind"),
+    "counterweights": "[balance] counterweights",
+}
+"""Words that books and other programs have for what a machine file says in one of its tables, and what is written."""
+
 _OF_FORMULAS = ("=", "+", "-", "@", "\t", "\r")
 """What a spreadsheet takes a cell of a CSV for a formula by, where it is the first character."""
 

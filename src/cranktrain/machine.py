@@ -4,13 +4,13 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from os import PathLike
-from typing import Any, Literal, Self
+from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, ValidationError
 
 from cranktrain.all_questions import QUESTIONS, CrankshaftSpec, DriveSpec, GearSpec, PumpingSpec, RodSpec, TorsionSpec
-from cranktrain.allowed import Name
+from cranktrain.allowed import ELSEWHERE, Name
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.faces import face
 from cranktrain.kept import read_like
@@ -65,6 +65,7 @@ class Machine(Spec, frozen=True):
     0.136
     """
 
+    elsewhere: ClassVar = ELSEWHERE
     name: str = Field(default="", description=N_("Name of the machine, as tables and plots show it."))
     rotation: Literal["clockwise", "anticlockwise"] = Field(
         default="clockwise",

@@ -1,36 +1,29 @@
 """The base of all specs, and what is wrong with an input in our words: every error of pydantic becomes a `Problem`."""
 
-import re
-import types
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import (
-    Annotated,
     Any,
     ClassVar,
-    Literal,
     NamedTuple,
     Self,
     TypeVar,
-    Union,
     cast,
     get_args,
-    get_origin,
 )
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Tag, ValidationError, model_validator
-from pydantic.fields import FieldInfo
+from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 from pydantic_core import ErrorDetails, core_schema
 
 from cranktrain.allowed import ALLOWED, OTHERWISE
 from cranktrain.brief import BriefSignature, brief_fields
+from cranktrain.declared_types import alternative_of, bare, inner_of, key_of, parts_of, quantity_of, table_of, words_of
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
 from cranktrain.language import Words, _
 from cranktrain.paths import path_text, value_at
-from cranktrain.quantities import Given, Quantity, nearest, one_of, unknown_key, unlisted, written
+from cranktrain.quantities import NOWHERE, Given, nearest, one_of, unknown_key, unlisted, written
 from cranktrain.spec_class import SpecClass
-from cranktrain.when_given import meant
 
 
 class Spec(BaseModel, frozen=True, metaclass=SpecClass):
@@ -42,9 +35,29 @@ class Spec(BaseModel, frozen=True, metaclass=SpecClass):
     """Fields that say where a curve's numbers are and how they are read: as numbers, they may differ among designs."""
 
     unlisted: ClassVar[frozenset[str]] = frozenset(
-        {"coming_from", "master_field", "of_file", "others", "typed_in", "unlisted", "words"}
+        {
+            "coming_from",
+            "elsewhere",
+            "kinds_elsewhere",
+            "in_one_word",
+            "master_field",
+            "of_file",
+            "others",
+            "typed_in",
+            "unlisted",
+            "words",
+        }
     )
     """Names that the program needs, and nobody who has a spec in hand."""
+
+    elsewhere: ClassVar[Mapping[str, str]] = {}
+    """Words for its keys in books and other programs, and what is written for them: `crank_to_rod_ratio` for λ."""
+
+    kinds_elsewhere: ClassVar[Mapping[str, str]] = {}
+    """Words for kinds of which it is one, likewise."""
+
+    in_one_word: ClassVar[str | None] = None
+    """Key of what a text that stands in place of the table means."""
 
     others: ClassVar[str | None] = None
     """Field that holds, by name, the tables that stand in the file under keys of the user's own."""
@@ -174,20 +187,6 @@ class _Location(NamedTuple):
     alternatives: tuple[tuple[tuple[str | int, ...], str | int], ...]
 
 
-class Bare(NamedTuple):
-    """A declared type without `Annotated` and `| None`, what marks it, and of a union its alternatives."""
-
-    annotation: object
-    marks: tuple[object, ...]
-    alternatives: tuple[object, ...] = ()
-
-    @property
-    def tag(self) -> str | None:
-        """Key that tells the alternatives of a union; None where none does."""
-        tags = [mark.discriminator for mark in self.marks if isinstance(mark, FieldInfo | Discriminator)]
-        return next((tag for tag in tags if isinstance(tag, str)), None)
-
-
 def _location(model: type[Spec], loc: tuple[str | int, ...]) -> _Location:
     """Follow pydantic's location, which also names the alternatives of unions, along the declared types."""
     where = _Location("", model, None, ())
@@ -195,103 +194,14 @@ def _location(model: type[Spec], loc: tuple[str | int, ...]) -> _Location:
         declared = bare(where.annotation)
         if declared.alternatives:
             tried = () if declared.tag else ((loc[:index], item),)
-            inner = _alternative(declared, str(item))
+            inner = alternative_of(declared, str(item))
             where = where._replace(annotation=inner, alternatives=(*where.alternatives, *tried))
         elif item != "[key]":  # after a key: not its value is wrong, but itself
             path = _joined(where.path, path_text((item,)))
             is_key = loc[index + 1 :] == ("[key]",)
-            inner = get_args(declared.annotation)[0] if is_key else _inner(declared.annotation, item)
-            where = _Location(path, inner, _table(declared.annotation), where.alternatives)
+            inner = get_args(declared.annotation)[0] if is_key else inner_of(declared.annotation, item)
+            where = _Location(path, inner, table_of(declared.annotation), where.alternatives)
     return where
-
-
-def bare(annotation: object, marks: tuple[object, ...] = ()) -> Bare:
-    """Take a declared type apart as far as pydantic's locations do; `marks` are those that stood around it."""
-    if get_origin(annotation) is Annotated:
-        inner, *own = get_args(annotation)
-        within = [part for mark in own for part in (mark, *(mark.metadata if isinstance(mark, FieldInfo) else ()))]
-        return bare(meant(inner, within), (*marks, *within))
-    if get_origin(annotation) in (Union, types.UnionType):
-        alternatives = [part for part in get_args(annotation) if part is not types.NoneType]
-        return Bare(annotation, marks, tuple(alternatives)) if len(alternatives) > 1 else bare(alternatives[0], marks)
-    return Bare(annotation, marks)
-
-
-def _alternative(union: Bare, label: str) -> object:
-    """Find the alternative of a union that pydantic means by its tag, class or type."""
-    for alternative in union.alternatives:
-        marks = get_args(alternative)[1:] if get_origin(alternative) is Annotated else ()
-        if any(isinstance(mark, Tag) and mark.tag == label for mark in marks):
-            return alternative
-    kind = re.sub(r"^(?:function-\w+\[[^,]*, )+", "", label)  # what wraps its validators round it
-    for alternative in union.alternatives:
-        declared = bare(alternative)
-        table = _table(declared.annotation)
-        if table is not None and union.tag is not None:
-            if label in map(str, words_of(table.model_fields[union.tag].annotation)):
-                return alternative
-        elif re.match(rf"{_type_name(declared)}\b", kind):
-            return alternative
-    return object
-
-
-def _type_name(declared: Bare) -> str:
-    """Name a type as pydantic begins to."""
-    if declared.alternatives:
-        return "tagged-union"
-    origin = get_origin(declared.annotation) or declared.annotation
-    return "literal" if origin is Literal else str(getattr(origin, "__name__", origin))
-
-
-def _inner(annotation: object, item: str | int) -> object:
-    """Declared type of an item of a table, dictionary or list; `object` where it has none."""
-    table = _table(annotation)
-    arguments = get_args(annotation)
-    if table is not None:
-        field = next((field for name, field in table.model_fields.items() if item == _key(name, field)), None)
-        return object if field is None else Annotated[field.annotation, field]
-    if not arguments:
-        return object
-    if isinstance(item, int) and len(arguments) > item and Ellipsis not in arguments:
-        return arguments[item]
-    return arguments[0] if isinstance(item, int) else arguments[-1]
-
-
-def _table(annotation: object) -> type[BaseModel] | None:
-    """Take a declared type for a table of fixed keys, if it is one."""
-    return annotation if isinstance(annotation, type) and issubclass(annotation, BaseModel) else None
-
-
-def _key(name: str, field: FieldInfo) -> str:
-    """Key of a field in the machine file."""
-    return field.alias or name
-
-
-def parts_of(annotation: object) -> Iterator[object]:
-    """Simple types of a declared one, and what marks them."""
-    if get_origin(annotation) is Annotated:
-        inner, *marks = get_args(annotation)
-        own = [part for mark in marks for part in (mark.metadata if isinstance(mark, FieldInfo) else (mark,))]
-        yield from own
-        yield from parts_of(meant(inner, own))
-    elif get_origin(annotation) in (Union, types.UnionType):
-        for part in get_args(annotation):
-            yield from parts_of(part)
-    else:
-        yield annotation
-
-
-def quantity_of(annotation: object) -> Quantity | None:
-    """Give the quantity as which a value of a declared type is read; None where it is none."""
-    return next((part for part in parts_of(annotation) if isinstance(part, Quantity)), None)
-
-
-def words_of(annotation: object) -> list[object]:
-    """Words that a declared type allows: a `Literal`, or a tuple of words that marks it."""
-    found: list[object] = []
-    for part in parts_of(annotation):
-        found += part if type(part) is tuple else get_args(part) if get_origin(part) is Literal else ()
-    return found
 
 
 def _fitting_alternatives(
@@ -316,8 +226,9 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
             stood = _as_written(value_at(detail["input"], problem.path)) if problem.given is None else problem.given
             yield replace(problem, path=_joined(where.path, problem.path), given=stood)
     elif kind == "extra_forbidden" and where.table is not None:
-        known = [_key(name, field) for name, field in where.table.model_fields.items()]
-        yield unknown_key(where.path, str(detail["loc"][-1]), _as_written(detail["input"]), known)
+        known = [key_of(name, field) for name, field in where.table.model_fields.items()]
+        elsewhere = where.table.elsewhere if issubclass(where.table, Spec) else NOWHERE
+        yield unknown_key(where.path, str(detail["loc"][-1]), _as_written(detail["input"]), known, elsewhere)
     elif kind.startswith("union_tag") and bare(where.annotation).tag:
         yield _wrong_kind(detail, where)
     elif kind == "missing":
@@ -330,9 +241,19 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
         if kind in ("int_type", "float_type", "bool_type") and isinstance(detail["input"], str):
             given = f'"{given}"'  # the quotes are what is wrong with "5"
         allowed = _(ALLOWED.get(kind, OTHERWISE), **context)
-        yield Problem(where.path, given, _with_example(allowed, where) if kind == "tuple_type" else allowed)
+        said = _with_example(allowed, where) if kind == "tuple_type" else allowed
+        yield Problem(where.path, given, said, _as_table(detail, where))
     else:  # a validator's own PydanticCustomError
         yield Problem(where.path, given, detail["msg"])
+
+
+def _as_table(detail: ErrorDetails, where: _Location) -> Words | None:
+    """Say how what is written in one word is written as the table that belongs there; None where no word suffices."""
+    table, word = table_of(bare(where.annotation).annotation), detail["input"]
+    if table is None or not issubclass(table, Spec) or table.in_one_word is None or not isinstance(word, str):
+        return None
+    key = where.path.rpartition(".")[2]
+    return _('write {key} = {{ {inner} = "{word}" }}', key=key, inner=table.in_one_word, word=word)
 
 
 def _with_example(allowed: Words, where: _Location) -> Words:
@@ -349,11 +270,13 @@ def _with_example(allowed: Words, where: _Location) -> Words:
 def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:
     """Refuse the `kind` of a table, or say that it is missing."""
     tag = bare(where.annotation).tag or ""
-    tables = filter(None, map(_table, parts_of(where.annotation)))
+    tables = list(filter(None, map(table_of, parts_of(where.annotation))))
     kinds = [kind for table in tables for kind in words_of(table.model_fields[tag].annotation)]
     path = _joined(where.path, tag)
     if detail["type"] == "union_tag_invalid":
-        return unlisted(path, value_at(detail["input"], tag), kinds)
+        specs = [table for table in tables if issubclass(table, Spec)]
+        elsewhere = {word: what for table in specs for word, what in table.kinds_elsewhere.items()}
+        return unlisted(path, value_at(detail["input"], tag), kinds, elsewhere)
     meant = nearest(tag, map(str, cast("Mapping[object, object]", detail["input"])))
     repair = _("write {key} instead of {given}", key=tag, given=meant) if meant else None
     return Problem(path, None, _("is missing; {expected}", expected=one_of(kinds)), repair)

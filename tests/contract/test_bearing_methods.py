@@ -45,7 +45,7 @@ import sys
 import cranktrain as ct
 from cranktrain import viz
 from cranktrain.cli.synthesis.requirements import requirements_of
-from cranktrain.spec import words_of
+from cranktrain.declared_types import words_of
 from cranktrain.synthesis.counterweights import counterweights
 from cranktrain.panels.sheets.crankshaft.panels import method_place
 from cranktrain.viz.paper.polar import line_of_method

@@ -185,7 +185,7 @@ def test_what_only_the_machine_shows_is_told_at_once():
     assert set(found) == {
         "mechanism.points.p.link",
         "cylinder.Q",
-        "cylinder.firing_order",
+        "shaft.main.throws",
         "mechanism.rod_length",
     }
 

@@ -1,7 +1,7 @@
 """What every fluid gives: its table of the machine file, its numbers, and from these the pressure in a chamber."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
+from typing import Any, ClassVar, Generic, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,17 @@ from cranktrain.spec import Spec
 
 class FluidSpec(Spec, frozen=True):
     """What every fluid of a machine file declares."""
+
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(("epsilon", "ε", "compression_ratio"), "[cylinder] compression_ratio"),
+        "clearance": "[cylinder] clearance",
+    }
+    kinds_elsewhere: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(("steam", "card", "trace", "measured"), 'kind = "indicator"'),
+        **dict.fromkeys(("petrol", "gasoline", "spark"), 'kind = "otto"'),
+        **dict.fromkeys(("air", "gas"), 'kind = "compressor"'),
+        **dict.fromkeys(("sabathe", "mixed", "seiliger"), 'kind = "dual"'),
+    }
 
     kind: str
 

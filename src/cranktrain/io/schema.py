@@ -9,6 +9,7 @@ from pydantic import BeforeValidator, TypeAdapter
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
+from cranktrain.declared_types import bare, quantity_of, words_of
 from cranktrain.io.choices import Schema, by_type, by_word
 from cranktrain.language import said as _
 from cranktrain.layout.specs import BankSpec
@@ -16,7 +17,7 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.spec import MechanismSpec
 from cranktrain.quantities import Given, Quantity
-from cranktrain.spec import Spec, bare, quantity_of, words_of
+from cranktrain.spec import Spec
 
 _ONCE = ("kind", "points", "output", "fixed", "crank", "part")
 """Keys of a mechanism that are the same for all angles of a bank."""

@@ -1,7 +1,7 @@
 """Rigid bodies, and guides of what slides: their tables of the machine file."""
 
 from collections.abc import Iterator
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from pydantic import Field
 
@@ -31,6 +31,14 @@ class BodySpec(Spec, frozen=True):
     A rod may be weighed at both ends instead: `big_end` at its first pin, `small_end` at its second. A rod's inertia
     that is not given is that of two such masses.
     """
+
+    elsewhere: ClassVar = {
+        "m": "mass",
+        **dict.fromkeys(("j", "i"), "inertia"),
+        **dict.fromkeys(("gd2", "gd²"), "flywheel_moment"),
+    }
+
+    in_one_word: ClassVar = "mass"
 
     mass: PositiveMass | None = Field(
         default=None, description=N_("Mass of the body; or, of a rod, those of both its ends.")

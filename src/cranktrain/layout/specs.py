@@ -1,7 +1,7 @@
 """Shaft, banks and cylinders: their tables of the machine file."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
 from pydantic import Field, model_validator
 
@@ -48,6 +48,13 @@ class ShaftSpec(Spec, frozen=True):
     unless given, the lead of opposed pistons that work on it says so, or it is 0. Its place is where its centre lies
     from that of `main`, to the right and up.
     """
+
+    elsewhere: ClassVar = {
+        **dict.fromkeys(("n", "rpm", "omega", "ω"), "speed"),
+        **dict.fromkeys(("cranks", "angles", "throw_angles"), "throws"),
+        "firing_order": "[cylinder] firing_order",
+        "inertia": "[evenness] flywheel",
+    }
 
     throws: tuple[Angle, ...] = Field(
         default=(Given(0.0, "0 deg"),),

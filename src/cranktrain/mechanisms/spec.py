@@ -31,6 +31,21 @@ class MechanismSpec(Spec, frozen=True):
     kind: str = Field(description=N_("Kind of mechanism."))
     points: Mapping[Name, LinkPointSpec] = Field(default={}, description=N_("Points on links to follow, by name."))
 
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(("n", "rpm", "speed", "omega"), "[shaft.main] speed"),
+        **dict.fromkeys(("d", "bore", "diameter"), "[cylinder] bore"),
+        **dict.fromkeys(("epsilon", "ε", "compression_ratio"), "[cylinder] compression_ratio"),
+        "mass": "[masses.piston] mass",
+        "double_acting": '[cylinder] chambers = ["head", "crank"]',
+    }
+    kinds_elsewhere: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(("crank_slider", "slider", "piston", "engine"), 'kind = "slider_crank"'),
+        **dict.fromkeys(("four_bar", "fourbar", "four-bar"), 'kind = "crank_rocker"'),
+        **dict.fromkeys(("whitworth", "quick_return", "shaper"), 'kind = "slotted_lever"'),
+        **dict.fromkeys(("linkage", "six_bar", "sixbar"), 'kind = "chain"'),
+        **dict.fromkeys(("heusinger",), 'kind = "walschaerts"'),
+    }
+
     master_field: ClassVar[str | None] = None
     """Field that names the bank whose slider-crank, on the same throw, this mechanism hangs on."""
 

@@ -53,9 +53,10 @@ from cranktrain.quantities.fields import (
 )
 from cranktrain.quantities.given import Given, Quantity, Status, unit_of
 from cranktrain.quantities.reading import read
-from cranktrain.quantities.refusal import QuantityError, nearest, one_of, unknown_key, unlisted, written
+from cranktrain.quantities.refusal import NOWHERE, QuantityError, nearest, one_of, unknown_key, unlisted, written
 
 __all__ = [
+    "NOWHERE",
     "SHOWN",
     "Angle",
     "AngularAcceleration",

@@ -1,6 +1,6 @@
 """How a wrong word or value is refused: with what is allowed, and what was probably meant."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import Words, _
@@ -40,19 +40,37 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     return next(iter(same or difflib.get_close_matches(word, words, n=1)), None)
 
 
+NOWHERE: Mapping[str, str] = {}
+"""Of words that nobody writes for others."""
+
+
 def one_of(listed: Iterable[object]) -> Words:
     """Say which words are allowed."""
     return _("must be one of: {values}", values=", ".join(str(written(value)) for value in listed))
 
 
-def unlisted(path: str, given: object, listed: Sequence[object]) -> Problem:
-    """Refuse a value that is not of a list."""
+def unlisted(path: str, given: object, listed: Sequence[object], elsewhere: Mapping[str, str] = NOWHERE) -> Problem:
+    """Refuse a value that is not of a list; `elsewhere`: what others call it, and what is written for that."""
     meant = nearest(given, [str(value) for value in listed]) if isinstance(given, str) else None
-    return Problem(path, written(given), one_of(listed), _('write "{text}"', text=meant) if meant else None)
+    repair = _written_for(given, elsewhere) or (_('write "{text}"', text=meant) if meant else None)
+    return Problem(path, written(given), one_of(listed), repair)
 
 
-def unknown_key(path: str, key: str, given: object, known: Sequence[str]) -> Problem:
-    """Refuse a key that the table at a path does not have; a long list of keys is not told."""
+def _written_for(word: object, elsewhere: Mapping[str, str]) -> Words | None:
+    """Say what is written for a word of books."""
+    what = elsewhere.get(word) or elsewhere.get(word.lower()) if isinstance(word, str) else None
+    return None if what is None else _("write {what}", what=what)
+
+
+def unknown_key(
+    path: str, key: str, given: object, known: Sequence[str], elsewhere: Mapping[str, str] = NOWHERE
+) -> Problem:
+    """Refuse a key that the table at a path does not have; a long list of keys is not told.
+
+    elsewhere: keys by which books and other programs say something, and what is written for them here.
+    """
+    if (repair := _written_for(key, elsewhere)) is not None:
+        return Problem(path, written(given), _("is not a key of this table"), repair)
     meant = nearest(key, known)
     allowed = _("is not a key of this table")
     if 0 < len(known) <= 16:

@@ -7,13 +7,13 @@ import numpy as np
 
 from cranktrain.analysis.parts import refuse_wrong
 from cranktrain.analysis.run import run
+from cranktrain.declared_types import words_of
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, Words, _
 from cranktrain.machine import Machine
 from cranktrain.paths import path_text
 from cranktrain.quantities import Given, unlisted
 from cranktrain.questions.pumping.gearbox_torque import GearboxTorque
-from cranktrain.spec import words_of
 from cranktrain.synthesis.proposal import Alternative, MachineProposal, Number, found, quantity_text
 
 Aim = Literal["equal_peaks", "least_rms"]

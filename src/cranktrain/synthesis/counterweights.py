@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 
 from cranktrain.analysis.parts import refuse_wrong
+from cranktrain.declared_types import words_of
 from cranktrain.errors import Problem, refuse
 from cranktrain.language import N_, Words, _
 from cranktrain.machine import Machine
@@ -14,7 +15,6 @@ from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.quantities import unlisted
 from cranktrain.record import record
 from cranktrain.saying.wording import number
-from cranktrain.spec import words_of
 from cranktrain.synthesis.added_weights import AddedWeights
 from cranktrain.synthesis.counterweight_numbers import (
     Aimed,

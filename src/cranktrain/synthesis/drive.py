@@ -6,6 +6,7 @@ from typing import Annotated
 import numpy as np
 
 from cranktrain.analysis.parts import refuse_wrong
+from cranktrain.declared_types import words_of
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, Words, _
 from cranktrain.layout.drive.table import DriveSpec
@@ -14,7 +15,6 @@ from cranktrain.motors.cage.catalogue import four_pole_motors
 from cranktrain.numerics.ties import smallest_of
 from cranktrain.quantities import Dimension, Quantity, unlisted
 from cranktrain.saying.wording import number
-from cranktrain.spec import words_of
 from cranktrain.synthesis.changed_stage import largest_stage, without_stage
 from cranktrain.synthesis.drive_trials import (
     AskedDrive,

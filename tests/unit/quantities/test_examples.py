@@ -7,12 +7,13 @@ from tests.sentences import A_NUMBER
 from tests.told import problems_told
 
 from cranktrain import fluids
+from cranktrain.declared_types import quantity_of
 from cranktrain.errors import InputError
 from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.machine import Machine
 from cranktrain.quantities import Quantity
 from cranktrain.quantities.examples import EXAMPLES
-from cranktrain.spec import Spec, quantity_of, validated
+from cranktrain.spec import Spec, validated
 from cranktrain.when_given import Deferred
 
 SLIDER = {"kind": "slider_crank", "crank_radius": "40 mm", "rod_length": "136 mm"}

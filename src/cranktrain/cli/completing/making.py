@@ -7,9 +7,10 @@ from typing import Annotated, Any, get_args, get_origin
 
 from cranktrain import fluids, mechanisms
 from cranktrain.analysis import every_stage
+from cranktrain.declared_types import bare
 from cranktrain.machine import Machine
 from cranktrain.quantities import SHOWN, unit_names
-from cranktrain.spec import Spec, bare
+from cranktrain.spec import Spec
 
 
 def made() -> dict[str, Any]:

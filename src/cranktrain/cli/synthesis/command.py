@@ -14,8 +14,8 @@ from cranktrain.cli.options import File, Force
 from cranktrain.cli.synthesis.proposals import give_proposal
 from cranktrain.cli.synthesis.requirements import form_of, is_of_machine, option_of, requirements_of
 from cranktrain.cli.task import Task
+from cranktrain.declared_types import parts_of
 from cranktrain.language import N_
-from cranktrain.spec import parts_of
 
 app = typer.Typer(
     add_completion=False,

@@ -7,13 +7,14 @@ from functools import partial
 from inspect import Parameter, signature
 from typing import TypeAlias
 
+from cranktrain.declared_types import parts_of, quantity_of, words_of
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.quantities import Dimension, QuantityError, unlisted
-from cranktrain.spec import missing, parts_of, quantity_of, words_of
+from cranktrain.spec import missing
 from cranktrain.synthesis.counterbalance import counterbalance
 from cranktrain.synthesis.counterweights import counterweights
 from cranktrain.synthesis.crank_rocker import crank_rocker_from_swing

@@ -1,7 +1,7 @@
 """The compressor's table of the machine file."""
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
@@ -24,6 +24,15 @@ _NONE = Given(0.0, "0")
 
 class CompressorSpec(FluidSpec, frozen=True):
     """Compressor with clearance: pressures of the lines, exponents, and what the valves lose."""
+
+    elsewhere: ClassVar = {
+        **FluidSpec.elsewhere,
+        **dict.fromkeys(("k", "n", "n1", "gamma", "polytropic_index", "exponent"), "compression_exponent"),
+        **dict.fromkeys(("n2", "m"), "expansion_exponent"),
+        **dict.fromkeys(("ps", "p_s", "p1", "inlet_pressure"), "suction_pressure"),
+        **dict.fromkeys(("pd", "p_d", "p2", "outlet_pressure"), "discharge_pressure"),
+        **dict.fromkeys(("inlet_temperature", "t1"), "suction_temperature"),
+    }
 
     kind: Literal["compressor"] = Field(description=N_("Kind of gas model."))
     suction_pressure: PositivePressure | None = Field(

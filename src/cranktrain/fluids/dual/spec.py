@@ -1,6 +1,7 @@
 """Tables of the ideal cycles: what the dual cycle declares, and what all three have in common."""
 
-from typing import Annotated, Literal
+from collections.abc import Mapping
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
@@ -19,8 +20,21 @@ _LOWEST_USUAL = 0.5e5
 """Absolute pressure at which no engine breathes in; below it, a gauge pressure may be meant. [Pa]"""
 
 
+RAISED: Mapping[str, str] = dict.fromkeys(("lambda", "λ", "psi", "ψ"), "pressure_ratio")
+CUT_OFF: Mapping[str, str] = dict.fromkeys(("rho", "ρ"), "cut_off_ratio")
+"""What books call both ratios."""
+
+
 class IdealCycleSpec(GasExchangeSpec, frozen=True):
     """Ideal cycle with gas exchange: pressures, which are absolute, and exponents of the polytropes."""
+
+    elsewhere: ClassVar = {
+        **GasExchangeSpec.elsewhere,
+        **dict.fromkeys(("n1", "k1"), "compression_exponent"),
+        **dict.fromkeys(("n2", "k2"), "expansion_exponent"),
+        **dict.fromkeys(("k", "n", "gamma"), "compression_exponent"),
+        **dict.fromkeys(("pa", "p_a", "p1"), "start_pressure"),
+    }
 
     compression_exponent: Exponent = Field(description=N_("Exponent n of the compression, p·Vⁿ = const."))
     expansion_exponent: Exponent = Field(description=N_("Exponent n of the expansion, p·Vⁿ = const."))
@@ -28,6 +42,8 @@ class IdealCycleSpec(GasExchangeSpec, frozen=True):
 
 class DualSpec(IdealCycleSpec, frozen=True):
     """Dual cycle: heat first at constant volume, then at constant pressure."""
+
+    elsewhere: ClassVar = {**IdealCycleSpec.elsewhere, **RAISED, **CUT_OFF}
 
     kind: Literal["dual"] = Field(description=N_("Kind of gas model."))
     pressure_ratio: HeatRatio = Field(description=N_("By how much heat at constant volume raises the pressure, p₃/p₂."))

@@ -5,13 +5,14 @@ from collections.abc import Iterable, Iterator
 from math import sin
 from typing import NamedTuple, cast
 
+from cranktrain.declared_types import parts_of
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.groups import SHAFT, pin_of
 from cranktrain.mechanisms.chain.parts import ChainTable, Made, Used, YokePartSpec
 from cranktrain.mechanisms.chain.table import mode_problems
 from cranktrain.quantities import nearest
-from cranktrain.spec import Spec, parts_of
+from cranktrain.spec import Spec
 
 MAIN = "main"
 _NAME = re.compile(r"[^\W\d]\w*")

@@ -1,7 +1,7 @@
 """The eccentric's table of the machine file."""
 
 from collections.abc import Iterator
-from typing import Literal
+from typing import ClassVar, Literal
 
 from pydantic import Field
 
@@ -16,6 +16,13 @@ from cranktrain.saying.wording import precise
 
 class EccentricSpec(MechanismSpec, frozen=True):
     """One eccentric that drives a valve or a pump; set by its angle of advance, or by how far ahead it stands."""
+
+    elsewhere: ClassVar = {
+        **MechanismSpec.elsewhere,
+        **dict.fromkeys(("lap", "lead"), "angle_of_advance: sin(angle_of_advance) = (lap + lead) / eccentricity"),
+        **dict.fromkeys(("advance", "delta"), "angle_of_advance"),
+        **dict.fromkeys(("throw", "r", "crank_radius"), "eccentricity"),
+    }
 
     kind: Literal["eccentric"]
     eccentricity: PositiveLength = Field(description=N_("From shaft centre to the eccentric's centre."))

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from math import pi, sqrt
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
@@ -22,6 +22,16 @@ _PressureAngle = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, below=pi 
 
 class SliderCrankSpec(MechanismSpec, frozen=True):
     """Slider-crank: crank by its radius or the true stroke, rod by its length or either ratio to the crank."""
+
+    elsewhere: ClassVar = {
+        **MechanismSpec.elsewhere,
+        **dict.fromkeys(("lambda", "lam", "λ"), "crank_to_rod_ratio"),
+        **dict.fromkeys(("r", "crank", "radius"), "crank_radius"),
+        **dict.fromkeys(("l", "rod", "conrod", "connecting_rod"), "rod_length"),
+        **dict.fromkeys(("s", "h"), "stroke"),
+        **dict.fromkeys(("e", "eccentricity"), "offset"),
+        "k": "offset: k · crank_radius",
+    }
 
     kind: Literal["slider_crank"]
     crank_radius: PositiveLength | None = Field(

@@ -1,7 +1,7 @@
 """Stephenson's link motion in the machine file, and how its link is put together."""
 
 from functools import partial
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
@@ -20,6 +20,13 @@ from cranktrain.quantities import Angle, Given, Length, PositiveLength, TurnedAn
 
 class StephensonSpec(MechanismSpec, frozen=True):
     """Stephenson's link motion: two eccentrics, a link hung from the reverse shaft's arm, the valve on its line."""
+
+    elsewhere: ClassVar = {
+        **MechanismSpec.elsewhere,
+        **dict.fromkeys(("lap", "lead"), "angle_of_advance: sin(angle_of_advance) = (lap + lead) / eccentricity"),
+        **dict.fromkeys(("advance", "delta"), "angle_of_advance"),
+        **dict.fromkeys(("throw", "r", "crank_radius"), "eccentricity"),
+    }
 
     kind: Literal["stephenson"]
     notch: Notch = Field(

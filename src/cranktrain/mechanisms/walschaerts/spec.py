@@ -19,6 +19,15 @@ from cranktrain.quantities import Angle, Given, Length, PositiveLength
 class WalschaertsSpec(MechanismSpec, frozen=True):
     """Walschaerts' gear: a return crank rocks the link, and the crosshead of a bank adds its part by a lever."""
 
+    elsewhere: ClassVar = {
+        **MechanismSpec.elsewhere,
+        **dict.fromkeys(
+            ("lap", "lead"),
+            "valve_pin_distance: lap + lead = crank_radius · valve_pin_distance / lever_length",
+        ),
+        **dict.fromkeys(("r", "crank_radius"), "eccentricity"),
+    }
+
     kind: Literal["walschaerts"]
     crosshead: str = Field(description=N_("The bank whose crosshead, on the same throw, moves the combination lever."))
     notch: Notch = Field(

@@ -132,6 +132,8 @@ def _order_problems(asked: _Asked, order: Sequence[str], names: Sequence[str]) -
     ]
     if not wrong:
         return ()
+    if len(names) == 1 and sorted(order) == [str(i + 1) for i in range(len(order))]:
+        return (_missing_throws(asked, order),)
     allowed = _(
         "must name each cylinder once ({cylinders}); {wrong}", cylinders=", ".join(names), wrong=Listed(wrong, "; ")
     )
@@ -139,6 +141,24 @@ def _order_problems(asked: _Asked, order: Sequence[str], names: Sequence[str]) -
         line = numbers_line(order, asked.leading, _tops(asked.leading), asked.common.cycle_length)
         return (Problem("cylinder.firing_order", asked.common.firing_order, allowed, line),)
     return (Problem("cylinder.firing_order", asked.common.firing_order, allowed, asked.repair(order)),)
+
+
+def _missing_throws(asked: _Asked, order: Sequence[str]) -> Problem:
+    """Ask for the throws of an engine in line of which an order names more cylinders than one throw carries.
+
+    Where the cycle is known, too, those of an even engine follow: the cylinder that fires k-th is at its top after k
+    parts of the cycle, and its throw as far behind that of cylinder 1.
+    """
+    n = len(order)
+    allowed = _("is missing: firing_order {order} is of {n} cylinders, and there is one throw")
+    said = allowed.format(order=asked.common.firing_order or "", n=n)
+    repair = _("write a throw for each cylinder, the angles of their cranks, and [bank.NAME.mechanism] for all")
+    if (length := asked.common.cycle_length) is not None:
+        behind = np.array([order.index(str(i + 1)) for i in range(n)]) - order.index("1")
+        throws = np.degrees(within_turn(-behind * length / n))
+        listed = ", ".join(f'"{throw:.10g} deg"' for throw in throws.tolist())
+        repair = _("an even engine's are throws = [{throws}], with [bank.NAME.mechanism] for all", throws=listed)
+    return Problem("shaft.main.throws", None, said, repair)
 
 
 def _throw_problems(asked: _Asked, order: Sequence[str], tops: Array) -> tuple[Problem, ...]:

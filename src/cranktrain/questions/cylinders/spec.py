@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
@@ -24,6 +24,14 @@ CYCLES = {"two-stroke": TURN, "four-stroke": 2 * TURN}
 
 class CylinderSpec(Spec, frozen=True):
     """One cylinder's own dimensions; what it does not give, the cylinder above it gives."""
+
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(("d", "diameter"), "bore"),
+        **dict.fromkeys(("epsilon", "eps", "ε"), "compression_ratio"),
+        **dict.fromkeys(("c", "dead_space"), "clearance"),
+        "double_acting": 'chambers = ["head", "crank"]',
+        **dict.fromkeys(("s", "stroke"), "[mechanism] stroke"),
+    }
 
     bore: PositiveLength | None = Field(default=None, description=N_("Diameter of the cylinder."))
     compression_ratio: Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=1e5)] | None = Field(
@@ -90,6 +98,13 @@ class CylindersSpec(CylinderSpec, OverriddenSpec, frozen=True):
     Firing is an order, or the crank angles at which the cylinders fire, as they are shown: one for each cylinder in the
     order of the file, or by name.
     """
+
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        **CylinderSpec.elsewhere,
+        **dict.fromkeys(("strokes", "tact"), 'cycle = "four-stroke"'),
+        "order": "firing_order",
+        **dict.fromkeys(("cylinders", "number", "i"), '[shaft.main] throws = ["0 deg", "180 deg"]'),
+    }
 
     cycle: Literal["two-stroke", "four-stroke"] | None = Field(
         default=None, description=N_("Strokes of one working cycle; the crank angle runs through one or two turns.")

@@ -52,6 +52,12 @@ class RimSpec(Spec, frozen=True):
 class EvennessSpec(Spec, frozen=True):
     """The flywheel of a machine, and how evenly it is to run."""
 
+    elsewhere: ClassVar = {
+        **dict.fromkeys(("delta", "δ"), "coefficient"),
+        **dict.fromkeys(("j", "i", "inertia"), "flywheel"),
+        **dict.fromkeys(("gd2", "gd²"), "flywheel_moment"),
+    }
+
     flywheel: NonNegativeInertia | None = Field(
         default=None,
         description=N_(

@@ -244,7 +244,8 @@ def _table(rows: Sequence[tuple[Any, ...]], width: int) -> Array:
 def _chambers(gas: GasInChambers | None, first_volume: int, design: int) -> tuple[Array, Array]:
     """Chambers of compressors of one design, and room for what they remember."""
     rows: list[ReducedChamber] = []
-    for filling in [] if gas is None else gas.filled_with("compressor"):
+    fillings = [] if gas is None else [(gas.chambers, filling) for filling in gas.filled_with("compressor")]
+    for chambers, filling in fillings:
         for place in filling.places.tolist():
             own: Compressor = filling.of_chamber(design, place)
             rows.append(
@@ -254,7 +255,7 @@ def _chambers(gas: GasInChambers | None, first_volume: int, design: int) -> tupl
                     discharge_pressure=_only(own.discharge_pressure),
                     compression_exponent=_only(own.compression_exponent),
                     expansion_exponent=_only(own.expansion_exponent),
-                    ambient=_only(gas.chambers.ambient[design, place]),
+                    ambient=_only(chambers.ambient[design, place]),
                 )
             )
     return _table(rows, len(ReducedChamber._fields)), np.zeros((len(rows), 2))
