@@ -366,7 +366,7 @@ class Machine(Spec, frozen=True):
     @cached_property
     def closing_problems(self) -> tuple[Problem, ...]:
         """Over which crank angles a mechanism cannot close, once for each geometry."""
-        return closing_problems(self.places, self.zero)
+        return closing_problems(self.design)
 
     def __repr__(self) -> str:
         """Say in one line what it is."""

@@ -1,15 +1,17 @@
 """Over which crank angles the links of a machine cannot close, by how much, and what would help."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import Said, Words, _
+from cranktrain.layout.design import Design
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import Given
 from cranktrain.saying.wording import all_of, around_turn, number
 
@@ -17,67 +19,96 @@ _SEEN = 5e-6
 """A length that is less is written as nothing. [m]"""
 
 
-def closing_problems(places: Sequence[PlacedMechanism], zero: Array) -> tuple[Problem, ...]:
+def open_places(design: Design) -> Mapping[int, tuple[OpenRange, ...]]:
+    """Angles of their own cranks over which mechanisms cannot close, by their places; none of one that always does."""
+    alike = grouped(((place.path, place.geometry), i) for i, place in enumerate(design.places))
+    with np.errstate(all="ignore"):
+        found = {
+            tuple(own): open_ranges(design.places[own[0]].kind, design.places[own[0]].geometry)
+            for own in alike.values()
+        }
+    return {i: ranges for own, ranges in found.items() if ranges for i in own}
+
+
+def closed_ranges(ranges: Sequence[OpenRange]) -> list[tuple[float, float]]:
+    """Give the ranges between those in which links cannot close, by their starts in [0, 2π). [rad]"""
+    if ranges[0].end - ranges[0].start >= TURN:
+        return []
+    starts = [one.start for one in ranges[1:]] + [ranges[0].start + TURN]
+    between = [(one.end, start) for one, start in zip(ranges, starts, strict=True)]
+    turns = [TURN * np.floor(start / TURN) for start, _end in between]
+    return sorted((start - turn, end - turn) for (start, end), turn in zip(between, turns, strict=True))
+
+
+def closing_problems(design: Design) -> tuple[Problem, ...]:
     """Over which crank angles a mechanism cannot close, once for each geometry.
 
     Parameters
     ----------
-    places : sequence of PlacedMechanism
-    zero : Array
-        Crank angle that is shown as 0. [rad]
+    design : Design
 
     Returns
     -------
     tuple of Problem
     """
-    alike = grouped(((place.path, place.geometry), place) for place in places)
+    places, ranges = design.places, design.once(open_places)
+    first = {(places[i].path, places[i].geometry): i for i in sorted(ranges, reverse=True)}
+    stuck = {geometry for _path, geometry in first}
     with np.errstate(all="ignore"):
-        open_places = [place for place, *_like in alike.values() if open_ranges(place.kind, place.geometry)]
-        stuck = {place.geometry for place in open_places}
         return tuple(
             problem
-            for place in open_places
+            for i in sorted(first.values())
             # A slave on a master that cannot close says nothing of its own.
-            if getattr(place.geometry, "master", None) not in stuck
-            for problem in _closing_problems(place, zero)
+            if getattr(places[i].geometry, "master", None) not in stuck
+            for problem in _closing_problems(places[i], ranges[i], design.zero)
         )
 
 
-def _closing_problems(place: PlacedMechanism, zero: Array) -> Iterator[Problem]:
+def _closing_problems(place: PlacedMechanism, ranges: Sequence[OpenRange], zero: Array) -> Iterator[Problem]:
     """Say of each part of a mechanism where it cannot close, or of the whole where it has none."""
     kind, geometry = place.kind, place.geometry
     said = kind.closing_advice(geometry)
     if isinstance(said, Said | str):
         find = kind.closing_field
         field = find if isinstance(find, str) else find(place.spec, geometry)
-        yield _closing_problem(place, field, said, open_ranges(kind, geometry), zero)
+        yield _closing_problem(place, field, said, ranges, ranges, zero)
         return
     for part in said:
-        ranges = open_ranges(kind, geometry, part.gap)
-        if ranges:
-            yield _closing_problem(place, part.field, part.advice, ranges, zero)
+        own = open_ranges(kind, geometry, part.gap)
+        if own:
+            yield _closing_problem(place, part.field, part.advice, own, ranges, zero)
 
 
 def _closing_problem(
-    place: PlacedMechanism, field: str, advice: Words, ranges: Sequence[OpenRange], zero: Array
+    place: PlacedMechanism,
+    field: str,
+    advice: Words,
+    own: Sequence[OpenRange],
+    whole: Sequence[OpenRange],
+    zero: Array,
 ) -> Problem:
-    """Say where a mechanism or a part of it cannot close, by how much, and what would help."""
-    short = max(one.short for one in ranges)
-    if ranges[0].end - ranges[0].start >= 2 * np.pi:
+    """Say where a mechanism or a part of it cannot close, by how much, what would help, and where the whole closes."""
+    short = max(one.short for one in own)
+    if own[0].end - own[0].start >= TURN:
         allowed = _("the links can close at no crank angle (short by {short}); {advice}")
     elif short < _SEEN:
         allowed = _("the links lie in one line at crank angle {angles}, and the crank cannot pass; {advice}")
     else:
         allowed = _("the links cannot close at crank angles {angles} (short by {short}); {advice}")
     given: Given | None = getattr(place.spec, field, None)
+    repair = None
+    if short >= _SEEN and (left := closed_ranges(whole)):
+        closes = all_of([_span(start - place.phase - zero, end - place.phase - zero) for start, end in left])
+        repair = _("all links close at {closes}: run it there with --partial", closes=closes)
     return Problem(
         place.path_of(field),
         given.text if given else None,
         allowed.format(
-            angles=all_of([_span(one.start - place.phase - zero, one.end - place.phase - zero) for one in ranges]),
+            angles=all_of([_span(one.start - place.phase - zero, one.end - place.phase - zero) for one in own]),
             short=number(short, "mm"),
             advice=advice,
         ),
+        repair,
     )
 
 

@@ -192,9 +192,10 @@ def _found_again(name: str, structure: object) -> "AnyKind":
 
 
 class ClosingPart(NamedTuple):
-    """A part that may not close: its path in the mechanism's table, what is said of it, its gap by the angle. [m]"""
+    """A part that may not close: its path in the mechanism's table, what it makes, what is said, its gap. [m]"""
 
     field: str
+    name: str
     advice: Words
     gap: Callable[[Array], Array]
 

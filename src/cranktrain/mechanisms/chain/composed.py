@@ -154,9 +154,20 @@ def _part_named(names: tuple[str, ...], motion: ChainMotion, name: str) -> Part:
 def _closing_parts(structure: Structure, size: ChainSize) -> list[ClosingPart]:
     """Every group with its own gap: where one that it hangs on cannot close, it is not to blame."""
     return [
-        ClosingPart(f"part[{place}]", _advice(structure, size, place), partial(_own_gap, structure, size, place))
+        ClosingPart(
+            f"part[{place}]",
+            _made_by(structure.steps[place]),
+            _advice(structure, size, place),
+            partial(_own_gap, structure, size, place),
+        )
         for place in range(len(structure.steps))
     ]
+
+
+def _made_by(step: Step) -> str:
+    """Name a group by the joint or the slider that it makes."""
+    made = anatomy(step).made
+    return next((name for name, own in made.items() if own.sort != "link" and "." not in name), next(iter(made)))
 
 
 def _own_gap(structure: Structure, size: ChainSize, place: int, angle: Array) -> Array:

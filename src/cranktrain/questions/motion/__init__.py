@@ -14,6 +14,7 @@ from cranktrain.questions.motion import (
     grid_motion,
     pistons,
     points,
+    ranges,
     rocker_load,
     rockers,
     rods,
@@ -23,6 +24,7 @@ from cranktrain.questions.motion import (
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
     yield points.link_points_of(designs)
+    yield ranges.open_mechanisms_of(designs)
     yield followed.followed_of(followed.FollowedLinks, designs.places)
     yield followed.followed_of(followed.FollowedSliders, designs.places)
     yield rocker_load.load_radius_of(designs)
@@ -54,15 +56,19 @@ QUESTION = Question(
         Stage(followed.slider_motions),
         Stage(axial_positions.axial_positions),
         Stage(closing.closing),
+        Stage(ranges.crank_ranges, applies=ranges.is_stuck),
+        Stage(ranges.point_ranges, applies=ranges.is_stuck),
     ),
     dimensions=(
         ResultDimension("point", N_("point")),
         ResultDimension("link", N_("link")),
         ResultDimension("slider", N_("slider")),
+        ResultDimension("ranged_link", N_("link")),
+        ResultDimension("crank_range", N_("range"), is_number=True),
     ),
     headline=("stroke", "mean_piston_speed", "largest_piston_speed", "swing", "time_ratio", "closing_margin"),
     title=N_("Motion"),
-    rows=(rows.slider_rows, rows.rocker_rows, rows.closing_rows),
+    rows=(rows.slider_rows, rows.rocker_rows, rows.closing_rows, rows.range_rows),
     offers={
         "piston_velocity": N_("speeds and accelerations"),
         "point_x": N_("curves of points"),

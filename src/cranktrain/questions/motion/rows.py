@@ -6,13 +6,14 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import Words, _
+from cranktrain.language import Listed, Message, Words, _
 from cranktrain.mechanisms.output import SliderWords
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.motion.closing import Closing
 from cranktrain.questions.motion.dead_centres import DeadCentres
 from cranktrain.questions.motion.outputs import members_by_output
 from cranktrain.questions.motion.pistons import PistonSpeeds
+from cranktrain.questions.motion.ranges import CrankRanges, PointRanges
 from cranktrain.questions.motion.rocker_load import LoadMotion
 from cranktrain.questions.motion.rockers import DeadPositions
 from cranktrain.questions.motion.rods import RodMotion
@@ -108,6 +109,48 @@ def rocker_rows(
 
 _FEW = 2
 """So many rockers have a line each."""
+
+
+def range_rows(of: Telling, found: CrankRanges, points: PointRanges | None) -> Iterator[AnswerLine]:
+    """Over which angles a crank goes that cannot turn all round, what blocks it, and how far links and points go."""
+    names = of.labels["mechanism"]
+    for place, blocked in found.blocked[of.design].items():
+        goes, is_blocked = _("crank goes"), _("blocked by")
+        if len(names) > 1:
+            goes = _("crank of {mechanism} goes", mechanism=names[place])
+            is_blocked = _("{mechanism} blocked by", mechanism=names[place])
+        if not blocked:
+            yield worded(goes, _("nowhere: the links close at no angle"))
+        ends = ("crank_range_start", "crank_range_end")
+        each = [[of.amount(found, end, place, number, unit="rad") for end in ends] for number in range(len(blocked))]
+        yield worded(goes, Listed([_("{start} to {end}", start=start, end=end) for start, end in each]))
+        said = _("{before} before, {behind} behind")
+        parts = [said.format(before=before, behind=behind) for before, behind in blocked if before]
+        yield worded(is_blocked, Listed(parts, "; "))
+    yield from _extents(of, found, "ranged_link", link_angle=_("{link_angle}"))
+    if points is not None:
+        yield from _extents(of, points, "point", point_x=_("x {point_x}"), point_y=_("y {point_y}"))
+
+
+def _extents(of: Telling, found: object, dimension: str, **said: Message) -> Iterator[AnswerLine]:
+    """How far some parts go, over each range of the crank: messages by the quantity's name."""
+    for place, name in enumerate(of.labels[dimension][:_MOST_EXTENTS]):
+        each = [
+            Listed(
+                [
+                    words.format(**{one: of.extent(found, f"smallest_{one}", f"largest_{one}", place, number)})
+                    for one, words in said.items()
+                ]
+            )
+            for number in range(len(of.labels["crank_range"]))
+            if np.isfinite(of.values(found, f"smallest_{next(iter(said))}")[place, number])
+        ]
+        own = name.rpartition(".")[2] if len(of.labels["mechanism"]) == 1 else name
+        yield worded(_("{part} goes", part=own), Listed(each, "; "))
+
+
+_MOST_EXTENTS = 8
+"""Links, or points, that have a line each."""
 
 
 def closing_rows(of: Telling, closing: Closing) -> Iterator[AnswerLine]:
