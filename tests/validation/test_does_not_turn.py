@@ -99,8 +99,8 @@ def test_extents_of_points_by_circles(six_links, number):
     for name, path in zip("CDFE", by_circles(phi), strict=True):
         place = names.index(f"1.{name}")
         for axis, values in (("x", path.real), ("y", path.imag)):
-            for end_of, found in (("smallest", np.min(values)), ("largest", np.max(values))):
-                told = 1e3 * getattr(six_links, f"{end_of}_point_{axis}")[place, number]
+            for end_of, found in (("from", np.min(values)), ("to", np.max(values))):
+                told = 1e3 * getattr(six_links, f"point_{axis}_{end_of}")[place, number]
                 assert told == pytest.approx(found, abs=2e-5)
 
 
@@ -111,8 +111,8 @@ def test_a_rod_that_is_shorter_than_its_crank():
     edge = np.degrees(np.arcsin(0.8))
     np.testing.assert_allclose(result.crank_range_start, [[180 - edge, 360 - edge]], rtol=1e-13)
     np.testing.assert_allclose(result.crank_range_end, [[180 + edge, edge]], rtol=1e-13)
-    np.testing.assert_allclose(result.smallest_link_angle, -np.pi / 2, rtol=1e-9)
-    np.testing.assert_allclose(result.largest_link_angle, np.pi / 2, rtol=1e-9)
+    np.testing.assert_allclose(result.link_angle_from, -np.pi / 2, rtol=1e-9)
+    np.testing.assert_allclose(result.link_angle_to, np.pi / 2, rtol=1e-9)
 
 
 def test_without_partial_it_is_said_where_all_links_close():
@@ -134,7 +134,7 @@ def test_ranges_are_those_of_each_design():
     both = ct.run(machines, partial=True)
     for design, machine in enumerate(machines):
         alone = ct.run(machine, partial=True)
-        for name in ("crank_range_start", "crank_range_end", "smallest_link_angle", "largest_link_angle"):
+        for name in ("crank_range_start", "crank_range_end", "link_angle_from", "link_angle_to"):
             np.testing.assert_array_equal(getattr(both, name)[design], getattr(alone, name))
 
 

@@ -119,12 +119,13 @@ def _list(
 @_app.command(
     "new",
     help=N_(
-        "Give a commented machine file of one KIND of mechanism, ready to run.\n\n"
-        "`cranktrain list kinds` names the kinds.\n\n"
+        "Give a commented machine file of one KIND of mechanism, ready to run, or a copy of an example.\n\n"
+        "`cranktrain list kinds` and `cranktrain list examples` name them.\n\n"
         "\b\n"
         "  cranktrain new slider_crank\n"
         "  cranktrain new crank_rocker -o mine.toml\n"
-        "  cranktrain new walschaerts --full -o locomotive.toml"
+        "  cranktrain new walschaerts --full -o locomotive.toml\n"
+        "  cranktrain new 3d12 -o engine.toml"
     ),
 )
 @put_off

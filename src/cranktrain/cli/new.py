@@ -1,6 +1,9 @@
 """`new` and `schema`: what a machine file starts from."""
 
-from cranktrain.errors import InputError
+from dataclasses import replace
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.io.examples import example_called, example_near, example_text
 from cranktrain.io.output import write_machine_file, write_whole
 from cranktrain.language import N_
 from cranktrain.language import said as _
@@ -41,8 +44,16 @@ _SHAFT = N_("""
 
 
 def write_new(kind: str, output: str | None, *, full: bool = False, force: bool) -> None:
-    """Write a machine file to start from, to the standard output unless a file is named."""
-    write_machine_file(output or "-", starting_file(_kind_called(kind), full=full), force=force)
+    """Write a machine file to start from, of a kind or a copy of an example; to the standard output unless asked."""
+    example = None if _plain(kind) in KINDS.names else example_called(kind)
+    if example is None:
+        text = starting_file(_kind_called(kind), full=full)
+    elif full:
+        allowed = _("must be left out: example {name} is copied as it is", name=example)
+        raise InputError([Problem("--full", None, allowed)])
+    else:
+        text = example_text(example)
+    write_machine_file(output or "-", text, force=force)
 
 
 def write_schema(output: str | None, *, force: bool) -> None:
@@ -75,7 +86,14 @@ def starting_file(kind: AnyKind, *, full: bool = False) -> str:
 
 def _kind_called(name: str) -> AnyKind:
     """Find the kind of that name; capitals do not matter, nor `-` for `_`."""
-    plain = name.casefold().replace("-", "_")
-    if plain not in KINDS.names:
-        raise InputError([unlisted("KIND", name, list(KINDS.names))])
-    return KINDS.named(plain)
+    if _plain(name) in KINDS.names:
+        return KINDS.named(_plain(name))
+    wrong = unlisted("KIND", name, list(KINDS.names))
+    near = None if wrong.repair is not None else example_near(name)
+    repair = wrong.repair if near is None else _("or did you mean the example {name}?", name=near)
+    raise InputError([replace(wrong, repair=repair)])
+
+
+def _plain(name: str) -> str:
+    """Spell the name of a kind one way."""
+    return name.casefold().replace("-", "_")

@@ -24,10 +24,14 @@ def example_names() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in EXAMPLES_FOLDER.glob("*.toml")))
 
 
+def example_text(name: str) -> str:
+    """Read the file of the example of that very name."""
+    return (EXAMPLES_FOLDER / f"{name}.toml").read_text(encoding="utf-8")
+
+
 def example_document(name: str) -> Document:
     """Read the example of that very name."""
-    text = (EXAMPLES_FOLDER / f"{name}.toml").read_text(encoding="utf-8")
-    return Document.from_text(text, _("example {name}", name=name))
+    return Document.from_text(example_text(name), _("example {name}", name=name))
 
 
 def example_called(name: str) -> str | None:

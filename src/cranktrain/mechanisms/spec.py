@@ -3,12 +3,13 @@
 from collections.abc import Mapping
 from typing import Any, ClassVar, NamedTuple
 
+import numpy as np
 from pydantic import Field
 
 from cranktrain.allowed import Name
 from cranktrain.language import N_
 from cranktrain.motion import Array
-from cranktrain.quantities import Given, Length
+from cranktrain.quantities import Angle, Given, Length, PositiveLength
 from cranktrain.spec import Spec
 
 LISTS = frozenset({"part"})
@@ -22,6 +23,13 @@ class LinkPointSpec(Spec, frozen=True):
     along: Length = Field(description=N_("Distance from the link's first pin toward its second."))
     across: Length = Field(
         description=N_("Distance from the line of pins, to the side turned 90° from it in the sense of rotation.")
+    )
+    band: PositiveLength | None = Field(
+        default=None,
+        description=N_("How far within the end of its path the point counts as being there, as a foot on the ground."),
+    )
+    toward: Angle = Field(
+        default=Given(-np.pi / 2, "-90 deg"), description=N_("Direction of that end, from the mechanism's x toward y.")
     )
 
 

@@ -56,7 +56,8 @@ def integral_of_size(of: Subintervals, parts: Sequence[Array]) -> Array:
         for n_halvings in range(_MOST_HALVINGS + 1):
             size = _size(vector)
             last = np.max(np.abs(product(size, to_series(n_nodes)[-2:].T)), axis=-1)
-            is_sharp = (last > _SHOWN * largest[curve]) & (n_halvings < _MOST_HALVINGS)
+            is_sharp = (last > _SHOWN * largest[curve]) | _turns_round(vector, _SHOWN * largest[curve])
+            is_sharp &= n_halvings < _MOST_HALVINGS
             total += np.bincount(curve, np.where(is_sharp, 0.0, half * product(size, weight)), n_curves)
             if not np.any(is_sharp):
                 break
@@ -65,9 +66,27 @@ def integral_of_size(of: Subintervals, parts: Sequence[Array]) -> Array:
     return total
 
 
+def _turns_round(vector: Array, shown: Array) -> NDArray[np.bool_]:
+    """Whether a vector turns round from one point of a panel, or from an end, to the next: its last orders may miss it.
+
+    Shapes (part, panel, n) and (panel,); where the vector is less on both sides than is shown, that is no matter.
+    """
+    ends = product(vector, _at_ends(vector.shape[-1]))
+    along = np.concatenate([ends[..., :1], vector, ends[..., 1:]], axis=-1)
+    turns = np.sum(along[..., 1:] * along[..., :-1], axis=0) < 0
+    size = _size(along)
+    return np.any(turns & (np.maximum(size[:, 1:], size[:, :-1]) > shown[:, np.newaxis]), axis=-1)
+
+
 def _size(vectors: Array) -> Array:
     """Size of vectors by their parts, along the first axis."""
     return np.sqrt(np.sum(vectors * vectors, axis=0))
+
+
+@cache
+def _at_ends(n_nodes: int) -> Array:
+    """From values at a panel's points to those at its ends, shape (n, 2)."""
+    return interpolation(np.array([-1.0, 1.0]), n_nodes).T
 
 
 @cache

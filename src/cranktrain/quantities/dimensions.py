@@ -133,7 +133,7 @@ class Dimension(Enum):
         (
             _unit("kPa", "кПа", si=1000),
             _unit("Pa", "Па"),
-            _unit("MPa", "МПа", si=10**6),
+            _unit("MPa", "МПа", "N/mm²", "Н/мм²", si=10**6),
             _unit("GPa", "ГПа", si=10**9),
             _unit("bar", "бар", si=10**5),
             _unit("barg", "бари", si=10**5, offset=_AMBIENT),

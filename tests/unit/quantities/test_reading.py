@@ -59,7 +59,7 @@ MULTIPLICATIVE = {
     D.PRESSURE: {
         Fraction(1): ("Pa", "Па"),
         Fraction(1000): ("kPa", "кПа"),
-        Fraction(10**6): ("MPa", "МПа"),
+        Fraction(10**6): ("MPa", "МПа", "N/mm²", "N/mm2", "N/mm^2", "Н/мм²"),
         Fraction(10**5): ("bar", "бар"),
         Fraction("98066.5"): ("at", "ат", "kgf/cm²", "kgf/cm2", "кгс/см²"),
         Fraction(101325): ("atm", "атм"),

@@ -114,6 +114,7 @@ def _of_words(metavar: str, begun: str) -> Iterator[str]:
         yield from results()
     elif metavar == "KIND":
         yield from words("kinds")
+        yield from example_names()
     elif "|" in metavar:
         yield from metavar.strip("[]").split("|")
 

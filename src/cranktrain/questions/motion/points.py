@@ -27,12 +27,20 @@ class LinkPoints(Followed):
     ----------
     geometry : LinkPoint of arrays, shape (design, point, 1)
         On the link; nothing for a joint.
+    band, toward : Array, shape (design, point)
+        How far within the end of its path it counts as being there [m], and the direction of that end [rad]; NaN of one
+        that is not asked for it.
+    is_joint : tuple of bool
+        Whether each has its name of the mechanism, and not of the file.
     """
 
     needs: ClassVar[str] = N_("[mechanism.points.NAME] link, along, across")
     dimension: ClassVar[str] = "point"
 
     geometry: LinkPoint
+    band: Array
+    toward: Array
+    is_joint: tuple[bool, ...]
 
 
 def point_problems(design: Design) -> tuple[Problem, ...]:
@@ -67,12 +75,17 @@ def link_points_of(designs: Designs) -> LinkPoints | None:
         return designs.by_design(numbers)[..., np.newaxis]
 
     along, across = lengths("along"), lengths("across")
+    asked = [None if is_joint else place.spec.points[name] for _i, place, name, is_joint in found]
+    bands, toward = ([getattr(spec, key, None) for spec in asked] for key in ("band", "toward"))
     sense = np.array([[place.sense] for _i, place, *_rest in found])
     return LinkPoints(
         names=tuple(f"{place.name}.{name}" for _i, place, name, _j in found),
         mechanism=np.array([i for i, _p, _n, _j in found], dtype=np.intp),
         parts=tuple(name if is_joint else place.spec.points[name].link for _i, place, name, is_joint in found),
         geometry=LinkPoint(np.hypot(along, across), sense * np.arctan2(across, along)),
+        band=designs.by_design([np.nan if band is None else band.array for band in bands]),
+        toward=sense[:, 0] * designs.by_design([0.0 if one is None else one.array for one in toward]),
+        is_joint=tuple(is_joint for *_point, is_joint in found),
     )
 
 

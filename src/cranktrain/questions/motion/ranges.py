@@ -32,7 +32,9 @@ _NEAR = 0.05
 """How near to an end of a range values are taken for the limit there, in parts of the range."""
 _ROOTS: Array = (1 - np.cos((2 * np.arange(14) + 1) * (np.pi / 28))) / 2
 """Square roots of how near, Chebyshev's points of (0, 1): of these a value at the end of a branch is a polynomial."""
-_AT_END: Array = np.array([np.prod(rest / (rest - own)) for own in _ROOTS for rest in [_ROOTS[own != _ROOTS]]])
+_AT_END: Array = np.prod(
+    np.where(np.eye(14, dtype=np.bool_), 1.0, _ROOTS / (_ROOTS - _ROOTS[:, np.newaxis] + np.eye(14))), axis=1
+)
 """Weights of its values there for that at 0."""
 _INSIDE = (1 - np.cos(np.linspace(0, np.pi, 362)[1:-1])) / 2
 """Places in a range between which turning points are looked for, closer toward its ends."""
@@ -126,7 +128,7 @@ class CrankRanges(StageResult):
     crank_range_end: Array = quantity(
         "φ_2", "deg", _CRANK, N_("Crank angle up to which the links close"), _THEORY, "5.1", is_place=True
     )
-    smallest_link_angle: Array = quantity(
+    link_angle_from: Array = quantity(
         "θ_min",
         "rad",
         _LINK,
@@ -134,7 +136,7 @@ class CrankRanges(StageResult):
         _GROUPS,
         "1.2",
     )
-    largest_link_angle: Array = quantity(
+    link_angle_to: Array = quantity(
         "θ_max",
         "rad",
         _LINK,
@@ -164,14 +166,10 @@ def crank_ranges(stuck: OpenMechanisms, mechanisms: Mechanisms, crank_angle: Cra
 class PointRanges:
     """How far points go of mechanisms that cannot turn all round."""
 
-    smallest_point_x: Array = quantity(
-        "x_min", "m", _POINT, N_("Smallest x of the point over the range"), _GROUPS, "1.3"
-    )
-    largest_point_x: Array = quantity("x_max", "m", _POINT, N_("Largest x of the point over the range"), _GROUPS, "1.3")
-    smallest_point_y: Array = quantity(
-        "y_min", "m", _POINT, N_("Smallest y of the point over the range"), _GROUPS, "1.3"
-    )
-    largest_point_y: Array = quantity("y_max", "m", _POINT, N_("Largest y of the point over the range"), _GROUPS, "1.3")
+    point_x_from: Array = quantity("x_min", "m", _POINT, N_("Smallest x of the point over the range"), _GROUPS, "1.3")
+    point_x_to: Array = quantity("x_max", "m", _POINT, N_("Largest x of the point over the range"), _GROUPS, "1.3")
+    point_y_from: Array = quantity("y_min", "m", _POINT, N_("Smallest y of the point over the range"), _GROUPS, "1.3")
+    point_y_to: Array = quantity("y_max", "m", _POINT, N_("Largest y of the point over the range"), _GROUPS, "1.3")
 
 
 def point_ranges(stuck: OpenMechanisms, mechanisms: Mechanisms, points: LinkPoints) -> PointRanges:

@@ -13,6 +13,7 @@ from cranktrain.questions.motion.closing import Closing
 from cranktrain.questions.motion.dead_centres import DeadCentres
 from cranktrain.questions.motion.outputs import members_by_output
 from cranktrain.questions.motion.pistons import PistonSpeeds
+from cranktrain.questions.motion.point_paths import PointPaths
 from cranktrain.questions.motion.ranges import CrankRanges, PointRanges
 from cranktrain.questions.motion.rocker_load import LoadMotion
 from cranktrain.questions.motion.rockers import DeadPositions
@@ -111,6 +112,21 @@ _FEW = 2
 """So many rockers have a line each."""
 
 
+def point_rows(of: Telling, paths: PointPaths) -> Iterator[AnswerLine]:
+    """How long the paths are of points that the file asks to follow, how far they go, and how long they stay."""
+    asked = [place for place, is_joint in enumerate(paths.is_joint) if not is_joint][:_FEW]
+    for place in asked:
+        if not np.isfinite(of.values(paths, "point_path_length")[place]):
+            continue
+        x, y = (of.extent(paths, f"smallest_point_{one}", f"largest_point_{one}", place) for one in "xy")
+        length = of.amount(paths, "point_path_length", place)
+        words = _("{length}, x {x}, y {y}", length=length, x=x, y=y)
+        if np.isfinite(of.values(paths, "point_band_share")[place]):
+            share = of.amount(paths, "point_band_share", place, unit="%")
+            words = _("{words}; {share} of the turn at its end", words=words, share=share)
+        yield worded(_("path of {point}", point=of.labels["point"][place].rpartition(".")[2]), words)
+
+
 def range_rows(of: Telling, found: CrankRanges, points: PointRanges | None) -> Iterator[AnswerLine]:
     """Over which angles a crank goes that cannot turn all round, what blocks it, and how far links and points go."""
     names = of.labels["mechanism"]
@@ -138,12 +154,12 @@ def _extents(of: Telling, found: object, dimension: str, **said: Message) -> Ite
         each = [
             Listed(
                 [
-                    words.format(**{one: of.extent(found, f"smallest_{one}", f"largest_{one}", place, number)})
+                    words.format(**{one: of.extent(found, f"{one}_from", f"{one}_to", place, number)})
                     for one, words in said.items()
                 ]
             )
             for number in range(len(of.labels["crank_range"]))
-            if np.isfinite(of.values(found, f"smallest_{next(iter(said))}")[place, number])
+            if np.isfinite(of.values(found, f"{next(iter(said))}_from")[place, number])
         ]
         own = name.rpartition(".")[2] if len(of.labels["mechanism"]) == 1 else name
         yield worded(_("{part} goes", part=own), Listed(each, "; "))

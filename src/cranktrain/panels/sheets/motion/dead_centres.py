@@ -47,6 +47,8 @@ def ruler_of(result: Result, design: int = 0, mechanism: str | None = None) -> R
         words = _("largest at"), _("smallest at")
         found = tuple(_marks(shown, "rocker", dict.fromkeys(drawn_names(shown, "rocker"), words)))
         heading = _("Dead positions of the rocker") if found else _("The rocker turns with the crank")
+        if shown.has("crank_range_start"):
+            heading = _("The crank does not turn all round")
         return Ruler(heading, found)
     said = {place.name: place.kind.output.words for place in machine.places}
     ends = {name: (_(words.ends[0]), _(words.ends[1])) for name, words in said.items() if words is not None}
