@@ -23,7 +23,7 @@ def test_a_vector_that_passes_nothing(apart, turn):
 
 
 def test_a_vector_that_turns_round_anywhere_in_a_panel():
-    """|sin(φ − turn)| has the integral 4, wherever its corners are: between a panel's points, or beyond the last one."""
+    """|sin(φ − turn)| has the integral 4, whether its corners are between a panel's points or beyond the last one."""
     turn = np.random.default_rng(1).uniform(0, 2 * np.pi, (400, 1))
     found = integral_of_size(CUT, (np.sin(CUT.angle - turn), np.zeros((400, CUT.angle.size))))
     np.testing.assert_allclose(found, 4, rtol=1e-11)

@@ -7,11 +7,11 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from cranktrain.language import Listed, Words, _
-from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle, order_labels, orders
+from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle, order_labels, orders, within
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
-from cranktrain.numerics.harmonics import ComplexArray
+from cranktrain.numerics.harmonics import TURN, ComplexArray
 from cranktrain.numerics.plane_vectors import (
     PlaneVectors,
     added,
@@ -97,7 +97,7 @@ def shaken(
     made : callable
         The result's class: of curves along the machine's X and Y, shape (design, balance, crank_angle), and by the
         cycle's orders, shape (design, balance, order), of the parts that turn with the crank and against it, of the
-        largest and the smallest, and of its direction from Y in the normal sense [rad].
+        largest and the smallest, of its direction from Y in the normal sense, and of the crank angle there [rad].
     frame : FrameForces
     running : RunningFrame or None
         Where the speed varies over the cycle.
@@ -130,6 +130,7 @@ def shaken(
     # Directions along one line are one: from −90°, which itself counts as +90°.
     along = np.pi / 2 - np.mod(np.pi / 2 - frames.running * ellipse.direction, np.pi)
     rounding = _ROUNDING * scale[:, np.newaxis, np.newaxis]
+    phase = _phase(vectors, frames.running * along) - crank_angle.zero
 
     def size(vector: Array | ComplexArray) -> Array:
         return np.where(np.abs(vector) <= rounding, 0.0, np.abs(vector))
@@ -142,9 +143,20 @@ def shaken(
         size(ellipse.major),
         size(ellipse.minor),
         np.where(has_axis, along, np.nan),
+        np.where(has_axis, within(phase, TURN / vectors.order), np.nan),
         gross=scale,
         labels={"balance": BALANCE[: sums.curves.shape[1]], **order_labels(crank_angle.cycle)},
     )
+
+
+def _phase(vectors: PlaneVectors, direction: Array) -> Array:
+    """φ at which each order is largest in its direction, from the running axes, and not against it. [rad]
+
+    docs/theory/balance, eq. (16.18).
+    """
+    lead = np.angle(vectors.backward * np.conj(vectors.forward)) / 2
+    is_against = np.cos(np.angle(vectors.forward) + lead - direction) < 0
+    return (lead + np.pi * is_against) / vectors.order
 
 
 def _gross(frame: FrameForces, arm: Array, balanced: Balanced | None) -> Array:

@@ -63,6 +63,15 @@ class ShakingForces(Shaken):
     shaking_force_direction: Array = quantity(
         "δ_F", "rad", _ORDER, N_("Of the order's largest shaking force, from Y in the normal sense"), _THEORY, "16.3"
     )
+    shaking_force_phase: Array = quantity(
+        "φ_F",
+        "deg",
+        _ORDER,
+        N_("Crank angle at which the order's shaking force is largest in that direction, in its first period"),
+        _THEORY,
+        "16.18",
+        is_place=True,
+    )
 
 
 @record
@@ -112,6 +121,15 @@ class ShakingCouples(Shaken):
         N_("Of the forces of the order's largest shaking couple, from Y in the normal sense"),
         _THEORY,
         "16.3",
+    )
+    shaking_couple_phase: Array = quantity(
+        "φ_C",
+        "deg",
+        _ORDER,
+        N_("Crank angle at which the order's shaking couple is largest in that direction, in its first period"),
+        _THEORY,
+        "16.18",
+        is_place=True,
     )
 
 
