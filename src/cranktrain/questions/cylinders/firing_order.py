@@ -95,6 +95,11 @@ def _own_order(common: CylindersSpec, leading: Sequence[PlacedMechanism]) -> Fir
     """Order in which cylinders fire that have no choice: one alone, and those of a two-stroke as their cranks come."""
     if not leading or (len(leading) > 1 and common.cycle != "two-stroke"):
         return None
+    return order_of_cranks(leading)
+
+
+def order_of_cranks(leading: Sequence[PlacedMechanism]) -> FiringOrder:
+    """Order in which cylinders fire of which each does once a turn: as their cranks come."""
     return FiringOrder(np.argsort(_tops(leading), kind="stable"))
 
 

@@ -13,7 +13,7 @@ from cranktrain.numerics.designs import by_design
 from cranktrain.quantities import Given
 from cranktrain.questions.cylinders.declared import Cylinder, cylinder_problems, cylinders_of, name_of_side
 from cranktrain.questions.cylinders.firing import Cycle, FiringOrder, common_order
-from cranktrain.questions.cylinders.firing_order import firing_order_of
+from cranktrain.questions.cylinders.firing_order import firing_order_of, order_of_cranks
 from cranktrain.questions.cylinders.ports import Ports
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.cylinders.travel import CylinderPistons
@@ -30,6 +30,12 @@ def firing_order(design: Design) -> tuple[FiringOrder | None, tuple[Problem, ...
     pistons = design.pistons
     leading = [pistons[cylinder.pistons[0]] for cylinder in design.once(cylinders)]
     return firing_order_of(_table(design), leading, zero=design.zero, astern=design.orientation.is_astern)
+
+
+def order_of_cylinders(design: Design) -> FiringOrder:
+    """Give the order in which cylinders work that do so once a turn: as their cranks come."""
+    pistons = design.pistons
+    return order_of_cranks([pistons[cylinder.pistons[0]] for cylinder in design.once(cylinders)])
 
 
 def _table(design: Design) -> CylindersSpec:

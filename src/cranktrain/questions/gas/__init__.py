@@ -9,6 +9,7 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, TableFile, Use, keys
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.cylinders.firing import Cycle, FiringOrder
+from cranktrain.questions.cylinders.parts import order_of_cylinders
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.cylinders.volumes import Chambers, CompressionRatios
 from cranktrain.questions.gas import chambers, declared, events, flows, heat, powers, pressures, rows, unlikely
@@ -36,8 +37,14 @@ def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     if designs.pistons is not None:
         gas = declared.declared_gas(designs)
         yield gas
-        if gas is not None and not gas.fires and Cycle not in known:
+        chambers = known.get(Chambers)
+        if gas is not None and Cycle not in known and not gas.fires:
             yield Cycle(TURN, fires=False)
+        elif gas is not None and Cycle not in known and isinstance(chambers, Chambers) and chambers.are_double_acting:
+            # Steam works once a turn on either side.
+            yield Cycle(TURN)
+            if FiringOrder not in known:
+                yield order_of_cylinders(designs.together)
         yield powers.losses_of(designs)
 
 
