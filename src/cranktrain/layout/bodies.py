@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
+import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
@@ -21,6 +22,7 @@ from cranktrain.quantities import (
 from cranktrain.spec import Spec
 
 Friction = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
+NonNegativeMass = Annotated[Given, Quantity(Dimension.MASS, at_least=0.0)]
 NonNegativeMoment = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT, at_least=0.0)]
 PositiveAcceleration = Annotated[Given, Quantity(Dimension.ACCELERATION, above=0.0)]
 
@@ -40,8 +42,8 @@ class BodySpec(Spec, frozen=True):
 
     in_one_word: ClassVar = "mass"
 
-    mass: PositiveMass | None = Field(
-        default=None, description=N_("Mass of the body; or, of a rod, those of both its ends.")
+    mass: NonNegativeMass | None = Field(
+        default=None, description=N_("Mass of the body, 0 of one that weighs nothing; or, of a rod, those of its ends.")
     )
     along: Length | None = Field(
         default=None, description=N_("Centroid's distance from the link's first pin, toward its second.")
@@ -74,6 +76,11 @@ class BodySpec(Spec, frozen=True):
         if given:
             allowed = _("must not stand beside the masses of both ends, which say it")
             yield from (Problem(name, None, allowed) for name in ("mass", "along") if getattr(self, name) is not None)
+
+    @property
+    def weighs_nothing(self) -> bool:
+        """Whether its mass is given as 0 in all designs, and no inertia beside it: then it needs no place."""
+        return self.mass is not None and not np.any(self.mass.array) and self.own_inertia is None
 
     @property
     def own_inertia(self) -> Array | None:

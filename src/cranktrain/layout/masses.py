@@ -147,7 +147,7 @@ def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[Place
     """Find what a body lacks, and a centroid that lies far outside its link."""
     lengths = dict.fromkeys(float(length) for place in places if (length := _length(place, name)) is not None)
     turns = any(name not in map(part_name, place.kind.dynamics.straight) for place in places)
-    if turns and name != PISTON and body.big_end is None:
+    if turns and name != PISTON and body.big_end is None and not body.weighs_nothing:
         yield from (
             Problem(
                 f"{where}.{field}",
@@ -232,7 +232,11 @@ def _found_of(place: PlacedMechanism, given: Weighed, crank: BodySpec | None) ->
         masses,
         used=list(used.values()),
         weightless=[part_name(part) for part, spec in specs.items() if part != CRANK and spec is None],
-        assumed=[part for part, spec in used.items() if spec.own_inertia is None and part not in unturned],
+        assumed=[
+            part
+            for part, spec in used.items()
+            if spec.own_inertia is None and part not in unturned and not spec.weighs_nothing
+        ],
         doubtful=[
             part
             for part, spec in used.items()
