@@ -21,10 +21,10 @@ def test_a_rod_that_weighs_nothing_is_as_one_that_is_not_given_but_for_the_warni
 
 
 def test_less_than_nothing_is_refused():
-    with pytest.raises(ct.InputError, match="masses.piston.mass"):
+    with pytest.raises(ct.InputError, match=r"masses\.piston\.mass"):
         run(piston={"mass": "-1 kg"})
 
 
 def test_a_rod_that_weighs_something_still_needs_its_centroid():
-    with pytest.raises(ct.InputError, match="masses.rod.along"):
+    with pytest.raises(ct.InputError, match=r"masses\.rod\.along"):
         run(rod={"mass": "1 kg"})
