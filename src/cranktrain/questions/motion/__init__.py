@@ -53,6 +53,7 @@ QUESTION = Question(
         Stage(couplers.coupler_speeds),
         Stage(rocker_load.load_motion),
         Stage(points.point_motion),
+        Stage(point_paths.point_turn),
         Stage(point_paths.point_paths),
         Stage(point_paths.point_speeds),
         Stage(followed.link_motion),

@@ -11,7 +11,6 @@ from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.speed import Speed, rates
-from cranktrain.linkage.forces import Drive
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, bracketed_roots, extremes, largest, subintervals, turn_grid
 from cranktrain.numerics.harmonics import TURN
@@ -26,6 +25,22 @@ from cranktrain.saying.catalogue import extreme, quantity
 _POINT = ("point",)
 _WIDEST, _NARROWEST = TURN / 24, TURN / 1000
 """Panels in which a path's derivatives are looked at, at first and at last. [rad]"""
+
+
+_Place: TypeAlias = tuple[Coefficient, Coefficient]
+"""x and y of all points, shape (design, point, k)."""
+
+
+@record
+class PointTurn:
+    """One turn of the points, whatever the machine's own grid: x and y on `turn_grid()`, shape (design, point, 720)."""
+
+    place: _Place
+
+
+def point_turn(points: LinkPoints, mechanisms: Mechanisms) -> PointTurn:
+    """Sample a turn of the points: where extremes are looked for first."""
+    return PointTurn(_place_at(points, mechanisms, turn_grid()))
 
 
 @record
@@ -87,22 +102,26 @@ class PointPaths:
     is_joint: tuple[bool, ...] = field(kw_only=True)
 
 
-def point_paths(points: LinkPoints, mechanisms: Mechanisms, crank_angle: CrankAngle) -> PointPaths:
+def point_paths(points: LinkPoints, turn: PointTurn, mechanisms: Mechanisms, crank_angle: CrankAngle) -> PointPaths:
     """Extents as roots of the derivatives, lengths as integrals; docs/theory/groups, eqs. (1.18) and (1.19)."""
     place = partial(_place_at, points, mechanisms)
-    ends = [
-        extremes(lambda phi, axis=axis: place(phi)[axis].value, lambda phi, axis=axis: place(phi)[axis].first)
+
+    def both(order: int, angle: Array) -> Array:
+        """X and y, or their derivatives, each at angles of its own, (2, design, point, k)."""
+        apart = np.moveaxis(angle, 0, -2)
+        found = place(apart.reshape(*apart.shape[:2], -1))
+        return np.stack([one[order].reshape(apart.shape)[..., axis, :] for axis, one in enumerate(found)])
+
+    ends = extremes(partial(both, 0), partial(both, 1), samples=np.stack([one.value for one in turn.place]))
+    x, y = (
+        [Extreme(crank_angle.counted(one.angle[axis])[..., 0], one.value[axis, ..., 0]) for one in ends]
         for axis in range(2)
-    ]
-    counted = [
-        Extreme(crank_angle.counted(one.angle)[..., 0], one.value[..., 0])
-        for pair in ends
-        for one in (pair.smallest, pair.largest)
-    ]
+    )
     return PointPaths(
-        *counted,
+        *x,
+        *y,
         point_path_length=_lengths(place),
-        point_band_share=_shares(points, place),
+        point_band_share=_shares(points, turn, place),
         is_joint=points.is_joint,
     )
 
@@ -133,31 +152,29 @@ class PointSpeeds:
     )
 
 
-def point_speeds(points: LinkPoints, mechanisms: Mechanisms, speed: Speed, crank_angle: CrankAngle) -> PointSpeeds:
+def point_speeds(
+    points: LinkPoints, turn: PointTurn, mechanisms: Mechanisms, speed: Speed, crank_angle: CrankAngle
+) -> PointSpeeds:
     """Largest sizes of r′ω and r″ω² + r′ε over a turn, or at a speed that varies over the cycle. (1.20)"""
     is_constant = speed.curve is None
     grid = turn_grid() if is_constant else crank_angle.shown
     zero = 0.0 if is_constant else crank_angle.zero
 
+    def sizes(phi: Array, place: _Place) -> list[Array]:
+        x, y = (rates(one, speed.drive(phi)) for one in place)
+        return [np.hypot(*parts) for parts in zip(x, y, strict=True)]
+
     def size(order: int, shown: Array) -> Array:
         phi = shown + zero
-        x, y = (rates(one, _drive(speed, phi))[order] for one in _place_at(points, mechanisms, phi))
-        return np.hypot(x, y)
+        return sizes(phi, _place_at(points, mechanisms, phi))[order]
 
-    found = [largest(partial(size, order), grid=grid) for order in range(2)]
+    phi = grid + zero
+    samples = sizes(phi, turn.place if is_constant else _place_at(points, mechanisms, phi))
+    found = [largest(partial(size, order), grid=grid, samples=own) for order, own in enumerate(samples)]
     period = TURN if is_constant else crank_angle.cycle
     return PointSpeeds(
         *(Extreme(crank_angle.counted(one.angle + zero, period)[..., 0], one.value[..., 0]) for one in found)
     )
-
-
-def _drive(speed: Speed, phi: Array) -> Drive:
-    """Speed and acceleration of the crank at φ, shape (design, point or 1, n)."""
-    return speed.drive(phi)
-
-
-_Place: TypeAlias = tuple[Coefficient, Coefficient]
-"""x and y of all points, shape (design, point, k)."""
 
 
 def _place_at(points: LinkPoints, mechanisms: Mechanisms, angle: Array) -> _Place:
@@ -197,25 +214,29 @@ def _lengths(place: Callable[[Array], _Place]) -> Array:
     return integral_of_size(cut, parts).reshape(x.first.shape[:-1])
 
 
-def _shares(points: LinkPoints, place: Callable[[Array], _Place]) -> Array:
+def _shares(points: LinkPoints, turn: PointTurn, place: Callable[[Array], _Place]) -> Array:
     """Share of the turn in which each point is within its band, shape (design, point); NaN of one without a band."""
+    shares = np.full(points.band.shape, np.nan)
+    if np.all(np.isnan(points.band)):
+        return shares
     cos, sin = np.cos(points.toward)[..., np.newaxis], np.sin(points.toward)[..., np.newaxis]
 
-    def ahead(phi: Array) -> tuple[Array, Array]:
-        x, y = place(phi)
-        return x.value * cos + y.value * sin, x.first * cos + y.first * sin
+    def ahead(order: int, at: _Place) -> Array:
+        x, y = at
+        return x[order] * cos + y[order] * sin
 
-    farthest = extremes(lambda phi: ahead(phi)[0], lambda phi: ahead(phi)[1]).largest.value
+    samples = ahead(0, turn.place)
+    farthest = extremes(
+        lambda phi: ahead(0, place(phi)), lambda phi: ahead(1, place(phi)), samples=samples
+    ).largest.value
     level = farthest - points.band[..., np.newaxis]
-    grid = turn_grid()
-    inside = ahead(grid)[0] - level
-    shares = np.full(points.band.shape, np.nan)
+    grid, inside = turn_grid(), samples - level
     for design, point in zip(*np.nonzero(np.isfinite(level[..., 0])), strict=True):
         own = inside[design, point]
         changes = np.flatnonzero((own > 0) != (np.roll(own, -1) > 0))
 
         def beyond(phi: Array, design: int = int(design), point: int = int(point)) -> Array:
-            return ahead(phi)[0][design, point] - level[design, point, 0]
+            return ahead(0, place(phi))[design, point] - level[design, point, 0]
 
         roots = bracketed_roots(beyond, grid[changes], grid[changes] + grid[1])
         lengths = np.diff(np.append(roots, roots[:1] + TURN))
