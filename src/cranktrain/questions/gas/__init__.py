@@ -37,15 +37,20 @@ def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     if designs.pistons is not None:
         gas = declared.declared_gas(designs)
         yield gas
-        chambers = known.get(Chambers)
-        if gas is not None and Cycle not in known and not gas.fires:
-            yield Cycle(TURN, fires=False)
-        elif gas is not None and Cycle not in known and isinstance(chambers, Chambers) and chambers.are_double_acting:
-            # Steam works once a turn on either side.
-            yield Cycle(TURN)
-            if FiringOrder not in known:
-                yield order_of_cylinders(designs.together)
+        if gas is not None and Cycle not in known:
+            yield from _turns(gas, designs, known)
         yield powers.losses_of(designs)
+
+
+def _turns(gas: declared.DeclaredGas, designs: Designs, known: Parts) -> Iterator[object]:
+    """Of a file that says no cycle: what does not fire works once a turn, and so does steam on both sides."""
+    chambers = known.get(Chambers)
+    if not gas.fires:
+        yield Cycle(TURN, fires=False)
+    elif gas.are_cards and isinstance(chambers, Chambers) and chambers.are_double_acting:
+        yield Cycle(TURN)
+        if FiringOrder not in known:
+            yield order_of_cylinders(designs.together)
 
 
 QUESTION = Question(

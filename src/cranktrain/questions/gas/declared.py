@@ -49,6 +49,11 @@ class DeclaredGas:
         """Whether cylinders fire, and so need a cycle and an order."""
         return any(table.fluid.fires for table in self.tables)
 
+    @property
+    def are_cards(self) -> bool:
+        """Whether all that is known of the gas was measured."""
+        return all(table.fluid.name == "indicator" for table in self.tables)
+
     def numbers(self, path: str) -> Any:
         """Numbers of the table with that path."""
         return next(table.numbers for table in self.tables if table.path == path)

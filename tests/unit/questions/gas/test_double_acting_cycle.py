@@ -40,6 +40,13 @@ def test_two_cylinders_work_as_their_cranks_come():
     assert results[1].firing_angle == pytest.approx([0, 270])
 
 
+def test_what_burns_on_both_sides_is_asked_for_its_cycle():
+    """Double-acting engines of four strokes were built, too."""
+    gas = {"kind": "otto", "start_pressure": "95 kPa", "compression_exponent": 1.35, "expansion_exponent": 1.27}
+    tables = MILL | {"cylinder": without(MILL["cylinder"], "cycle"), "gas": gas | {"pressure_ratio": 3.6}}
+    assert "gas_pressure" not in ct.run(ct.Machine(**tables)).catalogue
+
+
 def test_a_single_acting_cylinder_is_still_asked_for_its_cycle():
     cylinder = without(MILL["cylinder"], "cycle") | {"chambers": ["head"]}
     result = ct.run(ct.Machine(**MILL | {"cylinder": cylinder}))
