@@ -54,7 +54,7 @@ class CrankAngle:
         return within(angle - self.zero, period)
 
 
-def within(angle: Array, period: float, rounding: float = _ROUNDING) -> Array:
+def within(angle: Array, period: float | Array, rounding: float = _ROUNDING) -> Array:
     """Bring angles into [0, period); what rounding put just before the period's end stands at its start. [rad]"""
     counted = np.mod(angle, period)
     return np.where(period - counted < rounding, 0.0, counted)

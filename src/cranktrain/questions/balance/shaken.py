@@ -35,6 +35,8 @@ _ROUNDING = 1e-12
 """What is less than this share of it is 0."""
 BALANCE = ("without", "with")
 """What the dimension `balance` has: the machine without balance weights and, where there are any, with them."""
+_ONE_WAY = 1e-9
+"""Directions so near to −90° are +90°, and angles so near to a period are its start. [rad]"""
 _NAMED = 3
 """How many orders a sentence names."""
 
@@ -128,7 +130,7 @@ def shaken(
     # A circle has no long axis, and what has gone no direction.
     has_axis = ellipse.major - ellipse.minor > least
     # Directions along one line are one: from −90°, which itself counts as +90°.
-    along = np.pi / 2 - np.mod(np.pi / 2 - frames.running * ellipse.direction, np.pi)
+    along = np.pi / 2 - within(np.pi / 2 - frames.running * ellipse.direction, np.pi, _ONE_WAY)
     rounding = _ROUNDING * scale[:, np.newaxis, np.newaxis]
     phase = _phase(vectors, frames.running * along) - crank_angle.zero
 
@@ -143,7 +145,7 @@ def shaken(
         size(ellipse.major),
         size(ellipse.minor),
         np.where(has_axis, along, np.nan),
-        np.where(has_axis, within(phase, TURN / vectors.order), np.nan),
+        np.where(has_axis, within(phase, TURN / vectors.order, _ONE_WAY), np.nan),
         gross=scale,
         labels={"balance": BALANCE[: sums.curves.shape[1]], **order_labels(crank_angle.cycle)},
     )
