@@ -117,6 +117,10 @@ class Listed(Said):
         """Keep what nobody changes."""
         object.__setattr__(self, "parts", tuple(self.parts))
 
+    def __bool__(self) -> bool:
+        """Whether there is anything to say."""
+        return any(self.parts)
+
     def said(self, say: Callable[[object], object]) -> str:
         """Say one after the other."""
         return self.between.join(str(say(part)) for part in self.parts)

@@ -141,3 +141,12 @@ def test_ranges_are_those_of_each_design():
 def test_what_turns_all_round_has_none():
     mechanism = {"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "140 mm"}
     assert "crank_range_start" not in ct.run(ct.Machine(mechanism=mechanism), partial=True).catalogue
+
+
+@pytest.mark.parametrize("offset", ["0 mm", "300 mm"])
+def test_no_line_of_the_answer_is_empty(offset):
+    """Of one part nothing blocks but itself; of links that close nowhere nothing goes anywhere."""
+    mechanism = {"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "40 mm", "offset": offset}
+    lines = [line for _title, each in ct.run(ct.Machine(mechanism=mechanism), partial=True).rows() for line in each]
+    assert all(line.values.size or str(line.words).strip() for line in lines)
+    assert sum(str(line.name) == "crank goes" for line in lines) == 1

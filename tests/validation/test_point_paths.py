@@ -87,3 +87,23 @@ def test_facts_are_those_among_designs_and_at_any_step(result):
     for name in names:
         np.testing.assert_allclose(getattr(both, name)[0], getattr(result, name), rtol=1e-11, atol=1e-9, equal_nan=True)
         np.testing.assert_allclose(getattr(coarse, name), getattr(result, name), rtol=1e-12, equal_nan=True)
+
+
+def test_points_of_several_mechanisms_are_those_of_each_alone(result):
+    """Two banks of one linkage on two throws, one with a point more: what is asked of one is not asked of the other."""
+    tables = tomllib.loads(FOUR_BAR)
+    mechanism = tables["mechanism"]
+    fewer = mechanism | {"points": {"tip": mechanism["points"]["tip"]}}
+    both = ct.run(
+        ct.Machine(
+            shaft={"main": {"speed": "600 rpm", "throws": ["0 deg", "70 deg"]}},
+            bank={"A": {"throws": [1], "mechanism": mechanism}, "B": {"throws": [2], "mechanism": fewer}},
+        )
+    )
+    names, alone = both.labels["point"], result.labels["point"]
+    assert len(names) == len(alone) + 1
+    for name in ("smallest_point_x", "largest_point_y", "point_path_length", "point_band_share", "largest_point_speed"):
+        found, expected = getattr(both, name), getattr(result, name)
+        for place, whose in enumerate(names):
+            one = expected[alone.index(f"1.{whose.rpartition('.')[2]}")]
+            np.testing.assert_allclose(found[place], one, rtol=1e-12, equal_nan=True)

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.io.examples import example_called, example_near, example_text
+from cranktrain.io.examples import example_called, example_near, example_text, plain_name
 from cranktrain.io.output import write_machine_file, write_whole
 from cranktrain.language import N_
 from cranktrain.language import said as _
@@ -45,7 +45,7 @@ _SHAFT = N_("""
 
 def write_new(kind: str, output: str | None, *, full: bool = False, force: bool) -> None:
     """Write a machine file to start from, of a kind or a copy of an example; to the standard output unless asked."""
-    example = None if _plain(kind) in KINDS.names else example_called(kind)
+    example = None if plain_name(kind) in KINDS.names else example_called(kind)
     if example is None:
         text = starting_file(_kind_called(kind), full=full)
     elif full:
@@ -86,14 +86,9 @@ def starting_file(kind: AnyKind, *, full: bool = False) -> str:
 
 def _kind_called(name: str) -> AnyKind:
     """Find the kind of that name; capitals do not matter, nor `-` for `_`."""
-    if _plain(name) in KINDS.names:
-        return KINDS.named(_plain(name))
+    if plain_name(name) in KINDS.names:
+        return KINDS.named(plain_name(name))
     wrong = unlisted("KIND", name, list(KINDS.names))
     near = None if wrong.repair is not None else example_near(name)
     repair = wrong.repair if near is None else _("or did you mean the example {name}?", name=near)
     raise InputError([replace(wrong, repair=repair)])
-
-
-def _plain(name: str) -> str:
-    """Spell the name of a kind one way."""
-    return name.casefold().replace("-", "_")

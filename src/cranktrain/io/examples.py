@@ -36,17 +36,17 @@ def example_document(name: str) -> Document:
 
 def example_called(name: str) -> str | None:
     """Find the example that a name means: capitals do not matter, nor `-` for `_`; None where none is meant."""
-    return next((example for example in example_names() if _plain(example) == _plain(name)), None)
+    return next((example for example in example_names() if plain_name(example) == plain_name(name)), None)
 
 
 def example_near(name: str) -> str | None:
     """Find the example that a name may mean; None for what looks like a file, or is like none."""
     import difflib  # only needed after a mistake
 
-    close = difflib.get_close_matches(_plain(name), example_names(), n=1)
+    close = difflib.get_close_matches(plain_name(name), example_names(), n=1)
     return close[0] if close and re.fullmatch(r"[\w-]+", name) else None
 
 
-def _plain(name: str) -> str:
-    """Spell the name of an example one way."""
+def plain_name(name: str) -> str:
+    """Spell the name of an example or a kind one way: capitals do not matter, nor `-` for `_`."""
     return name.casefold().replace("-", "_")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.curve_files import with_curves
 from cranktrain.io.document import Document
-from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near
+from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near, plain_name
 from cranktrain.language import said as _
 from cranktrain.layout.load_tables import in_place_of_lists
 from cranktrain.machine import Machine, machine_problems
@@ -172,7 +172,7 @@ def document_of(source: "str | os.PathLike[str]") -> Document:
     try:
         return Document.read(source)
     except InputError as error:
-        kind = name.casefold().replace("-", "_")
+        kind = plain_name(name)
         close = example_near(name)
         if kind in KINDS.names:
             repair = _("a file of that kind is written by: {command}", command=f"cranktrain new {kind} -o mine.toml")

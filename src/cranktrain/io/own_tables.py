@@ -4,7 +4,7 @@ import os
 from pathlib import PurePath
 
 from cranktrain.io.document import Document
-from cranktrain.io.examples import example_names
+from cranktrain.io.examples import example_called
 from cranktrain.io.syntax import parsed
 from cranktrain.machine import Machine
 
@@ -12,7 +12,7 @@ from cranktrain.machine import Machine
 def is_machine(source: str) -> bool:
     """Whether a name is that of a machine: an example, or a file with a key that machines alone have."""
     if not os.path.isfile(source):  # noqa: PTH113 - takes a NUL byte
-        return source.casefold().replace("-", "_") in example_names()
+        return example_called(source) is not None
     return _is_of_machine(Document.read(source))
 
 

@@ -74,6 +74,19 @@ class Mechanisms:
         found = {member: batch.kind.output for batch in self.batches for member in batch.index.tolist()}
         return tuple(found[member] for member in range(len(self.names)))
 
+    def motions(self, angle: Array) -> tuple[AnyMotion, ...]:
+        """Motion of every mechanism, in the order of `batches`.
+
+        Parameters
+        ----------
+        angle : Array, shape (n,), (design, 1, n) or (design, mechanism, n)
+            φ, the same for all mechanisms or one for each. [rad]
+        """
+        return tuple(
+            batch.kind.motion(own_values(angle, batch.index) + batch.members.phase, batch.members.geometry)
+            for batch in self.batches
+        )
+
     def evaluated(self, pick: Callable[[AnyMotion], Outcome], angle: Array) -> Outcome:
         """Evaluate every mechanism's kernel and pick arrays from its motion.
 
@@ -89,8 +102,8 @@ class Mechanisms:
         """
         picked: list[tuple[NDArray[np.intp], Outcome]] = []
         for batch in self.batches:
-            own = angle[:, batch.index, :] if angle.ndim == 3 and angle.shape[1] > 1 else angle
-            motion = in_blocks(batch.kind.motion, own + batch.members.phase, batch.members.geometry)
+            own = own_values(angle, batch.index) + batch.members.phase
+            motion = in_blocks(batch.kind.motion, own, batch.members.geometry)
             picked.append((batch.index, pick(motion)))
         return side_by_side(picked, (len(self.nominal_top), len(self.names), angle.shape[-1]))
 
@@ -104,6 +117,11 @@ class Mechanisms:
                     angle + batch.members.phase[design, member], rows(batch.members.geometry, place)
                 )
         raise IndexError(mechanism)
+
+
+def own_values(values: Array, index: NDArray[np.intp]) -> Array:
+    """What some mechanisms have of values (n,), (design, 1, n) for all, or (design, mechanism, n) for each."""
+    return values[:, index] if values.ndim == 3 and values.shape[1] > 1 else values
 
 
 @record

@@ -11,7 +11,7 @@ from cranktrain.language import Words
 from cranktrain.layout.load_laws import ByTravel, LoadState
 from cranktrain.layout.loads import LinkLoad, Loads, of_member
 from cranktrain.layout.masses import Masses
-from cranktrain.layout.mechanisms import Batch, Mechanisms
+from cranktrain.layout.mechanisms import Batch, Mechanisms, own_values
 from cranktrain.layout.part_tables import Edges
 from cranktrain.layout.speed import Speed
 from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added
@@ -85,10 +85,7 @@ class LoadedMachine:
 
     def motions(self, angle: Array) -> tuple[AnyMotion, ...]:
         """Motion of every mechanism at crank angles φ [rad], in the order of `mechanisms.batches`."""
-        return tuple(
-            batch.kind.motion(_own(angle, batch.index) + batch.members.phase, batch.members.geometry)
-            for batch in self.mechanisms.batches
-        )
+        return self.mechanisms.motions(angle)
 
     def solved(
         self,
@@ -125,9 +122,9 @@ class LoadedMachine:
             dynamics, size = batch.kind.dynamics, batch.members.geometry
             motion = moving[place]
             made = self.masses.batches[place]
-            drive = Drive(*(_own(part, batch.index) for part in drives))
+            drive = Drive(*(own_values(part, batch.index) for part in drives))
             pressed = dynamics.load(motion, size, self._pressing(batch.index, toward))
-            loads = borne = self._with_loads(pressed, batch, motion, _own(angle, batch.index), drive.speed)
+            loads = borne = self._with_loads(pressed, batch, motion, own_values(angle, batch.index), drive.speed)
             handed = _of_slaves(batch.index, on_rods) if batch.kind.is_direct else None
             if handed is not None:
                 on_crank, on_rod, on_piston = loads
@@ -218,7 +215,7 @@ class LoadedMachine:
             piston = self.carriers.piston[batch.index]
             if piston[0] >= 0:
                 put(slider, piston, motion.slider)
-        by_chamber = _own(angle, driven[self.gas.chambers.leading])
+        by_chamber = own_values(angle, driven[self.gas.chambers.leading])
         return self.gas.force(self.gas.pressure(by_chamber, self.gas.volume_by(Coefficient(*slider))))
 
     def load_way(self, load: LinkLoad, angle: Array) -> LoadWay:
@@ -283,11 +280,6 @@ class LoadedMachine:
         """Force along the output of each of some mechanisms, away from the shaft, shape (design, member, n)."""
         piston = self.carriers.piston[index]
         return np.zeros((1, 1, 1)) if toward is None or piston[0] < 0 else -toward[:, piston]
-
-
-def _own(values: Array, index: NDArray[np.intp]) -> Array:
-    """What some mechanisms have of values (n,), (design, 1, n) for all, or (design, mechanism, n) for each."""
-    return values[:, index] if values.ndim == 3 and values.shape[1] > 1 else values
 
 
 def _of_member(values: Array, member: int) -> Array:

@@ -40,8 +40,7 @@ class GridMotion:
 
 def grid_motion(mechanisms: Mechanisms, crank_angle: CrankAngle) -> GridMotion:
     """Evaluate every mechanism's kernel over one turn, which all turns of the cycle repeat."""
-    turn = crank_angle.first_turn
-    found = (batch.kind.motion(turn + batch.members.phase, batch.members.geometry) for batch in mechanisms.batches)
+    found = mechanisms.motions(crank_angle.first_turn)
     return GridMotion(mechanisms, tuple(_over_cycle(motion, crank_angle) for motion in found), crank_angle.shown.size)
 
 

@@ -6,13 +6,14 @@ from functools import partial
 from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.speed import Speed, rates
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import Extreme, bracketed_roots, extremes, largest, subintervals, turn_grid
+from cranktrain.numerics import Extreme, bracketed_roots, extremes, in_slots, largest, subintervals, turn_grid
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.size_integral import integral_of_size
 from cranktrain.numerics.subintervals import shows
@@ -179,26 +180,27 @@ def point_speeds(
 
 def _place_at(points: LinkPoints, mechanisms: Mechanisms, angle: Array) -> _Place:
     """Places of points at φ, the same for all, (k,) or (design, 1, k), or one's own, (design, point, k)."""
-    n_points = len(points.names)
     if angle.ndim < 3 or angle.shape[1] == 1:
-        found = point_motion(points, _motion_at(mechanisms, angle))
-        return found.point_x, found.point_y
-    n_designs, _points, n_angles = angle.shape
-    found = point_motion(points, _motion_at(mechanisms, angle.reshape(n_designs, 1, -1)))
-    own = np.arange(n_points)
+        return _place_of_all(points, mechanisms, angle)
+    n_designs, n_points, n_angles = angle.shape
+    # What points of one mechanism ask stands side by side; all of these are found at all of it.
+    n_mechanisms = len(mechanisms.names)
+    own: NDArray[np.intp] = np.arange(n_points, dtype=np.intp)
+    laid, slot = in_slots(points.mechanism, np.moveaxis(angle, 1, 0).reshape(n_points, -1), n_mechanisms)
+    by_design = np.moveaxis(laid.reshape(n_mechanisms, -1, n_designs, n_angles), 2, 0)
+    asked = by_design.reshape(n_designs, n_mechanisms, -1)
 
     def each(curve: Coefficient) -> Coefficient:
-        return Coefficient(*(part.reshape(n_designs, n_points, n_points, n_angles)[:, own, own] for part in curve))
+        return Coefficient(*(part.reshape(n_designs, n_points, -1, n_angles)[:, own, slot] for part in curve))
 
-    return each(found.point_x), each(found.point_y)
+    x, y = _place_of_all(points, mechanisms, asked)
+    return each(x), each(y)
 
 
-def _motion_at(mechanisms: Mechanisms, angle: Array) -> GridMotion:
-    """Motion of all mechanisms at φ, the same for all."""
-    batches = tuple(
-        batch.kind.motion(angle + batch.members.phase, batch.members.geometry) for batch in mechanisms.batches
-    )
-    return GridMotion(mechanisms, batches, angle.shape[-1])
+def _place_of_all(points: LinkPoints, mechanisms: Mechanisms, angle: Array) -> _Place:
+    """Places of points at the angles of their mechanisms."""
+    found = point_motion(points, GridMotion(mechanisms, mechanisms.motions(angle), angle.shape[-1]))
+    return found.point_x, found.point_y
 
 
 def _lengths(place: Callable[[Array], _Place]) -> Array:

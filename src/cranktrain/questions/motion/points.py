@@ -1,6 +1,5 @@
 """Points on links: coupler curves, centres of mass, whatever a machine file asks to follow."""
 
-from functools import partial
 from typing import ClassVar
 
 import numpy as np
@@ -117,13 +116,13 @@ class PointMotion:
 
 def point_motion(points: LinkPoints, motion: GridMotion) -> PointMotion:
     """Paths of all points, with derivatives by the crank angle."""
-    return PointMotion(*followed_parts(points, motion, partial(moving_point, points)))
+
+    def moving(part: Link | Point, place: int) -> Point:
+        return moving_point(part, LinkPoint(*(numbers[:, [place]] for numbers in points.geometry)))
+
+    return PointMotion(*followed_parts(points, motion, moving))
 
 
-def moving_point(points: LinkPoints, part: Link | Point, place: int, design: int | None = None) -> Point:
-    """Motion of a point on a link, of all designs or of one; of a joint it is the part itself."""
-    own = slice(None) if design is None else [min(design, len(points.geometry.radius) - 1)]
-    geometry = LinkPoint(points.geometry.radius[own][:, [place]], points.geometry.angle[own][:, [place]])
-    if isinstance(part, Point):
-        return part
-    return point(part, geometry if design is None else LinkPoint(*(numbers[:, 0] for numbers in geometry)))
+def moving_point(part: Link | Point, geometry: LinkPoint) -> Point:
+    """Motion of a point on a link; of a joint it is the part itself."""
+    return point(part, geometry) if isinstance(part, Link) else part

@@ -13,6 +13,7 @@ from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.layout.design import Designs
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.places import PlacedMechanism
+from cranktrain.linkage import LinkPoint
 from cranktrain.mechanisms.kind import AnyKind, AnyMotion, ClosingPart
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import bracketed_roots
@@ -214,7 +215,8 @@ def _link_angle(of: _OneRange, link: str, angle: Array) -> Coefficient:
 
 def _point_place(of: _OneRange, points: LinkPoints, place: int, axis: int, angle: Array) -> Coefficient:
     """One coordinate of a point at φ, shape (n,). [m]"""
-    moving = moving_point(points, of.kind.named(of.motion(angle), points.parts[place]), place, of.design)
+    geometry = LinkPoint(*(numbers[[of.design], place] for numbers in points.geometry))
+    moving = moving_point(of.kind.named(of.motion(angle), points.parts[place]), geometry)
     return Coefficient(*(part[0] for part in moving[axis]))
 
 
