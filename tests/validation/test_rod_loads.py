@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
+from cranktrain.panels.design import OneDesign
+from cranktrain.panels.sheets.rod_load.panels import rod_load_panel
 
 DOUBLE_ACTING = """
 [shaft.main]
@@ -209,3 +211,15 @@ def test_limits_of_the_frame():
     expected = [[np.nan], [80020.11121617117 / 90e3], [78521.51914426 / 70e3], [np.nan]]
     np.testing.assert_allclose(result.rod_load_use, expected, rtol=1e-8, equal_nan=True)
     assert any("112.2 %" in flag for flag in result.flags)
+
+
+@pytest.mark.parametrize("limit", [70e3, 100e3, 900e3])
+def test_limits_of_the_frame_are_seen_on_the_sheet_unless_they_are_far_off(limit):
+    result = run(REPORTED + f'[rod_load]\ncompression = "{limit} N"\ntension = "{limit} N"\n')
+    panel = rod_load_panel(OneDesign(result, 0), "1")
+    assert sorted(line.at for line in panel.levels) == [-limit, limit]
+    if limit > 500e3:
+        assert panel.limits is None
+    else:
+        least, most = panel.limits
+        assert least < -limit < limit < most

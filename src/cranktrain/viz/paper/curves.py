@@ -211,6 +211,8 @@ def _draw_panel(page: Page, axes: Axes, panel: Panel, look: Look) -> None:
         axes.set_xticks(np.arange(0.0, end + 1.0, 30.0 if end <= _TURN else 60.0))
     if np.any(np.isnan(values)):
         _leave_open(axes, panel.across, values)
+    if panel.limits is not None:
+        axes.set_ylim(*panel.limits)
     words_below(page, axes, panel)
     draw_marks(page, axes, panel)
 

@@ -1,10 +1,12 @@
 """Curves of rod loads with limits and reversals, and pressures of all chambers over their volumes."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from cranktrain.language import _
 from cranktrain.panels.design import OneDesign, closed
-from cranktrain.panels.shapes import Curve, Mark, Panel, PanelLine, Role
+from cranktrain.panels.shapes import Curve, Mark, Panel, PanelLine, Role, peak
 from cranktrain.questions.rod_load.declared import LIMITS
 from cranktrain.questions.rod_load.loads import CRANK_PIN, CROSSHEAD_PIN, GAS, PISTON_ROD
 from cranktrain.saying.amounts import UnitLabel
@@ -18,6 +20,8 @@ _LINES: tuple[tuple[int, Role, str, str], ...] = (
 """Places, and the line of each; what counts by the frame's limits is drawn last, over all others."""
 
 _CARDS: tuple[Role, ...] = ("card", "later_card", "side", "resultant", "chamber", "mean")
+_FAR, _MARGIN = 2.0, 0.06
+"""Limits so many times as far as the largest load would leave its curves no room; what is left beyond all, in parts."""
 
 
 def rod_load_panel(shown: OneDesign, piston: str) -> Panel:
@@ -40,7 +44,18 @@ def rod_load_panel(shown: OneDesign, piston: str) -> Panel:
         for angle in (shown(name)[CROSSHEAD_PIN, place] for name in ("tension_begins", "tension_ends"))
         if np.isfinite(angle)
     )
-    return Panel(_("Rod load of {piston}", piston=piston), "N", shown.cycle, curves, marks=marks, levels=levels)
+    title = _("Rod load of {piston}", piston=piston)
+    return Panel(title, "N", shown.cycle, curves, marks=marks, levels=levels, limits=_reach(curves, levels))
+
+
+def _reach(curves: Sequence[Curve], levels: Sequence[PanelLine]) -> tuple[float, float] | None:
+    """From where to where loads are drawn, with the frame's limits that are not far beyond; None without any."""
+    values = np.concatenate([curve.values for curve in curves])
+    near = [line.at for line in levels if abs(line.at) <= _FAR * peak(values)]
+    if not near:
+        return None
+    low, high = min(float(np.nanmin(values)), *near), max(float(np.nanmax(values)), *near)
+    return low - _MARGIN * (high - low), high + _MARGIN * (high - low)
 
 
 def stages_panel(shown: OneDesign) -> Panel:
