@@ -29,6 +29,7 @@ from cranktrain.linkage import (
     CrankAndGround,
     CrankAndPivot,
     Ends,
+    Hinged,
     Leg,
     LinkPoint,
     OnLine,
@@ -137,6 +138,10 @@ def rod(angle, size):
     return slide(crank_pin(angle, size), Slide(size(1.0), size(0.05), 1.0)).rod
 
 
+def hinged(angle, size):
+    return Hinged(ends(angle, size), fixed(size(0.1), size(0.02))), Pin(size(1.0), size(0.8), 1.0)
+
+
 def swivel_ends(angle, size):
     return Ends(crank_pin(angle, size), fixed(size(0.1), size(-0.4)))
 
@@ -229,6 +234,10 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     ),
     "crank.crank": lambda angle, size, side: (angle, Crank(size(0.3))),
     "crank_rocker.crank_rocker": lambda angle, size, side: (angle, crank_rocker_geometry(size, side)),
+    "change_point.crossed_parallelogram": lambda angle, size, side: hinged(angle, size),
+    "change_point.kite": lambda angle, size, side: hinged(angle, size),
+    "change_point.out_of_line": lambda angle, size, side: hinged(angle, size)[:1],
+    "change_point.parallelogram": lambda angle, size, side: hinged(angle, size),
     "crank_rocker.crank_rocker_gap": lambda angle, size, side: (angle, crank_rocker_geometry(size, side)),
     "crank_rocker.crank_rocker_least_gap": lambda angle, size, side: (crank_rocker_geometry(size, side),),
     "eccentric.eccentric": lambda angle, size, side: (angle, eccentric_geometry(size)),

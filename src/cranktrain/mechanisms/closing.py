@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,9 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, bracketed_roots, near_roots, smallest, turn_grid
 from cranktrain.numerics.nested import leaves, mapped
 from cranktrain.numerics.ties import first_largest_along
+
+if TYPE_CHECKING:
+    from cranktrain.mechanisms.change_points import ChangePoints
 
 _GRID, _SCAN_GRID, _COARSE_GRID = turn_grid(360), turn_grid(72), turn_grid(24)
 _CHANGES = 10.0 ** np.linspace(-7, 3, 21)
@@ -62,6 +65,8 @@ def closing_margin(kind: Kind[Motion, Geometry], geometry: Geometry) -> ClosingM
     opens the links; of the ways that open them in the first cell below that bound, the roots are found. A kind whose
     gap has to be walked for has its own way, and one with a closed form needs none. docs/theory/closing-margin.
     """
+    if kind.change_points is not None:
+        return _of_change_points(kind, geometry, kind.change_points)
     if kind.least_gap is not None:
         return _of_longest(kind, geometry, kind.least_gap(geometry))
     shape = np.broadcast_shapes(*(np.shape(leaf) for leaf in leaves(geometry)))
@@ -102,6 +107,13 @@ def _of_longest(kind: Kind[Motion, Geometry], geometry: Geometry, least: Extreme
         np.where(closes, first_largest_along(np.moveaxis(lengths, 0, -1)), -1),
         np.where(closes, np.mod(least.angle, 2 * np.pi), np.nan),
     )
+
+
+def _of_change_points(kind: Kind[Motion, Geometry], geometry: Geometry, through: "ChangePoints") -> ClosingMargin:
+    """Margin of links that come through change points only where lengths are just alike: none, at the first."""
+    angle = through.angle(geometry)[..., :1]
+    length = np.full(angle.shape, kind.lengths.index(through.length), dtype=np.intp)
+    return ClosingMargin(np.zeros(angle.shape), length, angle)
 
 
 def _openings(kind: Kind[Motion, Geometry], geometry: Geometry) -> Openings:

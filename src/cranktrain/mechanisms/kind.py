@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache, reduce
 from pathlib import Path
-from typing import Any, ClassVar, Generic, NamedTuple, TypeAlias, TypeVar, cast, get_type_hints
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, TypeAlias, TypeVar, cast, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,9 @@ from cranktrain.numerics import Extreme
 from cranktrain.numerics.nested import each_changed
 from cranktrain.record import record
 from cranktrain.saying.rows import AnswerLine
+
+if TYPE_CHECKING:
+    from cranktrain.mechanisms.change_points import ChangePoints
 
 Motion = TypeVar("Motion", bound=tuple[object, ...])
 
@@ -118,6 +121,8 @@ class Kind(Generic[Motion, Geometry]):
         The least gap over a turn in closed form, for a kind of whose gap every length takes as much as it changes.
     openings : callable (geometry) → Openings, optional
         Finds what `closing_margin` looks for; for a kind whose gap has to be walked for.
+    change_points : ChangePoints, optional
+        Of mechanisms whose links lie in line at some angles and come through: where. Their forces there are limits.
     direct_ratio : callable (geometry) → Array, optional
         For a kind whose rod joins a piston and the crank pin itself: λ of the textbooks, NaN with an offset. What they
         say of λ, of P·f(β) and of two harmonics is said of it, and slaves may hang on its rod.
@@ -159,6 +164,7 @@ class Kind(Generic[Motion, Geometry]):
     closing_field: str | Callable[[Any, Geometry], str] = "rod_length"
     least_gap: Callable[[Geometry], Extreme] | None = None
     openings: Callable[[Geometry], Openings] | None = None
+    change_points: "ChangePoints | None" = None
     direct_ratio: Callable[[Geometry], Array] | None = None
     is_slave: bool = False
     is_outlined: bool = False

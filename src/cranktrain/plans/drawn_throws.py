@@ -4,7 +4,6 @@ from collections.abc import Sequence
 
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
-from cranktrain.mechanisms import KINDS
 from cranktrain.numerics.nested import leaves
 from cranktrain.plans.placement import first_throw, place_called, shaft_places, throw_of
 from cranktrain.questions.cylinders.declared import cylinders_of
@@ -72,7 +71,7 @@ def _sort(machine: Machine, throw: Sequence[PlacedMechanism]) -> tuple[object, .
 
 def _of_place(place: PlacedMechanism) -> tuple[object, ...]:
     """What of a place tells it from others: of a chain, whose lengths are many, where it stands in the file."""
-    if KINDS.named(place.spec.kind).structure_of is not None:
+    if place.kind.structure is not None:
         return (place.kind.name, place.path)
     lengths = [round(float(number), _DIGITS) for number in leaves(place.geometry)]
     return (place.kind.name, place.is_far, round(float(place.axis), _DIGITS), *lengths)

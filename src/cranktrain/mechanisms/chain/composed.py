@@ -29,6 +29,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadStep,
     YokeStep,
 )
+from cranktrain.mechanisms.chain.through import chain_change_points
 from cranktrain.mechanisms.kind import ClosingPart, Geometry, Kind
 from cranktrain.mechanisms.output import PISTON, ROCKER, OutputPart
 from cranktrain.motion import Array
@@ -110,6 +111,7 @@ def as_chain(
         "gap": of_geometry(chain_gap),
         "drawing": of_geometry(chain_drawing),
         "dynamics": chain_dynamics(structure, size_of),
+        "change_points": chain_change_points(structure),
         "openings": partial(chain_openings, structure, tuple(lengths), size_of) if has_triad else None,
         "lengths": tuple(lengths),
         "length_paths": tuple(lengths.values()),

@@ -22,6 +22,7 @@ from cranktrain.linkage import (
     turned,
     turned_link,
 )
+from cranktrain.linkage.vectors import between
 from cranktrain.mechanisms.chain.groups import Made, pin_of
 from cranktrain.mechanisms.chain.kinematics import triad_branch, triad_motion
 from cranktrain.mechanisms.chain.placing import driven, guide_offset, placed
@@ -142,6 +143,12 @@ _HAIR = float(np.finfo(float).tiny)
 def _gap_of(step: Step, own: StepSize, made: Made, radius: Array) -> Array:
     """Gap of a group that is no triad."""
     match step, own:
+        case PinStep(form="parallelogram"), _:
+            return radius + 0.0 * made[step.rod_from].x.value
+        case PinStep(), Pin() if step.form:
+            # Crossed, or a kite, rod and rocker need no more than that their ends are apart.
+            ends = between(made[step.rod_from], made[step.rocker_from])
+            return np.hypot(ends.x, ends.y)
         case PinStep(), Pin():
             return pin_gap(Ends(made[step.rod_from], made[step.rocker_from]), own)
         case SlideStep(), SlideSize():

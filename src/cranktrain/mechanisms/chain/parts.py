@@ -85,6 +85,12 @@ class PinPartSpec(Spec, frozen=True):
     side: Literal["left", "right"] = Field(
         description=N_("Of the line from the rod's first pin to the rocker's, on which the joint lies.")
     )
+    crossed: bool = Field(
+        default=False,
+        description=N_(
+            "Whether links of a parallelogram's lengths are the crossed ones, whose rocker turns against the crank."
+        ),
+    )
 
 
 class SlidePartSpec(Spec, frozen=True):

@@ -5,6 +5,7 @@ import numpy as np
 from cranktrain.linkage import (
     Crank,
     Ends,
+    Hinged,
     LinkPoint,
     Pin,
     Slide,
@@ -40,6 +41,7 @@ from cranktrain.mechanisms.chain.steps import (
     YokeSize,
     YokeStep,
 )
+from cranktrain.mechanisms.change_points import FORMS
 from cranktrain.motion import Array, Coefficient, Link, Point, single
 
 
@@ -62,7 +64,8 @@ def placed(step: Step, own: StepSize, made: Made) -> Made:
     """What one group makes, which is no triad, on what those above it made."""
     match step, own:
         case PinStep(), Pin():
-            motion = pin(Ends(made[step.rod_from], made[step.rocker_from]), own)
+            ends = Ends(made[step.rod_from], made[step.rocker_from])
+            motion = FORMS[step.form](Hinged(ends, made[step.hinge]), own) if step.form else pin(ends, own)
             return {step.joint: motion.joint, step.rod: motion.rod, step.rocker: motion.rocker}
         case SlideStep(), SlideSize():
             height = guide_offset(made, step.through, own.direction, own.offset)

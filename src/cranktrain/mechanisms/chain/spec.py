@@ -10,7 +10,7 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.groups import SHAFT, pin_of
 from cranktrain.mechanisms.chain.parts import ChainTable, Made, Used, YokePartSpec
-from cranktrain.mechanisms.chain.table import mode_problems
+from cranktrain.mechanisms.chain.table import crossed_problems, mode_problems
 from cranktrain.quantities import nearest
 from cranktrain.spec import Spec
 
@@ -134,4 +134,4 @@ class ChainSpec(ChainTable, frozen=True):
 
     def _problems(self) -> Iterable[Problem]:
         """Find names unknown or twice, parts that nothing drives, an output that is none, triads of unclear mode."""
-        return tuple(_naming_problems(self)) or mode_problems(self)
+        return tuple(_naming_problems(self)) or (*crossed_problems(self), *mode_problems(self))

@@ -3,17 +3,23 @@
 from typing import NamedTuple, TypeAlias
 
 from cranktrain.linkage import LinkPoint, Pin
+from cranktrain.mechanisms.change_points import Form
 from cranktrain.motion import Array, Handed, single
 
 
 class PinStep(NamedTuple):
-    """Rod and rocker, each from a point, that meet in a joint."""
+    """Rod and rocker, each from a point, that meet in a joint.
+
+    Where they pass change points, in which form, and the hinge of the two bodies that carry their ends.
+    """
 
     rod_from: str
     rocker_from: str
     rod: str
     rocker: str
     joint: str
+    form: Form = ""
+    hinge: str = ""
 
 
 class SlideStep(NamedTuple):

@@ -48,7 +48,9 @@ from cranktrain.mechanisms.chain.steps import (
     YokeSize,
     YokeStep,
 )
+from cranktrain.mechanisms.chain.through import with_forms
 from cranktrain.mechanisms.chain.triads import triad_at
+from cranktrain.mechanisms.change_points import NOT_CROSSED
 from cranktrain.mechanisms.spec import Master
 from cranktrain.motion import ZERO, Array, single
 from cranktrain.numerics.designs import over_designs
@@ -80,14 +82,14 @@ def _chain(spec: ChainTable) -> tuple[Structure, ChainSize]:
     """What the chain is made of, and its numbers, of which `assembled` finds some."""
     guides = _guides(spec)
     groups = [_group(part, guides) for part in spec.part]
-    return (
-        Structure(tuple(spec.crank), tuple(spec.fixed), tuple(step for step, _size in groups), spec.output),
-        ChainSize(
-            tuple(CrankSize(one.radius.array, one.angle.array) for one in spec.crank.values()),
-            tuple(Coordinates(x.array, y.array) for x, y in spec.fixed.values()),
-            tuple(size for _step, size in groups),
-        ),
+    structure = Structure(tuple(spec.crank), tuple(spec.fixed), tuple(step for step, _size in groups), spec.output)
+    size = ChainSize(
+        tuple(CrankSize(one.radius.array, one.angle.array) for one in spec.crank.values()),
+        tuple(Coordinates(x.array, y.array) for x, y in spec.fixed.values()),
+        tuple(size for _step, size in groups),
     )
+    crossed = frozenset(part.joint for part in spec.part if isinstance(part, PinPartSpec) and part.crossed)
+    return with_forms(structure, size, crossed), size
 
 
 def _guides(spec: ChainTable) -> dict[str, ChainGuideSpec]:
@@ -160,6 +162,14 @@ def _leg(leg: TriadLegSpec) -> tuple[RodLegStep | GuideLegStep, RodLegSize | Gui
     assert leg.guide is not None  # the spec asks for one of the two
     assert leg.slider is not None
     return GuideLegStep(leg.slider, leg.guide.through), GuideLegSize(joint, *_guide(leg.guide))
+
+
+def crossed_problems(spec: ChainTable) -> Iterator[Problem]:
+    """Find links that would be crossed and are no parallelogram, with paths within the chain's table."""
+    steps = structure_of(spec).steps
+    for place, (part, step) in enumerate(zip(spec.part, steps, strict=True)):
+        if isinstance(part, PinPartSpec) and isinstance(step, PinStep) and part.crossed and not step.form:
+            yield Problem(f"part[{place}].crossed", "true", _(NOT_CROSSED))
 
 
 def mode_problems(spec: ChainTable) -> Iterator[Problem]:

@@ -1,8 +1,11 @@
 """Crank-rocker: the four-bar linkage of pumping units, jaw crushers, tilting tables and shakers."""
 
+from dataclasses import replace
+from functools import cache, partial
 from pathlib import Path
 
 from cranktrain.language import N_
+from cranktrain.mechanisms.change_points import ChangePoints, Form
 from cranktrain.mechanisms.crank_rocker.drawing import crank_rocker_drawing
 from cranktrain.mechanisms.crank_rocker.facts import CrankRockers, transmission, transmission_rows
 from cranktrain.mechanisms.crank_rocker.forces import DYNAMICS
@@ -13,11 +16,34 @@ from cranktrain.mechanisms.crank_rocker.kinematics import (
     crank_rocker_gap,
     crank_rocker_least_gap,
 )
-from cranktrain.mechanisms.crank_rocker.spec import CrankRockerSpec, crank_rocker_advice, crank_rocker_geometry
+from cranktrain.mechanisms.crank_rocker.spec import (
+    CrankRockerSpec,
+    crank_rocker_advice,
+    crank_rocker_form,
+    crank_rocker_geometry,
+)
+from cranktrain.mechanisms.crank_rocker.through import apart, crank_rocker_through, in_line
 from cranktrain.mechanisms.kind import Kind
 from cranktrain.mechanisms.output import ROCKER
 
 __all__ = ["KIND", "CrankRocker", "CrankRockerMotion", "CrankRockerSpec", "crank_rocker"]
+
+
+@cache
+def _of_form(form: Form) -> Kind[CrankRockerMotion, CrankRocker]:
+    """Give the kind of those linkages that pass change points in one form; the kind itself of those that do not."""
+    if not form:
+        return KIND
+    return replace(
+        KIND,
+        structure=form,
+        motion=partial(crank_rocker_through, form),
+        gap=partial(apart, form),
+        least_gap=None,
+        drawing=partial(crank_rocker_drawing, form=form),
+        change_points=ChangePoints(in_line, "rod_length", {"": form}),
+    )
+
 
 KIND = Kind(
     name="crank_rocker",
@@ -34,6 +60,8 @@ KIND = Kind(
     drawing=crank_rocker_drawing,
     closing_advice=crank_rocker_advice,
     members=CrankRockers,
+    structure_of=crank_rocker_form,
+    of_structure=_of_form,
     stages=(transmission,),
     rows=(transmission_rows,),
     dynamics=DYNAMICS,

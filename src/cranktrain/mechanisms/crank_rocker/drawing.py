@@ -1,14 +1,16 @@
 """The crank-rocker, to be drawn."""
 
 from cranktrain.linkage import fixed
+from cranktrain.mechanisms.change_points import Form
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
+from cranktrain.mechanisms.crank_rocker.through import crank_rocker_through
 from cranktrain.mechanisms.drawing import Drawing, DrawnLink
 from cranktrain.motion import Array
 
 
-def crank_rocker_drawing(angle: Array, geometry: CrankRocker) -> Drawing:
+def crank_rocker_drawing(angle: Array, geometry: CrankRocker, form: Form = "") -> Drawing:
     """Shaft, crank pin, joint and pivot at each angle, shape (..., n), and what joins them."""
-    motion = crank_rocker(angle, geometry)
+    motion = crank_rocker_through(form, angle, geometry) if form else crank_rocker(angle, geometry)
     still = 0.0 * angle
     return Drawing(
         pins={

@@ -24,10 +24,11 @@ CLASSES = (
     N_("double crank: crank and rocker both turn"),
     N_("double rocker: only the rod can turn against the others"),
     N_("rocker-crank: the driven link can turn, the crank only swings"),
-    N_("change point: the links can lie in one line, and the branch is undefined there"),
+    N_("change point: the links come to lie in one line"),
     N_("non-Grashof: no link can turn"),
 )
 """Classes of the four-bar linkage by which link is shortest; `grashof_class` counts them from 0."""
+_CHANGE_POINT = 4
 
 
 @record
@@ -64,9 +65,14 @@ def transmission(linkages: CrankRockers) -> Transmission:
         cross = motion.rod.cos * motion.rocker.sin - motion.rod.sin * motion.rocker.cos
         return np.arctan2(np.abs(cross), motion.rod.cos * motion.rocker.cos + motion.rod.sin * motion.rocker.sin)
 
-    least, most = extremes(angle)
+    kind = grashof_class(geometry)
+    with np.errstate(invalid="ignore"):
+        least, most = extremes(angle)
+    # Where links come through change points they lie in line, one way and the other; there the kernel's side ends.
+    in_line = kind == _CHANGE_POINT
+    least, most = (end._replace(value=np.where(in_line, of, end.value)) for end, of in ((least, 0.0), (most, np.pi)))
     return Transmission(
-        grashof_class=grashof_class(geometry)[..., 0],
+        grashof_class=kind[..., 0],
         smallest_transmission_angle=least.value[..., 0],
         largest_transmission_angle=most.value[..., 0],
         checks=(_cosine_rule_check(geometry, least.value, most.value),),

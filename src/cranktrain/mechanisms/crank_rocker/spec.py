@@ -1,10 +1,13 @@
 """The crank-rocker's table of the machine file."""
 
+from collections.abc import Iterator
 from typing import Literal
 
 from pydantic import Field
 
+from cranktrain.errors import Problem
 from cranktrain.language import N_, Words, _
+from cranktrain.mechanisms.change_points import NOT_CROSSED, Form, FourBar, form_of
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array, single
@@ -31,6 +34,12 @@ class CrankRockerSpec(MechanismSpec, frozen=True):
         default="left",
         description=N_("Of the line from crank pin to pivot, on which the joint lies, seen in the sense of rotation."),
     )
+    crossed: bool = Field(
+        default=False,
+        description=N_(
+            "Whether a linkage of a parallelogram's lengths is the crossed one, whose rocker turns against the crank."
+        ),
+    )
     load_radius: PositiveLength | None = Field(
         default=None,
         description=N_("About the pivot, at which the load is carried; with it, its travel and the torque factor."),
@@ -39,12 +48,23 @@ class CrankRockerSpec(MechanismSpec, frozen=True):
         default="with", description=N_("Whether the load's travel counts with the rocker's angle or against it.")
     )
 
+    def _problems(self) -> Iterator[Problem]:
+        """Refuse what would be crossed and is no parallelogram."""
+        if self.crossed and not crank_rocker_form(self):
+            yield Problem("crossed", "true", _(NOT_CROSSED))
+
     @property
     def load_arm(self) -> Array | None:
         """Radius about the pivot at which the load is carried, negative against the rocker's angle. [m]"""
         if self.load_radius is None:
             return None
         return self.load_radius.array if self.load_direction == "with" else -self.load_radius.array
+
+
+def crank_rocker_form(spec: CrankRockerSpec) -> Form:
+    """Form in which the links pass change points; nothing where they pass none."""
+    lengths = (spec.crank_radius, spec.rod_length, spec.rocker_length, spec.ground_length)
+    return form_of(FourBar(*(length.array for length in lengths)), spec.crossed)
 
 
 def crank_rocker_geometry(spec: CrankRockerSpec, _master: Master | None = None) -> CrankRocker:

@@ -22,6 +22,7 @@ from cranktrain.motion import ZERO, Array, Coefficient, Link
 from cranktrain.numerics import extremes, in_windows
 from cranktrain.numerics.nested import put
 from cranktrain.questions.forces.carriers import Carriers
+from cranktrain.questions.forces.in_line import by_limits
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
 
@@ -109,8 +110,21 @@ class LoadedMachine:
         Returns
         -------
         tuple of SolvedBatch
-            In the order of `mechanisms.batches`.
+            In the order of `mechanisms.batches`. Where links lie in line and come through, forces are limits.
         """
+        found = self._solved(angle, gas_force, motions)
+        limited = by_limits(
+            self.mechanisms,
+            angle,
+            [one.forces for one in found],
+            lambda aside: [one.forces for one in self._solved(aside, None, None)],
+        )
+        return tuple(one._replace(forces=forces) for one, forces in zip(found, limited, strict=True))
+
+    def _solved(
+        self, angle: Array, gas_force: Array | None, motions: Sequence[AnyMotion] | None
+    ) -> tuple[SolvedBatch, ...]:
+        """Solve every mechanism; parameters and returns as of `solved`."""
         moving = self.motions(angle) if motions is None else motions
         toward = self._gas_force(angle, moving) if gas_force is None else gas_force
         drives = self.speed.drive(angle)

@@ -6,11 +6,12 @@ from functools import reduce
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_, Words
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.part_tables import SLIDER
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.volumes import Chambers
+from cranktrain.questions.forces.in_line import change_points
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.pressures import GasPressures
@@ -80,7 +81,25 @@ def unlikely_loads(
         loads = [] if loaded.loads is None else [load for load in loaded.loads.each if not load.is_torque]
         if loads and solved is not None:
             found += _far_loads(loaded, loads, solved)
-    return UnlikelyLoads(unlikely=tuple(found))
+    return UnlikelyLoads(unlikely=tuple(found), flags=() if loaded is None else tuple(_unheld(loaded)))
+
+
+def _unheld(loaded: LoadedMachine) -> Iterator[Words]:
+    """Flag mechanisms whose links lie in line under a moment that no force along them can hold."""
+    points = change_points(loaded.mechanisms)
+    if points is None:
+        return
+    for place, solved in enumerate(loaded.solved(points)):
+        index = loaded.mechanisms.batches[place].index
+        sizes = [np.abs(part) for joint in solved.forces.joints for part in joint[:2]]
+        is_beyond = np.any(np.isinf(reduce(np.maximum, sizes)), axis=-1)
+        for one in index[np.any(is_beyond, axis=0)].tolist():
+            yield _(
+                "The links of {mechanism} lie in line at its change points under a moment that no force along them can"
+                " hold: forces in its joints go beyond all bounds there, and no largest or mean one of them is right."
+                " Such linkages are built in pairs, a quarter turn apart.",
+                mechanism=loaded.mechanisms.names[one],
+            )
 
 
 def _of_pistons(

@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import Listed, Message, Words, _
+from cranktrain.grouping import grouped
+from cranktrain.language import N_, Listed, Message, Words, _
 from cranktrain.mechanisms.output import SliderWords
 from cranktrain.numerics.ties import first_smallest
 from cranktrain.questions.motion.closing import Closing
@@ -18,7 +19,7 @@ from cranktrain.questions.motion.ranges import CrankRanges, PointRanges
 from cranktrain.questions.motion.rocker_load import LoadMotion
 from cranktrain.questions.motion.rockers import DeadPositions
 from cranktrain.questions.motion.rods import RodMotion
-from cranktrain.saying.amounts import Extent
+from cranktrain.saying.amounts import Amount, Extent
 from cranktrain.saying.rows import AnswerLine, Telling, worded
 from cranktrain.saying.wording import around_turn
 
@@ -85,7 +86,7 @@ def rocker_rows(
     if (
         closing is not None
         and np.all(np.isnan(of.values(dead, "swing")))
-        and np.all(of.values(closing, "closing_margin") > 0)
+        and np.all(of.values(closing, "closing_margin") >= 0)
     ):
         yield worded(_("rocker"), _("turns all round"))
         return
@@ -169,8 +170,28 @@ _MOST_EXTENTS = 8
 """Links, or points, that have a line each."""
 
 
+_PASSED = {
+    "parallelogram": N_("as a parallelogram"),
+    "crossed": N_("as a crossed parallelogram"),
+    "kite": N_("as a kite"),
+}
+
+
 def closing_rows(of: Telling, closing: Closing) -> Iterator[AnswerLine]:
-    """The least margin before links part, where it is a small one."""
+    """The least margin before links part, where it is a small one; and the change points that links pass."""
+    for place, passed in closing.passed.items():
+        angles = passed.angle[of.design]
+        places = [Amount(angle, "position", "closing_angle") for angle in angles[np.isfinite(angles)].tolist()]
+        at = Listed(places)
+        name = _("change points")
+        if len(of.labels["mechanism"]) > 1:
+            name = _("change points of {mechanism}", mechanism=of.labels["mechanism"][place])
+        for form, joints in grouped((form, joint) for joint, form in passed.forms.items()).items():
+            words = _("{at}; passed {form}", at=at, form=_(_PASSED[form]))
+            joint = ", ".join(filter(None, joints))
+            yield worded(name, _("{words}: {joint}", words=words, joint=joint) if joint else words)
+    if closing.passed:
+        return
     margins = of.values(closing, "closing_margin")
     if np.all(np.isnan(margins)) or np.nanmin(margins) > _NEAR:
         return
