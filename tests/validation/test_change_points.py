@@ -244,7 +244,7 @@ def test_forces_at_change_points_are_limits(along, step):
 
 
 def test_what_links_in_line_cannot_hold_is_said():
-    """The rod's weight across the line of the links: a moment is left at 0 and 180°. The torque is m g R cos φ still."""
+    """The rod weighs across the line of the links: a moment is left at 0 and 180°. The torque is m g R cos φ."""
     result = loaded(more='gravity = { direction = "-90 deg" }\n')
     weight = 20 * 9.80665
     np.testing.assert_allclose(

@@ -19,6 +19,7 @@ from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics
 from cranktrain.mechanisms.kind import AnyGeometry, rows
 from cranktrain.motion import Array, Link
 from cranktrain.numerics.nested import each_changed
+from cranktrain.numerics.series import around_zero
 from cranktrain.plans.acting_loads import ActingLoad, acting_loads, load_symbols
 from cranktrain.plans.force_sides import Cause, PolygonForce
 from cranktrain.plans.placement import frame
@@ -28,6 +29,8 @@ from cranktrain.record import record
 
 _STEP = 10.0
 """Of the grid on which a machine is made ready; the forces themselves are asked for at any angle. [deg]"""
+_IN_LINE = 1e-6
+"""Angles nearer than so to a change point are at it. [rad]"""
 
 MASTER_ROD = "master_rod"
 """What a slave calls its master's rod."""
@@ -121,6 +124,12 @@ def member_of(machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, a
     index = loaded.mechanisms.names.index(place.name)
     at, batch = next((i, batch) for i, batch in enumerate(loaded.mechanisms.batches) if index in batch.index)
     member = batch.index.tolist().index(index)
+    if batch.kind.change_points is not None:
+        off = around_zero(angle + batch.members.phase[0, member] - batch.kind.change_points.angle(place.geometry))
+        if np.any(np.abs(off) < _IN_LINE):
+            there = f"φ = {np.rad2deg(angle[0] - float(np.ravel(machine.zero)[0])):g}°"
+            allowed = _("the links of {name} lie in line there, where forces are limits: take an angle beside")
+            raise InputError([Problem("", there, allowed.format(name=place.name))])
     shape = (1, batch.index.size, angle.size)
     solved = each_changed(lambda part: np.broadcast_to(part, shape)[0, member], loaded.solved(angle)[at])
     size = rows(batch.members.geometry, np.array(member))

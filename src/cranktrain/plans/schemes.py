@@ -303,6 +303,8 @@ def _crank_rocker(view: _View) -> _Marks:
         view.angle("α_1", N_("direction of the rocker"), "C", place, along, rocker),
         view.angle("γ", N_("swing of the rocker"), "C", place, limits[0], swing),
     )
+    with np.errstate(divide="ignore"):
+        along_rod = float(1.0 / abs(np.sin(rocker - beta)))
     forces = (
         MarkedForce(
             "Q",
@@ -311,7 +313,7 @@ def _crank_rocker(view: _View) -> _Marks:
             view.turned(place, angle_of(view.pins["B"] - view.pins["C"]), np.pi / 2),
             1.0,
         ),
-        MarkedForce("Q'", N_("force along the rod, (2)"), "B", push, float(1.0 / abs(np.sin(rocker - beta)))),
+        MarkedForce("Q'", N_("force along the rod, (2)"), "B", push, along_rod),
         MarkedForce(
             "T",
             N_("tangential force at B, (4)"),

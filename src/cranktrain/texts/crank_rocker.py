@@ -17,7 +17,7 @@ def pin_velocity_ratio(crank: Array, rod: Array, rocker: Array) -> Array:
     -------
     Array, of the broadcast shape. [1]
         Times crank radius by rocker length it is the ratio of the angular velocities. Infinite where rod and rocker
-        are in line.
+        are in line; NaN where the crank is, too.
 
     Notes
     -----
@@ -31,7 +31,8 @@ def pin_velocity_ratio(crank: Array, rod: Array, rocker: Array) -> Array:
     >>> round(float(pin_velocity_ratio(1.1, 0.2, 1.1)), 12)
     1.0
     """
-    return np.sin(crank - rod) / np.sin(rocker - rod)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.sin(crank - rod) / np.sin(rocker - rod)
 
 
 def product_of_sines(crank: Array, rod: Array, rocker: Array) -> Array:

@@ -1,6 +1,9 @@
 """Largest forces and torques: the machine is solved once, in all windows in which what is asked may be largest."""
 
+import numpy as np
+
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.numerics import Peak
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.guides import GuideCurves
 from cranktrain.questions.forces.joint_forces import JointCurves
@@ -24,4 +27,12 @@ def force_peaks(
     """Look for the largest values of those curves that there are: only of what is asked."""
     each = [one for one in (joints, pistons, guides, torques) if one is not None]
     found = largest_together(loaded, events, crank_angle, each)
-    return ForcePeaks({type(one): peak for one, peak in zip(each, found, strict=True)})
+    peaks = {type(one): peak for one, peak in zip(each, found, strict=True)}
+    if np.any(loaded.unheld):
+        # Of forces that go beyond all bounds none is the largest; torques have limits.
+        peaks |= {
+            type(one): Peak(*(np.where(loaded.unheld[:, one.rows], np.nan, part) for part in peaks[type(one)]))
+            for one in (joints, pistons, guides)
+            if one is not None
+        }
+    return ForcePeaks(peaks)

@@ -57,7 +57,5 @@ def _largest_force(one: SolvedBatch) -> Array:
 
 
 def _largest(curves: Iterable[Array]) -> Array:
-    """Largest value of several curves of shape (..., n), each of which may stand for all; what is infinite is none."""
-    every = reduce(np.maximum, map(np.atleast_1d, curves))
-    largest = np.max(every, axis=-1)
-    return np.max(np.where(np.isinf(every), 0.0, every), axis=-1) if np.any(np.isinf(largest)) else largest
+    """Largest value of several curves of shape (..., n), each of which may stand for all."""
+    return np.max(reduce(np.maximum, map(np.atleast_1d, curves)), axis=-1)

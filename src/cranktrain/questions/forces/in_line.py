@@ -70,7 +70,7 @@ def by_limits(
     Returns
     -------
     sequence of Forces
-        Infinite at a change point where a moment is left that no force of links in line can hold.
+        NaN at a change point where a moment is left that no force of links in line can hold.
 
     Notes
     -----
@@ -120,7 +120,7 @@ def _with_limits(one: Forces, other: Forces, beside: _Beside, index: NDArray[np.
         limit = np.sum(weights * panel, axis=-1)
         if place < joints:
             left = np.sum(at_end * panel, axis=-1)
-            beyond = np.where(np.abs(off) <= _AT, np.copysign(np.inf, left), values[..., beside.column])
+            beyond = np.where(np.abs(off) <= _AT, np.nan, values[..., beside.column])
             limit = np.where(np.abs(left) > _LEFT * _WIDTH * scale, beyond, limit)
         values[..., beside.column] = np.where(is_near, limit, values[..., beside.column])
         yield values

@@ -1,7 +1,7 @@
 """A machine with all that acts on it: forces in every joint at any crank angle."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, reduce
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,7 +22,7 @@ from cranktrain.motion import ZERO, Array, Coefficient, Link
 from cranktrain.numerics import extremes, in_windows
 from cranktrain.numerics.nested import put
 from cranktrain.questions.forces.carriers import Carriers
-from cranktrain.questions.forces.in_line import by_limits
+from cranktrain.questions.forces.in_line import by_limits, change_points
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
 
@@ -157,6 +157,21 @@ class LoadedMachine:
                     own = Wrench(*(part[:, member : member + 1] for part in wrench))
                     on_rods[master] = Wrench(*map(np.add, on_rods[master], own)) if master in on_rods else own
         return tuple(found[place] for place, _batch in batches)
+
+    @cached_property
+    def unheld(self) -> NDArray[np.bool_]:
+        """Whether a moment is left where the links of each mechanism lie in line, which no force of theirs can hold.
+
+        Shape (design, mechanism). Forces go beyond all bounds there.
+        """
+        points = change_points(self.mechanisms)
+        if points is None:
+            return np.zeros(self.mechanisms.nominal_top.shape[:2], dtype=np.bool_)
+        at_points = self.solved(np.where(np.isnan(points), points[..., :1], points))
+        return self.in_order(
+            np.any(np.isnan(reduce(np.add, (part for joint in one.forces.joints for part in joint[:2]))), axis=-1)
+            for one in at_points
+        )
 
     @cached_property
     def sharing(self) -> NDArray[np.intp]:

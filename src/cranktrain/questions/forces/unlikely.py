@@ -11,7 +11,6 @@ from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.part_tables import SLIDER
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.volumes import Chambers
-from cranktrain.questions.forces.in_line import change_points
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.pressures import GasPressures
@@ -85,21 +84,14 @@ def unlikely_loads(
 
 
 def _unheld(loaded: LoadedMachine) -> Iterator[Words]:
-    """Flag mechanisms whose links lie in line under a moment that no force along them can hold."""
-    points = change_points(loaded.mechanisms)
-    if points is None:
-        return
-    for place, solved in enumerate(loaded.solved(points)):
-        index = loaded.mechanisms.batches[place].index
-        sizes = [np.abs(part) for joint in solved.forces.joints for part in joint[:2]]
-        is_beyond = np.any(np.isinf(reduce(np.maximum, sizes)), axis=-1)
-        for one in index[np.any(is_beyond, axis=0)].tolist():
-            yield _(
-                "The links of {mechanism} lie in line at its change points under a moment that no force along them can"
-                " hold: forces in its joints go beyond all bounds there, and no largest or mean one of them is right."
-                " Such linkages are built in pairs, a quarter turn apart.",
-                mechanism=loaded.mechanisms.names[one],
-            )
+    """Flag mechanisms whose links lie in line under a moment that no force of theirs can hold."""
+    for mechanism in np.flatnonzero(np.any(loaded.unheld, axis=0)).tolist():
+        yield _(
+            "The links of {mechanism} lie in line at its change points under a moment that no force along them can"
+            " hold: forces in its joints go beyond all bounds there, and none is the largest. Such linkages are built"
+            " in pairs, a quarter turn apart.",
+            mechanism=loaded.mechanisms.names[mechanism],
+        )
 
 
 def _of_pistons(

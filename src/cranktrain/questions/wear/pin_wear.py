@@ -67,6 +67,8 @@ def crank_pin_wear(loaded: LoadedMachine, points: CyclePoints) -> CrankPinWear:
         put(PinLoad(*pins), batch.index, pin_load(on_rod, crank_link(solved.motion.pin, Crank(radius))))
         if batch.kind.dynamics.reactions[joint].on == "rod":
             put(RodBearingLoad(*shells), batch.index, rod_bearing_load(on_rod, solved.motion.rod))
+    for each in (pins, shells):
+        each[:, loaded.unheld] = np.nan
     radial, tangential = pins
     # The rod presses the pin where its load comes from, and its own bearing where the pin's load on it goes to.
     pin, shell = points.wear((radial, -tangential), tuple(shells))
