@@ -97,9 +97,7 @@ def pin_loads(machine: Machine, *, mechanism: str | None = None, speed: SpeedWan
     refuse_absent(result, ("crankpin_load_radial", "largest_crankpin_load"))
     at = result.labels["mechanism"].index(place.name)
     if np.isnan(result.largest_crankpin_load[at]):
-        allowed = _(
-            "the load of the crank pin goes beyond all bounds where links lie in line: no diagram has room for it"
-        )
+        allowed = _("the load of the crank pin goes beyond all bounds where links lie in line: no diagram holds it")
         raise InputError([Problem("", None, allowed)])
     if not result.largest_crankpin_load[at] > 0:
         raise InputError([Problem("", None, _("no load acts on the crank pin, so there is no diagram of it"))])

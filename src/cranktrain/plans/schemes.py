@@ -294,7 +294,9 @@ def _crank_rocker(view: _View) -> _Marks:
     swing = float(np.ravel(ends.largest.value - ends.smallest.value)[0])
     length = float(place.geometry.rocker_length)
     limits = [view.along(place, float(np.ravel(one.value)[0])) for one in (ends.smallest, ends.largest)]
-    share = np.sin(alpha - beta) / np.sin(rocker - beta)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = np.sin(alpha - beta) / np.sin(rocker - beta)
+        along_rod = float(1.0 / abs(np.sin(rocker - beta)))
     rod = angle_of(view.pins["B"] - view.pins["A"])
     push = rod + np.pi if np.sin(rocker - beta) > 0 else rod
     angles = (
@@ -303,8 +305,6 @@ def _crank_rocker(view: _View) -> _Marks:
         view.angle("α_1", N_("direction of the rocker"), "C", place, along, rocker),
         view.angle("γ", N_("swing of the rocker"), "C", place, limits[0], swing),
     )
-    with np.errstate(divide="ignore"):
-        along_rod = float(1.0 / abs(np.sin(rocker - beta)))
     forces = (
         MarkedForce(
             "Q",
