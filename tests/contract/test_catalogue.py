@@ -76,6 +76,7 @@ EVERYTHING = {
     "balance": {
         "counterweights": "rotating",
         "share": 0.5,
+        "wheel": {"near": {"z": "-50 mm", "load": "9 kN"}, "off": {"z": "150 mm", "load": "9 kN"}},
         "weight": [{"mass": "1 kg", "radius": "40 mm", "throw": 2}],
         "shafts": [{"order": 2, "against": "both", "planes": ["0 mm", "100 mm"]}],
     },

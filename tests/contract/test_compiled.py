@@ -29,7 +29,6 @@ from cranktrain.linkage import (
     CrankAndGround,
     CrankAndPivot,
     Ends,
-    Hinged,
     Leg,
     LinkPoint,
     OnLine,
@@ -50,6 +49,7 @@ from cranktrain.linkage import (
     slide,
     turned,
 )
+from cranktrain.linkage.change_point import Hinged
 from cranktrain.linkage.vectors import Vector
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker

@@ -6,7 +6,6 @@ NamedTuple of coefficients. It has no state, no checks, no units; what cannot cl
 """
 
 from cranktrain.linkage.blocks import in_blocks
-from cranktrain.linkage.change_point import Hinged, crossed_parallelogram, kite, out_of_line, parallelogram
 from cranktrain.linkage.compile import compiled
 from cranktrain.linkage.crank import Crank, crank
 from cranktrain.linkage.legs import OnLine, block_along, fixed_guide, rod_between, rod_end
@@ -46,7 +45,6 @@ __all__ = [
     "CrankAndGround",
     "CrankAndPivot",
     "Ends",
-    "Hinged",
     "Leg",
     "LinkPoint",
     "OnLine",
@@ -70,15 +68,11 @@ __all__ = [
     "compiled",
     "crank",
     "crank_swivel_gap",
-    "crossed_parallelogram",
     "fixed",
     "fixed_guide",
     "in_blocks",
-    "kite",
     "line_between",
     "line_from_crank",
-    "out_of_line",
-    "parallelogram",
     "pin",
     "pin_from_crank",
     "pin_gap",

@@ -6,7 +6,8 @@ from typing import Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from cranktrain.language import N_
-from cranktrain.linkage import Hinged, Pin, PinMotion, crossed_parallelogram, kite, parallelogram
+from cranktrain.linkage import Pin, PinMotion
+from cranktrain.linkage.change_point import Hinged, crossed_parallelogram, kite, parallelogram
 from cranktrain.motion import Array
 
 Form: TypeAlias = Literal["", "parallelogram", "crossed", "kite"]

@@ -5,7 +5,6 @@ import numpy as np
 from cranktrain.linkage import (
     Crank,
     Ends,
-    Hinged,
     LinkPoint,
     Pin,
     Slide,
@@ -23,6 +22,7 @@ from cranktrain.linkage import (
     turned_link,
     yoke,
 )
+from cranktrain.linkage.change_point import Hinged
 from cranktrain.mechanisms.chain.groups import SHAFT, Made, pin_of, slot_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,

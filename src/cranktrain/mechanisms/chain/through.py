@@ -5,7 +5,8 @@ from functools import partial
 
 import numpy as np
 
-from cranktrain.linkage import Ends, Hinged, Pin, out_of_line
+from cranktrain.linkage import Ends, Pin
+from cranktrain.linkage.change_point import Hinged, out_of_line
 from cranktrain.linkage.vectors import between
 from cranktrain.mechanisms.chain.groups import SHAFT, anatomy, carriers_of, pin_of
 from cranktrain.mechanisms.chain.kinematics import chain_made

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from cranktrain.linkage import Crank, Ends, Hinged, Pin, crank, fixed
+from cranktrain.linkage import Crank, Ends, Pin, crank, fixed
+from cranktrain.linkage.change_point import Hinged
 from cranktrain.mechanisms.change_points import FORMS, Form
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, CrankRockerMotion
 from cranktrain.motion import Array

@@ -8,7 +8,7 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import bodies_given
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, table
 from cranktrain.layout.specs import MAIN
-from cranktrain.questions.balance import frame_forces, rows, shaking, spec, unlikely, weights
+from cranktrain.questions.balance import frame_forces, rows, shaking, spec, unlikely, weights, wheels
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 
 
@@ -37,17 +37,20 @@ QUESTION = Question(
         Stage(shaking.shaking_forces),
         Stage(shaking.shaking_couples),
         Stage(shaking.rolling_moment),
+        Stage(wheels.hammer_blow, applies=wheels.have_wheels),
         Stage(unlikely.unlikely_balance),
     ),
     dimensions=(
         ResultDimension("balance", N_("balance"), own=-1),
         ResultDimension("weight", N_("weight"), titles=weights.TITLES),
+        ResultDimension("wheel", N_("wheel")),
     ),
     headline=("shaking_force_largest", "shaking_couple_largest"),
     title=N_("Balance"),
     rows=(
         rows.force_rows,
         rows.couple_rows,
+        rows.wheel_rows,
     ),
     offers={
         "balance_weight_moment": N_("counterweights"),

@@ -2,10 +2,13 @@
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from cranktrain.language import Listed, Words, _
 from cranktrain.motion import Array
 from cranktrain.questions.balance.shaken import Shaken
 from cranktrain.questions.balance.shaking import ShakingCouples, ShakingForces
+from cranktrain.questions.balance.wheels import HammerBlow
 from cranktrain.saying.amounts import Amount
 from cranktrain.saying.rows import AnswerLine, Telling, entry_called, worded
 
@@ -25,6 +28,14 @@ def couple_rows(of: Telling, couples: ShakingCouples) -> Iterator[AnswerLine]:
     """Orders of the shaking couple."""
     names = (_("shaking couple"), _("left with [balance]"))
     return _by_order(of, couples, couples.shaking_couple_largest, "shaking_couple_largest", names)
+
+
+def wheel_rows(of: Telling, blow: HammerBlow) -> Iterator[AnswerLine]:
+    """Hammer blow of the wheels, in parts of their loads too, and when it lifts them."""
+    yield of.row(_("hammer blow"), blow, "hammer_blow")
+    if np.any(np.isfinite(of.values(blow, "hammer_blow_share"))):
+        yield of.row(_("of the wheel's load"), blow, "hammer_blow_share", unit="%")
+        yield of.row(_("lifts its wheel at"), blow, "lifting_speed")
 
 
 def _by_order(

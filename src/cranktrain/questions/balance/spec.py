@@ -1,12 +1,13 @@
 """Counterweights and balance shafts: the table [balance] of the machine file."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import pi
 from typing import Annotated, Literal, TypeAlias
 
 import numpy as np
 from pydantic import Field
 
+from cranktrain.allowed import Name
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER
@@ -27,6 +28,7 @@ from cranktrain.spec import Spec
 
 _NONE = Given(0.0, "0 mm")
 Opening = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, at_most=2 * pi, example="120 deg")]
+PositiveForce = Annotated[Given, Quantity(Dimension.FORCE, above=0.0)]
 Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0)]
 Spot = tuple[Length, Length]
 Against: TypeAlias = Literal["force", "couple", "both"]
@@ -168,8 +170,19 @@ class BalanceShaftsSpec(Spec, frozen=True):
             yield from _together(self.planes)
 
 
+class WheelSpec(Spec, frozen=True):
+    """A wheel of a locomotive's driving axle, where its tread runs on the rail."""
+
+    z: Length = Field(description=N_("Its place along the axle, from throw 1."))
+    load: PositiveForce | None = Field(
+        default=None, description=N_("What it carries at rest; with it, the speed at which the hammer blow lifts it.")
+    )
+
+
 class BalanceSpec(Spec, frozen=True):
     """What balances the machine: given weights, counterweights solved for, and balance shafts solved for after them.
+
+    The two wheels of a driving axle bear what is left out of balance on it: the hammer blow.
 
     counterweights take from each throw all that rotates, and a `share` of what reciprocates ("rotating"), or so much
     that the throw's largest force is the least ("least_force"). In two `planes` of the shaft, z from throw 1, they take
@@ -197,6 +210,10 @@ class BalanceSpec(Spec, frozen=True):
         default=(), description=N_("Pairs of balance shafts, solved for after all other weights.")
     )
 
+    wheel: dict[Name, WheelSpec] = Field(
+        default_factory=dict, description=N_("The two wheels of a locomotive's driving axle, by their names.")
+    )
+
     def _problems(self) -> Iterator[Problem]:
         """Find a table that balances nothing, what belongs to other counterweights, and two planes that are one."""
         if self.share is not None and self.counterweights != "rotating":
@@ -207,8 +224,20 @@ class BalanceSpec(Spec, frozen=True):
                 yield Problem("planes", None, _("is for counterweights that are solved for; give these as well"))
             else:
                 yield from _together(self.planes)
-        if not any((self.weight, self.shafts, self.counterweights, self.share, self.planes)):
-            yield Problem("", None, _("must hold weight, counterweights or shafts, or be left out"))
+        if self.wheel:
+            yield from _not_an_axle(self.wheel)
+        if not any((self.weight, self.shafts, self.counterweights, self.share, self.planes, self.wheel)):
+            yield Problem("", None, _("must hold weight, counterweights, shafts or wheel, or be left out"))
+
+
+def _not_an_axle(wheels: Mapping[str, WheelSpec]) -> Iterator[Problem]:
+    """Find wheels that are not two, or in one place."""
+    if len(wheels) != 2:
+        yield Problem("wheel", ", ".join(wheels), _("must be two: the wheels at both ends of the axle"))
+        return
+    (_first, one), (name, other) = wheels.items()
+    if one.z.si == other.z.si:
+        yield Problem(f"wheel.{name}.z", other.z.text, _("must be another place than the first wheel's"))
 
 
 def _together(planes: Sequence[Given]) -> Iterator[Problem]:

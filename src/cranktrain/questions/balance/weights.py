@@ -30,6 +30,7 @@ from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import StageResult
 
 _WEIGHT = ("weight",)
+_UNKNOWN = Given(np.nan, "")
 _NOISE = 1e-12
 """Of what all parts could do together: less is rounding."""
 
@@ -57,6 +58,14 @@ class ShaftsWanted(NamedTuple):
     places: ComplexArray
 
 
+class Wheels(NamedTuple):
+    """Wheels of a driving axle: names; z, and what each carries at rest, NaN if unknown, shape (design, 2). [m, N]"""
+
+    names: tuple[str, ...]
+    place: Array
+    load: Array
+
+
 @record
 class DeclaredBalance:
     """The table [balance].
@@ -71,6 +80,7 @@ class DeclaredBalance:
     planes : Array, shape (design, 2), or None
         z of their planes; None where every throw has its own. [m]
     shafts : tuple of ShaftsWanted
+    wheels : Wheels or None
     """
 
     needs: ClassVar[str] = N_("[balance]")
@@ -81,6 +91,7 @@ class DeclaredBalance:
     share: Array
     planes: Array | None
     shafts: tuple[ShaftsWanted, ...]
+    wheels: Wheels | None
 
 
 def declared_balance(designs: Designs) -> DeclaredBalance | None:
@@ -95,7 +106,7 @@ def declared_balance(designs: Designs) -> DeclaredBalance | None:
     def places(spots: Sequence[Spot]) -> ComplexArray:
         return each([x for x, _y in spots]) + 1j * each([y for _x, y in spots])
 
-    weights = spec.weight
+    weights, wheels = spec.weight, spec.wheel
     return DeclaredBalance(
         given=GivenWeights(
             ratio=designs.by_design([float(one.ratio) for one in weights]),
@@ -116,6 +127,13 @@ def declared_balance(designs: Designs) -> DeclaredBalance | None:
             )
             for pair in spec.shafts
         ),
+        wheels=Wheels(
+            tuple(wheels),
+            each([one.z for one in wheels.values()]),
+            each([one.load or _UNKNOWN for one in wheels.values()]),
+        )
+        if wheels
+        else None,
     )
 
 
@@ -138,6 +156,8 @@ def balance_problems(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
         )
         if spec.planes is not None:
             yield Problem("balance.planes", None, unknown)
+        if spec.wheel:
+            yield Problem("balance.wheel", None, unknown)
 
 
 def _cancelled(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
@@ -299,7 +319,7 @@ def _counterweights(
         sense = float(frames.sense[throws.first[own[0]]])
         all_of = PlaneVectors(frame.vectors.order, *(throws.gathered(part)[:, own] for part in frame.vectors[1:]))
         shaking_own = all_of if sense > 0 else reversed_vectors(all_of)
-        rotating, swinging = (throws.gathered(part)[:, own, 0] for part in _divided(frame, frames))
+        rotating, swinging = (throws.gathered(part)[:, own, 0] for part in divided(frame, frames))
         if planes is None:
             part = _part(declared, rotating, swinging, shaking_own, share[:, np.newaxis])
             lot = on_crank(-part, z[:, own])
@@ -318,7 +338,7 @@ def _counterweights(
         yield _Named(tuple(names), lot._replace(ratio=np.full(shape, sense), angle=sense * lot.angle, place=place))
 
 
-def _divided(frame: FrameForces, frames: Frames) -> tuple[ComplexArray, ComplexArray]:
+def divided(frame: FrameForces, frames: Frames) -> tuple[ComplexArray, ComplexArray]:
     """What of each mechanism's first order rotates, and the half of what swings along its axis that turns with it.
 
     As its own crank turns, shape (design, mechanism, 1): what swings along x has b = f̄ in the mechanism's own axes, and

@@ -9,7 +9,7 @@ from cranktrain.questions.forces.guides import GuideCurves
 from cranktrain.questions.forces.joint_forces import JointCurves
 from cranktrain.questions.forces.largest_forces import PistonCurves
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.forces.peaks import ForcePeaks, largest_together
+from cranktrain.questions.forces.peaks import ForcePeaks, MachineCurves, largest_together
 from cranktrain.questions.forces.torque_curves import TorqueCurves
 
 CURVES = (JointCurves, PistonCurves, GuideCurves, TorqueCurves)
@@ -27,12 +27,11 @@ def force_peaks(
     """Look for the largest values of those curves that there are: only of what is asked."""
     each = [one for one in (joints, pistons, guides, torques) if one is not None]
     found = largest_together(loaded, events, crank_angle, each)
-    peaks = {type(one): peak for one, peak in zip(each, found, strict=True)}
+    peaks: dict[type[MachineCurves], Peak] = {type(one): peak for one, peak in zip(each, found, strict=True)}
     if np.any(loaded.unheld):
         # Of forces that go beyond all bounds none is the largest; torques have limits.
-        peaks |= {
-            type(one): Peak(*(np.where(loaded.unheld[:, one.rows], np.nan, part) for part in peaks[type(one)]))
-            for one in (joints, pistons, guides)
-            if one is not None
-        }
+        for one in (joints, pistons, guides):
+            if one is not None:
+                is_beyond = loaded.unheld[:, one.rows]
+                peaks[type(one)] = Peak(*(np.where(is_beyond, np.nan, part) for part in peaks[type(one)]))
     return ForcePeaks(peaks)

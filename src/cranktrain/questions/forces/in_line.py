@@ -34,15 +34,13 @@ class _Beside(NamedTuple):
     nodes: Array
 
 
-def change_points(mechanisms: Mechanisms) -> Array | None:
-    """Where links lie in line and come through, φ of shape (design, mechanism, k), NaN for none; or None at all."""
+def change_points(mechanisms: Mechanisms) -> Array:
+    """Where links lie in line and come through, φ of shape (design, mechanism, k), NaN for none."""
     own = [
         (batch.index, batch.kind.change_points.angle(batch.members.geometry) - batch.members.phase)
         for batch in mechanisms.batches
         if batch.kind.change_points is not None
     ]
-    if not own:
-        return None
     found = np.full((*mechanisms.nominal_top.shape[:2], max(angle.shape[-1] for _index, angle in own)), np.nan)
     for index, angle in own:
         found[:, index, : angle.shape[-1]] = angle
@@ -76,8 +74,7 @@ def by_limits(
     -----
     The limit is that of a polynomial through points of the panel beside; docs/theory/forces, eq. (13.58).
     """
-    points = change_points(mechanisms)
-    beside = None if points is None else _beside(points, angle)
+    beside = _beside(change_points(mechanisms), angle)
     if beside is None:
         return solved
     aside = solve(beside.nodes.reshape(*beside.off.shape[:2], -1))

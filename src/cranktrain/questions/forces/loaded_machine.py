@@ -22,7 +22,6 @@ from cranktrain.motion import ZERO, Array, Coefficient, Link
 from cranktrain.numerics import extremes, in_windows
 from cranktrain.numerics.nested import put
 from cranktrain.questions.forces.carriers import Carriers
-from cranktrain.questions.forces.in_line import by_limits, change_points
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
 
@@ -113,6 +112,10 @@ class LoadedMachine:
             In the order of `mechanisms.batches`. Where links lie in line and come through, forces are limits.
         """
         found = self._solved(angle, gas_force, motions)
+        if not self.comes_through:
+            return found
+        from cranktrain.questions.forces.in_line import by_limits  # few machines need it
+
         limited = by_limits(
             self.mechanisms,
             angle,
@@ -159,14 +162,21 @@ class LoadedMachine:
         return tuple(found[place] for place, _batch in batches)
 
     @cached_property
+    def comes_through(self) -> bool:
+        """Whether links of any mechanism lie in line at some angles and come through."""
+        return any(batch.kind.change_points is not None for batch in self.mechanisms.batches)
+
+    @cached_property
     def unheld(self) -> NDArray[np.bool_]:
         """Whether a moment is left where the links of each mechanism lie in line, which no force of theirs can hold.
 
         Shape (design, mechanism). Forces go beyond all bounds there.
         """
-        points = change_points(self.mechanisms)
-        if points is None:
+        if not self.comes_through:
             return np.zeros(self.mechanisms.nominal_top.shape[:2], dtype=np.bool_)
+        from cranktrain.questions.forces.in_line import change_points  # few machines need it
+
+        points = change_points(self.mechanisms)
         at_points = self.solved(np.where(np.isnan(points), points[..., :1], points))
         return self.in_order(
             np.any(np.isnan(reduce(np.add, (part for joint in one.forces.joints for part in joint[:2]))), axis=-1)
