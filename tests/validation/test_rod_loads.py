@@ -188,6 +188,8 @@ def test_a_compressor_that_a_user_reported():
         assert result.tension_begins[place, 0] == pytest.approx(23.6305, abs=6e-4)
         assert result.tension_ends[place, 0] == pytest.approx(211.424, abs=6e-4)
     assert round(result.tension_arc[CROSSHEAD, 0]) == 188
+    pins = [place for place, name in enumerate(result.labels["joint"]) if name.endswith("_pin")]
+    np.testing.assert_allclose(result.side_change_at[pins, :2], [[23.6305, 211.424]] * 2, rtol=0, atol=6e-4)
 
 
 def test_a_crosshead_is_not_carried_by_the_piston_rod():

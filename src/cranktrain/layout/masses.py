@@ -249,7 +249,8 @@ def _is_likely(body: Body, length: Array | None) -> bool:
     """Whether an inertia that is not 0 is one that a link of its mass and length can have, in all designs."""
     if length is None:
         return True
-    gyration = np.sqrt(body.inertia / body.mass)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        gyration = np.sqrt(np.divide(body.inertia, body.mass))
     is_likely = (gyration >= _LEAST_GYRATION * length) & (gyration <= _MOST_GYRATION * length)
     return bool(np.all((body.inertia == 0) | is_likely))
 

@@ -28,3 +28,9 @@ def test_less_than_nothing_is_refused():
 def test_a_rod_that_weighs_something_still_needs_its_centroid():
     with pytest.raises(ct.InputError, match=r"masses\.rod\.along"):
         run(rod={"mass": "1 kg"})
+
+
+@pytest.mark.parametrize(("inertia", "is_doubted"), [("0 kg m2", False), ("1 kg m2", True)])
+def test_an_inertia_of_no_mass_is_doubted(inertia, is_doubted):
+    result = run(piston={"mass": "2 kg"}, rod={"mass": "0 kg", "along": "100 mm", "inertia": inertia})
+    assert any("is hardly that of a link" in flag for flag in result.flags) is is_doubted

@@ -68,7 +68,7 @@ def hammer_blow(
     """Put all that rotates on `main`, weights too, to the planes of the wheels; docs/theory/balance, eq. (16.19)."""
     wheels = declared.wheels
     assert wheels is not None  # else the stage does not apply
-    own = np.array([throws.shafts[throw] == MAIN for throw in throws.carrying])
+    own = np.array([throws.shafts[throw] == MAIN for throw in map(int, throws.carrying)])
     rotating, _swinging = divided(frame, frames)
     on_axle = weights.weights
     turns_with = on_axle.ratio == 1.0

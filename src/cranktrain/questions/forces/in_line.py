@@ -72,7 +72,7 @@ def by_limits(
 
     Notes
     -----
-    The limit is that of a polynomial through points of the panel beside; docs/theory/forces, eq. (13.58).
+    The limit is that of a polynomial through points of the panel beside; docs/theory/forces, eq. (13.59).
     """
     beside = _beside(change_points(mechanisms), angle)
     if beside is None:

@@ -66,7 +66,7 @@ class JointCurves(MachineCurves):
 
 def joint_curves(loaded: LoadedMachine, solved: SolvedCycle) -> JointCurves:
     """Reactions of all joints on the grid."""
-    joints = _joints(loaded)
+    joints = joints_of(loaded)
     reactions = _reactions(joints, solved.batches)
     return JointCurves(
         mechanisms_of(joints),
@@ -106,7 +106,7 @@ def joint_label(mechanism: str, reaction: Reaction) -> str:
     return f"{mechanism}.{reaction.name}"
 
 
-def _joints(loaded: LoadedMachine) -> list[Member]:
+def joints_of(loaded: LoadedMachine) -> list[Member]:
     """All joints, mechanism by mechanism; a slave's share of its master's is left out, as that has it already."""
     found = [
         Member(joint_label(loaded.mechanisms.names[mechanism], reaction), mechanism, place, member, number)

@@ -1,6 +1,6 @@
 """Reversal: for how many degrees rod loads press and pull, by the angles at which they pass nothing."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -10,12 +10,12 @@ from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
-from cranktrain.numerics import bracketed_roots
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.rod_load.declared import DeclaredRodLoads
 from cranktrain.questions.rod_load.loads import CROSSHEAD_PIN, PLACES, RodLoadCurves, RodLoads
 from cranktrain.questions.wear.cycle_points import CyclePoints
+from cranktrain.questions.wear.side_changes import SignChanges, sign_changes
 from cranktrain.record import record
 from cranktrain.references import CONVENTIONS
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
@@ -24,8 +24,6 @@ from cranktrain.saying.checks import Flagged
 from cranktrain.saying.wording import number, ranged
 
 _FACT = ("rod_load_place", "piston")
-_NOTHING = 1e-12
-"""Of a load's peak; what is smaller may be of either sense."""
 
 
 class _Arcs(NamedTuple):
@@ -98,9 +96,12 @@ def reversals(
 ) -> Reversals:
     """Degrees of compression and tension, as roots between the points of a cycle; docs/theory/forces, eq. (13.57)."""
     arcs = np.full((len(_Arcs._fields), len(curves.whole), len(PLACES), len(pistons.names)), np.nan)
-    for one in _roots(curves, points, loaded):
+    n_loads = curves.place.size
+    for one in sign_changes(
+        curves.rows[:n_loads], lambda solved: curves.pick(tuple(solved))[:, :n_loads], points, loaded
+    ):
         zero = float(crank_angle.zero[one.design, 0, 0])
-        arcs[:, one.design, curves.place[one.load], curves.piston[one.load]] = _arcs(one, points.cycle, zero)
+        arcs[:, one.design, curves.place[one.curve], curves.piston[one.curve]] = _arcs(one, points.cycle, zero)
     compression, tension = loads.largest_rod_compression.value, loads.largest_rod_tension.value
     larger = np.maximum(compression, tension)
     arc = np.minimum(arcs[0], arcs[1])
@@ -130,55 +131,13 @@ def _flags(names: Sequence[str], is_lacking: NDArray[np.bool_], declared: Declar
         )
 
 
-class _Roots(NamedTuple):
-    """Of a load of a design: where it passes nothing, φ, rising, and whether it is compression after each.
-
-    Of one that nowhere passes nothing, no angle and its own sense.
-    """
-
-    design: int
-    load: int
-    angle: Array
-    presses: NDArray[np.bool_]
-
-
-def _roots(curves: RodLoadCurves, points: CyclePoints, loaded: LoadedMachine) -> list[_Roots]:
-    """Find where the loads of every design pass nothing; of one that is nothing all round there is nothing to say."""
-    values = curves.pick(tuple(points.solved))[:, : curves.place.size]
-    found: list[_Roots] = []
-    beyond: list[Array] = []
-    for design, cut in enumerate(points.cuts):
-        angle = points.angle[design, 0, : cut.angle.size]
-        for place, load in enumerate(values[design, :, : cut.angle.size]):
-            is_clear = np.abs(load) > _NOTHING * np.max(np.abs(load))
-            if np.any(is_clear):
-                at, presses = angle[is_clear], load[is_clear] > 0
-                changes = presses != np.roll(presses, -1)
-                found.append(_Roots(design, place, at[changes], ~presses[changes] if np.any(changes) else presses[:1]))
-                beyond.append(np.append(at[1:], at[0] + points.cycle)[changes])
-    sizes = [one.angle.size for one in found]
-    if not sum(sizes):
-        return found
-    which = np.repeat(np.array([one.design * curves.rows.size + one.load for one in found]), sizes)
-    low, high = (np.concatenate(ends)[:, np.newaxis] for ends in ([one.angle for one in found], beyond))
-    pick = _at_own_angles(curves, loaded)
-    roots = bracketed_roots(lambda angle: loaded.of_each(curves.rows, which, angle, pick), low, high)[:, 0]
-    each = np.split(roots, np.cumsum(sizes)[:-1])
-    return [one._replace(angle=own) for one, own in zip(found, each, strict=True)]
-
-
-def _at_own_angles(curves: RodLoadCurves, loaded: LoadedMachine) -> Callable[[Array], Array]:
-    """All loads at φ of each mechanism. [rad]"""
-    return lambda angle: curves.pick(loaded.solved(angle))
-
-
-def _arcs(of: _Roots, cycle: float, zero: float) -> _Arcs:
+def _arcs(of: SignChanges, cycle: float, zero: float) -> _Arcs:
     """Arcs between roots; angles as they are shown."""
     if not of.angle.size:
-        whole = (cycle, 0.0) if of.presses[0] else (0.0, cycle)
+        whole = (cycle, 0.0) if of.is_positive[0] else (0.0, cycle)
         return _Arcs(*whole, *whole)
     length = np.diff(np.append(of.angle, of.angle[0] + cycle))
-    pressing, pulling = (np.where(own, length, 0.0) for own in (of.presses, ~of.presses))
+    pressing, pulling = (np.where(own, length, 0.0) for own in (of.is_positive, ~of.is_positive))
     longest = first_largest(pulling)
     begins = float(of.angle[longest]) - zero
     return _Arcs(
