@@ -42,8 +42,8 @@ from cranktrain.typed_file import TypedFile
 
 _FOUND = ("arranged", "asks", "closing_problems", "design", "kinds", "questions", "table_problems")
 """What is found once of what a machine declares."""
-_ARRANGING = ("angle", "bank", "mechanism", "running", "shaft")
-_RESTS_ON = {"arranged": _ARRANGING, "kinds": _ARRANGING, "closing_problems": (*_ARRANGING, "crank_zero", "units")}
+ARRANGING = ("angle", "bank", "mechanism", "running", "shaft")
+_RESTS_ON = {"arranged": ARRANGING, "kinds": ARRANGING, "closing_problems": (*ARRANGING, "crank_zero", "units")}
 """What of it is found from some tables alone."""
 
 

@@ -147,7 +147,9 @@ def _checked(data: Mapping[str, object], folder: Path, origin: Origin, *, partia
         if not found:
             return machine
     except InputError as error:
-        found = (*found, *error.problems)
+        from cranktrain.io.half_read import problems_of_the_rest  # most files are right
+
+        found = (*found, *error.problems, *problems_of_the_rest(filled, error.problems, partial=partial))
     problems = tuple(map(origin.placed, found))
     if origin.paths and not any(problem.position == origin.position for problem in problems):
         allowed = _("was set for this run; the file alone may be right")
