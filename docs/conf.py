@@ -26,6 +26,7 @@ extensions = [
     "navigation",
     "typed",
     "results",
+    "fields",
     "public_names",
 ]
 myst_enable_extensions = ["deflist", "dollarmath"]

@@ -7,12 +7,14 @@ import subprocess
 import sys
 from collections import Counter
 from collections.abc import Callable
+from html import unescape
 from pathlib import Path
 
 import pytest
 
 import cranktrain as ct
 from cranktrain.analysis import every_stage
+from cranktrain.io.schema import machine_schema
 from cranktrain.saying.catalogue import entries
 
 ROOT = Path(__file__).parents[2]
@@ -105,6 +107,19 @@ def test_formulas_are_for_browsers(site):
     assert r"\mathbf r" in source
     assert "<mi>\N{MATHEMATICAL BOLD SMALL R}</mi>" in html
     assert r"\math" not in html
+
+
+def test_all_keys_of_the_machine_file_stand_in_the_tables(site):
+    """By the schema: every table once, with its sentence and every key of it."""
+    html = (site / "machine-file.html").read_text(encoding="utf-8")
+    schema = machine_schema()
+    tables = {name: made for name, made in schema["$defs"].items() if "properties" in made and "InBank" not in name}
+    headed = {key for key in schema["properties"] if f'<section id="{key.replace("_", "-")}">' in html}
+    keys = {key for table in (schema, *tables.values()) for key in table["properties"]} - headed
+    assert {key for key in keys if f'<span class="pre">{key}</span>' not in html} == set()
+    said = re.sub(r"<[^>]*>|\s+", "", unescape(html)).replace("\N{RIGHT SINGLE QUOTATION MARK}", "'")
+    plain = {name: re.sub(r"[`\s]", "", made["description"]) for name, made in tables.items()}
+    assert [name for name, sentence in plain.items() if sentence not in said] == []
 
 
 def test_all_results_stand_in_the_table(site):
