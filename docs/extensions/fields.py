@@ -86,7 +86,7 @@ class _Reader:
         yield "|" + "---|" * len(_HEADS)
         needed = table.schema.get("required", ())
         for key, schema in table.schema["properties"].items():
-            default = "needed" if key in needed else _written(schema["default"]) if "default" in schema else ""
+            default = "needed" if key in needed else _default(schema)
             value = self.value(schema, _below(table.path, key))
             yield _line((f"`{key}`", schema.get("description", ""), value.words, default))
 
@@ -177,6 +177,12 @@ def _quantity(name: str) -> str:
     turn, unit = (math.degrees(1), "°") if what == "angle" else (1.0, "")
     limits = [f"{_SIGNS[word]} {float(limit) * turn:.4g}{unit}" for word, limit in _LIMIT.findall(name)]
     return f"{what.replace('-', ' ')} {', '.join(limits)}".rstrip()
+
+
+def _default(schema: Schema) -> str:
+    """What stands there unless given; nothing of none."""
+    default = schema.get("default")
+    return "" if default in (None, "", []) else f"`{_written(default)}`"
 
 
 def _written(value: object) -> str:

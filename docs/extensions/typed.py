@@ -1,8 +1,8 @@
 """What the program says and draws, made while the pages are built.
 
 `{terminal}` types commands and shows what they say; `:lines: 12` shows so many lines of each, `:lines: 0` none;
-`:status: 2` is for mistakes. `{drawn}` shows the picture of `cranktrain plot` with its arguments. All of one page
-happens in one empty folder.
+`:status: 2` is for mistakes. `{drawn}` shows the picture of `cranktrain plot` with its arguments, `{gallery}` several
+of them small, each a line: `3d12 --sheet forces | what is said below it`. All of one page happens in one empty folder.
 """
 
 import contextlib
@@ -46,6 +46,13 @@ class _Typing(SphinxDirective):
             raise self.error(f"$ {command}\nended with status {status}:\n{text}")
         return text.rstrip("\n")
 
+    def drawn(self, command: str, shown: str) -> drawn_picture:
+        """Draw the picture of a command; `shown` is what it shows, in words."""
+        name = f"{sha256(f'{self.env.docname} {command}'.encode()).hexdigest()[:12]}.svg"
+        self.said(f"{command} -o {name} --force")
+        shutil.move(self.folder / name, _kept(self.env.app) / name)
+        return drawn_picture(file=name, alt=shown)
+
     @property
     def folder(self) -> Path:
         """The folder of the page, as the page before this directive left it."""
@@ -83,10 +90,7 @@ class Drawn(_Typing):
     def run(self) -> list[nodes.Node]:
         """Give a figure."""
         command = f"cranktrain plot {self.arguments[0]}"
-        name = f"{sha256(f'{self.env.docname} {command}'.encode()).hexdigest()[:12]}.svg"
-        self.said(f"{command} -o {name} --force")
-        picture = drawn_picture(file=name, alt=self.options["alt"])
-        shutil.move(self.folder / name, _kept(self.env.app) / name)
+        picture = self.drawn(command, self.options["alt"])
         caption = nodes.caption("", "", *self._caption(command))
         return [nodes.figure("", picture, caption, classes=["drawn"])]
 
@@ -94,6 +98,23 @@ class Drawn(_Typing):
         """Give what the picture shows, and what draws it."""
         words, _ = self.parse_inline(self.options.get("caption", ""))
         return [*words, nodes.Text(" ") if words else nodes.Text(""), nodes.literal("", f"{command} -o sheet.svg")]
+
+
+class Gallery(_Typing):
+    """Small pictures side by side, each with words below it."""
+
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        """Give a figure for each line."""
+        return [nodes.container("", *map(self._figure, filter(None, self.content)), classes=["gallery"])]
+
+    def _figure(self, line: str) -> nodes.Node:
+        """Give a picture and what is said of it."""
+        arguments, _bar, words = (part.strip() for part in line.partition("|"))
+        said, _messages = self.parse_inline(words)
+        caption = nodes.caption("", "", *said)
+        return nodes.figure("", self.drawn(f"cranktrain plot {arguments}", caption.astext()), caption)
 
 
 def _kept(app: Sphinx) -> Path:
@@ -126,6 +147,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     """Join Sphinx."""
     app.add_directive("terminal", Terminal)
     app.add_directive("drawn", Drawn)
+    app.add_directive("gallery", Gallery)
     app.add_node(drawn_picture, html=(_visit, None))
     app.connect("source-read", _emptied)
     app.connect("build-finished", _copied)
