@@ -1,4 +1,4 @@
-"""Loads of several designs together: each may have a file of its own, with lists of its own length."""
+"""Loads, and pulls, of several designs together: each may have a file of its own, with lists of its own length."""
 
 from collections.abc import Iterator, Sequence
 
@@ -11,6 +11,7 @@ from cranktrain.layout.load_tables import OF_LISTS, LoadSpec, LoadTables, with_l
 from cranktrain.number_table import held_text
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import Given
+from cranktrain.spec import SpecType
 
 
 def tables_together(designs: Designs) -> LoadTables:
@@ -36,27 +37,35 @@ def tables_together(designs: Designs) -> LoadTables:
             each = [design.loads[path][name] for design in designs.each]
             refuse(_problems(each, f"{path}.{name}", designs.crank_angle.cycle))
             is_read = spec.file is not None and len(each) > 1
-            found.setdefault(path, {})[name] = in_columns(_as_long(each)) if is_read else spec
+            found.setdefault(path, {})[name] = in_columns(as_long(each, OF_LISTS)) if is_read else spec
     return found
 
 
 def _problems(each: Sequence[LoadSpec], path: str, cycle: float) -> Iterator[Problem]:
     """Find files that nobody has read, that say other things in other designs, and angles over more turns than one."""
-    said = _("goes on over two turns, and the cycle of this machine is one")
     for spec in each:
-        if spec.file is not None:
-            try:
-                held_text(spec.file, spec.text)
-            except InputError as error:
-                yield from (Problem(f"{path}.file", one.given, one.allowed) for one in error.problems)
-                return
-            if _holds(spec) != _holds(each[0]):
-                allowed = _("must hold the same in all designs: forces or torques, over the same")
-                yield Problem(f"{path}.file", spec.file, allowed)
-        angles = spec.crank_angles
-        if angles is not None and cycle < 1.5 * TURN and is_over_two_turns(angles[0].si, angles[-1].si):
-            where = "crank_angles" if spec.file is None else "file"
-            yield Problem(f"{path}.{where}", spec.file, said)
+        is_read = spec.file is None or spec.text is not None
+        if is_read and spec.file is not None and _holds(spec) != _holds(each[0]):
+            allowed = _("must hold the same in all designs: forces or torques, over the same")
+            yield Problem(f"{path}.file", spec.file, allowed)
+        yield from over_problems(spec.crank_angles, spec.file, spec.text, path=path, cycle=cycle)
+        if not is_read:
+            return
+
+
+def over_problems(
+    angles: Sequence[Given] | None, file: str | None, text: str | None, *, path: str, cycle: float
+) -> Iterator[Problem]:
+    """Find a file that nobody has read, and crank angles over more turns than the cycle. [rad]"""
+    if file is not None:
+        try:
+            held_text(file, text)
+        except InputError as error:
+            yield from (Problem(f"{path}.file", one.given, one.allowed) for one in error.problems)
+            return
+    if angles is not None and cycle < 1.5 * TURN and is_over_two_turns(angles[0].si, angles[-1].si):
+        where = "crank_angles" if file is None else "file"
+        yield Problem(f"{path}.{where}", file, _("goes on over two turns, and the cycle of this machine is one"))
 
 
 def _holds(spec: LoadSpec) -> tuple[bool, str | None]:
@@ -64,11 +73,15 @@ def _holds(spec: LoadSpec) -> tuple[bool, str | None]:
     return spec.force is not None, None if spec.over is None else spec.over[0]
 
 
-def _as_long(each: Sequence[LoadSpec]) -> Sequence[LoadSpec]:
-    """Make the lists of all files as long as the longest: a last place may stand again, which says nothing new."""
-    longest = max(len(spec.sizes) for spec in each)
+def as_long(each: Sequence[SpecType], names: Sequence[str]) -> Sequence[SpecType]:
+    """Make lists of all designs as long as the longest: a last place may stand again, which says nothing new."""
+    lists: dict[str, list[tuple[Given, ...] | None]] = {name: [getattr(one, name) for one in each] for name in names}
+    longest = max(len(one) for of_name in lists.values() for one in of_name if one is not None)
 
     def longer(one: tuple[Given, ...] | None) -> tuple[Given, ...] | None:
         return None if one is None else (*one, *one[-1:] * (longest - len(one)))
 
-    return [with_lists(spec, {name: longer(getattr(spec, name)) for name in OF_LISTS}) for spec in each]
+    return [
+        with_lists(spec, {name: longer(of_name[number]) for name, of_name in lists.items()})
+        for number, spec in enumerate(each)
+    ]

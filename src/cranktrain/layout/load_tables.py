@@ -25,7 +25,7 @@ from cranktrain.quantities import (
     Quantity,
     TurnedAngle,
 )
-from cranktrain.spec import Spec
+from cranktrain.spec import Spec, SpecType
 
 Torque = Annotated[Given, Quantity(Dimension.TORQUE)]
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=10.0, example="2")]
@@ -276,25 +276,32 @@ class LoadSpec(Spec, frozen=True):
                 yield Problem(f"{sort}_back", None, _("is for sizes over the travel, which has a way back"))
             if self.counts != "with":
                 yield Problem("counts", self.counts, _("is for sizes over the travel"))
-        n_places = 1 if self.over is None else len(self.over[1])
-        allowed = _("must be as many as the places that they are for: {n}", n=n_places)
-        for name, sizes in listed.items():
-            if sizes and len(sizes) != n_places:
-                yield Problem(name, _("a list of {n}", n=len(sizes)), allowed)
+        yield from count_problems(listed, 1 if self.over is None else len(self.over[1]))
         if self.over is not None:
-            name, places = self.over
-            rises = all(one.si < other.si for one, other in pairwise(places))
-            if not rises:
-                yield Problem(name, None, _("must rise from one place to the next"))
+            yield from order_problems(*self.over)
 
 
-def with_lists(spec: LoadSpec, lists: Mapping[str, object]) -> LoadSpec:
-    """Give a load whose file holds some lists these as its own, unchecked: the file was."""
-    return cast("LoadSpec", BaseModel.model_copy(spec, update=lists))
+def count_problems(listed: Mapping[str, Sequence[Given]], n_places: int) -> Iterator[Problem]:
+    """Find sizes, by their keys, that are not as many as the places that they are for."""
+    allowed = _("must be as many as the places that they are for: {n}", n=n_places)
+    for name, sizes in listed.items():
+        if sizes and len(sizes) != n_places:
+            yield Problem(name, _("a list of {n}", n=len(sizes)), allowed)
+
+
+def order_problems(name: str, places: Sequence[Given]) -> Iterator[Problem]:
+    """Find places that do not rise."""
+    if not all(one.si < other.si for one, other in pairwise(places)):
+        yield Problem(name, None, _("must rise from one place to the next"))
+
+
+def with_lists(spec: SpecType, lists: Mapping[str, object]) -> SpecType:
+    """Give a load or a pull whose file holds some lists these as its own, unchecked: the file was."""
+    return cast("SpecType", BaseModel.model_copy(spec, update=lists))
 
 
 def in_place_of_lists(data: Mapping[str, object], paths: Sequence[PathParts]) -> dict[str, object]:
-    """Take the lists out of tables of loads whose file was set: it stands in their place.
+    """Take the lists out of tables of loads and pulls whose file was set: it stands in their place.
 
     Parameters
     ----------
@@ -309,7 +316,7 @@ def in_place_of_lists(data: Mapping[str, object], paths: Sequence[PathParts]) ->
     """
     found: object = data
     for path in paths:
-        if path[-1:] != ("file",) or path[-3:-2] != ("load",):
+        if path[-1:] != ("file",) or path[-3:-2] not in (("load",), ("pull",)):
             continue
         above = path[:-1]
         if isinstance(table := item_at(data, above), Mapping):

@@ -22,6 +22,7 @@ from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
 from cranktrain.questions.crankshaft.methods import BEARING_METHODS, methods_for
 from cranktrain.questions.crankshaft.methods.bearing_method import BearingMethod
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
+from cranktrain.questions.crankshaft.results.shaft_events import ShaftEvents
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.record import record
@@ -164,7 +165,7 @@ def weighted_shaft(
     """Lay the shaft of some designs out, which differ in weights alone; all is as in `WeightedShaft`."""
     parts = parts_of(designs, step=FACTS_STEP)
     stages = stages_for(designs[0])
-    wanted = leading_to(stages, [LoadedShafts, ForceEvents])
+    wanted = leading_to(stages, [LoadedShafts, ShaftEvents])
     found: dict[type, Any] = run_stages(wanted, parts, lacking(stages, parts))
     grid: Any = parts[CrankAngle]
-    return WeightedShaft(found[LoadedShafts], which, at, more, method, bearings, found[ForceEvents], grid)
+    return WeightedShaft(found[LoadedShafts], which, at, more, method, bearings, found[ShaftEvents].of_all, grid)

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, table
+from cranktrain.layout.question import ANY_NAME, Parts, Question, ResultDimension, Stage, TableFile, Use, table
 from cranktrain.questions.crankshaft import rows
 from cranktrain.questions.crankshaft.loads.gears import declared_gears, gear_problems
 from cranktrain.questions.crankshaft.loads.load_places import loaded_shafts
@@ -20,6 +20,7 @@ from cranktrain.questions.crankshaft.results import (
     main_bearing_loads,
     pressures,
     section_torques,
+    shaft_events,
     shaft_peaks,
     shaft_places,
     supported_shafts,
@@ -42,6 +43,10 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
     yield declared_gears(designs)
 
 
+_HOMES = (("crankshaft",), ("crankshaft", ANY_NAME))
+"""Where pulls may stand: in the table of all shafts, or in one shaft's."""
+
+
 QUESTION = Question(
     "crankshaft",
     tables={"crankshaft": CrankshaftSpec, "gear": GearSpec},
@@ -55,6 +60,8 @@ QUESTION = Question(
         Stage(loaded_shafts),
         Stage(supported_shafts.supported_shafts),
         Stage(loads_over_cycle),
+        Stage(shaft_events.shaft_events),
+        Stage(shaft_events.shaft_points),
         Stage(bearings_between_events.bearings_between_events),
         Stage(shaft_peaks.shaft_peaks),
         Stage(main_bearing_loads.main_bearing_loads),
@@ -80,5 +87,6 @@ QUESTION = Question(
     curve_tables={
         "bearings": ("main_bearing_load_x", "main_bearing_load_y", "journal_load_along", "journal_load_across"),
     },
+    files=tuple(TableFile((*home, "pull", ANY_NAME), None, N_("the file of a pull")) for home in _HOMES),
     uses=(Use(table("crankshaft"), (main_bearing_loads.MainBearingLoads,)), Use(table("gear"), (LoadedShafts,))),
 )

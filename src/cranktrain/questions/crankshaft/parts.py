@@ -1,7 +1,7 @@
 """The table [crankshaft], put to the throws of every shaft, as arrays."""
 
 from collections.abc import Sequence
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,17 +12,10 @@ from cranktrain.motion import ONE, ZERO, Array
 from cranktrain.quantities import Given
 from cranktrain.questions.crankshaft.metal.pieces_of_throws import WEB_RULES, WebRule
 from cranktrain.questions.crankshaft.metal.sections import Material
+from cranktrain.questions.crankshaft.pulls import Pulls, pulls_of
 from cranktrain.questions.crankshaft.shaft_line import LineBearing, ShaftLine, ShaftLines
 from cranktrain.questions.crankshaft.spec import STEEL, CrankshaftTable
 from cranktrain.record import record
-
-
-class Pulls(NamedTuple):
-    """Constant forces: z [m] and force toward X and Y [N], shape (design, pull) and (design, pull, 2); their names."""
-
-    z: Array
-    force: Array
-    names: tuple[str, ...]
 
 
 @record
@@ -177,7 +170,7 @@ def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable, 
         bearing_width=by_design([_or_nan(bearing.table.width) for bearing in bearings]),
         rod_bearing_width=by_design([_or_nan(table.rod_bearing_width)])[:, 0],
         thrust=_thrust(table, bearings),
-        pulls=_pulls(designs, table),
+        pulls=_pulls(designs, name),
         material=_material(designs, table),
         density=by_design([(table.density or STEEL[2]).array])[:, 0],
         web_height=by_design([_or_nan(table.web_height)]),
@@ -210,15 +203,10 @@ def _thrust(table: CrankshaftTable, bearings: Sequence[LineBearing]) -> int:
     return len(names) - 1 if table.thrust_bearing is None else names.index(str(table.thrust_bearing))
 
 
-def _pulls(designs: Designs, table: CrankshaftTable) -> Pulls:
-    """Constant forces in the machine's axes: directions count from Y in the normal sense of rotation."""
-    sense = 1.0 if designs.together.orientation.is_clockwise else -1.0
-    pulls = tuple(table.pull.values())
-    size, direction = (
-        designs.by_design([getattr(pull, name).array for pull in pulls]) for name in ("force", "direction")
-    )
-    force = np.stack([size * np.sin(sense * direction), size * np.cos(direction)], axis=-1)
-    return Pulls(designs.by_design([pull.z.array for pull in pulls]), force, tuple(table.pull))
+def _pulls(designs: Designs, shaft: str) -> Pulls:
+    """Pulls on a shaft, as the table of each design has them."""
+    tables = [design.once(ShaftLines).tables[shaft] for design in designs.each]
+    return pulls_of(designs, [table.pull for table in tables if table is not None], "crankshaft.pull")
 
 
 def _half(given: Given | None) -> Array:

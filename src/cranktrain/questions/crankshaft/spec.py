@@ -22,11 +22,11 @@ from cranktrain.quantities import (
     PositivePressure,
     Quantity,
 )
+from cranktrain.questions.crankshaft.pulls import PullSpec
 from cranktrain.spec import Spec
 
 Poisson = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=0.5)]
 Clearance = Annotated[Given, Quantity(Dimension.LENGTH, above=0.0, example="0.08 mm")]
-PositiveForce = Annotated[Given, Quantity(Dimension.FORCE, above=0.0)]
 PositiveStiffness = Annotated[Given, Quantity(Dimension.STIFFNESS, above=0.0)]
 ToothAngle = Annotated[Given, Quantity(Dimension.ANGLE, at_least=0.0, below=pi / 4, example="20 deg")]
 HelixAngle = Annotated[Given, Quantity(Dimension.ANGLE, above=-pi / 3, below=pi / 3)]
@@ -65,16 +65,6 @@ class BearingSpec(Spec, frozen=True):
         """Find more stiffnesses than there are directions."""
         if self.stiffness is not None and len(self.stiffness) > 2:
             yield Problem("stiffness", None, _("must be one, all round, or two: to the right, and up"))
-
-
-class PullSpec(Spec, frozen=True):
-    """A constant force on the shaft: the pull of a belt, the weight of a flywheel."""
-
-    z: Length = Field(description=N_("Where it acts, from throw 1 toward the flywheel."))
-    force: PositiveForce = Field(description=N_("Its size."))
-    direction: Angle = Field(
-        description=N_("Where it pulls to, from straight up in the normal sense of rotation; a weight: 180 deg.")
-    )
 
 
 class CrankshaftTable(Spec, frozen=True):
@@ -160,7 +150,7 @@ class CrankshaftTable(Spec, frozen=True):
         default={}, description=N_("Bearings that are not as all others, by the number of the journal, or by name.")
     )
     pull: Mapping[Name, PullSpec] = Field(
-        default={}, description=N_("Constant forces on the shaft by name: a belt's pull, the weight of a flywheel.")
+        default={}, description=N_("Forces on the shaft by name: a belt's pull, the weight of a flywheel.")
     )
     young_modulus: PositivePressure | None = Field(
         default=None, description=N_("Young's modulus of the shaft; that of steel unless given.")

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.load_laws import ByAngle, ByTravel
+from cranktrain.layout.load_laws import ByAngle, ByTravel, Law
 from cranktrain.layout.loads import LinkLoad
-from cranktrain.layout.shaft_loads import TorqueOnShaft
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots, in_slots
@@ -116,9 +115,11 @@ def breaks_at_speed(events: ForceEvents, speed: Speed, crank_angle: CrankAngle) 
     return np.concatenate([breaks, np.broadcast_to(nodes, (len(breaks), nodes.shape[-1]))], axis=-1)
 
 
-def with_shafts(events: ForceEvents, loads: Sequence[TorqueOnShaft], crank_angle: CrankAngle) -> ForceEvents:
-    """Add the rows of loads on shafts, which are events of the machine as a whole."""
-    rows = [_rows_by_angle(load.law, crank_angle) for load in loads if isinstance(load.law, ByAngle)]
+def with_rows(events: ForceEvents, laws: Sequence[Law], crank_angle: CrankAngle) -> ForceEvents:
+    """Add the rows of laws of loads on shafts, which are events of the machine as a whole."""
+    rows = [_rows_by_angle(law, crank_angle) for law in laws if isinstance(law, ByAngle)]
+    if not rows:
+        return events
     return replace(
         events,
         whole=np.concatenate([events.whole, *(each.angle for each in rows)], axis=-1),

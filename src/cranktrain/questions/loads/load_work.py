@@ -14,7 +14,7 @@ from cranktrain.layout.loads import LinkLoad, Loads
 from cranktrain.layout.shaft_loads import LoadsOnShafts, TorqueOnShaft
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, points_together
-from cranktrain.questions.forces.events import ForceEvents, with_shafts
+from cranktrain.questions.forces.events import ForceEvents, with_rows
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.peaks import largest_of_machine, one_sided
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
@@ -123,7 +123,7 @@ def load_work(
     # A shaft's own torque would go on where the machine does not get to.
     torque, sizes = (np.where(closes, part, np.nan) for part in acting(grid))
     power = torque * loaded.speed.drive(grid).speed
-    whole = with_shafts(events, shafts, crank_angle)
+    whole = with_rows(events, [load.law for load in shafts], crank_angle)
     work = np.where(np.all(closes, axis=-1), _works(lambda angle: acting(angle)[0], whole, crank_angle), np.nan)
     most = largest_of_machine(size_of_power, np.abs(power), whole, crank_angle)
     largest = largest_of_machine(size, np.abs(sizes), whole, crank_angle)

@@ -15,7 +15,7 @@ from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.polyline import Polyline
 from cranktrain.questions.evenness.spec import GivenFlywheel
-from cranktrain.questions.forces.events import ForceEvents, with_shafts
+from cranktrain.questions.forces.events import ForceEvents, with_rows
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.chambers import Filling, GasInChambers
 from cranktrain.questions.reduction.smooth import smooth_pieces
@@ -104,7 +104,7 @@ def reduced_machines(
     first_volume = _OF_ALL + sum(way.n_coefficients for way in ways)
     others = [*_gas_over_cycle(loaded, remembering, crank_angle, events), *_friction(loaded, crank_angle, events)]
     on_shaft = () if on_shafts is None else on_shafts.given
-    of_all = with_shafts(events, on_shaft, crank_angle)
+    of_all = with_rows(events, [load.law for load in on_shaft], crank_angle)
     return ReducedMachines(
         tuple(
             ReducedMachine(

@@ -134,8 +134,8 @@ class LoadedShafts:
         of_machine = np.concatenate(forces, axis=1)
         n = angle.shape[-1]
         force = [np.stack([-self.turn * of_machine.imag, of_machine.real], axis=2)]
-        pulls = shaft.layout.declared.pulls.force[..., np.newaxis]
-        force.append(np.broadcast_to(pulls, (*pulls.shape[:-1], n)))
+        pulls = shaft.layout.declared.pulls.force(angle - self.zero)
+        force.append(pulls)
         of_cranks = (
             shaft.layout.turn * mechanisms.crank_torque[:, shaft.cranks.number] * shaft.cranks.part[..., np.newaxis]
         )

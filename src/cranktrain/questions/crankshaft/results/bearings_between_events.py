@@ -5,14 +5,14 @@ from collections.abc import Mapping, Sequence
 from cranktrain.motion import Array
 from cranktrain.questions.crankshaft.bending.loads_in_spans import SpannedLoads
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
+from cranktrain.questions.crankshaft.results.shaft_events import ShaftPoints
 from cranktrain.questions.crankshaft.results.supported_shafts import SupportedShafts
-from cranktrain.questions.wear.cycle_points import CyclePoints
 from cranktrain.record import record
 
 
 @record
 class BearingsBetweenEvents:
-    """Loads at the points of `CyclePoints`.
+    """Loads at the points of `ShaftPoints`.
 
     Attributes
     ----------
@@ -30,9 +30,10 @@ class BearingsBetweenEvents:
 
 
 def bearings_between_events(
-    loaded: LoadedShafts, supported: SupportedShafts, points: CyclePoints
+    loaded: LoadedShafts, supported: SupportedShafts, between: ShaftPoints
 ) -> BearingsBetweenEvents:
     """Loads of all main bearings by all methods that the file has numbers for; docs/theory/crankshaft, eq. (24.10)."""
+    points = between.points
     acting = loaded.loads(points.angle, points.solved)
     names = {"bearing_method": tuple(method.name for method in supported.methods)}
     return BearingsBetweenEvents(acting, supported.borne(acting), names)

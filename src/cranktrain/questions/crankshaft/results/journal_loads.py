@@ -13,7 +13,7 @@ from cranktrain.questions.crankshaft.bending.shaft_loads import ShaftLoads
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShaft, LoadedShafts, LoadsOverCycle
 from cranktrain.questions.crankshaft.results.bearings_between_events import BearingsBetweenEvents
 from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
-from cranktrain.questions.wear.cycle_points import CyclePoints
+from cranktrain.questions.crankshaft.results.shaft_events import ShaftPoints
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.saying.catalogue import quantity
@@ -95,7 +95,7 @@ def journal_loads(loaded: LoadedShafts, bearings: MainBearingLoads, over_cycle: 
     return JournalLoads(*in_turning_axes(x, y, directions, senses))
 
 
-def journal_wear(loaded: LoadedShafts, between: BearingsBetweenEvents, points: CyclePoints) -> JournalWear:
+def journal_wear(loaded: LoadedShafts, between: BearingsBetweenEvents, within: ShaftPoints) -> JournalWear:
     """Wear of journals and bearings by quadrature between events.
 
     Notes
@@ -104,7 +104,7 @@ def journal_wear(loaded: LoadedShafts, between: BearingsBetweenEvents, points: C
     """
     x, y = np.moveaxis(between.load, 3, 0)
     directions, senses = _axes(loaded, between.acting)
-    journal, bearing = points.wear(in_turning_axes(x, y, directions, senses), (y, -senses * x))
+    journal, bearing = within.points.wear(in_turning_axes(x, y, directions, senses), (y, -senses * x))
     return JournalWear(*journal, *bearing)
 
 

@@ -13,10 +13,10 @@ from cranktrain.questions.crankshaft.bending.shaft_loads import on_axis
 from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts, LoadsOverCycle
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.bearings_between_events import BearingsBetweenEvents
+from cranktrain.questions.crankshaft.results.shaft_events import ShaftPoints
 from cranktrain.questions.crankshaft.results.shaft_peaks import ShaftPeaks
 from cranktrain.questions.crankshaft.results.supported_shafts import SupportedShafts
 from cranktrain.questions.forces.peaks import one_sided
-from cranktrain.questions.wear.cycle_points import CyclePoints
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
 from cranktrain.saying.catalogue import extreme, quantity
@@ -68,7 +68,7 @@ def main_bearing_loads(
     supported: SupportedShafts,
     over_cycle: LoadsOverCycle,
     between: BearingsBetweenEvents,
-    points: CyclePoints,
+    within: ShaftPoints,
     peaks: ShaftPeaks,
 ) -> MainBearingLoads:
     """Bearing loads over the cycle, largest ones refined on the machine itself, means by quadrature between events.
@@ -87,7 +87,7 @@ def main_bearing_loads(
         main_bearing_load_x=curves[:, :, :, 0],
         main_bearing_load_y=curves[:, :, :, 1],
         largest_bearing_load=peaks.load,
-        mean_bearing_load=points.mean_size(between.load[:, :, :, 0], between.load[:, :, :, 1]),
+        mean_bearing_load=within.points.mean_size(between.load[:, :, :, 0], between.load[:, :, :, 1]),
         checks=(_check(loaded, acting, by_method),),
         flags=tuple(one_sided([(_("largest load of a main bearing"), peaks.load)], named)),
     )

@@ -20,6 +20,7 @@ from cranktrain.questions.crankshaft.methods.bearing_method import ELASTIC
 from cranktrain.questions.crankshaft.methods.supported_shaft import SupportedShaft, in_bearings
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.crankshaft.results.bearings_between_events import BearingsBetweenEvents
+from cranktrain.questions.crankshaft.results.shaft_events import ShaftEvents, ShaftPoints
 from cranktrain.questions.crankshaft.results.supported_shafts import SupportedShafts
 from cranktrain.questions.crankshaft.results.torque_of_shafts import (
     in_turning_axes,
@@ -97,9 +98,9 @@ def shaft_peaks(
     loaded: LoadedShafts,
     declared: DeclaredCrankshafts,
     supported: SupportedShafts,
-    points: CyclePoints,
+    within: ShaftPoints,
     between: BearingsBetweenEvents,
-    events: ForceEvents,
+    events: ShaftEvents,
     crank_angle: CrankAngle,
 ) -> ShaftPeaks:
     """Find the tops of all curves in the panels between events, and look at the machine near these once."""
@@ -117,7 +118,7 @@ def shaft_peaks(
     borne += [group.borne(between.acting) for group in groups[n_methods:]]
     samples = [group.values(loaded, by_loads, loads) for group, loads in zip(groups, borne, strict=True)]
     kinds = [n for group, values in zip(groups, samples, strict=True) for n in group.kinds(values.shape[1])]
-    peaks = iter(_largest(loaded, groups, samples, kinds, points, events, crank_angle))
+    peaks = iter(_largest(loaded, groups, samples, kinds, within.points, events.of_all, crank_angle))
     loads, torques = zip(*((next(peaks), next(peaks)) for _method in range(n_methods)), strict=True)
     of_housings = tuple(next(peaks) for _group in groups[n_methods:-1])
     return ShaftPeaks(_by_method(loads), _by_method(torques), next(peaks), of_housings)
