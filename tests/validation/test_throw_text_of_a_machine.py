@@ -17,6 +17,7 @@ ALL_LOADS = {
     "masses.crank.along": "21 mm",
     "masses.crank.across": "4 mm",
     "masses.crank.inertia": "0.03 kg*m^2",
+    "masses.crank.pin_share": "0.2",
     "balance.weight": [
         {"mass": "1.2 kg", "radius": "70 mm", "angle": "-190 deg", "z": "-110 mm"},
         {"mass": "0.7 kg", "radius": "60 mm", "angle": "30 deg", "z": "620 mm"},
@@ -36,7 +37,7 @@ def loaded(name):
     if name == "of all sorts":
         return ct.load("kamaz_740", set=ALL_LOADS)
     if name == "with throws that hang over":
-        crank = {"mass": "5 kg", "along": "12 mm", "across": "-3 mm", "inertia": "0.01 kg*m^2"}
+        crank = {"mass": "5 kg", "along": "12 mm", "across": "-3 mm", "inertia": "0.01 kg*m^2", "pin_share": "0.3"}
         return ct.load("vaz_21213", set={"crankshaft.bearings": [2, 3, 4], "masses.crank": crank})
     name, _space, running = name.partition(" ")
     return ct.load(name, set={"running": running or "ahead"})

@@ -22,6 +22,7 @@ from cranktrain.quantities import (
 from cranktrain.spec import Spec
 
 Friction = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
+Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0, example="0.4")]
 NonNegativeMass = Annotated[Given, Quantity(Dimension.MASS, at_least=0.0)]
 NonNegativeMoment = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT, at_least=0.0)]
 PositiveAcceleration = Annotated[Given, Quantity(Dimension.ACCELERATION, above=0.0)]
@@ -61,6 +62,13 @@ class BodySpec(Spec, frozen=True):
     )
     big_end: PositiveMass | None = Field(default=None, description=N_("Mass at the rod's first pin, as weighed."))
     small_end: PositiveMass | None = Field(default=None, description=N_("Mass at the rod's second pin, as weighed."))
+    pin_share: Share | None = Field(
+        default=None,
+        description=N_(
+            "Of a crank: which part of its mass turns at its pin, in whose middle it acts on the crankshaft; the rest"
+            " acts on both webs. 0 unless given."
+        ),
+    )
 
     def _problems(self) -> Iterator[Problem]:
         """Find a mass beside the ends' masses, neither, one end alone, and an inertia given twice."""

@@ -9,12 +9,15 @@ from cranktrain.layout.bodies import BodySpec
 from cranktrain.layout.part_tables import nearest_item, table_paths
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.kind import AnyKind
+from cranktrain.motion import ZERO, Array
 from cranktrain.quantities import Given
 from cranktrain.saying.wording import precise
 
 CRANK = "crank"
 _TABLE = "masses"
 _RADII = ("crank_radius", "stroke")
+_FARTHEST = 2.0
+"""How far from the shaft a crank's centroid may be, in radii of the crank."""
 _SAME = 1e-9
 """Numbers that differ by less, in parts of the larger one, say the same in other words."""
 
@@ -67,6 +70,13 @@ def _tables_of(members: Sequence[PlacedMechanism], given: Bodies) -> list[tuple[
     return [(path, body) for path in paths if (body := given.get(path, {}).get(CRANK)) is not None]
 
 
+def at_pin(crank: BodySpec | None) -> Array:
+    """Which part of a crank's mass turns at its pin. [kg]"""
+    if crank is None or crank.mass is None or crank.pin_share is None:
+        return ZERO
+    return crank.mass.array * crank.pin_share.array
+
+
 def crank_problems(places: Sequence[PlacedMechanism], given: Bodies) -> Iterator[Problem]:
     """Find banks that give the crank of one throw two bodies, and one pin two radii."""
     for members, _is_main in _throws(places) if _has_cranks(given) else ():
@@ -78,6 +88,41 @@ def crank_problems(places: Sequence[PlacedMechanism], given: Bodies) -> Iterator
                     " in the table of one bank, or in [masses.crank] for all throws"
                 )
                 yield Problem(f"{path}.{CRANK}", None, allowed.format(other=f"{own[0][0]}.{CRANK}"))
+    yield from _share_problems(places, given)
+
+
+def _share_problems(places: Sequence[PlacedMechanism], given: Bodies) -> Iterator[Problem]:
+    """Find shares of what has no pin, and such as leave no crank that could be."""
+    for path, bodies in given.items():
+        for name, body in bodies.items():
+            if body.pin_share is None:
+                continue
+            where, text = f"{path}.{name}.pin_share", body.pin_share.text
+            own = [place for place in places if path in table_paths(place, _TABLE)]
+            if name != CRANK or not any(_is_on_pin(place.kind) for place in own):
+                yield Problem(where, text, _("is for the crank of rods on a crank pin: [masses.crank]"))
+                continue
+            radii = (getattr(place.geometry, "crank_radius", None) for place in own if _is_on_pin(place.kind))
+            for radius in dict.fromkeys(float(radius) for radius in radii if radius is not None):
+                yield from _rest_problems(where, text, body, radius)
+
+
+def _is_on_pin(kind: AnyKind) -> bool:
+    return kind.dynamics.joint("crank_pin") is not None
+
+
+def _rest_problems(where: str, text: str, body: BodySpec, radius: float) -> Iterator[Problem]:
+    """Find a share at a pin that leaves the rest of the crank a centroid far from it."""
+    share, along = 0.0 if body.pin_share is None else body.pin_share.si, 0.0 if body.along is None else body.along.si
+    # What is left of the mass stands where both together have the centroid of the file.
+    aside = max(abs(along - share * radius), abs(body.across.si))
+    if body.mass is not None and body.mass.si > 0 and aside > _FARTHEST * radius * (1 - share) + _SAME * radius:
+        allowed = _(
+            "must leave the rest of the crank, without what is at the pin, a centroid within {farthest} from the shaft;"
+            " all at the pin, 1, is for along = {radius}, the crank's radius"
+        )
+        said = allowed.format(farthest=precise(_FARTHEST * radius), radius=precise(radius))
+        yield Problem(where, text, said)
 
 
 def pin_problems(places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
@@ -123,7 +168,7 @@ def _is_same(one: BodySpec, other: BodySpec) -> bool:
 
 
 def _numbers(body: BodySpec) -> tuple[float, ...]:
-    """Mass, centroid and inertia; 0 of what is not given."""
+    """Mass, centroid, share at the pin and inertia; 0 of what is not given."""
     inertia = 0.0 if body.own_inertia is None else float(body.own_inertia)
-    lengths = (0.0 if one is None else one.si for one in (body.mass, body.along, body.across))
+    lengths = (0.0 if one is None else one.si for one in (body.mass, body.along, body.across, body.pin_share))
     return (*lengths, inertia)

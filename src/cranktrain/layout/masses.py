@@ -9,7 +9,7 @@ from cranktrain.errors import Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, Words, _
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
-from cranktrain.layout.crank_bodies import CRANK, crank_bodies, crank_problems
+from cranktrain.layout.crank_bodies import CRANK, at_pin, crank_bodies, crank_problems
 from cranktrain.layout.frames import Orientation, frame_of
 from cranktrain.layout.part_tables import (
     PISTON,
@@ -39,13 +39,14 @@ class MechanismMasses(NamedTuple):
     """What one mechanism is made of, in floats; or several, in arrays of shape (design, member, 1).
 
     bodies: a `Body` for each moving part; gravity: in the mechanism's axes [m/s²]; of its sliders, friction [1] and the
-    edges of their guides.
+    edges of their guides; at_pin: which part of its crank's mass turns at the pin [kg].
     """
 
     bodies: tuple[Body, ...]
     gravity: Gravity
     friction: tuple[Array, ...]
     edges: tuple[Edges, ...]
+    at_pin: Array
 
 
 @record
@@ -269,6 +270,7 @@ def _place_masses(place: PlacedMechanism, given: Weighed, specs: Mapping[str, Bo
         _gravity(place, given),
         tuple(given.friction[part_name(name)].array if part_name(name) in given.friction else ZERO for name in sliding),
         tuple(edges_of(place, name, given.guides) for name in sliding),
+        at_pin(specs.get(CRANK)),
     )
 
 

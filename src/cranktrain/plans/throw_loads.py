@@ -98,6 +98,7 @@ class ThrowSpan:
         sorts = (
             (one.rods.number.size, self._rod),
             (one.cranks.number.size, partial(self._crank, masses=masses)),
+            (one.pins.number.size, partial(self._crank_pin, masses=masses)),
             (one.held.number.size, self._weight),
             (one.layout.declared.pulls.z.shape[1], self._pull),
             (len(one.meshes), self._gear),
@@ -157,6 +158,7 @@ class ThrowSpan:
         batch, made, member = self.member(mechanism)
         body = batch.kind.dynamics.by_link(made.bodies)["crank"]
         along, across = (of_member(body.mass * arm, member) for arm in (body.along, body.across))
+        along -= self._pin_moment(mechanism)
         share = float(part[0, number_of]) * self.speed**2
         inertia = share * (along * outward + across * ahead)
         if web not in webs:
@@ -165,6 +167,30 @@ class ThrowSpan:
             return
         if masses == "given":
             yield self._load(load, _("web"), f"web {webs.index(web)}", inertia)
+        rest = self.on_axis.force[0, load] - inertia
+        yield self._load(load, _("weight of the crank, and loads on it"), "", rest)
+
+    def _pin_moment(self, mechanism: int) -> float:
+        """Static moment of what of a crank's mass turns at its pin. [kg·m]"""
+        _batch, made, member = self.member(mechanism)
+        rods = self.one.layout.rods
+        pin = int(rods.pin[rods.mechanism == mechanism][0])
+        return of_member(made.at_pin, member) * float(self.one.metal.pieces.radius[0, self.one.layout.pins[pin]])
+
+    def _crank_pin(self, load: int, number_of: int, masses: CrankMasses) -> Iterator[ThrowLoad]:
+        """What of a crank turns at its pin: its inertia, and its weight."""
+        number, part = self.one.pins
+        mechanism = int(number[number_of])
+        pin = int(np.flatnonzero(self.one.layout.pins == self.loads.piece[load])[0])
+        moment = float(part[0, number_of]) * self._pin_moment(mechanism)
+        inertia = moment * self.speed**2 * self._directions(pin)[0]
+        is_given = masses == "given"
+        if pin != self.pin:
+            name = _("crank whose pin hangs over")
+            yield self._load(load, name, "", None if is_given else self.on_axis.force[0, load] - inertia)
+            return
+        if is_given:
+            yield self._load(load, _("crank pin"), "pin", inertia)
         rest = self.on_axis.force[0, load] - inertia
         yield self._load(load, _("weight of the crank, and loads on it"), "", rest)
 

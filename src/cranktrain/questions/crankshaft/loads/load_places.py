@@ -1,6 +1,7 @@
 """The crankshafts of a machine, laid out, with all that acts on them at its place."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
@@ -49,15 +50,25 @@ def loaded_shafts(
         )
         places = _Places(layout)
         rods = places.rods(axial.value, shafts)
-        cranks = places.cranks()
+        cranks, pins = places.cranks(), places.pins(_have_masses_at_pins(loaded))
         held = places.weights(weights)
         places.on_journals(layout.declared.pulls.z)
         places.on_journals(np.stack([mesh.z for _n, _g, mesh in meshes], axis=1) if meshes else np.zeros((1, 0)))
         together = places.together()
         each.append(
-            LoadedShaft(layout, weights, together, alike_shafts(layout.shaft, together), rods, cranks, held, meshes)
+            LoadedShaft(
+                layout, weights, together, alike_shafts(layout.shaft, together), rods, cranks, pins, held, meshes
+            )
         )
     return LoadedShafts(tuple(each), loaded, frames, shafts, gears, given, crank_angle.zero, turn)
+
+
+def _have_masses_at_pins(loaded: LoadedMachine) -> NDArray[np.bool_]:
+    """Of which mechanisms part of the crank turns at the pin."""
+    found = np.zeros(len(loaded.mechanisms.names), dtype=np.bool_)
+    for batch, made in zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True):
+        found[batch.index] = np.any(made.at_pin != 0, axis=(0, 2))
+    return found
 
 
 def _on_shaft(
@@ -138,6 +149,14 @@ class _Places:
                 numbers.append(number)
                 parts.append(float(self.layout.declared.share[pin]) / len(webs))
         return Shares(np.array(numbers, dtype=np.intp), np.array(parts)[np.newaxis])
+
+    def pins(self, have_masses: NDArray[np.bool_]) -> Shares:
+        """What of a mechanism's crank turns at its pin, in the pin's middle."""
+        declared, (mechanism, pin) = self.layout.declared, self.layout.rods
+        has_mass = have_masses[mechanism]
+        for number in pin[has_mass].tolist():
+            self._at_pin(number, declared.centres[:, number])
+        return Shares(mechanism[has_mass], declared.share[pin[has_mass]][np.newaxis])
 
     def weights(self, weights: RotatingWeights | None) -> Shares:
         """Balance weights: between a pin's webs by the lever on both, beyond them on a journal."""

@@ -8,9 +8,11 @@ from numpy.typing import NDArray
 
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
+from cranktrain.layout.masses import MechanismMasses
 from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.shafts import Shafts
-from cranktrain.motion import Array
+from cranktrain.linkage.forces import Drive
+from cranktrain.motion import Array, Point
 from cranktrain.numerics.harmonics import ComplexArray, phasor
 from cranktrain.questions.balance.rotating_weights import RotatingWeights
 from cranktrain.questions.crankshaft.bending.loads_in_spans import AlikeShafts, SpannedLoads, spanned_loads
@@ -38,15 +40,18 @@ class OfMechanisms(NamedTuple):
     pin : ComplexArray
         Where its pin is, in common axes. [m]
     on_pin, on_crank : ComplexArray
-        Force on it, and on the crank as it turns. [N]
+        Force on it, and on the crank as it turns, but for what of its mass turns at the pin. [N]
+    of_pin : ComplexArray
+        Inertia and weight of that. [N]
     crank_torque : Array
-        Torque of the crank itself beside that of its force in the middle of its webs, in its sense of rotation: of a
-        shaft that does not turn evenly, of weight beside the middle, of loads on the crank. [N·m]
+        Torque of the crank itself beside that of its forces at the pin and in the middle of its webs, in its sense of
+        rotation: of a shaft that does not turn evenly, of weight beside the middle, of loads on the crank. [N·m]
     """
 
     pin: ComplexArray
     on_pin: ComplexArray
     on_crank: ComplexArray
+    of_pin: ComplexArray
     crank_torque: Array
 
 
@@ -60,11 +65,11 @@ class LoadedShaft:
     weights : RotatingWeights or None
         Those that turn on it.
     places : ActingPlaces
-        Of rods on pins, of cranks on webs, of weights, of pulls, and of gears, in that order.
+        Of rods on pins, of cranks on webs and at pins, of weights, of pulls, and of gears, in that order.
     spans : tuple of AlikeShafts
         How its spans bend, with loads at these places.
-    rods, cranks, held : Shares
-        Of mechanisms on pins and on webs; of weights.
+    rods, cranks, pins, held : Shares
+        Of mechanisms on pins and on webs, and of what of their cranks turns at pins; of weights.
     meshes : tuple of (int, Gear, Mesh)
         Its gears, and the number of each.
     """
@@ -75,8 +80,14 @@ class LoadedShaft:
     spans: tuple[AlikeShafts, ...]
     rods: Shares
     cranks: Shares
+    pins: Shares
     held: Shares
     meshes: tuple[tuple[int, Gear, Mesh], ...]
+
+    @property
+    def n_of_mechanisms(self) -> int:
+        """How many of the loads are of mechanisms: the first ones."""
+        return sum(shares.number.size for shares in (self.rods, self.cranks, self.pins))
 
     @property
     def metal(self) -> Crankshaft:
@@ -129,6 +140,7 @@ class LoadedShafts:
         forces = [
             mechanisms.on_pin[:, shaft.rods.number] * shaft.rods.part[..., np.newaxis],
             mechanisms.on_crank[:, shaft.cranks.number] * shaft.cranks.part[..., np.newaxis],
+            mechanisms.of_pin[:, shaft.pins.number] * shaft.pins.part[..., np.newaxis],
             self._of_weights(shaft, angle),
         ]
         of_machine = np.concatenate(forces, axis=1)
@@ -187,8 +199,9 @@ class LoadedShafts:
 def of_mechanisms(loaded: LoadedMachine, frames: Frames, solved: Sequence[SolvedBatch]) -> OfMechanisms:
     """What all mechanisms do to their cranks, by the reactions of their joints."""
     shape = (len(loaded.speed.value), len(loaded.mechanisms.names), solved[0].forces.driving_torque.shape[-1])
-    together = OfMechanisms(*np.zeros((3, *shape), dtype=np.complex128), crank_torque=np.zeros(shape))
-    for batch, solved_batch in zip(loaded.mechanisms.batches, solved, strict=True):
+    together = OfMechanisms(*np.zeros((4, *shape), dtype=np.complex128), crank_torque=np.zeros(shape))
+    batches = zip(loaded.mechanisms.batches, loaded.masses.batches, solved, strict=True)
+    for batch, made, solved_batch in batches:
         dynamics = batch.kind.dynamics
         at_pin, at_bearing = dynamics.joint("crank_pin"), dynamics.joint("main_bearing")
         if at_pin is None or at_bearing is None:
@@ -202,12 +215,23 @@ def of_mechanisms(loaded: LoadedMachine, frames: Frames, solved: Sequence[Solved
             (solved_batch.forces.joints[joint] for joint in (at_pin, at_bearing)),
         )
         on_rod, on_crank = common(bears.x, bears.y), common(holds.x, holds.y)
-        at, crank_force = common(pin.x.value, pin.y.value), on_rod - on_crank
-        by_forces = frames.sense[batch.index, np.newaxis] * np.imag(np.conj(at) * (crank_force / 2 - on_rod))
-        values = (at, -on_rod, crank_force, -solved_batch.forces.driving_torque - by_forces)
+        at, of_pin = common(pin.x.value, pin.y.value), common(*_of_pin(pin, made, solved_batch.conditions.drive))
+        of_webs = on_rod - on_crank - of_pin
+        by_forces = frames.sense[batch.index, np.newaxis] * np.imag(np.conj(at) * (of_webs / 2 + of_pin - on_rod))
+        values = (at, -on_rod, of_webs, of_pin, -solved_batch.forces.driving_torque - by_forces)
         for whole, part in zip(together, values, strict=True):
             whole[:, batch.index] = part
     return together
+
+
+def _of_pin(pin: Point, made: MechanismMasses, drive: Drive) -> tuple[Array, Array]:
+    """Weight less inertia of what of cranks turns at their pins, in the mechanisms' axes. [N]"""
+    square = drive.speed * drive.speed
+    x, y = (
+        made.at_pin * (gravity - (along.second * square + along.first * drive.acceleration))
+        for gravity, along in zip(made.gravity, pin, strict=True)
+    )
+    return x, y
 
 
 @record

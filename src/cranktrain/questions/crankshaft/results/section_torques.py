@@ -137,7 +137,7 @@ def _check(loaded: LoadedShafts, acting: Sequence[SpannedLoads], driving: Array)
     """Whether rods and cranks turn each shaft by what drives its mechanisms, shape (design, mechanism, n)."""
     worst = np.zeros(len(driving))
     for shaft, spanned in zip(loaded.each, acting, strict=True):
-        n_loads = shaft.rods.number.size + shaft.cranks.number.size
+        n_loads = shaft.n_of_mechanisms
         by_forces = shaft.layout.turn * torques(spanned.loads, spanned.turning_force)[:, :n_loads]
         by_joints = np.sum(driving[:, np.unique(shaft.rods.number)], axis=1)
         off = np.max(np.abs(np.sum(by_forces, axis=1) + by_joints), axis=-1)
