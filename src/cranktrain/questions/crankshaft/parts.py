@@ -1,12 +1,13 @@
 """The table [crankshaft], put to the throws of every shaft, as arrays."""
 
-from collections.abc import Sequence
-from typing import ClassVar
+from collections.abc import Iterator, Mapping, Sequence
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_
+from cranktrain.errors import Problem, refuse
+from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
 from cranktrain.motion import ONE, ZERO, Array
 from cranktrain.quantities import Given
@@ -14,8 +15,21 @@ from cranktrain.questions.crankshaft.metal.pieces_of_throws import WEB_RULES, We
 from cranktrain.questions.crankshaft.metal.sections import Material
 from cranktrain.questions.crankshaft.pulls import Pulls, pulls_of
 from cranktrain.questions.crankshaft.shaft_line import LineBearing, ShaftLine, ShaftLines
-from cranktrain.questions.crankshaft.spec import STEEL, CrankshaftTable
+from cranktrain.questions.crankshaft.spec import STEEL, CrankshaftTable, GearSpec
 from cranktrain.record import record
+
+
+class DeclaredShoulders(NamedTuple):
+    """Shoulders of one shaft as they stand along it.
+
+    journal: which each is on, from 0, shape (shoulder,); z, shape (design, shoulder) [m]; size: diameter and bore from
+    there on, (design, shoulder, 2) [m]; names.
+    """
+
+    journal: NDArray[np.intp]
+    z: Array
+    size: Array
+    names: tuple[str, ...]
 
 
 @record
@@ -40,7 +54,10 @@ class DeclaredCrankshaft:
     standing_on : array of int, shape (bearing,)
         Which journal each stands on, from 0.
     journal : Array, shape (design, pin + 1, 2)
-        Diameter and bore. [m]
+        Diameter and bore, of one with shoulders before the first. [m]
+    shoulders : DeclaredShoulders
+    at_bearings : Array, shape (design, bearing)
+        Diameter of the journal where each bearing stands. [m]
     pin : Array, shape (design, pin, 2)
         Diameter and bore. [m]
     pin_length : Array, shape (design, pin)
@@ -79,6 +96,8 @@ class DeclaredCrankshaft:
     bearings: Array
     standing_on: NDArray[np.intp]
     journal: Array
+    shoulders: DeclaredShoulders
+    at_bearings: Array
     pin: Array
     pin_length: Array
     web_thickness: Array
@@ -148,6 +167,19 @@ def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable, 
         return np.stack([by_design([pair[end] for pair in ends]) for end in (0, 1)], axis=-1)
 
     planes, places = pairs(line.planes), by_design([bearing.z for bearing in bearings])
+    standing_on = np.sum(planes[0, :, :1] < places[0], axis=0)
+    pulls = _pulls(designs, name)
+    journal = pairs(list(zip(line.journal_diameter, line.journal_bore, strict=True)))
+    shoulders = DeclaredShoulders(
+        np.array([one.journal for one in line.shoulders], dtype=np.intp),
+        by_design([one.z for one in line.shoulders]),
+        pairs([(one.diameter, one.bore) for one in line.shoulders]),
+        tuple(one.name for one in line.shoulders),
+    )
+    gears: Mapping[str, GearSpec] = designs.together.tables.get("gear", {})
+    geared = [z.array for gear in gears.values() if name in gear.shafts for z in gear.z]
+    beside = (planes.reshape(len(planes), -1), places, pulls.z, shoulders.z, by_design(geared))
+    refuse(_shoulder_problems(shoulders.z, np.concatenate(beside, axis=1)))
     return DeclaredCrankshaft(
         shaft=number,
         throw=np.array([pin.throw for pin in pins], dtype=np.intp),
@@ -156,8 +188,10 @@ def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable, 
         journals=line.journals,
         bearing_names=tuple(f"{prefix}{bearing.name}" for bearing in bearings),
         bearings=places,
-        standing_on=np.sum(planes[0, :, :1] < places[0], axis=0),
-        journal=pairs(list(zip(line.journal_diameter, line.journal_bore, strict=True))),
+        standing_on=standing_on,
+        journal=journal,
+        shoulders=shoulders,
+        at_bearings=_at_bearings(journal[:, standing_on, 0], standing_on, places, shoulders),
         pin=pairs(list(zip(line.pin_diameter, line.pin_bore, strict=True))),
         pin_length=by_design(line.pin_length),
         web_thickness=pairs(line.web_thickness),
@@ -170,13 +204,30 @@ def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable, 
         bearing_width=by_design([_or_nan(bearing.table.width) for bearing in bearings]),
         rod_bearing_width=by_design([_or_nan(table.rod_bearing_width)])[:, 0],
         thrust=_thrust(table, bearings),
-        pulls=_pulls(designs, name),
+        pulls=pulls,
         material=_material(designs, table),
         density=by_design([(table.density or STEEL[2]).array])[:, 0],
         web_height=by_design([_or_nan(table.web_height)]),
         is_elastic=any(bearing.table.stiffness for bearing in bearings),
         has_clearance=any(bearing.table.clearance for bearing in bearings),
     )
+
+
+def _shoulder_problems(z: Array, beside: Array) -> Iterator[Problem]:
+    """Find designs in which shoulders stand on another side of something than in the first."""
+    is_before = z[..., np.newaxis] <= beside[:, np.newaxis]
+    if np.any(is_before != is_before[:1]):
+        allowed = _("must stand between the same bearings, webs, pulls, gears and shoulders in all designs")
+        yield Problem("crankshaft.shoulder", None, allowed)
+
+
+def _at_bearings(diameter: Array, standing_on: NDArray[np.intp], z: Array, shoulders: DeclaredShoulders) -> Array:
+    """Diameters of journals where bearings stand, of those that have shoulders behind the last before it."""
+    found = diameter
+    for number, journal in enumerate(shoulders.journal.tolist()):
+        is_behind = (standing_on == journal) & (z >= shoulders.z[:, number, np.newaxis])
+        found = np.where(is_behind, shoulders.size[:, number, np.newaxis, 0], found)
+    return found
 
 
 def _compliance(designs: Designs, bearings: Sequence[LineBearing]) -> Array:

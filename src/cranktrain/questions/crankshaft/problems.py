@@ -190,6 +190,26 @@ class _OneShaft:
             if not _on_journal(line, pull.z.si):
                 yield self.problem(f"pull.{name}.z", pull.z.text, _("must be on a journal, clear of webs and pins"))
         yield from self._gears(line)
+        yield from self._shoulders(line)
+
+    def _shoulders(self, line: ShaftLine) -> Iterator[Problem]:
+        """Find shoulders in throws, at one place or within a bearing, and bores that leave nothing."""
+        for number, shoulder in enumerate(line.shoulders):
+            where, given = f"shoulder.{shoulder.name}", self.table.shoulder[shoulder.name]
+            z = float(shoulder.z)
+            if not _on_journal(line, z):
+                yield self.problem(f"{where}.z", given.z.text, _("must be on a journal, clear of webs and pins"))
+            if number and z - float(line.shoulders[number - 1].z) <= _TOUCHING:
+                allowed = _("must stand apart from {other}", other=line.shoulders[number - 1].name)
+                yield self.problem(f"{where}.z", given.z.text, allowed)
+            for bearing in line.bearings:
+                width = 0.0 if bearing.table.width is None else bearing.table.width.si
+                if abs(z - float(bearing.z)) < width / 2:
+                    allowed = _("must stand clear of bearing {name} and its width", name=bearing.name)
+                    yield self.problem(f"{where}.z", given.z.text, allowed)
+            if shoulder.bore >= shoulder.diameter:
+                allowed = _("must be more than its bore, {bore}", bore=precise(float(shoulder.bore)))
+                yield self.problem(f"{where}.diameter", given.diameter.text, allowed)
 
     def _apart(self, line: ShaftLine) -> Iterator[Problem]:
         """Find bearings at one place, and such as are too wide to stand beside each other."""

@@ -16,6 +16,7 @@ from cranktrain.questions.crankshaft.bending.equivalent_stiffness import EndSlop
 from cranktrain.questions.crankshaft.metal.pieces_of_throws import ThrowGeometry, pieces_of_throws, webs_of_throws
 from cranktrain.questions.crankshaft.metal.sections import Material, round_section, web_section
 from cranktrain.questions.crankshaft.metal.shaft import Crankshaft, StraightSpans, Supports
+from cranktrain.questions.crankshaft.metal.shoulders import Shoulders, with_shoulders
 from cranktrain.questions.crankshaft.parts import DeclaredCrankshaft, DeclaredCrankshafts
 from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.record import record
@@ -39,7 +40,7 @@ class ShaftLayout:
     ends : EndSlopes
         Of all spans.
     pins, journals : array of int, shape (pin,), (pin + 1,)
-        Which piece each is; −1 of a journal that there is not.
+        Which piece each is, of a journal with shoulders the first; −1 of a journal that there is not.
     webs : array of int, shape (pin, 2)
         From which piece each web of a pin leads on; −1 of a web that there is not.
     rods : OnPins
@@ -62,13 +63,18 @@ class ShaftLayout:
     @property
     def is_journal(self) -> NDArray[np.bool_]:
         """Which pieces are journals, shape (piece,)."""
-        found = np.zeros(self.shaft.pieces.radius.shape[1], dtype=np.bool_)
-        found[self.journals[self.journals >= 0]] = True
+        found = np.ones(self.shaft.pieces.radius.shape[1], dtype=np.bool_)
+        found[self.pins] = False
         return found
 
     def journal_at(self, z: float) -> int:
         """Which journal is at a place of the first design, by number from 0."""
         return int(np.sum(self.declared.centres[0] < z))
+
+    def piece_at(self, z: float) -> int:
+        """Which piece of a journal is at a place of the first design; at a shoulder that behind it."""
+        journal, shoulders = self.journal_at(z), self.declared.shoulders
+        return int(self.journals[journal] + np.sum((shoulders.journal == journal) & (shoulders.z[0] <= z)))
 
 
 @record
@@ -113,14 +119,17 @@ def shaft_layouts(
         throws = _throws(crankshaft, np.abs(pins)[:, first], ahead[:, first])
         on_pin, member = np.nonzero(is_on_pin)
         piece = np.full(2 * len(first) + 1, -1, dtype=np.intp)
-        piece[throws.pieces] = np.arange(throws.pieces.size)
+        shaft, ends, begins = _crankshaft(crankshaft, throws)
+        piece[throws.pieces] = begins[:-1]
+        webs = _webs(throws)
         layouts.append(
             ShaftLayout(
                 crankshaft,
-                *_crankshaft(crankshaft, throws),
+                shaft,
+                ends,
                 piece[1::2],
                 piece[0::2],
-                _webs(throws),
+                np.where(webs < 0, webs, begins[webs + 1] - 1),
                 OnPins(carrying[member], on_pin.astype(np.intp)),
                 int(first[0]),
                 turn * float(frames.sense[first[0]]),
@@ -146,7 +155,7 @@ def pins_at(mechanisms: Mechanisms, frames: Frames, angle: Array) -> ComplexArra
 
 def _throws(declared: DeclaredCrankshaft, radius: Array, angle: Array) -> ThrowGeometry:
     """Where webs and ends are: a shaft ends at what stands outermost on it, and with a pin that hangs over."""
-    outer = np.concatenate([declared.bearings, declared.pulls.z], axis=1)
+    outer = np.concatenate([declared.bearings, declared.pulls.z, declared.shoulders.z], axis=1)
     half = declared.pin_length / 2
     begin = np.min(outer, axis=1) if declared.journals[0] else (declared.centres - half)[:, 0]
     end = np.max(outer, axis=1) if declared.journals[-1] else (declared.centres + half)[:, -1]
@@ -166,26 +175,41 @@ def _webs(throws: ThrowGeometry) -> NDArray[np.intp]:
     return at.reshape(n, 2)
 
 
-def _crankshaft(declared: DeclaredCrankshaft, throws: ThrowGeometry) -> tuple[Crankshaft, EndSlopes]:
-    """Put sections and bearings together, and say how the ends of its spans turn."""
+def _crankshaft(declared: DeclaredCrankshaft, throws: ThrowGeometry) -> tuple[Crankshaft, EndSlopes, NDArray[np.intp]]:
+    """Put sections and bearings together, say how the ends of its spans turn, and with which piece each begins."""
     material = Material(*(part[:, np.newaxis] for part in declared.material))
     n_designs, n_spans = len(throws.radius), declared.bearings.shape[1] - 1
     webs = web_section(
         declared.web_width, declared.web_thickness, Material(*(part[..., np.newaxis] for part in material))
     )
     journal, pin = declared.journal, declared.pin
-    plain = Crankshaft(
-        pieces_of_throws(
-            throws,
-            round_section(journal[..., 0], journal[..., 1], material),
-            round_section(pin[..., 0], pin[..., 1], material),
+    pieces = pieces_of_throws(
+        throws,
+        round_section(journal[..., 0], journal[..., 1], material),
+        round_section(pin[..., 0], pin[..., 1], material),
+    )
+    shoulders = declared.shoulders
+    journal_end = journal[..., 0].copy()
+    for number, on in enumerate(shoulders.journal.tolist()):
+        journal_end[:, on] = shoulders.size[:, number, 0]
+    cut = with_shoulders(
+        pieces,
+        webs_of_throws(throws, webs, journal[..., 0], pin[..., 0], declared.rule, journal_end),
+        Shoulders(
+            np.searchsorted(throws.pieces, 2 * shoulders.journal),
+            shoulders.z,
+            round_section(shoulders.size[..., 0], shoulders.size[..., 1], material),
         ),
-        webs_of_throws(throws, webs, journal[..., 0], pin[..., 0], declared.rule),
+    )
+    plain = Crankshaft(
+        cut.pieces,
+        cut.webs,
         Supports(declared.bearings, declared.compliance, declared.settlement, declared.clearance, declared.thrust),
         StraightSpans(*np.full((2, n_designs, n_spans), np.inf)),
     )
     ends = end_slopes(plain)
-    return plain._replace(straight=StraightSpans(straight_bending(plain, ends), plain.straight.shear)), ends
+    straight = StraightSpans(straight_bending(plain, ends), plain.straight.shear)
+    return plain._replace(straight=straight), ends, cut.first
 
 
 def pin_names(layout: ShaftLayout, shafts: Shafts) -> list[str]:

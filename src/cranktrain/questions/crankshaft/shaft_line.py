@@ -1,6 +1,6 @@
 """One shaft's table, put to its throws: pins, webs, journals and bearings in line, each with its own numbers."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple, cast
 
@@ -35,6 +35,16 @@ class LineBearing(NamedTuple):
     table: BearingSpec
 
 
+class LineShoulder(NamedTuple):
+    """A shoulder: its name, the journal, from 0, that it is on; z, and diameter and bore from there on. [m]"""
+
+    name: str
+    journal: int
+    z: Array
+    diameter: Array
+    bore: Array
+
+
 @record
 class ShaftLine:
     """A shaft's parts in line, numbers of one design or of several.
@@ -53,6 +63,8 @@ class ShaftLine:
         [m]
     web_thickness, web_width, planes : tuple of Ends, one for each pin
         Of both its webs, and z of their middles; from pin to pin a web is as thick as the gap. [m]
+    shoulders : tuple of LineShoulder
+        In the order in which they stand.
     """
 
     pins: tuple[LinePin, ...]
@@ -66,6 +78,7 @@ class ShaftLine:
     web_thickness: tuple[Ends, ...]
     web_width: tuple[Ends, ...]
     planes: tuple[Ends, ...]
+    shoulders: tuple[LineShoulder, ...]
 
     @property
     def is_between(self) -> tuple[bool, ...]:
@@ -147,19 +160,32 @@ def shaft_line(table: CrankshaftTable, pins: Sequence[LinePin]) -> ShaftLine:
         planes[before] = (planes[before][0], (begin + end) / 2)
         thickness[before + 1] = (end - begin, thickness[before + 1][1])
         planes[before + 1] = ((begin + end) / 2, planes[before + 1][1])
+    bores = _each(table.journal_bore or _NO_BORE, n + 1)
     return ShaftLine(
         tuple(pins),
         has,
         _bearings(table, pins, has),
         _each(table.journal_diameter, n + 1),
-        _each(table.journal_bore or _NO_BORE, n + 1),
+        bores,
         _each(table.pin_diameter, n),
         _each(table.pin_bore or _NO_BORE, n),
         lengths,
         tuple(thickness),
         tuple(width),
         tuple(planes),
+        tuple(_shoulders(table, pins, bores)),
     )
+
+
+def _shoulders(table: CrankshaftTable, pins: Sequence[LinePin], bores: Sequence[Array]) -> Iterator[LineShoulder]:
+    """Shoulders as they stand, each with the bore of its own or that before it."""
+    before = list(bores)
+    for name, shoulder in sorted(table.shoulder.items(), key=lambda named: _first(named[1].z.array)):
+        z = shoulder.z.array
+        journal = sum(_first(pin.z) < _first(z) for pin in pins)
+        if shoulder.bore is not None:
+            before[journal] = shoulder.bore.array
+        yield LineShoulder(name, journal, z, shoulder.diameter.array, before[journal])
 
 
 def resting(table: CrankshaftTable, n_pins: int) -> tuple[int, ...]:

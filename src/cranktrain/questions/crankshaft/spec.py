@@ -67,6 +67,16 @@ class BearingSpec(Spec, frozen=True):
             yield Problem("stiffness", None, _("must be one, all round, or two: to the right, and up"))
 
 
+class ShoulderSpec(Spec, frozen=True):
+    """A shoulder: from z on, toward the flywheel, the journal has another section, to its next shoulder or its end."""
+
+    z: Length = Field(description=N_("From where on, from throw 1 toward the flywheel."))
+    diameter: PositiveLength = Field(description=N_("Diameter from there on."))
+    bore: NonNegativeLength | None = Field(
+        default=None, description=N_("Bore from there on; as before the shoulder unless given.")
+    )
+
+
 class CrankshaftTable(Spec, frozen=True):
     """A crankshaft: its pins, webs and journals as one value for all or one for each, and what it rests on.
 
@@ -151,6 +161,9 @@ class CrankshaftTable(Spec, frozen=True):
     )
     pull: Mapping[Name, PullSpec] = Field(
         default={}, description=N_("Forces on the shaft by name: a belt's pull, the weight of a flywheel.")
+    )
+    shoulder: Mapping[Name, ShoulderSpec] = Field(
+        default={}, description=N_("Shoulders of journals by name: where their diameter changes.")
     )
     young_modulus: PositivePressure | None = Field(
         default=None, description=N_("Young's modulus of the shaft; that of steel unless given.")

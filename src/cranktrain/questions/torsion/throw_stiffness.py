@@ -94,7 +94,8 @@ def title_of(name: str) -> Words:
 def _in_torsion(layout: ShaftLayout) -> ShaftInTorsion:
     """Put a shaft's sizes together as both frames and rules read them."""
     declared = layout.declared
-    there = declared.journals[np.newaxis, :, np.newaxis]
+    of_one_size = ~np.isin(np.arange(declared.journals.size), declared.shoulders.journal)
+    there = (declared.journals & of_one_size)[np.newaxis, :, np.newaxis]
     sizes = ThrowSizes(
         declared.planes,
         layout.shaft.pieces.radius[:, layout.pins],

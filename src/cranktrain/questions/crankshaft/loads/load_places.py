@@ -189,4 +189,4 @@ class _Places:
     def on_journals(self, z: Array) -> None:
         """On the journals at places, shape (design, n)."""
         for place in z.T:
-            self._add(int(self.layout.journals[self.layout.journal_at(float(place[0]))]), place, _ON_AXIS, on_web=False)
+            self._add(self.layout.piece_at(float(place[0])), place, _ON_AXIS, on_web=False)

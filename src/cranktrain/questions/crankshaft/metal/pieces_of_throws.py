@@ -100,7 +100,12 @@ def pieces_of_throws(throws: ThrowGeometry, journals: Section, pins: Section) ->
 
 
 def webs_of_throws(
-    throws: ThrowGeometry, sections: WebSection, journal_diameter: Array, pin_diameter: Array, rule: WebRule
+    throws: ThrowGeometry,
+    sections: WebSection,
+    journal_diameter: Array,
+    pin_diameter: Array,
+    rule: WebRule,
+    journal_end: Array | None = None,
 ) -> Webs:
     """Webs of throws, as far as they are there: `throws.webs` says which each is.
 
@@ -114,14 +119,17 @@ def webs_of_throws(
     pin_diameter : Array, shape (design, throw)
         [m]
     rule : WebRule
+    journal_end : Array, shape (design, throw + 1), optional
+        Diameter of journals at their ends, where shoulders make it another. [m]
 
     Returns
     -------
     Webs
     """
     shape = (len(pin_diameter), -1)
-    stiff = rule.share * in_turn(journal_diameter, pin_diameter)[:, throws.pieces]
-    rigid = np.stack([stiff[:, :-1], stiff[:, 1:]], axis=-1)
+    ends = (journal_diameter if journal_end is None else journal_end, journal_diameter)
+    before, behind = (rule.share * in_turn(journal, pin_diameter)[:, throws.pieces] for journal in ends)
+    rigid = np.stack([before[:, :-1], behind[:, 1:]], axis=-1)
     return Webs(*(np.reshape(values, shape)[:, throws.webs] for values in sections), rigid=rigid)
 
 

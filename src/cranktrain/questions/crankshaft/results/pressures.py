@@ -89,9 +89,7 @@ def crank_pin_pressures(layouts: ShaftLayouts, loads: CrankPinLoads, wear: Crank
 
 def main_bearing_pressures(declared: DeclaredCrankshafts, loads: MainBearingLoads) -> MainBearingPressures:
     """Pressures of all main bearings; docs/theory/crankshaft, eq. (24.48)."""
-    diameter = np.concatenate([shaft.journal[:, shaft.standing_on, 0] for shaft in declared.each], axis=1)[
-        :, np.newaxis
-    ]
+    diameter = np.concatenate([shaft.at_bearings for shaft in declared.each], axis=1)[:, np.newaxis]
     width = np.concatenate([shaft.bearing_width for shaft in declared.each], axis=1)[:, np.newaxis]
     largest, mean = loads.largest_bearing_load.value, loads.mean_bearing_load
     return MainBearingPressures(*(specific_pressure(load, diameter, width) for load in (largest, mean)))

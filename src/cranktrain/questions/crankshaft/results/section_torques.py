@@ -160,4 +160,7 @@ def _names(layout: ShaftLayout, shafts: Shafts) -> tuple[str, ...]:
         for number, piece in enumerate(pieces.tolist(), start=1)
         if piece >= 0
     }
+    shoulders = layout.declared.shoulders
+    for name, z, journal in zip(shoulders.names, shoulders.z[0].tolist(), shoulders.journal.tolist(), strict=True):
+        named[layout.piece_at(z)] = f"{prefix}{SECTIONS[0]} {journal + 1} {name}"
     return tuple(named[piece] for piece in sorted(named))

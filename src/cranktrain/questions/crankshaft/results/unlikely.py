@@ -93,7 +93,7 @@ def unlikely_crankshafts(
 
 def _bearings(declared: DeclaredCrankshaft) -> Iterator[Words]:
     """Flag stiffness, clearance and places of main bearings."""
-    diameter = declared.journal[:, declared.standing_on, 0]
+    diameter = declared.at_bearings
     compliance = np.stack([declared.compliance[..., axis, axis] for axis in (0, 1)], axis=1)
     by_young = declared.material.young[:, np.newaxis] * diameter
     with np.errstate(divide="ignore"):
