@@ -13,6 +13,7 @@ from cranktrain.motion import ONE, ZERO, Array
 from cranktrain.quantities import Given
 from cranktrain.questions.crankshaft.metal.pieces_of_throws import WEB_RULES, WebRule
 from cranktrain.questions.crankshaft.metal.sections import Material
+from cranktrain.questions.crankshaft.metal.shaft import turned_compliance
 from cranktrain.questions.crankshaft.pulls import Pulls, pulls_of
 from cranktrain.questions.crankshaft.shaft_line import LineBearing, ShaftLine, ShaftLines
 from cranktrain.questions.crankshaft.spec import STEEL, CrankshaftTable, GearSpec
@@ -233,12 +234,17 @@ def _at_bearings(diameter: Array, standing_on: NDArray[np.intp], z: Array, shoul
 def _compliance(designs: Designs, bearings: Sequence[LineBearing]) -> Array:
     """Of every bearing toward X and Y, shape (design, bearing, 2, 2). [m/N]"""
     found = np.zeros((designs.n_designs, len(bearings), 2, 2))
+    given = [bearing.table.stiffness for bearing in bearings]
     for axis in (0, 1):
-        given = [bearing.table.stiffness for bearing in bearings]
         found[..., axis, axis] = designs.by_design(
             [ZERO if stiffness is None else ONE / stiffness[min(axis, len(stiffness) - 1)].array for stiffness in given]
         )
-    return found
+    if all(bearing.table.stiffness_direction is None for bearing in bearings):
+        return found
+    sense = -1.0 if designs.together.orientation.is_clockwise else 1.0
+    directions = (bearing.table.stiffness_direction for bearing in bearings)
+    turned = sense * designs.by_design([ZERO if one is None else one.array for one in directions])
+    return turned_compliance(found[..., 0, 0], found[..., 1, 1], turned)
 
 
 def _material(designs: Designs, table: CrankshaftTable) -> Material:

@@ -185,6 +185,7 @@ class _OneShaft:
                 given = self.table.bearing_distance if own is None else own.z
                 said = allowed.format(z=precise(float(bearing.z)))
                 yield self.problem(key, None if given is None else given.text, said)
+        yield from self._directions(line)
         yield from self._apart(line)
         for name, pull in self.table.pull.items():
             if not _on_journal(line, pull.z.si):
@@ -210,6 +211,17 @@ class _OneShaft:
             if shoulder.bore >= shoulder.diameter:
                 allowed = _("must be more than its bore, {bore}", bore=precise(float(shoulder.bore)))
                 yield self.problem(f"{where}.diameter", given.diameter.text, allowed)
+
+    def _directions(self, line: ShaftLine) -> Iterator[Problem]:
+        """Find directions of stiffnesses that are alike all round, or of none."""
+        two = [one.name for one in line.bearings if one.table.stiffness is not None and len(one.table.stiffness) == 2]
+        allowed = _("is for a stiffness of two directions; give two")
+        common = self.table.bearing_stiffness_direction
+        if common is not None and not two:
+            yield self.problem("bearing_stiffness_direction", common.text, allowed)
+        for name, bearing in self.table.bearing.items():
+            if bearing.stiffness_direction is not None and name not in two:
+                yield self.problem(f"bearing.{name}.stiffness_direction", bearing.stiffness_direction.text, allowed)
 
     def _apart(self, line: ShaftLine) -> Iterator[Problem]:
         """Find bearings at one place, and such as are too wide to stand beside each other."""

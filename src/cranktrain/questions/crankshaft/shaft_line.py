@@ -223,6 +223,7 @@ def _with_common(table: CrankshaftTable, bearing: BearingSpec) -> BearingSpec:
     """Fill up the table of a bearing by what holds for all."""
     common = {
         "stiffness": table.bearing_stiffness,
+        "stiffness_direction": table.bearing_stiffness_direction,
         "clearance": table.bearing_clearance,
         "width": table.bearing_width,
     }

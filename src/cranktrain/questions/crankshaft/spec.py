@@ -42,8 +42,8 @@ STEEL = (Given(206e9, "206 GPa"), Given(0.3, "0.3"), Given(7850.0, "7850 kg/m³"
 class BearingSpec(Spec, frozen=True):
     """One main bearing, where it is not as all others: that of a journal, by its number, or one more, by its name.
 
-    A stiffness is alike all round, or two: to the right and up. Settlement is how far the bearing stands from the line
-    of the others.
+    A stiffness is alike all round, or two: to the right and up, or as far turned from there as `stiffness_direction`
+    says. Settlement is how far the bearing stands from the line of the others.
     """
 
     z: Length | None = Field(
@@ -52,6 +52,10 @@ class BearingSpec(Spec, frozen=True):
     )
     stiffness: OneOrMany[PositiveStiffness] | None = Field(
         default=None, description=N_("Stiffness of the bearing in its housing: all round, or to the right and up.")
+    )
+    stiffness_direction: Angle | None = Field(
+        default=None,
+        description=N_("How far both directions of a stiffness are turned in the normal sense of rotation."),
     )
     clearance: Clearance | None = Field(
         default=None, description=N_("Difference of the diameters of bearing and journal.")
@@ -142,6 +146,10 @@ class CrankshaftTable(Spec, frozen=True):
         description=N_(
             "Stiffness of a main bearing in its housing: all round, or to the right and up; rigid unless given."
         ),
+    )
+    bearing_stiffness_direction: Angle | None = Field(
+        default=None,
+        description=N_("How far both directions of a stiffness are turned in the normal sense of rotation."),
     )
     bearing_clearance: PositiveLength | None = Field(
         default=None, description=N_("Difference of the diameters of bearing and journal; with it that method, too.")

@@ -49,7 +49,7 @@ class DeclaredTrain:
     gaps : array of int, shape (throw − 1,)
         From which discs the shafts between neighbouring throws lead on.
     method : str or None
-        By which method the sizes of the crankshaft give its stiffness; None where it is given.
+        By which method the sizes of the crankshaft give the stiffness that is left to them; None where all is given.
     ratio : Array, shape (design, disc)
         Turns for one of the crank.
     """
@@ -80,9 +80,15 @@ def declared_train(spec: TorsionSpec, n_throws: int, n_designs: int = 1) -> Decl
         inertia=by_design([inertias[node] for node in order], n_designs),
         stiffness=by_design([shafts[frozenset((node, following[node]))] for node in order[:-1]], n_designs),
         gaps=np.array([_leading(at, following, throw) for throw in range(1, n_throws)], dtype=np.intp),
-        method=None if spec.stiffness is not None or n_throws == 1 else spec.stiffness_method or FIRST_METHOD,
+        method=None if not _left_to_sizes(spec, n_throws) else spec.stiffness_method or FIRST_METHOD,
         ratio=by_design([_ratio(spec, node) for node in order], n_designs),
     )
+
+
+def _left_to_sizes(spec: TorsionSpec, n_throws: int) -> list[int]:
+    """Gaps between throws, by the throw before them, of which [torsion] gives no stiffness."""
+    given = () if spec.stiffness is None else range(1, n_throws)
+    return [gap for gap in range(1, n_throws) if gap not in given and str(gap) not in spec.gap]
 
 
 def _leading(at: Mapping[Node, int], following: Mapping[Node, Node], throw: int) -> int:
@@ -97,7 +103,7 @@ def _order(spec: TorsionSpec, n_throws: int) -> tuple[list[Node], dict[Node, Nod
     """
     neighbours = grouped(ends for shaft in _shafts(spec, n_throws) for ends in permutations(shaft, 2))
     outer = [
-        name for name, disc in spec.disc.items() if disc.stiffness and (n_throws == 1 or 1 not in _inward(spec, name))
+        name for name, disc in spec.disc.items() if disc.is_elastic and (n_throws == 1 or 1 not in _inward(spec, name))
     ]
     last: Node = outer[-1] if outer else n_throws
     backward: list[Node] = []
@@ -116,11 +122,12 @@ def _shafts(spec: TorsionSpec, n_throws: int) -> dict[frozenset[Node], Array]:
     """Stiffness of every shaft by the two that it joins, referred to the crank, in the order of the file. [N·m/rad]"""
     gaps = [_UNKNOWN] if spec.stiffness is None else [gap.array for gap in spec.stiffness]
     gaps = gaps * (n_throws - 1) if len(gaps) == 1 else gaps
+    gaps = [spec.gap[str(n)].torsional_stiffness if str(n) in spec.gap else gap for n, gap in enumerate(gaps, 1)]
     found: dict[frozenset[Node], Array] = {frozenset((throw, throw + 1)): gap for throw, gap in enumerate(gaps, 1)}
     return found | {
-        frozenset((name, _node(spec, disc.beside))): disc.stiffness.array * _ratio(spec, name) ** 2
+        frozenset((name, _node(spec, disc.beside))): disc.torsional_stiffness * _ratio(spec, name) ** 2
         for name, disc in spec.disc.items()
-        if disc.stiffness is not None
+        if disc.is_elastic
     }
 
 
@@ -145,7 +152,7 @@ def _inward(spec: TorsionSpec, name: Node) -> Iterator[Node]:
 
 def _node(spec: TorsionSpec, name: Node) -> Node:
     """What moves a throw or a disc: itself, or what it sits on rigidly."""
-    return next(node for node in _inward(spec, name) if isinstance(node, int) or spec.disc[node].stiffness is not None)
+    return next(node for node in _inward(spec, name) if isinstance(node, int) or spec.disc[node].is_elastic)
 
 
 def _ratio(spec: TorsionSpec, name: Node) -> Array:
@@ -166,7 +173,7 @@ def torsion_problems(spec: TorsionSpec, design: Design) -> Iterator[Problem]:
     for name, disc in spec.disc.items():
         if isinstance(disc.beside, int) and disc.beside > n_throws:
             yield Problem(f"torsion.disc.{name}.beside", str(disc.beside), allowed)
-    if n_throws == 1 and not any(disc.stiffness for disc in spec.disc.values()):
+    if n_throws == 1 and not any(disc.is_elastic for disc in spec.disc.values()):
         allowed = _("must hold a disc with a stiffness, or there is nothing that one throw could twist against")
         yield Problem("torsion.disc", None, allowed)
     carrying = {place.throw for place in places} if design.weighed.bodies else set[int]()
@@ -184,6 +191,13 @@ def _counts(spec: TorsionSpec, n_throws: int) -> Iterator[Problem]:
     elif n_given not in (0, 1, n_gaps):
         allowed = _("must be one value, or one for each gap between throws: {gaps}", gaps=n_gaps)
         yield Problem("torsion.stiffness", _("a list of {n}", n=n_given), allowed)
+    numbers = [str(gap) for gap in range(1, n_throws)]
+    for name, gap in spec.gap.items():
+        if name not in numbers:
+            allowed = _("must be the number of a throw before another: {numbers}", numbers=", ".join(numbers) or "–")
+            yield Problem(f"torsion.gap.{name}", None, allowed)
+        elif not gap.is_elastic:
+            yield Problem(f"torsion.gap.{name}.stiffness", None, _("is missing; give it, or length and diameter"))
     if spec.throw_inertia is not None and len(spec.throw_inertia) not in (1, n_throws):
         allowed = _("must be one value, or one for each throw: {throws}", throws=n_throws)
         yield Problem("torsion.throw_inertia", _("a list of {n}", n=len(spec.throw_inertia)), allowed)
@@ -197,14 +211,19 @@ def _sizes(spec: TorsionSpec, n_throws: int, design: Design) -> Iterator[Problem
     if n_throws == 1:
         if method is not None:
             yield Problem(path, method, _("is for the gaps between throws; this crankshaft has one throw"))
-    elif spec.stiffness is not None:
-        return
+    elif not (left := _left_to_sizes(spec, n_throws)):
+        if method is not None and spec.stiffness is None:
+            yield Problem(
+                path, method, _("is for a stiffness by the sizes of [crankshaft]; here all gaps have their own")
+            )
     elif table is None:
         if method is not None:
             yield Problem(path, method, _("needs [crankshaft], whose sizes give the stiffness"))
             return
         allowed = _("is missing; give one value, or one for each of the {gaps} gaps between throws, or [crankshaft]")
-        yield Problem("torsion.stiffness", None, allowed.format(gaps=n_throws - 1))
+        if spec.gap:
+            allowed = _("is missing; give it for gaps {left} between throws, or [crankshaft]")
+        yield Problem("torsion.stiffness", None, allowed.format(gaps=n_throws - 1, left=", ".join(map(str, left))))
     elif line_pins(table, design, MAIN) is None:
         allowed = _("is missing; [crankshaft] gives it where `spacing` of the shaft says where its throws stand")
         yield Problem("torsion.stiffness", None, allowed)

@@ -19,25 +19,23 @@ from cranktrain.quantities import (
     PositiveTorsionalStiffness,
     nearest,
 )
+from cranktrain.questions.torsion.shafts import ShaftPieceSpec
 from cranktrain.spec import Spec
 
 _DIRECT = Given(1.0, "1")
 
 
-class DiscSpec(Spec, frozen=True):
+class DiscSpec(ShaftPieceSpec, frozen=True):
     """A disc that turns with the crankshaft: flywheel, pulley, gear, propeller, rotor.
 
-    A shaft of its `stiffness` joins it to the throw or the disc `beside` it; without stiffness it sits on that rigidly.
-    Both turn `ratio` times for one turn of what they are beside, through gears in between.
+    A shaft of its `stiffness`, or of its `length` and `diameter`, joins it to the throw or the disc `beside` it;
+    without one it sits on that rigidly. Both turn `ratio` times for one turn of what they are beside, through gears in
+    between.
     """
 
     inertia: PositiveInertia = Field(description=N_("Moment of inertia of the disc about its own axis."))
     beside: Annotated[int, Field(ge=1)] | str = Field(
         description=N_("What it is next to: a throw, by its number, or another disc, by its name.")
-    )
-    stiffness: PositiveTorsionalStiffness | None = Field(
-        default=None,
-        description=N_("Of the shaft that joins it to what it is beside; without it, it sits on that rigidly."),
     )
     ratio: PositiveRatio = Field(
         default=_DIRECT,
@@ -57,6 +55,12 @@ class TorsionSpec(Spec, frozen=True):
     stiffness_method: Literal["frame", "frame_clamped", "carter", "ker_wilson", "zimanenko"] | None = Field(
         default=None,
         description=N_("By which method the sizes of [crankshaft] give it; a crank frame unless said otherwise."),
+    )
+    gap: Mapping[Name, ShaftPieceSpec] = Field(
+        default={},
+        description=N_(
+            "Gaps between throws that are not as `stiffness` or the sizes say, by the number of the throw before them."
+        ),
     )
     throw_inertia: OneOrMany[NonNegativeInertia] | None = Field(
         default=None,
@@ -81,8 +85,8 @@ class TorsionSpec(Spec, frozen=True):
             if not re.fullmatch(r"[^\W\d]\w*", name):
                 yield Problem(path_text(("disc", name)), None, allowed)
         yield from self._neighbours()
-        if self.free_end is not None and (self.free_end not in self.disc or self.disc[self.free_end].stiffness is None):
-            elastic = [name for name, disc in self.disc.items() if disc.stiffness is not None]
+        if self.free_end is not None and (self.free_end not in self.disc or not self.disc[self.free_end].is_elastic):
+            elastic = [name for name, disc in self.disc.items() if disc.is_elastic]
             allowed = _("must be the name of a disc with a stiffness: {discs}", discs=", ".join(elastic) or "–")
             yield Problem("free_end", self.free_end, allowed)
 

@@ -69,15 +69,18 @@ def throw_stiffness(declared: DeclaredTrain, layouts: ShaftLayouts) -> ThrowStif
     """Stiffness by all methods, beside what is given; docs/theory/torsion, eqs. (23.13) to (23.21)."""
     shaft = _in_torsion(layouts.each[0])
     by_size = {method.name: method.stiffness(shaft) for method in THROW_METHODS}
-    given = {} if declared.method else {GIVEN: declared.stiffness[:, declared.gaps]}
-    found = given | by_size
+    given = declared.stiffness[:, declared.gaps]
+    has_given = np.any(np.isfinite(given))
+    if has_given and declared.method is not None:
+        given = np.where(np.isnan(given), by_size[declared.method], given)
+    found = ({GIVEN: given} if has_given else {}) | by_size
     values = np.stack(list(found.values()), axis=1)
     least, most = np.fmin.reduce(values, axis=1), np.fmax.reduce(values, axis=1)
     n_gaps = values.shape[-1]
     return ThrowStiffness(
         throw_stiffness=values,
         throw_stiffness_spread=most / least - 1,
-        chosen=list(found).index(declared.method or GIVEN),
+        chosen=0 if has_given or declared.method is None else list(found).index(declared.method),
         labels={
             "throw_method": tuple(found),
             "throw_gap": tuple(f"{throw}-{throw + 1}" for throw in range(1, n_gaps + 1)),
@@ -112,12 +115,10 @@ def _flags(declared: DeclaredTrain, shaft: ShaftInTorsion, by_size: dict[str, Ar
     """Mind webs that Ker Wilson's rule does not know, a method that has no number, and one far from what is given."""
     if np.any(ker_wilson_web(shaft.gaps) <= 0):
         yield _("Ker Wilson's rule is out of its range: the crank radius is not more than a fifth of both diameters.")
-    if declared.method is not None:
-        if not np.all(np.isfinite(by_size[declared.method])):
-            yield _("{method} gives no stiffness between throws that one web joins.", method=title_of(declared.method))
-        return
     given, of_frame = declared.stiffness[:, declared.gaps], by_size[THROW_METHODS[0].name]
-    ratio = given / of_frame
+    if declared.method is not None and np.any(np.isnan(given) & ~np.isfinite(by_size[declared.method])):
+        yield _("{method} gives no stiffness between throws that one web joins.", method=title_of(declared.method))
+    ratio = np.where(np.isnan(given), 1.0, given / of_frame)
     if np.any(np.maximum(ratio, 1 / ratio) > _FAR):
         yield _(
             "The given stiffness between throws is {ratio} times what the crankshaft's sizes give.",

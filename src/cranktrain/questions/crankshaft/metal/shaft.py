@@ -115,6 +115,37 @@ def bearing_compliance(stiffness: Array) -> Array:
     return found
 
 
+def turned_compliance(first: Array, second: Array, angle: Array) -> Array:
+    """Compliance in two directions at right angles, as a matrix in X and Y.
+
+    Parameters
+    ----------
+    first, second : Array, shape (...)
+        [m/N]
+    angle : Array, shape (...)
+        From X to the first direction, in the sense from X toward Y. [rad]
+
+    Returns
+    -------
+    Array, shape (..., 2, 2)
+
+    Notes
+    -----
+    docs/theory/crankshaft, section Equations of three and five moments: one of the matrices D there.
+
+    Examples
+    --------
+    >>> turned_compliance(np.array(3.0), np.array(1.0), np.array(np.pi / 2)).round(12).tolist()
+    [[1.0, 0.0], [0.0, 3.0]]
+    """
+    cos, sin = np.cos(angle), np.sin(angle)
+    found = np.empty((*np.broadcast_shapes(first.shape, second.shape, angle.shape), 2, 2))
+    found[..., 0, 0] = first * cos**2 + second * sin**2
+    found[..., 1, 1] = first * sin**2 + second * cos**2
+    found[..., 0, 1] = found[..., 1, 0] = (first - second) * sin * cos
+    return found
+
+
 class StraightSpans(NamedTuple):
     """The shaft between neighbouring bearings as straight beams, shape (design, bearing − 1).
 

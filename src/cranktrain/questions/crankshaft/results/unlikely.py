@@ -91,10 +91,23 @@ def unlikely_crankshafts(
     return UnlikelyCrankshafts(unlikely=tuple(flags))
 
 
+def _of_both_directions(compliance: Array) -> Array:
+    """Compliance of bearings in their own directions, those in which loads move them straight on: (design, 2, bearing).
+
+    Of matrices of the shape (design, bearing, 2, 2).
+    """
+    x, y, both = compliance[..., 0, 0], compliance[..., 1, 1], compliance[..., 0, 1]
+    half = (x - y) / 2
+    more = np.copysign(np.hypot(half, both), half)
+    middle = (x + y) / 2
+    turned = both != 0
+    return np.stack([np.where(turned, middle + more, x), np.where(turned, middle - more, y)], axis=1)
+
+
 def _bearings(declared: DeclaredCrankshaft) -> Iterator[Words]:
     """Flag stiffness, clearance and places of main bearings."""
     diameter = declared.at_bearings
-    compliance = np.stack([declared.compliance[..., axis, axis] for axis in (0, 1)], axis=1)
+    compliance = _of_both_directions(declared.compliance)
     by_young = declared.material.young[:, np.newaxis] * diameter
     with np.errstate(divide="ignore"):
         stiffness = np.where(compliance > 0, 1 / (compliance * by_young[:, np.newaxis]), np.nan)
