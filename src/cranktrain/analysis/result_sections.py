@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.analysis.dimensions import Place, rivals
+from cranktrain.analysis.dimensions import Place, dimension_named, rivals
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.stages import Missing
 from cranktrain.language import Words, _
@@ -54,7 +54,7 @@ def number_sections(run: Run, names: Sequence[str], *, is_all: bool) -> Iterator
         Whether these are all there are: then what is given by several methods is named, and its sentence has to do.
     """
     catalogue = run.catalogue
-    deep = [name for name in names if is_all and len(run.labels_of(catalogue[name])) > 1]
+    deep = [name for name in names if is_all and _is_deep(run, catalogue[name])]
     shown = [name for name in names if name not in deep]
     facts = [name for name in shown if not run.is_curve(catalogue[name])]
     yield from section(_("Results"), [FactTables(run, facts)] if facts else [])
@@ -66,6 +66,12 @@ def number_sections(run: Run, names: Sequence[str], *, is_all: bool) -> Iterator
         heads = ("", "", _("peak"), "", _("at {unit}", unit=unit), _("of"))
         yield from section(heading, [Rows(peaks, heads, right=(2, 4))])
     yield from section(_("By each method, with --quantities"), [", ".join(deep)] if deep else [])
+
+
+def _is_deep(run: Run, entry: Entry) -> bool:
+    """Whether a quantity has more members than a page should have, which nobody asked for."""
+    labels = run.labels_of(entry)
+    return len(labels) > 1 and not any(dimension_named(name).is_asked for name in labels)
 
 
 def check_section(result: Result) -> Iterator[ShownSection]:

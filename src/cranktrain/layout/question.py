@@ -184,6 +184,8 @@ class ResultDimension(NamedTuple):
         one that is meant where none is named. No table takes anything over them all.
     is_apart : bool
         Whether each member is of its own size, as modes are: nothing is rounding beside what is of another.
+    is_asked : bool
+        Whether the file asks for its members one by one: then all that there is of them is shown in full.
     is_compared : bool
         Whether its rivals are there to be compared: that which is meant is a quantity of its own.
     titles : Titles
@@ -196,6 +198,7 @@ class ResultDimension(NamedTuple):
     family: str = ""
     own: int | None = None
     is_apart: bool = False
+    is_asked: bool = False
     is_compared: bool = False
     titles: Titles = {}  # noqa: RUF012 - nobody changes them
 

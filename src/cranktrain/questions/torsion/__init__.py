@@ -13,6 +13,7 @@ from cranktrain.questions.torsion.modes import TorsionalModes, of_known_stiffnes
 from cranktrain.questions.torsion.parts import declared_train, torsion_problems
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.questions.torsion.throw_stiffness import ThrowStiffness, of_sized_crankshaft, throw_stiffness
+from cranktrain.questions.torsion.trials import are_tried, holzer_trials
 
 
 def _problems(design: Design) -> Iterator[Problem]:
@@ -43,10 +44,12 @@ QUESTION = Question(
         Stage(torsional_modes),
         Stage(critical_speeds),
         Stage(mode_vector_sums),
+        Stage(holzer_trials, applies=are_tried),
     ),
     dimensions=(
         ResultDimension("disc", N_("disc")),
         ResultDimension("mode", N_("mode"), is_number=True, is_apart=True),
+        ResultDimension("trial", N_("frequency"), is_number=True, is_apart=True, is_asked=True),
         ResultDimension("throw_method", N_("method"), own=0),
         ResultDimension("throw_gap", N_("between throws")),
     ),
@@ -55,6 +58,7 @@ QUESTION = Question(
     rows=(
         rows.frequency_rows,
         rows.critical_rows,
+        rows.trial_rows,
         rows.stiffness_rows,
     ),
     offers={

@@ -52,6 +52,8 @@ class DeclaredTrain:
         By which method the sizes of the crankshaft give the stiffness that is left to them; None where all is given.
     ratio : Array, shape (design, disc)
         Turns for one of the crank.
+    tried : Array, shape (design, trial)
+        Frequencies at which Holzer's table is asked for. [rad/s]
     """
 
     needs: ClassVar[str] = N_("[torsion]")
@@ -65,6 +67,7 @@ class DeclaredTrain:
     gaps: NDArray[np.intp]
     method: str | None
     ratio: Array
+    tried: Array
 
 
 def declared_train(spec: TorsionSpec, n_throws: int, n_designs: int = 1) -> DeclaredTrain:
@@ -82,6 +85,7 @@ def declared_train(spec: TorsionSpec, n_throws: int, n_designs: int = 1) -> Decl
         gaps=np.array([_leading(at, following, throw) for throw in range(1, n_throws)], dtype=np.intp),
         method=None if not _left_to_sizes(spec, n_throws) else spec.stiffness_method or FIRST_METHOD,
         ratio=by_design([_ratio(spec, node) for node in order], n_designs),
+        tried=by_design([2 * np.pi * one.array for one in spec.holzer_at or ()], n_designs),
     )
 
 

@@ -8,6 +8,7 @@ from cranktrain.language import Listed, _
 from cranktrain.questions.torsion.critical import CriticalSpeeds
 from cranktrain.questions.torsion.modes import TorsionalModes
 from cranktrain.questions.torsion.throw_stiffness import ThrowStiffness, title_of
+from cranktrain.questions.torsion.trials import HolzerTrials
 from cranktrain.saying.amounts import Extent
 from cranktrain.saying.rows import AnswerLine, Telling, worded
 
@@ -30,6 +31,14 @@ def critical_rows(of: Telling, found: CriticalSpeeds) -> Iterator[AnswerLine]:
     said = [_("{speed} (order {order})", speed=one, order=one.member[-1]) for one in speeds]
     if said:
         yield worded(_("next critical speeds"), Listed(said))
+
+
+def trial_rows(of: Telling, found: HolzerTrials) -> Iterator[AnswerLine]:
+    """What Holzer's table leaves over at frequencies of the file's own, for 1 rad at the free end."""
+    for trial in range(min(found.trial_frequency.shape[1], _NAMED)):
+        frequency, left = (of.amount(found, name, trial) for name in ("trial_frequency", "trial_residual"))
+        if np.isfinite(left.value):
+            yield worded(_("left over at {frequency}", frequency=frequency), _("{torque}, Holzer", torque=left))
 
 
 def stiffness_rows(of: Telling, found: ThrowStiffness) -> Iterator[AnswerLine]:

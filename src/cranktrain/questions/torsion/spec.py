@@ -14,6 +14,7 @@ from cranktrain.paths import path_text
 from cranktrain.quantities import (
     Given,
     NonNegativeInertia,
+    PositiveFrequency,
     PositiveInertia,
     PositiveRatio,
     PositiveTorsionalStiffness,
@@ -69,6 +70,10 @@ class TorsionSpec(Spec, frozen=True):
     disc: Mapping[Name, DiscSpec] = Field(
         default={},
         description=N_("Discs beside the throws, by name, in the order in which they stand along the shaft."),
+    )
+    holzer_at: OneOrMany[PositiveFrequency] | None = Field(
+        default=None,
+        description=N_("Frequency at which Holzer's table is asked for beside the natural ones, or a list of some."),
     )
     free_end: str | None = Field(
         default=None,

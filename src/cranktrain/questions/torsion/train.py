@@ -152,6 +152,63 @@ def holzer_table(train: Train, speed: Array, shape: Array) -> HolzerTable:
     return HolzerTable(torque, total, twist)
 
 
+def holzer_amplitudes(train: Train, speed: Array) -> Array:
+    """Amplitudes that Holzer's table gives at frequencies of any size, of some size.
+
+    Parameters
+    ----------
+    train : Train
+    speed : Array, shape (..., trial)
+        [rad/s]
+
+    Returns
+    -------
+    Array, shape (..., trial, disc)
+
+    Notes
+    -----
+    From the far ends on, each disc after all that lead to it; where branches meet, each is taken times the amplitudes
+    at which the others come there, so that nothing is divided by one that may be 0. docs/theory/torsion, eqs. (23.6),
+    (23.7) and (23.22).
+
+    Examples
+    --------
+    >>> two = Train(np.array([1.0, 3.0]), np.array([12.0]), np.array([1]))
+    >>> holzer_amplitudes(two, np.array([0.0, 2.0, 4.0]))
+    array([[ 1.        ,  1.        ],
+           [ 1.        ,  0.66666667],
+           [ 1.        , -0.33333333]])
+    """
+    square = speed**2
+    n_discs = train.inertia.shape[-1]
+    amplitude = np.ones((*np.broadcast_shapes(train.inertia.shape[:-1], speed.shape[:-1]), speed.shape[-1], n_discs))
+    carried = np.zeros_like(amplitude)
+    behind: list[list[int]] = [[disc] for disc in range(n_discs)]
+    has_begun = [False] * n_discs
+    for disc, following in enumerate(train.following.tolist()):
+        own = train.inertia[..., disc, np.newaxis] * square * amplitude[..., disc]
+        total = carried[..., disc] + own
+        arriving = amplitude[..., disc] - total / train.stiffness[..., disc, np.newaxis]
+        if has_begun[following]:
+            there = amplitude[..., following].copy()
+            amplitude[..., behind[disc]] *= there[..., np.newaxis]
+            amplitude[..., behind[following]] *= arriving[..., np.newaxis]
+            carried[..., following] = carried[..., following] * arriving + total * there
+        else:
+            amplitude[..., following], carried[..., following] = arriving, total
+        has_begun[following] = True
+        behind[following] += behind[disc]
+    return amplitude
+
+
+def shafts_apart(train: Train, table: HolzerTable, shape: Array) -> Array:
+    """By how much k·Δa of shafts is off the sums that they carry, relative to all, shape (..., mode, disc − 1)."""
+    gross = np.sum(np.abs(table.torque), axis=-1, keepdims=True)
+    one, other = (np.abs(part) * train.stiffness[..., np.newaxis, :] for part in _ends(train, shape))
+    elastic = train.stiffness[..., np.newaxis, :] * np.subtract(*_ends(train, shape))
+    return np.abs(elastic - table.total[..., :-1]) / (gross + one + other)
+
+
 def holzer_remainder(train: Train, table: HolzerTable, shape: Array) -> Array:
     """How well Holzer's tables close, shape (...,): the larger of two residuals, of the worst mode.
 
@@ -159,11 +216,8 @@ def holzer_remainder(train: Train, table: HolzerTable, shape: Array) -> Array:
     carries, relative to both.
     """
     gross = np.sum(np.abs(table.torque), axis=-1, keepdims=True)
-    one, other = (np.abs(part) * train.stiffness[..., np.newaxis, :] for part in _ends(train, shape))
-    elastic = train.stiffness[..., np.newaxis, :] * np.subtract(*_ends(train, shape))
     left = np.abs(table.total[..., -1:]) / gross
-    apart = np.abs(elastic - table.total[..., :-1]) / (gross + one + other)
-    return np.max(np.concatenate([left, apart], axis=-1), axis=(-2, -1))
+    return np.max(np.concatenate([left, shafts_apart(train, table, shape)], axis=-1), axis=(-2, -1))
 
 
 def cross_inertia(train: Train, shape: Array) -> Array:

@@ -12,7 +12,7 @@ PICTURES = (
         "cranktrain.panels.sheets.torsion.sheet:sheet_torsion",
         "cycle",
         needs={"natural_frequency": N_("a sheet of torsion needs [torsion], and one crankshaft")},
-        quantities=("natural_frequency", "critical_speed", "mode_vector_sum"),
+        quantities=("natural_frequency", "critical_speed", "mode_vector_sum", "trial_amplitude"),
         refused={
             "at": _WHOLE,
             "mechanism": _WHOLE,

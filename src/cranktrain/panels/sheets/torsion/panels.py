@@ -10,6 +10,8 @@ from cranktrain.analysis import Result
 from cranktrain.motion import Array
 from cranktrain.questions.torsion.critical import CriticalSpeeds, ModeVectorSums
 from cranktrain.questions.torsion.modes import TorsionalModes, TorsionalTrain
+from cranktrain.questions.torsion.train import nodes
+from cranktrain.questions.torsion.trials import HolzerTrials
 
 _BEYOND = 1.25
 """The diagram reaches beyond the declared speed by this factor."""
@@ -43,6 +45,19 @@ class ModeShape(NamedTuple):
     mode: int
     frequency: float
     unit: str
+    amplitude: Array
+    following: NDArray[np.intp]
+    nodes: Array
+
+
+class TrialShape(NamedTuple):
+    """Amplitudes by Holzer's table at a frequency of the file's own; as in `ModeShape`.
+
+    residual: what it leaves over, for 1 rad at the free end. [N·m/rad]
+    """
+
+    frequency: float
+    residual: float
     amplitude: Array
     following: NDArray[np.intp]
     nodes: Array
@@ -111,6 +126,26 @@ def mode_shapes(result: Result, design: int = 0) -> Sequence[ModeShape]:
             places[mode, np.isfinite(places[mode])],
         )
         for mode in range(modes.natural_frequency.shape[-1])
+    ]
+
+
+def trial_shapes(result: Result, design: int = 0) -> Sequence[TrialShape]:
+    """What Holzer's table gives at every frequency that the file names."""
+    found = result.get(HolzerTrials)
+    if found is None:
+        return []
+    train = result[TorsionalTrain].train
+    shafts = np.arange(train.following.size)
+    places = shafts + nodes(train, found.trial_amplitude)[design, :, :-1] * (train.following - shafts)
+    return [
+        TrialShape(
+            float(found.trial_frequency[design, trial]),
+            float(found.trial_residual[design, trial]),
+            found.trial_amplitude[design, trial],
+            train.following,
+            places[trial, np.isfinite(places[trial])],
+        )
+        for trial in range(found.trial_frequency.shape[-1])
     ]
 
 

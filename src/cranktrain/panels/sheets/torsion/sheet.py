@@ -21,11 +21,21 @@ from cranktrain.panels.parts import (
     sheet_of,
 )
 from cranktrain.panels.shapes import Curve, Mark, Panel, PanelLine, ShaftShape
-from cranktrain.panels.sheets.torsion.panels import Campbell, Crossing, ModeShape, campbell, mode_shapes
+from cranktrain.panels.sheets.torsion.panels import (
+    Campbell,
+    Crossing,
+    ModeShape,
+    TrialShape,
+    campbell,
+    mode_shapes,
+    trial_shapes,
+)
 from cranktrain.saying.amounts import Amount, UnitLabel
 
 _MODES = 4
 """Modes that have a drawing."""
+_TRIALS = 2
+"""Frequencies of the file's own that have one."""
 _LONGEST = 16
 """Letters of a disc's name that are written."""
 _ROWS = 8
@@ -57,7 +67,10 @@ def sheet_torsion(result: Result, *, design: int = 0) -> Sheet:
     if not all(np.isfinite(shape.frequency) for shape in shapes):
         raise InputError([Problem("torsion", None, _("gives no natural frequencies, so there is no sheet of them"))])
     names = tuple(short(name, _LONGEST) for name in result.labels["disc"])
-    modes = ShaftShapes(_("Modes, and their nodes"), tuple(map(_shape, shapes[:_MODES])), names)
+    tried = trial_shapes(result, design)[:_TRIALS]
+    drawn = (*map(_shape, shapes[:_MODES]), *map(_tried_shape, tried))
+    title = _("Modes, what was asked for, and nodes") if tried else _("Modes, and their nodes")
+    modes = ShaftShapes(title, drawn, names)
     of = campbell(result, design)
     n_cylinders = max(len(result.labels.get("cylinder", ())), 1)
     right: tuple[Part, ...] = (CurveCard((campbell_panel(of, n_cylinders),), height=0.62), *_critical_speeds(of))
@@ -72,6 +85,16 @@ def _shape(one: ModeShape) -> ShaftShape:
         n=one.mode,
         frequency=Amount(one.frequency, "Hz"),
         disc=_("throw {n}", n=disc) if one.unit.isdigit() else disc,
+    )
+    return ShaftShape(words, one.amplitude, one.following, one.nodes)
+
+
+def _tried_shape(one: TrialShape) -> ShaftShape:
+    """Amplitudes at a frequency of the file's own, with what is left over."""
+    words = _(
+        "{frequency}: {torque} left over",
+        frequency=Amount(one.frequency, "Hz"),
+        torque=Amount(one.residual, "N*m/rad"),
     )
     return ShaftShape(words, one.amplitude, one.following, one.nodes)
 
