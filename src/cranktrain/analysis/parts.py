@@ -63,6 +63,9 @@ def _differences(machines: Sequence[Machine]) -> Iterator[Problem]:
     for n, machine in enumerate(machines[1:], start=2):
         other = dict(_structure(machine))
         paths = [path for path in dict.fromkeys((*first, *other)) if first.get(path) != other.get(path)]
+        if not paths and machine.cycle != machines[0].cycle:
+            over = _("must go on over one turn in all designs, or over two in all; in design {n} it is otherwise")
+            yield Problem("load", None, over.format(n=n))
         if paths:
             yield Problem(re.sub(r"\.mechanism\[\d+\]", ".mechanism", paths[0]), None, allowed.format(n=n))
 

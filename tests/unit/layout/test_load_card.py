@@ -87,8 +87,11 @@ class TestMachine:
         table = {"cylinder": {"bore": "80 mm", "cycle": "four-stroke"}}
         result = ct.run(machine(text, on="crank", table=table))
         assert result.load_work[0] == pytest.approx(-0.5 * 80 * 2 * math.pi, rel=1e-12)
+        of_itself = ct.run(machine(text, on="crank"))
+        assert of_itself.load_work[0] == pytest.approx(-0.5 * 80 * 2 * math.pi, rel=1e-12)
+        two_stroke = {"cylinder": {"bore": "80 mm", "cycle": "two-stroke"}}
         with pytest.raises(ct.InputError, match=rf"load\.x\.file = card\.csv: {GOES_ON}"):
-            ct.run(machine(text, on="crank"))
+            ct.run(machine(text, on="crank", table=two_stroke))
 
     def test_kinks_of_every_turn_of_a_longer_cycle(self):
         """A peak of 0.2° a turn, twice in a cycle of two turns: two triangles."""

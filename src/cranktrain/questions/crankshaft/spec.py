@@ -197,6 +197,11 @@ class CrankshaftSpec(CrankshaftTable, OverriddenSpec, frozen=True):
         default={}, alias="NAME (a shaft)", description=N_("What the crankshaft of one shaft has of its own.")
     )
 
+    @property
+    def pulls(self) -> tuple[PullSpec, ...]:
+        """All that pulls on any shaft, with what files hold as lists."""
+        return tuple(pull.listed for table in (self, *self.overrides.values()) for pull in table.pull.values())
+
 
 class GearSpec(Spec, frozen=True):
     """A gear through which a shaft hands on its torque: to another shaft, or off where it is the only one named.
