@@ -12,6 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.listed import OneOrMany
 from cranktrain.layout.load_card import LoadCard, load_card
 from cranktrain.layout.load_heads import Sort
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import PathParts, item_at, replaced
 from cranktrain.quantities import (
     Angle,
@@ -30,6 +31,8 @@ from cranktrain.spec import Spec, SpecType
 Torque = Annotated[Given, Quantity(Dimension.TORQUE)]
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=10.0, example="2")]
 
+_MOST = 2 * TURN * (1 + 1e-9)
+"""How far crank angles may reach. [rad]"""
 AT_POINT = ("along", "across")
 """Keys of where on a link a force acts."""
 _OVER = ("crank_angles", "travel", "swing")
@@ -293,6 +296,8 @@ def order_problems(name: str, places: Sequence[Given]) -> Iterator[Problem]:
     """Find places that do not rise."""
     if not all(one.si < other.si for one, other in pairwise(places)):
         yield Problem(name, None, _("must rise from one place to the next"))
+    elif name == "crank_angles" and places[-1].si - places[0].si > _MOST:
+        yield Problem(name, None, _("must reach over two turns at most, 720°"))
 
 
 def with_lists(spec: SpecType, lists: Mapping[str, object]) -> SpecType:

@@ -106,6 +106,12 @@ def test_a_cycle_that_cylinders_or_gas_tell():
         ct.run("gas_compressor", set={"load.feed": {**FEED, **TWO}})
 
 
+def test_no_load_is_over_more():
+    over = {"torque": ["1 N·m", "2 N·m"], "crank_angles": ["0 deg", "721 deg"]}
+    with pytest.raises(ct.InputError, match=r"load\.feed\.crank_angles: must reach over two turns at most, 720°"):
+        alone(over)
+
+
 def test_designs_of_one_cycle():
     """Files may differ in their turns only all together."""
     one, two = "angle [deg];torque [N·m]\n0;1\n360;1\n", "angle [deg];torque [N·m]\n0;1\n720;1\n"

@@ -5,11 +5,21 @@ import pytest
 from tests.unit.questions.torsion.test_modes import FLYWHEEL, four, run
 
 import cranktrain as ct
-from cranktrain.panels.sheets.torsion.panels import campbell, mode_shapes
+from cranktrain.panels.sheets.torsion.panels import campbell, mode_shapes, trial_shapes
 
 
 def diagram(machine, *, design=0):
     return campbell(ct.run(machine, step_degrees=90), design)
+
+
+def test_what_is_tried_has_nodes_where_it_changes_its_sign():
+    """By straight lines along each shaft."""
+    result = ct.run(four(torsion__holzer_at=["50 Hz", "170 Hz"]), step_degrees=90)
+    for trial, one in enumerate(trial_shapes(result)):
+        assert one.residual == result.trial_residual[trial]
+        at = np.interp(one.nodes, np.arange(one.amplitude.size), one.amplitude)
+        np.testing.assert_allclose(at, 0.0, atol=1e-12 * np.max(np.abs(one.amplitude)))
+        assert one.nodes.size == np.sum(one.amplitude[1:] * one.amplitude[:-1] < 0)
 
 
 def test_a_crossing_is_on_its_ray_and_on_its_level():

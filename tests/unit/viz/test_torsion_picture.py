@@ -37,6 +37,7 @@ MACHINES = {
         mechanism={"kind": "slider_crank", "crank_radius": "40 mm", "rod_length": "130 mm"},
         torsion={"throw_inertia": "1 kg·m²", "disc": {"rotor": geared(1, 1)}},
     ),
+    "holzer at its own": lambda: four(torsion__holzer_at=["50 Hz", "170 Hz", "3 kHz"]),
     "slow": lambda: four(shaft__main__speed="30 rpm"),
 }
 
@@ -56,6 +57,8 @@ def test_sheet_is_readable(result, size):
     for mode, frequency in enumerate(frequencies[:4], start=1):
         (said,) = (text for text in words if text.startswith(f"mode {mode}, "))
         assert f"{frequency:#.4g} Hz".replace(". ", " ") in said
+    tried = [text for text in words if text.endswith(" left over")]
+    assert len(tried) == (2 if "trial_residual" in result.catalogue else 0)
 
 
 def test_no_line_runs_through_the_name_of_a_frequency(result):

@@ -9,6 +9,7 @@ from cranktrain.io.description import counted_parts, kind_words, layout_words
 from cranktrain.language import said as _
 from cranktrain.layout.specs import ShaftSpec
 from cranktrain.machine import Machine
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.one_line import one_line
 from cranktrain.questions.cylinders.firing import Firing
 from cranktrain.saying.wording import as_given, in_words, ranged
@@ -63,9 +64,12 @@ def _made_of(machine: Machine) -> str:
 
 
 def _cycle(result: Result) -> str:
-    """Say how many strokes a cycle has, where anything fires."""
+    """Say how many strokes a cycle has, where anything fires; or that it has two turns, as its loads go on over two."""
     words = {"two-stroke": _("two-stroke"), "four-stroke": _("four-stroke")}
-    given = result.machines[0].cylinder.cycle
+    machine = result.machines[0]
+    given = machine.cylinder.cycle
+    if given is None and machine.cycle > TURN:
+        return _("two turns a cycle")
     return "" if given is None or result.get(Firing) is None else words[given]
 
 

@@ -148,6 +148,10 @@ WRONG = {
         {"force": ["1 kN", "2 kN"], "crank_angles": ["90 deg", "0 deg"]},
         "crankshaft.pull.belt.crank_angles: must rise from one place to the next",
     ),
+    "three turns": (
+        {"force": ["1 kN", "2 kN"], "crank_angles": ["0 deg", "900 deg"]},
+        "crankshaft.pull.belt.crank_angles: must reach over two turns at most, 720°",
+    ),
     "columns of no file": (
         {"force": "1 kN", "columns": [1, 2]},
         "crankshaft.pull.belt.file: is missing; text and columns are of a file",
