@@ -97,4 +97,5 @@ def _draw_shape(axes: Axes, shape: ShaftShape) -> None:
         axes.plot([place, other], shape.amplitude[[place, other]], color=COLOURS["s"], linewidth=1.4, dashes=dashes)
     axes.vlines(places, 0.0, shape.amplitude, color=MUTED, linewidth=0.6)
     axes.plot(places, shape.amplitude, "o", ms=3.2, color=COLOURS["s"], zorder=5)
-    axes.plot(shape.nodes, np.zeros_like(shape.nodes), "o", ms=4.0, mfc="white", mec=INK, mew=0.8, zorder=6)
+    if shape.nodes.size:
+        axes.plot(shape.nodes, np.zeros_like(shape.nodes), "o", ms=4.0, mfc="white", mec=INK, mew=0.8, zorder=6)
