@@ -13,9 +13,11 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms.drawing import Block
 from cranktrain.motion import Array
+from cranktrain.panels.crosshead import CrossheadDrawing
 from cranktrain.record import record
 
 __all__ = [
+    "CrossheadDrawing",
     "GuideDrawing",
     "LinkDrawing",
     "LoadDrawing",
@@ -98,6 +100,8 @@ class OutputDrawing:
         shaft.
     port : float or None
         Height of the ports that it opens. [m]
+    crosshead : CrossheadDrawing or None
+        Of a piston that works at its crank end, too: the pin is then the crosshead's, and a rod leads to the piston.
     """
 
     pin: str
@@ -108,6 +112,7 @@ class OutputDrawing:
     is_valve: bool
     is_far: bool
     port: float | None
+    crosshead: CrossheadDrawing | None
 
 
 @record

@@ -78,7 +78,7 @@ def machine_drawing(
     for place in places:
         centre = shafts.centres[place.shaft]
         moving = standing(placed(machine, place, phi), centre)
-        member = DrawnMechanism(place, not drawn, moving, sizes.bores.get(place.name), centre)
+        member = sizes.member(place, moving, centre, is_first=not drawn)
         drawn.append(_drawn(member, sizes, travel))
         reached += [pin[:, : _PATH.size] for pin in member.turn_pins.values()]
     return MachineDrawing(
@@ -195,6 +195,7 @@ def _output(member: DrawnMechanism, sizes: CylinderSizes, travel: Array) -> Outp
         is_valve=not place.kind.output.is_loaded,
         is_far=place.is_far,
         port=sizes.ports.get(place.cylinder, {}).get(place.name.rpartition(".")[2]),
+        crosshead=member.crosshead_along(travel),
     )
 
 

@@ -3,7 +3,6 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
@@ -11,8 +10,9 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing, Guide
 from cranktrain.motion import Array, Point
+from cranktrain.panels.crosshead import CrossheadDrawing, crosshead_of
 from cranktrain.plans.stroke_lines import Along, guide_line, unit
-from cranktrain.questions.cylinders.declared import cylinders_of
+from cranktrain.questions.cylinders.declared import SIDES, cylinders_of
 from cranktrain.record import record
 
 
@@ -33,6 +33,10 @@ class DrawnMechanism:
         Of its shaft, from the main one.
     cut : float
         By how much its rod is drawn too short, broken.
+    works_at_crank : bool
+        Whether its piston has a chamber at the crank end, so that a piston rod leads to a crosshead.
+    piston_rod : float or None
+        Diameter of that rod; None where the file has none.
     """
 
     place: PlacedMechanism
@@ -41,6 +45,8 @@ class DrawnMechanism:
     bore: float | None
     centre: Array
     cut: float = 0.0
+    works_at_crank: bool = False
+    piston_rod: float | None = None
 
     @cached_property
     def turn_pins(self) -> dict[str, Array]:
@@ -85,6 +91,17 @@ class DrawnMechanism:
         places = self.stroke_line.place(self.turn_pins[self.turn.guides[0].pin])
         return float(np.nanmin(places)), float(np.nanmax(places))
 
+    @cached_property
+    def crosshead(self) -> CrossheadDrawing | None:
+        """Crosshead and cylinder of a piston that works at its crank end; None of any other, or without a bore."""
+        return self.crosshead_along(np.array(self.travel))
+
+    def crosshead_along(self, travel: Array) -> CrossheadDrawing | None:
+        """Give crosshead and cylinder for a travel of the pin, its nearest and farthest place, shape (2,)."""
+        if self.bore is None or not self.works_at_crank:
+            return None
+        return crosshead_of(travel, self.bore, self.piston_rod)
+
     @property
     def toward_chamber(self) -> float:
         """+1 where its crown is the end away from its shaft, −1 of a piston with side rods."""
@@ -96,11 +113,38 @@ class DrawnMechanism:
         return self.bore if self.bore is not None else 0.6 * (self.travel[1] - self.travel[0])
 
 
-class CylinderSizes(NamedTuple):
-    """Bores by mechanism; heights of ports by cylinder, of each "exhaust" and "scavenge". [m]"""
+@record
+class CylinderSizes:
+    """How large cylinders are.
+
+    Attributes
+    ----------
+    bores : mapping of mechanism to float
+        [m]
+    ports : mapping of cylinder to mapping of "exhaust" and "scavenge" to float
+        Heights of ports. [m]
+    rods : mapping of mechanism to float or None
+        Diameters of the piston rods of those that work at their crank end, None where the file has none. [m]
+    """
 
     bores: Mapping[str, float]
     ports: Mapping[str, Mapping[str, float]]
+    rods: Mapping[str, float | None]
+
+    def member(
+        self, place: PlacedMechanism, turn: Drawing, centre: Array, *, is_first: bool, per_metre: float = 1.0
+    ) -> DrawnMechanism:
+        """Give a mechanism to draw with its sizes, in a unit of length of which a metre has so many."""
+        bore, rod = self.bores.get(place.name), self.rods.get(place.name)
+        return DrawnMechanism(
+            place=place,
+            is_first=is_first,
+            turn=turn,
+            bore=None if bore is None else per_metre * bore,
+            centre=centre,
+            works_at_crank=place.name in self.rods,
+            piston_rod=None if rod is None else per_metre * rod,
+        )
 
 
 def cylinder_sizes(machine: Machine, places: Sequence[PlacedMechanism]) -> CylinderSizes:
@@ -116,7 +160,13 @@ def cylinder_sizes(machine: Machine, places: Sequence[PlacedMechanism]) -> Cylin
         }
         for cylinder in cylinders
     }
-    return CylinderSizes({name: bore.si for name, bore in bored if bore is not None}, ports)
+    rods = {
+        pistons[i].name: None if one.piston_rod is None else one.piston_rod.si
+        for one in cylinders
+        if SIDES[1] in one.chambers
+        for i in one.pistons
+    }
+    return CylinderSizes({name: bore.si for name, bore in bored if bore is not None}, ports, rods)
 
 
 def standing(drawing: Drawing, centre: Array, cut: float = 0.0) -> Drawing:

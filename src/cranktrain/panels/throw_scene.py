@@ -33,6 +33,9 @@ _BREAK, _BROKEN = 8.0, 0.8
 _ABOVE, _CLEARANCE = 0.45, 0.02
 """Crown above the piston pin, and least room between two crowns, in parts of the bore."""
 
+_SHARED = 1e-9
+"""Pins that are never farther apart, in parts of all that is drawn, are one."""
+
 _STAR = 3
 """So many slaves on one master make its big end a disc."""
 
@@ -90,6 +93,20 @@ class Scene:
             for one, other in (found for found in cylinders.values() if len(found) == _PAIR)
         )
 
+    @cached_property
+    def shared_pins(self) -> Mapping[str, frozenset[str]]:
+        """Pins of members drawn link by link that are an engine's, too, which draws them: by the member's name."""
+        engines = [pin for one in self.members if not one.is_plain for pin in one.turn_pins.values()]
+        within = _SHARED * self.size
+        return {
+            member.place.name: frozenset(
+                name
+                for name, pin in member.turn_pins.items()
+                if member.is_plain and any(np.nanmax(np.abs(pin - one), initial=0.0) < within for one in engines)
+            )
+            for member in self.members
+        }
+
     @property
     def singles(self) -> tuple[DrawnMechanism, ...]:
         """Sliders that have their cylinder for themselves."""
@@ -131,6 +148,8 @@ class Scene:
 
     def above(self, member: DrawnMechanism) -> float:
         """Height of a slider's crown over its pin: schematic, but two in one cylinder do not meet. [mm]"""
+        if member.crosshead is not None:
+            return member.crosshead.rod_length + 0.5 * member.crosshead.piston
         usual = _ABOVE * member.width
         for one, other in self.pairs:
             if member in (one, other):
@@ -183,15 +202,14 @@ def scene_of(
     By the speed go some loads.
     """
     places = first_throw(machine) if throw is None else throw
-    bores, heights = cylinder_sizes(machine, places)
+    sizes = cylinder_sizes(machine, places)
     shafts = shaft_places(machine)
     members: list[DrawnMechanism] = []
     for number, place in enumerate(places):
         centre = shown(shafts.centres.get(place.shaft, np.zeros(2)), "mm")
         turn = standing(placed(machine, place, _TURN).scaled(shown(1.0, "mm")), centre)
-        bore = bores.get(place.name)
-        members.append(DrawnMechanism(place, number == 0, turn, None if bore is None else shown(bore, "mm"), centre))
-    ports = {cylinder: {end: shown(height, "mm") for end, height in ends.items()} for cylinder, ends in heights.items()}
+        members.append(sizes.member(place, turn, centre, is_first=number == 0, per_metre=shown(1.0, "mm")))
+    ports = {name: {end: shown(height, "mm") for end, height in ends.items()} for name, ends in sizes.ports.items()}
     loads = shown_loads(machine, places, speed, np.zeros(2))
     return Scene(machine, _broken(tuple(members)), ports, shafts.assumed, is_alone, loads)
 

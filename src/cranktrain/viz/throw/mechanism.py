@@ -11,7 +11,7 @@ from cranktrain.panels.throw_member import DrawnMechanism
 from cranktrain.panels.throw_scene import BIG_EYE, SMALL_EYE, Scene
 from cranktrain.plans.stroke_lines import Along, guide_line
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Fill, Line, Sketch
 from cranktrain.viz.throw.angle_marks import degree_ring, rotations
 from cranktrain.viz.throw.annotations import (
     bank_angle,
@@ -22,7 +22,7 @@ from cranktrain.viz.throw.annotations import (
     point_names,
     throw_loads,
 )
-from cranktrain.viz.throw.cylinders import common_cylinder, cylinder, skirt
+from cranktrain.viz.throw.cylinders import common_cylinder, crosshead_parts, cylinder, skirt
 
 _COARSE = 5
 """Of a point's curve so manyth a point says where there is no room for a figure of the ring. [deg]"""
@@ -167,9 +167,11 @@ def _links(scene: Scene, member: DrawnMechanism, angle: float, scale: float) -> 
 
 def _plain_links(scene: Scene, member: DrawnMechanism, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
     """Every link but the crank as a bar through its pins, pins as eyes, fixed ones on their bearings."""
-    radius = scene.crank_radius
+    radius, shared = scene.crank_radius, scene.shared_pins[member.place.name]
     for link in member.turn.links[1:]:
         for start, end in pairwise(_metal(member, link)):
+            if start in shared and end in shared:
+                continue  # such as the connecting rod whose crosshead moves a valve gear
             yield shapes.bar(pins[start], pins[end], (0.24 * radius, 0.22 * radius), "paper", 5)
     if member.cut and member.output is not None:
         yield from _break(pins[member.crank_pin], pins[member.output], radius, scale)
@@ -177,7 +179,7 @@ def _plain_links(scene: Scene, member: DrawnMechanism, pins: dict[str, Array], s
     fixed = [name for name in member.turn.fixed if name != "O"]
     moving = [name for link in member.turn.links for name in _metal(member, link)[1:]]
     output = [] if member.output is None else [member.output]
-    for name in dict.fromkeys(fixed + moving + output):
+    for name in dict.fromkeys(name for name in fixed + moving + output if name not in shared):
         yield from shapes.eye(pins[name], SMALL_EYE * radius, _SMALL_PIN * radius, "paper", 7)
     for name in fixed:
         yield from shapes.pivot(pins[name], 0.45 * radius, scale)
@@ -205,6 +207,8 @@ def _other_sliders(
     """Sliders beside the output: blocks between short guides, joined to the pin that drives them in a slot."""
     size = max(0.4 * scene.crank_radius, 1.5 * scale)
     for guide in member.turn.guides[1:]:
+        if guide.pin in scene.shared_pins[member.place.name]:
+            continue
         pin = pins[guide.pin]
         line = guide_line(guide.direction, pin)
         travel = line.along @ member.turn_pins[guide.pin]
@@ -220,8 +224,12 @@ def _other_sliders(
 
 
 def _slider(scene: Scene, member: DrawnMechanism, angle: float) -> Iterator[Line]:
-    """Piston; where no bore is known, a crosshead."""
-    fill = "light" if member.is_first else "paper"
+    """Piston, behind a crosshead where it works at its crank end; where no bore is known, a crosshead alone."""
+    fill: Fill = "light" if member.is_first else "paper"
+    if member.crosshead is not None:
+        pin = scene.reach(member, angle)
+        yield from crosshead_parts(member.stroke_line, pin, member.width, member.crosshead, fill)
+        return
     above, below = (member.toward_chamber * part for part in (scene.above(member), skirt(scene, member)))
     parts = tuple(shapes.piston(member.stroke_line, scene.reach(member, angle), member.width, above, below, fill))
     yield from parts if member.bore is not None else parts[:1]
