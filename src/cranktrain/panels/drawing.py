@@ -14,6 +14,7 @@ from cranktrain.language import _
 from cranktrain.mechanisms.drawing import Block
 from cranktrain.motion import Array
 from cranktrain.panels.crosshead import CrossheadDrawing
+from cranktrain.panels.ram import RamDrawing
 from cranktrain.record import record
 
 __all__ = [
@@ -24,6 +25,7 @@ __all__ = [
     "MachineDrawing",
     "MechanismDrawing",
     "OutputDrawing",
+    "RamDrawing",
     "ShaftDrawing",
 ]
 
@@ -102,6 +104,8 @@ class OutputDrawing:
         Height of the ports that it opens. [m]
     crosshead : CrossheadDrawing or None
         Of a piston that works at its crank end, too: the pin is then the crosshead's, and a rod leads to the piston.
+    ram : RamDrawing or None
+        Of a slider without a cylinder that works downward, as a press's.
     """
 
     pin: str
@@ -113,6 +117,7 @@ class OutputDrawing:
     is_far: bool
     port: float | None
     crosshead: CrossheadDrawing | None
+    ram: RamDrawing | None
 
 
 @record

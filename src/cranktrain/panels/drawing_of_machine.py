@@ -196,6 +196,7 @@ def _output(member: DrawnMechanism, sizes: CylinderSizes, travel: Array) -> Outp
         is_far=place.is_far,
         port=sizes.ports.get(place.cylinder, {}).get(place.name.rpartition(".")[2]),
         crosshead=member.crosshead_along(travel),
+        ram=member.ram_along(travel),
     )
 
 

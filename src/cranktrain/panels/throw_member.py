@@ -9,8 +9,10 @@ import numpy as np
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing, Guide
+from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Point
 from cranktrain.panels.crosshead import CrossheadDrawing, crosshead_of
+from cranktrain.panels.ram import RamDrawing, ram_of, upward
 from cranktrain.plans.stroke_lines import Along, guide_line, unit
 from cranktrain.questions.cylinders.declared import SIDES, cylinders_of
 from cranktrain.record import record
@@ -37,6 +39,8 @@ class DrawnMechanism:
         Whether its piston has a chamber at the crank end, so that a piston rod leads to a crosshead.
     piston_rod : float or None
         Diameter of that rod; None where the file has none.
+    is_bare : bool
+        Whether it works on something outside a cylinder, as a press's ram does.
     """
 
     place: PlacedMechanism
@@ -47,6 +51,7 @@ class DrawnMechanism:
     cut: float = 0.0
     works_at_crank: bool = False
     piston_rod: float | None = None
+    is_bare: bool = False
 
     @cached_property
     def turn_pins(self) -> dict[str, Array]:
@@ -102,6 +107,15 @@ class DrawnMechanism:
             return None
         return crosshead_of(travel, self.bore, self.piston_rod)
 
+    @cached_property
+    def ram(self) -> RamDrawing | None:
+        """Ram over its bed, of a slider without a cylinder that works downward; None of any other."""
+        return self.ram_along(np.array(self.travel)) if self.output is not None else None
+
+    def ram_along(self, travel: Array) -> RamDrawing | None:
+        """Give the ram for a travel of the pin, its nearest and farthest place, shape (2,)."""
+        return ram_of(travel) if self.is_bare and upward(self.stroke_line.along) < 0 else None
+
     @property
     def toward_chamber(self) -> float:
         """+1 where its crown is the end away from its shaft, −1 of a piston with side rods."""
@@ -110,6 +124,8 @@ class DrawnMechanism:
     @property
     def width(self) -> float:
         """Bore; where the file has none, 0.6 of the stroke for the crosshead that is drawn instead."""
+        if self.ram is not None:
+            return self.ram.width
         return self.bore if self.bore is not None else 0.6 * (self.travel[1] - self.travel[0])
 
 
@@ -123,6 +139,8 @@ class CylinderSizes:
         [m]
     ports : mapping of cylinder to mapping of "exhaust" and "scavenge" to float
         Heights of ports. [m]
+    bare : set of mechanism
+        Those that work on something outside a cylinder.
     rods : mapping of mechanism to float or None
         Diameters of the piston rods of those that work at their crank end, None where the file has none. [m]
     """
@@ -130,6 +148,7 @@ class CylinderSizes:
     bores: Mapping[str, float]
     ports: Mapping[str, Mapping[str, float]]
     rods: Mapping[str, float | None]
+    bare: frozenset[str]
 
     def member(
         self, place: PlacedMechanism, turn: Drawing, centre: Array, *, is_first: bool, per_metre: float = 1.0
@@ -144,7 +163,19 @@ class CylinderSizes:
             centre=centre,
             works_at_crank=place.name in self.rods,
             piston_rod=None if rod is None else per_metre * rod,
+            is_bare=place.name in self.bare,
         )
+
+
+def output_of(machine: Machine, place: PlacedMechanism) -> OutputPart:
+    """Say what the last part of a mechanism is: where the file has no cylinders, what could work in one is a ram."""
+    output = place.kind.output
+    return output if machine.cylinder.model_fields_set or output.bare is None else output.bare
+
+
+def is_ram(output: OutputPart) -> bool:
+    """Whether a part is a slider that works on something outside a cylinder."""
+    return output.is_slider and output.is_loaded and not output.has_chambers
 
 
 def cylinder_sizes(machine: Machine, places: Sequence[PlacedMechanism]) -> CylinderSizes:
@@ -166,7 +197,8 @@ def cylinder_sizes(machine: Machine, places: Sequence[PlacedMechanism]) -> Cylin
         if SIDES[1] in one.chambers
         for i in one.pistons
     }
-    return CylinderSizes({name: bore.si for name, bore in bored if bore is not None}, ports, rods)
+    bare = (one.name for one in pistons if is_ram(output_of(machine, one)))
+    return CylinderSizes({name: bore.si for name, bore in bored if bore is not None}, ports, rods, frozenset(bare))
 
 
 def standing(drawing: Drawing, centre: Array, cut: float = 0.0) -> Drawing:

@@ -150,6 +150,8 @@ class Scene:
         """Height of a slider's crown over its pin: schematic, but two in one cylinder do not meet. [mm]"""
         if member.crosshead is not None:
             return member.crosshead.rod_length + 0.5 * member.crosshead.piston
+        if member.ram is not None:
+            return member.ram.face
         usual = _ABOVE * member.width
         for one, other in self.pairs:
             if member in (one, other):

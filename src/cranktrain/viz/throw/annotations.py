@@ -4,12 +4,15 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.panels.throw_member import DrawnMechanism
 from cranktrain.panels.throw_scene import BIG_EYE, Scene
 from cranktrain.plans.acting_loads import ActingLoad
-from cranktrain.plans.stroke_lines import unit
+from cranktrain.plans.stroke_lines import Along, unit
 from cranktrain.plans.vectors import angle_of, spoken_name
+from cranktrain.saying.scales import scale_for
+from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.load_arrows import ArrowSizes, LoadMark, load_marks, load_wishes
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch, Wish, label_outline, placed_labels
@@ -19,6 +22,9 @@ _LEADER = 5.0
 """A name farther from what it names than this has a line to it. [mm of paper]"""
 
 _PAIR = 2
+
+_BESIDE, _TIP, _LINE = 4.0, 2.0, 4.0
+"""How far a dimension stands from a ram, length of its arrowheads, height of a line of words. [mm of paper]"""
 
 _LONGEST, _HEAD, _RADIUS = 0.16, 0.028, 0.05
 """Longest arrow, its head, and least radius of an arc, in parts of the throw's size: alike on a sheet and in a film."""
@@ -78,6 +84,48 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
 def _middle(member: DrawnMechanism) -> Array:
     """Middle of a piston pin's travel."""
     return member.stroke_line.at(0.5 * sum(member.travel))
+
+
+def stroke_ends(scene: Scene, member: DrawnMechanism, angles: Sequence[float], scale: float) -> Iterator[Line | Label]:
+    """Ends of a ram's stroke beside it, the upper and the lower as the machine stands, with the stroke between."""
+    if member.ram is None or len(angles) != _PAIR:
+        return
+    line, ram = member.stroke_line, member.ram
+    right = 1.0 if line.across[0] > 0 else -1.0
+    beside = 0.5 * member.width + _BESIDE * scale
+    apart = max(0.5 * (_LINE - (ram.ends[1] - ram.ends[0]) / scale), 0.0)
+    words = {True: _("upper {angle}"), False: _("lower {angle}")}
+    for angle in angles:
+        place = scene.reach(member, angle) + ram.face
+        is_upper = bool(place < np.mean(ram.ends))
+        yield Line(
+            line.path((place, right * 0.5 * member.width), (place, right * (beside + 1.5 * scale))),
+            "DIMENSIONS",
+            "thin",
+            2,
+        )
+        text = words[is_upper].format(angle=f"{angle:.2f}°")
+        at = place - (apart if is_upper else -apart) * scale
+        yield Label(_beside(line.at(at, right * (beside + 1.5 * scale)), text, scale), text)
+    yield from _dimension(line, (float(ram.ends[0]), float(ram.ends[1])), right * beside, scale)
+
+
+def _dimension(line: Along, ends: tuple[float, float], across: float, scale: float) -> Iterator[Line | Label]:
+    """A dimension between two places along a line, with its length where there is room."""
+    start, end = line.path(*((place, across) for place in ends)).T
+    yield Line(np.stack([start, end], axis=1), "DIMENSIONS", "thin", 2)
+    for tip, other in ((start, end), (end, start)):
+        yield shapes.arrowhead(tip, angle_of(tip - other), _TIP * scale)
+    length = float(1e-3 * (ends[1] - ends[0]))
+    if ends[1] - ends[0] > 3.0 * _LINE * scale:
+        text = with_unit(length, scale_for("m", length))
+        yield Label(_beside(0.5 * (start + end), text, scale), text)
+
+
+def _beside(point: Array, text: str, scale: float) -> Array:
+    """Middle of a label that begins to the right of a point."""
+    width = float(np.ptp(label_outline(Label(point, text), scale)[0]))
+    return point + np.array([0.5 * width + scale, 0.0])
 
 
 def bank_angle(scene: Scene, scale: float) -> Iterator[Line | Label]:

@@ -18,6 +18,9 @@ _GAP = 0.05
 _GLAND = 0.12
 """How far a gland reaches beyond its piston rod, in parts of the bore."""
 
+_BED = 1.1
+"""How far a bed reaches to either side of a ram, in parts of its width."""
+
 _RINGS = (-0.25, 0.0, 0.25)
 """Where the rings of a double-acting piston are, from its middle, in parts of its thickness."""
 
@@ -34,6 +37,8 @@ def skirt(scene: Scene, member: DrawnMechanism) -> float:
     """How far the skirt, or a crosshead, reaches below its pin. [mm]"""
     if member.crosshead is not None:
         return 0.5 * float(member.crosshead.shoe[0])
+    if member.ram is not None:
+        return member.ram.back
     return (_BELOW_IN_STAR if scene.is_star else _BELOW) * member.width
 
 
@@ -41,6 +46,8 @@ def wall_end(scene: Scene, member: DrawnMechanism) -> float:
     """Where a cylinder ends, from the shaft. [mm]"""
     if member.crosshead is not None:
         return float(member.crosshead.covers[1])
+    if member.ram is not None:
+        return member.ram.bed
     beyond = _BELOW * member.width if member.place.is_far else scene.above(member) + _GAP * member.width
     return member.travel[1] + beyond
 
@@ -49,12 +56,19 @@ def cylinder(scene: Scene, member: DrawnMechanism, scale: float) -> Iterator[Lin
     """Centre line and walls; a crosshead runs between guides that are open at the end."""
     line = member.stroke_line
     end = wall_end(scene, member)
-    yield Line(line.path((0.0, 0.0), (end + 2.0 * scale, 0.0)), "GUIDES", "axis", 2)
+    if member.ram is not None:
+        end = float(member.ram.ends[0])  # its guides leave the face free
+    yield Line(line.path((0.0, 0.0), (wall_end(scene, member) + 2.0 * scale, 0.0)), "GUIDES", "axis", 2)
     if member.crosshead is not None:
         yield from _covered_cylinder(line, member.width, member.crosshead, scale)
         return
     span = wall_start(scene, member), end
     yield from shapes.walls(line, member.width, span, scale, has_head=member.bore is not None)
+    if member.ram is not None:
+        half = _BED * member.width
+        bed = line.path((member.ram.bed, -half), (member.ram.bed, half))
+        yield Line(bed, "GUIDES", "outline", 2)
+        yield shapes.hatch(bed[:, 0], bed[:, 1], line.along, scale)
 
 
 def _covered_cylinder(line: Along, bore: float, crosshead: CrossheadDrawing, scale: float) -> Iterator[Line]:

@@ -20,6 +20,7 @@ from cranktrain.viz.throw.annotations import (
     moving_lines,
     piston_names,
     point_names,
+    stroke_ends,
     throw_loads,
 )
 from cranktrain.viz.throw.cylinders import common_cylinder, crosshead_parts, cylinder, skirt
@@ -84,6 +85,8 @@ def mechanism_sketch(
         if has_ring:
             sketch.add(degree_ring(scene, _lines_of_links(scene, angle, dead), angle, scale))
             sketch.add(rotations(scene, scale))
+        for member, angles in zip(scene.members, dead, strict=False):
+            sketch.add(stroke_ends(scene, member, angles, scale))
         sketch.add(piston_names(scene, angle, sketch))
         sketch.add(point_names(scene, angle, sketch))
         sketch.add(bank_angle(scene, scale))

@@ -1,15 +1,20 @@
 """Where pistons, cylinders or a rocker are at the ends of their way: marks for a ruler over the curves."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.language import Listed, Words, _
+from cranktrain.machine import Machine
 from cranktrain.panels.design import OneDesign
 from cranktrain.panels.parts import Ruler, RulerMark
+from cranktrain.panels.ram import upward
 from cranktrain.panels.sheets.motion.panels import FEW, drawn_forms, drawn_names, opposed_names
+from cranktrain.panels.throw_member import is_ram, output_of
 from cranktrain.plans.drawn_throws import drawn_places
+from cranktrain.plans.placement import placed
+from cranktrain.plans.stroke_lines import unit
 from cranktrain.saying.wording import first_that_holds
 
 _ENDS = {
@@ -50,10 +55,8 @@ def ruler_of(result: Result, design: int = 0, mechanism: str | None = None) -> R
         if shown.has("crank_range_start"):
             heading = _("The crank does not turn all round")
         return Ruler(heading, found)
-    said = {place.name: place.kind.output.words for place in machine.places}
-    ends = {name: (_(words.ends[0]), _(words.ends[1])) for name, words in said.items() if words is not None}
     valves = {place.name for place in machine.places if not place.kind.output.is_loaded}
-    words = {name: ends[name] for name in drawn_names(shown, "piston")}
+    words = dict(_words_of_sliders(machine, drawn_names(shown, "piston")))
     found = tuple(_marks(shown, "piston", words))
     names = tuple(dict.fromkeys(mark.name for mark in found))
     heading = first_that_holds(
@@ -63,6 +66,19 @@ def ruler_of(result: Result, design: int = 0, mechanism: str | None = None) -> R
         (True, _("True dead centres")),
     )
     return Ruler(heading, found, names, _textbook_words(shown))
+
+
+def _words_of_sliders(machine: Machine, names: Sequence[str]) -> Iterator[tuple[str, tuple[Words, Words]]]:
+    """Words of the far end of each slider's way and of the near one; of a ram as the machine stands."""
+    for place in machine.places:
+        output = output_of(machine, place)
+        if place.name in names and output.words is not None:
+            far, near = map(_, output.words.ends)
+            guides = placed(machine, place, np.zeros(1)).guides if is_ram(output) else ()
+            up = upward(unit(guides[0].direction).reshape(2)) if guides else 0
+            if up:
+                far, near = (_("upper"), _("lower"))[::up]
+            yield place.name, (far, near)
 
 
 def _marks(shown: OneDesign, dimension: str, words: Mapping[str, tuple[Words, Words]]) -> Iterator[RulerMark]:

@@ -16,6 +16,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics.ties import largest_of
 from cranktrain.panels.design import OneDesign
 from cranktrain.panels.shapes import Curve, Panel, Role
+from cranktrain.panels.throw_member import output_of
 from cranktrain.plans.drawn_throws import drawn_places
 from cranktrain.plans.turning import turning
 
@@ -169,7 +170,8 @@ def _titles(shown: OneDesign, dimension: str) -> tuple[Words, Words, Words]:
         return _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
     result, design, _mechanism = shown
     names = drawn_names(shown, "piston")
-    drawn = (place.kind.output.words for place in result.machines[design].places if place.name in names)
+    machine = result.machines[design]
+    drawn = (output_of(machine, place).words for place in machine.places if place.name in names)
     titles = {words.titles for words in drawn if words is not None}
     if len(titles) == 1:
         ((travel, velocity, acceleration),) = titles
