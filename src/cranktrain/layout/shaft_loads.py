@@ -1,6 +1,6 @@
 """Loads of a machine file on a shaft: torques of given size, or of one found so that it balances the machine."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from functools import partial
 from typing import ClassVar, NamedTuple
 
@@ -11,7 +11,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.load_laws import ByAngle, Law, LoadState
 from cranktrain.layout.load_tables import LoadSpec, LoadTables
-from cranktrain.layout.loads import LOAD, is_on_shaft, law_of
+from cranktrain.layout.loads import LOAD, Laid, is_on_shaft, law_of
 from cranktrain.motion import ZERO, Array
 from cranktrain.numerics.designs import by_design
 from cranktrain.numerics.polyline import polyline_mean
@@ -65,20 +65,27 @@ class LoadsOnShafts:
 
 def shaft_loads_of(designs: Designs, together: LoadTables) -> LoadsOnShafts | None:
     """Put the loads of all designs, as `tables_together` gives them, to the shafts; None where there is none."""
-    is_against = designs.together.orientation.is_astern
-    found = [
+    whole = designs.together
+    found = torques_on_shafts(together, whole.shafts, designs.by_design, is_astern=whole.orientation.is_astern)
+    return LoadsOnShafts(found) if found else None
+
+
+def torques_on_shafts(
+    loads: LoadTables, shafts: Container[str], laid: Laid, *, is_astern: bool
+) -> tuple[TorqueOnShaft, ...]:
+    """Put loads to shafts, their numbers laid into arrays of all designs, of a machine that runs astern or not."""
+    return tuple(
         TorqueOnShaft(
             name,
             spec.on,
-            -1.0 if spec.sense == "resisting" or is_against else 1.0,
-            law_of(designs.by_design, spec),
+            -1.0 if spec.sense == "resisting" or is_astern else 1.0,
+            law_of(laid, spec),
             spec.is_balanced,
             spec.sense == "resisting",
         )
-        for name, spec in together.get(LOAD, {}).items()
-        if is_on_shaft(LOAD, spec, designs.together.shafts)
-    ]
-    return LoadsOnShafts(tuple(found)) if found else None
+        for name, spec in loads.get(LOAD, {}).items()
+        if is_on_shaft(LOAD, spec, shafts)
+    )
 
 
 def on_shafts(design: Design) -> Mapping[str, LoadSpec]:

@@ -182,12 +182,13 @@ class LoadDrawing:
     Attributes
     ----------
     name, mechanism, link : str
-        As the file calls it; on what it acts.
+        As the file calls it; on what it acts: of a torque on a shaft no mechanism, and the shaft by its name.
     is_torque : bool
     is_rope : bool
         Whether its direction stays, off an arc about the link's first pin.
     size : Array, shape (n,)
-        Along its way, less than 0 against that; of a torque anticlockwise. [N or N·m]
+        Along its way, less than 0 against that; of a torque anticlockwise; NaN of one that is found so that it balances
+        the machine. [N or N·m]
     largest : float
         Largest size of all forces on what is drawn over the cycle, or of all torques: what arrows are in parts of.
         [N or N·m]

@@ -217,7 +217,7 @@ def _loads(
     loads = shown_loads(machine, places, speed, np.zeros(2)) if places else None
     if loads is None:
         return
-    for one in loads.at(angles):
+    for one in (*loads.at(angles), *loads.on_shafts_at(angles)):
         largest = loads.largest[one.is_torque]
         yield LoadDrawing(
             name=one.name,

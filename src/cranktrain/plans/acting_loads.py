@@ -5,6 +5,7 @@ All axes are the machine's, X right and Y up, seen from the free end.
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -12,10 +13,12 @@ import numpy as np
 from cranktrain.layout.frames import Frame, in_machine_axes
 from cranktrain.layout.loads import LinkLoad
 from cranktrain.layout.places import PlacedMechanism
+from cranktrain.layout.shaft_loads import TorqueOnShaft, torques_on_shafts
 from cranktrain.linkage.vectors import Vector, direction, swept
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, Link
-from cranktrain.plans.placement import frame
+from cranktrain.numerics.designs import by_design
+from cranktrain.plans.placement import frame, placed
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 
 _FORCE, _TORQUE = "Q", "M"
@@ -30,7 +33,7 @@ class ActingLoad(NamedTuple):
     name : str
         As the machine file calls it.
     mechanism, link : str
-        On what it acts, by the mechanism's own name of its link.
+        On what it acts, by the mechanism's own name of its link; of a torque on a shaft none, and the shaft's.
     is_torque : bool
     is_rope : bool
         Whether its direction stays, off an arc about the link's first pin.
@@ -143,6 +146,60 @@ def _acting(
         turned(*direction(link)),
         turn * (np.ravel(link.angle.first) + np.zeros(angle.shape)),
         turn,
+    )
+
+
+def loads_on_shafts(
+    machine: Machine, loaded: LoadedMachine, places: Sequence[PlacedMechanism], angle: Array
+) -> tuple[ActingLoad, ...]:
+    """Torques of the file on the shafts of some mechanisms.
+
+    Parameters
+    ----------
+    machine : Machine
+    loaded : LoadedMachine
+        The same, made ready.
+    places : sequence of PlacedMechanism
+    angle : Array, shape (n,)
+        φ. [rad]
+
+    Returns
+    -------
+    tuple of ActingLoad
+        Of no mechanism, by the names of their shafts; about each shaft's centre, along the crank of the first of the
+        mechanisms on it. The size of one that balances the machine is NaN: it resists.
+    """
+    found = torques_on_shafts(
+        machine.loads, machine.shafts, partial(by_design, n_designs=1), is_astern=machine.orientation.is_astern
+    )
+    first = {place.shaft: place for place in reversed(places)}
+    return tuple(_on_shaft(machine, loaded, load, first[load.shaft], angle) for load in found if load.shaft in first)
+
+
+def _on_shaft(
+    machine: Machine, loaded: LoadedMachine, load: TorqueOnShaft, place: PlacedMechanism, angle: Array
+) -> ActingLoad:
+    """One torque on the shaft of a mechanism."""
+    own, turn = angle[np.newaxis, np.newaxis], -float(frame(machine, place).sense)
+    size = np.full(angle.shape, np.nan)
+    if not load.is_balanced:
+        size = turn * (load.value(own - machine.zero, loaded.speed.drive(own).speed).reshape(-1) + 0.0 * angle)
+    drawing, still = placed(machine, place, angle), np.zeros((2, angle.size))
+    shaft, pin = (drawing.positions[name] for name in drawing.links[0].pins[:2])
+    return ActingLoad(
+        name=load.name,
+        mechanism="",
+        link=load.shaft,
+        is_torque=True,
+        is_rope=False,
+        size=size,
+        way=still,
+        place=still,
+        pin=still,
+        velocity=still,
+        along=(pin - shaft) / np.hypot(*(pin - shaft)),
+        turning=np.full(angle.shape, turn),
+        sense=turn,
     )
 
 

@@ -10,7 +10,7 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.acting import made_ready
-from cranktrain.plans.acting_loads import ActingLoad, acting_loads
+from cranktrain.plans.acting_loads import ActingLoad, acting_loads, loads_on_shafts
 from cranktrain.plans.placement import shaft_places
 from cranktrain.quantities import shown
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
@@ -51,9 +51,19 @@ class ShownLoads:
             for load in acting_loads(self.machine, self.loaded, place, phi):
                 yield load.moved(away)
 
+    def on_shafts_at(self, angles: Array) -> tuple[ActingLoad, ...]:
+        """Torques on the shafts of the mechanisms at crank angles as the machine shows them [deg], about the shafts."""
+        phi = np.deg2rad(angles) + self.machine.zero
+        centres = shaft_places(self.machine).centres
+        return tuple(
+            load.moved((centres.get(load.link, np.zeros(2)) - self.origin).reshape(2, 1))
+            for load in loads_on_shafts(self.machine, self.loaded, self.places, phi)
+        )
+
     @cached_property
     def _over_cycle(self) -> tuple[ActingLoad, ...]:
-        return self.at(np.arange(0.0, shown(self.machine.cycle, "deg"), _STEP))
+        angles = np.arange(0.0, shown(self.machine.cycle, "deg"), _STEP)
+        return (*self.at(angles), *self.on_shafts_at(angles))
 
     @cached_property
     def outline(self) -> Array:
@@ -66,7 +76,7 @@ class ShownLoads:
         """Largest size over the cycle, of torques and of forces: by whether it is a torque. [N·m or N]"""
         found = {True: 0.0, False: 0.0}
         for load in self._over_cycle:
-            found[load.is_torque] = max(found[load.is_torque], float(np.nanmax(np.abs(load.size))))
+            found[load.is_torque] = max(found[load.is_torque], float(np.nanmax(np.abs(load.size), initial=0.0)))
         return found
 
 

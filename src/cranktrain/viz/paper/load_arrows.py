@@ -32,6 +32,12 @@ _SHORTEST, _DASHED = 0.3, 0.6
 _SWEEP = (np.pi / 2, 1.5 * np.pi)
 """Angles of the smallest arc and of the largest about a pin. [rad]"""
 
+_UNKNOWN = 0.5
+"""How large a torque is drawn, in parts of the largest, that is found so that it balances the machine."""
+
+_WIDER = 0.35
+"""By how much the next arc about the same pin is wider, in parts of the first."""
+
 _ASIDE, _ONE_LINE = 0.14, 0.05
 """How far arrows of one line stand apart, and how near to each other two are on one, in parts of the longest."""
 
@@ -42,6 +48,16 @@ class ArrowSizes(NamedTuple):
     longest: float
     head: float
     radius: float
+
+
+class Body(NamedTuple):
+    """How far a body reaches from a force's point along the way of the force, and against it. [mm of metal]"""
+
+    ahead: float
+    behind: float
+
+
+_POINT = Body(0.0, 0.0)
 
 
 class LoadMark(NamedTuple):
@@ -59,7 +75,11 @@ class LoadMark(NamedTuple):
 
 
 def load_marks(
-    loads: Sequence[ActingLoad], largest: dict[bool, float], room: ArrowSizes, links: Sequence[Array]
+    loads: Sequence[ActingLoad],
+    largest: dict[bool, float],
+    room: ArrowSizes,
+    links: Sequence[Array],
+    bodies: Mapping[tuple[str, str], Body] | None = None,
 ) -> Iterator[LoadMark]:
     """Draw loads at one crank angle, places in mm of metal; dashed where there is none.
 
@@ -72,11 +92,19 @@ def load_marks(
     room : ArrowSizes
     links : sequence of Array, shape (2, n)
         Lines to keep clear of.
+    bodies : mapping, optional
+        Bodies that are drawn about the points of forces, by mechanism and name: arrows stand outside them.
     """
     taken: list[tuple[Array, Array]] = []
+    arcs: list[Array] = []
     for load in loads:
-        share = min(abs(float(load.size[0])) / (largest[load.is_torque] or 1.0), 1.0)
-        mark = _arc(load, share, room) if load.is_torque else _arrow(load, share, room, links, taken)
+        size = abs(float(load.size[0]))
+        share = min(size / (largest[load.is_torque] or 1.0), 1.0) if np.isfinite(size) else _UNKNOWN
+        if load.is_torque:
+            mark = _arc(load, share, room, arcs)
+        else:
+            body = (bodies or {}).get((load.mechanism, load.name), _POINT)
+            mark = _arrow(load, share, room, links, taken, body)
         if mark is not None:
             yield mark
 
@@ -84,6 +112,8 @@ def load_marks(
 def load_words(load: ActingLoad, at: int = 0) -> str:
     """Name a load with its size at one of its crank angles."""
     size = abs(float(load.size[at]))
+    if np.isnan(size):
+        return load_name(load)
     scale = scale_for("N*m" if load.is_torque else "N", size)
     return f"{load_name(load)} {with_unit(size, scale)}"
 
@@ -103,7 +133,12 @@ def load_wishes(marks: Sequence[LoadMark], symbols: Mapping[tuple[str, str], str
 
 
 def _arrow(
-    load: ActingLoad, share: float, room: ArrowSizes, links: Sequence[Array], taken: list[tuple[Array, Array]]
+    load: ActingLoad,
+    share: float,
+    room: ArrowSizes,
+    links: Sequence[Array],
+    taken: list[tuple[Array, Array]],
+    body: Body,
 ) -> LoadMark | None:
     """A force; None of one that goes nowhere."""
     way, point = load.way[:, 0], load.place[:, 0]
@@ -111,7 +146,8 @@ def _arrow(
         return None
     size = float(load.size[0])
     side = pulled_side(size) if load.is_rope else clear_side(point, way, room.longest, links)
-    start = point + _aside(point, way, room.longest, taken)
+    beyond = body.ahead if side > 0 else body.behind
+    start = point + side * beyond * way + _aside(point, way, room.longest, taken)
     held = tuple(held_by(load, 0, room.longest))
     if share <= _NONE:
         end = start + side * way * _DASHED * room.longest
@@ -179,17 +215,21 @@ def on_one_line(away: Array, way: Array, other: Array, longest: float) -> bool:
     return bool(abs(across @ other) < _ONE_LINE and abs(across @ away) < _ONE_LINE * longest)
 
 
-def _arc(load: ActingLoad, share: float, room: ArrowSizes) -> LoadMark:
-    """A torque about its link's pin, on the side away from the link."""
+def _arc(load: ActingLoad, share: float, room: ArrowSizes, taken: list[Array]) -> LoadMark:
+    """A torque about its link's pin, on the side away from the link; a further one about the same pin is wider."""
     centre, middle = load.place[:, 0], angle_of(load.along[:, 0]) + np.pi
-    point, towards = centre + room.radius * unit(middle), middle
+    within = sum(bool(np.hypot(*(centre - other)) < _ONE_LINE * room.longest) for other in taken)
+    taken.append(centre)
+    radius = room.radius * (1.0 + _WIDER * within)
+    point, towards = centre + radius * unit(middle), middle
     if share <= _NONE:
-        dashed = shapes.arc(centre, room.radius, middle - np.pi / 2, middle + np.pi / 2)
+        dashed = shapes.arc(centre, radius, middle - np.pi / 2, middle + np.pi / 2)
         return LoadMark(load, (Line(dashed, "LOADS", "part", 9),), point, towards)
     half = 0.5 * (_SWEEP[0] + (_SWEEP[1] - _SWEEP[0]) * share)
-    sense = float(np.sign(load.size[0]))
+    size = float(load.size[0])
+    sense = float(np.sign(size if np.isfinite(size) else -load.turning[0]))
     return LoadMark(
-        load, arc_of(centre, room.radius, (middle - sense * half, middle + sense * half), room.head), point, towards
+        load, arc_of(centre, radius, (middle - sense * half, middle + sense * half), room.head), point, towards
     )
 
 

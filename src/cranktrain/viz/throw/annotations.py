@@ -14,9 +14,9 @@ from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.load_arrows import ArrowSizes, LoadMark, load_marks, load_wishes
+from cranktrain.viz.paper.load_arrows import ArrowSizes, Body, LoadMark, load_marks, load_wishes
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch, Wish, label_outline, placed_labels
-from cranktrain.viz.throw.cylinders import wall_end
+from cranktrain.viz.throw.cylinders import skirt, wall_end
 
 _LEADER = 5.0
 """A name farther from what it names than this has a line to it. [mm of paper]"""
@@ -31,6 +31,9 @@ _LONGEST, _HEAD, _RADIUS = 0.16, 0.028, 0.05
 
 _ROUND = 1.3
 """Radius of an arc about a pin in those of the big eye, at least."""
+
+_IN_LINE = 0.99
+"""Part of a force along a slider's line from which on it acts at the slider's face."""
 
 _LOAD_LEADER = 3.5
 """A name farther from its load than this has a line to it. [mm of paper]"""
@@ -158,14 +161,30 @@ def throw_loads(scene: Scene, angle: float) -> tuple[LoadMark, ...]:
         for link in member.turn.links
         for end in link.pins[1:]
     ]
-    acting = [_on_broken(scene, load.moved(np.zeros((2, 1)), 1e3)) for load in scene.loads.at(np.array([angle]))]
-    return tuple(load_marks(acting, scene.loads.largest, room, links))
+    still, at = np.zeros((2, 1)), np.array([angle])
+    acting = [_on_broken(scene, load.moved(still, 1e3)) for load in scene.loads.at(at)]
+    bodies = {(load.mechanism, load.name): _body(scene, load) for load in acting if load.link == "slider"}
+    acting += [load.moved(still, 1e3) for load in scene.loads.on_shafts_at(at)]
+    return tuple(load_marks(acting, scene.loads.largest, room, links, bodies))
+
+
+def _body(scene: Scene, load: ActingLoad) -> Body:
+    """Slider about the point of a force along its line: a force across it acts at the point itself."""
+    member = next(member for member in scene.members if member.place.name == load.mechanism)
+    along = float(member.stroke_line.along @ load.way[:, 0])
+    if abs(along) < _IN_LINE:
+        return Body(0.0, 0.0)
+    near = skirt(scene, member)
+    far = near if member.crosshead is not None else scene.above(member)
+    ends = (far, near) if member.toward_chamber > 0 else (near, far)
+    return Body(*(ends if along > 0 else ends[::-1]))
 
 
 def moving_lines(scene: Scene, marks: Sequence[LoadMark]) -> Iterator[Line]:
     """Lines of loads, four for each at every crank angle, as a film wants: those that are not there are nowhere."""
     drawn = {(mark.load.mechanism, mark.load.name): mark for mark in marks}
-    for load in () if scene.loads is None else scene.loads.at(np.zeros(1)):
+    at = np.zeros(1)
+    for load in () if scene.loads is None else (*scene.loads.at(at), *scene.loads.on_shafts_at(at)):
         mark = drawn.get((load.mechanism, load.name))
         held, lines = ((), ()) if mark is None else (mark.held, mark.lines if len(mark.lines) > 1 else ())
         yield from (*held, *_NOWHERE_HELD[len(held) :])
