@@ -332,6 +332,13 @@ def _plot(
         str | None,
         typer.Option(metavar="SOURCE", help=N_("Of a scheme: letters as a source has them, such as bolotin.")),
     ] = None,
+    method: Annotated[
+        str | None,
+        typer.Option(
+            metavar="METHOD,…",
+            help=N_("Of main bearings, in the sheets crankshaft and wear: split, five_moment; all, each by itself."),
+        ),
+    ] = None,
     units: Units = None,
     running_speed: RunningSpeed = False,
     speed_curve: SpeedCurve = None,
@@ -354,6 +361,7 @@ def _plot(
         count=count,
         scale=scale,
         letters=letters,
+        method=method,
         units=units,
         sheet=sheet,
         is_at_running_speed=running_speed,

@@ -61,6 +61,7 @@ class PlotRequest(AskedAtSpeed):
     count: str | None = None
     scale: str | None = None
     letters: str | None = None
+    method: str | None = None
 
 
 class Choice(NamedTuple):
@@ -76,6 +77,7 @@ class Choice(NamedTuple):
     permissible: float | None = None
     scale: float | None = None
     letters: str | None = None
+    method: str | None = None
     units: UnitChoice = {}  # noqa: RUF012 - nobody changes a choice
 
 
@@ -150,7 +152,7 @@ def understood(request: PlotRequest) -> Choice:
         problems += error.problems
     if problems or picture is None:
         raise InputError(problems)
-    return Choice(picture, angles, size, permissible, scale, request.letters, units)
+    return Choice(picture, angles, size, permissible, scale, request.letters, request.method, units)
 
 
 def read_scale(text: str) -> float:
@@ -198,7 +200,11 @@ def _refused(request: PlotRequest, picture: Picture) -> Iterator[Problem]:
     ):
         if is_typed and about in picture.refused:
             yield Problem(option, given, _(picture.refused[about]))
-    for option, about, given in (("--scale", "scale", request.scale), ("--letters", "letters", request.letters)):
+    for option, about, given in (
+        ("--scale", "scale", request.scale),
+        ("--letters", "letters", request.letters),
+        ("--method", "method", request.method),
+    ):
         if given is not None and about not in picture.takes:
             others = ", ".join(f"{one.kind} {one.name}" for one in PICTURES if about in one.takes)
             yield Problem(option, given, _("must be left out: only for {pictures}", pictures=others))
@@ -291,8 +297,9 @@ def _of_machine(file: MachineFile, choice: Choice, request: PlotRequest) -> dict
 
 
 def _chosen(choice: Choice) -> dict[str, Any]:
-    """Scale and letters, where they are said."""
-    return {name: value for name, value in (("scale", choice.scale), ("letters", choice.letters)) if value is not None}
+    """Scale, letters and methods, where they are said."""
+    said = {"scale": choice.scale, "letters": choice.letters, "method": choice.method}
+    return {name: value for name, value in said.items() if value is not None}
 
 
 def _with_texts(machine: Machine, request: PlotRequest, problem: Problem) -> Problem:
@@ -304,7 +311,7 @@ def _with_texts(machine: Machine, request: PlotRequest, problem: Problem) -> Pro
 
 def _placed(file: MachineFile, request: PlotRequest, problem: Problem) -> Problem:
     """Place what cannot be drawn: in the machine file, or at the option that asks for it."""
-    if problem.path in ("scale", "letters"):
+    if problem.path in ("scale", "letters", "method"):
         return replace(problem, path=f"--{problem.path}")
     if problem.position is not None or problem.path.startswith("-"):
         return problem

@@ -30,7 +30,7 @@ class Picture:
     source_angles : "shown", "cylinder" or None
         Whether it has the source's twelve positions, and from where their crank angles count: as the machine shows
         them, or from where the crank points along the cylinder.
-    takes : tuple of "scale" and "letters"
+    takes : tuple of "scale", "letters" and "method"
         What else can be chosen for it.
     follows : str
         The picture of another question behind which it is named; if none, it stands with its own question.
@@ -44,5 +44,5 @@ class Picture:
     quantities: tuple[str, ...] | None = None
     refused: Mapping[str, str] = field(default_factory=dict[str, str])
     source_angles: Literal["shown", "cylinder"] | None = None
-    takes: tuple[Literal["scale", "letters"], ...] = ()
+    takes: tuple[Literal["scale", "letters", "method"], ...] = ()
     follows: str = ""

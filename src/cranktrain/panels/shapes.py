@@ -23,6 +23,10 @@ Role: TypeAlias = Literal[
 """What a curve is among those of its panel, by which a face chooses its line."""
 
 
+_MARKS = 30.0
+"""Between marks of the crank angle along a polar diagram. [deg]"""
+
+
 def peak(values: Array) -> float:
     """Size of the largest value that is known."""
     return float(np.nanmax(np.abs(values), initial=0.0))
@@ -225,6 +229,10 @@ class PolarDiagram:
         Where the first has its largest, on its curve. [N]
     largest_at, cycle : float
         Crank angle of that, and after which all repeats. [deg]
+    marked : Array, shape (k,)
+        Crank angles of marks along the first curve, each 30°. [deg]
+    marks : Array, shape (2, k)
+        Where these are, on the curve. [N]
     """
 
     title: Words
@@ -232,6 +240,30 @@ class PolarDiagram:
     largest: Array
     largest_at: float
     cycle: float
+    marked: Array
+    marks: Array
+
+
+def polar_diagram(
+    title: Words, curves: tuple[PolarCurve, ...], angles: Array, largest: Array, largest_at: float
+) -> PolarDiagram:
+    """Give a polar diagram with its marks.
+
+    Parameters
+    ----------
+    title : Words
+    curves : tuple of PolarCurve
+    angles : Array, shape (n,)
+        Crank angles of the points of all curves, from 0 to the end of the cycle, both included. [deg]
+    largest : Array, shape (2,)
+        [N]
+    largest_at : float
+        [deg]
+    """
+    cycle = float(angles[-1])
+    marked = np.arange(0.0, cycle, _MARKS)
+    marks = np.stack([np.interp(marked, angles, part) for part in curves[0].points])
+    return PolarDiagram(title, curves, largest, largest_at, cycle, marked, marks)
 
 
 @record

@@ -32,6 +32,8 @@ _DEEPEST = 0.62
 """How far into a circle the largest load reaches, in parts of its radius."""
 _HEAD, _LARGEST = 9.0, 30.0
 """Over a circle for its words, and its radius, at most. [mm]"""
+_TITLE = 3.4
+"""From line to line of a title over a circle. [mm]"""
 _ROUND = np.linspace(0.0, 2 * np.pi, 181)
 _ROW = 8
 """Circles that may stand in rows of any length."""
@@ -110,7 +112,9 @@ def _draw_circle(page: Page, one: Rays, room: Box, radius: float, force: float) 
         ends = np.tile(pole[:, np.newaxis], 2)
         ends[axis] += np.array([-1.0, 1.0]) * (radius + 1.5)
         page.paper.plot(*ends, color=MUTED, linewidth=0.4, zorder=1)
-    page.text(float(pole[0]), float(pole[1]) + radius + 2.5, str(one.title), ha="center", fontweight="bold")
+    for number, line in enumerate(reversed(str(one.title).split("\n"))):
+        over = float(pole[1]) + radius + 2.5 + number * _TITLE
+        page.text(float(pole[0]), over, line, ha="center", fontweight="bold")
     if np.isfinite(one.hole):
         _draw_hole(page, one, pole, radius)
 

@@ -129,7 +129,11 @@ class Wish(NamedTuple):
 
 
 def placed_labels(
-    wishes: Sequence[Wish], lines: Iterable[Array], scale: float, marks: Sequence[Circle] = ()
+    wishes: Sequence[Wish],
+    lines: Iterable[Array],
+    scale: float,
+    marks: Sequence[Circle] = (),
+    others: Sequence[Label] = (),
 ) -> Iterator[Label]:
     """Place labels one by one, each at the free place that is best for it; a number without any is left out.
 
@@ -142,6 +146,8 @@ def placed_labels(
         Millimetres of the sketch in one of paper.
     marks : sequence of Circle
         Which a number may not lie over, as it may over lines.
+    others : sequence of Label
+        That have their places already.
 
     Yields
     ------
@@ -149,7 +155,8 @@ def placed_labels(
     """
     obstacles = np.concatenate([dots(line / scale) for line in lines], axis=1)
     points = np.reshape([wish.point for wish in wishes], (-1, 2)).T / scale
-    taken: list[Array] = []
+    corners = [label_outline(label._replace(position=label.position / scale), 1.0) for label in others]
+    taken: list[Array] = [np.stack([np.min(box, axis=1), np.max(box, axis=1)]) for box in corners]
     for wish in wishes:
         size = _size(wish.text.translate({ord(mark): None for mark in "_^"}), wish.manner)
         point = wish.point[:, np.newaxis] / scale

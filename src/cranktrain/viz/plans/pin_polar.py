@@ -8,7 +8,7 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.numerics.ties import first_smallest
+from cranktrain.numerics.ties import first_largest
 from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.pin_loads import CrankpinLoad, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
@@ -33,6 +33,8 @@ _STEPS = (1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
 
 _RINGS, _BEYOND = 3.0, 5.0
 """How many rings there are at least, and how far axes go beyond the curves. [mm]"""
+
+_NEXT = 1e-6
 
 _ROUND = np.linspace(0.0, 2 * np.pi, 721)
 
@@ -126,7 +128,10 @@ def polar_sketch(loads: CrankpinLoad, pair: tuple[Array, Array], scale: float, u
     sketch.add(Line(ring, "LINKS", "dotted", 1) for ring in rings if np.any(np.isfinite(ring)))
     marked = np.nonzero(loads.angle % _MARKS == 0)[0]
     sketch.add(Circle(full[:, i], 0.6, "LINKS", "outline", 6, "paper") for i in marked)
-    largest = full[:, first_smallest(np.abs(loads.angle - loads.largest_at))]
+    # Beside a jump the curve's points are on either side of it.
+    closed = np.append(loads.angle, loads.cycle)
+    beside = np.abs(closed - loads.largest_at) <= closed[1] * (1 + _NEXT)
+    largest = full[:, first_largest(np.where(beside, np.hypot(*full), -1.0))]
     sketch.add([Circle(largest, 1.8, "LINKS", "outline", 7)])
     longer = -1.0 if -low[1] >= high[1] else 1.0
     wishes = [

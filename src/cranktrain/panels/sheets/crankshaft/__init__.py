@@ -15,6 +15,7 @@ PICTURES = (
         "cycle",
         needs={"main_bearing_load_x": N_("a sheet of main bearings needs {needs}")},
         refused=REFUSED,
+        takes=("method",),
     ),
     Picture(
         "sheet",

@@ -11,7 +11,13 @@ from cranktrain.one_line import short
 from cranktrain.panels.design import OneDesign
 from cranktrain.panels.parts import Polars, Sheet, SheetColumn, Table, TableColumn, sheet_of
 from cranktrain.panels.shapes import peak
-from cranktrain.panels.sheets.crankshaft.panels import bearing_diagrams, method_place, of_shafts
+from cranktrain.panels.sheets.crankshaft.panels import (
+    bearing_diagrams,
+    chosen_methods,
+    diagrams_by_method,
+    method_place,
+    of_shafts,
+)
 from cranktrain.questions.crankshaft.methods import title_of
 from cranktrain.saying.amounts import BareAmount, UnitLabel
 from cranktrain.saying.wording import ABSENT
@@ -22,7 +28,7 @@ _LETTERS = 170
 """Of names that fit side by side into the width."""
 
 
-def sheet_crankshaft(result: Result, *, design: int = 0) -> Sheet:
+def sheet_crankshaft(result: Result, *, design: int = 0, method: str | None = None) -> Sheet:
     """Collect the loads of all main bearings.
 
     Parameters
@@ -31,6 +37,9 @@ def sheet_crankshaft(result: Result, *, design: int = 0) -> Sheet:
         Of a machine with [crankshaft].
     design : int
         Which of the result's machines.
+    method : str, optional
+        By which method alone, `frame_elastic`; several with commas between, or `all`, side by side to one scale. Every
+        method in one diagram unless given.
 
     Returns
     -------
@@ -39,15 +48,27 @@ def sheet_crankshaft(result: Result, *, design: int = 0) -> Sheet:
     Raises
     ------
     InputError
-        If the bearings have no loads, as of a shaft that floats.
+        If the bearings have no loads, as of a shaft that floats, or none by a method.
     """
     shown = OneDesign(result, design)
     largest = shown("largest_bearing_load")
     if not np.all(np.isfinite(largest)) or not np.any(largest > 0.0):
         raise InputError([Problem("crankshaft", None, _("gives no loads of bearings, so there is no sheet of them"))])
     words = _("Loads of journals on bearings, as seen from the free end")
-    diagrams = Polars(bearing_diagrams(shown), notes=words)
-    return sheet_of(result, design, _("Loads of the main bearings"), SheetColumn(1.0, (diagrams, _table(shown))))
+    title = _("Loads of the main bearings")
+    places = chosen_methods(shown, method)
+    if not places:
+        diagrams = Polars(bearing_diagrams(shown), notes=words)
+        return sheet_of(result, design, title, SheetColumn(1.0, (diagrams, _table(shown))))
+    if len(places) == 1:
+        title = _(
+            "{title} by: {method}", title=title, method=title_of(shown.result.labels["bearing_method"][places[0]])
+        )
+    n_columns = len(shown.result.labels["bearing"]) if len(places) > 1 else None
+    diagrams = Polars(diagrams_by_method(shown, places), notes=words, n_columns=n_columns)
+    # Beside many small diagrams there is no room for numbers: those stand on the sheet of all methods.
+    parts = (diagrams, _table(shown)) if len(places) == 1 else (diagrams,)
+    return sheet_of(result, design, title, SheetColumn(1.0, parts))
 
 
 def _table(shown: OneDesign) -> Table:

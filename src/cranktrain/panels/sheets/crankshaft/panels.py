@@ -6,13 +6,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
 from cranktrain.language import Listed, Words, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
 from cranktrain.panels.design import OneDesign, closed
-from cranktrain.panels.shapes import Curve, Panel, PolarCurve, PolarDiagram
-from cranktrain.questions.crankshaft.methods import BEARING_METHODS
+from cranktrain.panels.shapes import Curve, Panel, PolarCurve, PolarDiagram, polar_diagram
+from cranktrain.quantities.refusal import unlisted
+from cranktrain.questions.crankshaft.methods import BEARING_METHODS, title_of
 from cranktrain.questions.crankshaft.results.section_torques import SECTIONS
 from cranktrain.saying.wording import ranged
 
@@ -28,6 +30,55 @@ class AlikePins(NamedTuple):
 
     first: int
     names: str
+
+
+ALL = "all"
+"""Word for every method."""
+
+
+def chosen_methods(shown: OneDesign, method: str | None) -> tuple[int, ...]:
+    """Find methods that are asked for, by their places along `bearing_method`; none unless asked.
+
+    Parameters
+    ----------
+    shown : OneDesign
+    method : str or None
+        Names with commas between, or `all`.
+
+    Raises
+    ------
+    InputError
+        If a name is none of a method by which the result has loads.
+    """
+    if method is None:
+        return ()
+    known = shown.result.labels.get("bearing_method", ())
+    if not known:
+        allowed = _("must be left out: there are no loads of main bearings, by no method")
+        raise InputError([Problem("method", method, allowed)])
+    names = dict.fromkeys(name.strip().casefold() for name in method.split(","))
+    if list(names) == [ALL]:
+        return tuple(range(len(known)))
+    refuse(unlisted("method", name, (*known, ALL)) for name in names if name not in known)
+    return tuple(known.index(name) for name in names)
+
+
+def diagrams_by_method(shown: OneDesign, places: Sequence[int]) -> tuple[PolarDiagram, ...]:
+    """Loads of every main bearing by one method after the other, each by itself; places along `bearing_method`."""
+    methods, bearings = (shown.result.labels[name] for name in ("bearing_method", "bearing"))
+    x, y = (shown(f"main_bearing_load_{axis}") for axis in "xy")
+    at = shown("largest_bearing_load_at")
+    title = _("Bearing {name}") if len(places) == 1 else _("{name}: {method}")
+    return tuple(
+        _diagram(
+            shown,
+            title.format(name=name, method=title_of(methods[place])),
+            [(None, x[place, bearing], y[place, bearing])],
+            float(at[place, bearing]),
+        )
+        for place in places
+        for bearing, name in enumerate(bearings)
+    )
 
 
 def bearing_diagrams(shown: OneDesign) -> tuple[PolarDiagram, ...]:
@@ -96,7 +147,7 @@ def _diagram(
     # Beside a jump the curve's points are on either side of it.
     beside = np.abs(shown.cycle - at) <= shown.cycle[1] * (1 + _NEXT)
     size = np.where(beside, np.hypot(*found[0].points), -1.0)
-    return PolarDiagram(title, found, found[0].points[:, first_largest(size)], at, float(shown.cycle[-1]))
+    return polar_diagram(title, found, shown.cycle, found[0].points[:, first_largest(size)], at)
 
 
 def on_journals(shown: OneDesign) -> NDArray[np.bool_]:

@@ -11,7 +11,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest, largest_first
 from cranktrain.panels.design import OneDesign, closed
 from cranktrain.panels.parts import Table, TableColumn
-from cranktrain.panels.shapes import Curve, Panel, PolarCurve, PolarDiagram, Role
+from cranktrain.panels.shapes import Curve, Panel, PolarCurve, PolarDiagram, Role, polar_diagram
 from cranktrain.questions.forces.joint_forces import joint_label
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.saying.amounts import UnitLabel
@@ -120,12 +120,12 @@ def joint_diagrams(shown: OneDesign, joints: Sequence[JointForce]) -> tuple[Pola
     """Polar diagrams of the most loaded joints, in the mechanism's axes."""
     angle = shown.cycle
     return tuple(
-        PolarDiagram(
+        polar_diagram(
             _("R{number} in {name}", number=joint.number, name=_(spelled(joint.names[0]))),
             (PolarCurve(joint.force),),
+            angle,
             joint.force[:, joint.largest_at],
             float(angle[joint.largest_at]),
-            float(angle[-1]),
         )
         for joint in joints[:_POLAR]
     )

@@ -11,7 +11,6 @@ from cranktrain.panels.design import OneDesign, closed
 from cranktrain.panels.shapes import Curve, Panel
 from cranktrain.panels.sheets.gas.panels import pressure_panel
 from cranktrain.panels.sheets.torque.panels import torque_panel
-from cranktrain.panels.throw_member import output_of
 
 _EXACT, _FORMULA = "exact", "textbook"
 _SEEN = 0.02
@@ -76,8 +75,7 @@ def _at_piston(shown: OneDesign, piston: str) -> Panel:
     ]
     if is_off(shown, piston, "side_force_formula_error"):
         curves.append(Curve(_force(shown, piston, "side_force", _FORMULA), "formula", "N", "N_f"))
-    machine = shown.result.machines[shown.design]
-    words = next(output_of(machine, one).words for one in machine.places if one.name == piston)
+    words = next(one.kind.output.words for one in shown.result.machines[0].places if one.name == piston)
     assert words is not None  # of a slider
     return Panel(_(words.forces, piston=piston), "N", shown.cycle, tuple(curves))
 

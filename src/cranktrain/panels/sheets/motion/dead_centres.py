@@ -71,10 +71,10 @@ def ruler_of(result: Result, design: int = 0, mechanism: str | None = None) -> R
 def _words_of_sliders(machine: Machine, names: Sequence[str]) -> Iterator[tuple[str, tuple[Words, Words]]]:
     """Words of the far end of each slider's way and of the near one; of a ram as the machine stands."""
     for place in machine.places:
-        output = output_of(machine, place)
-        if place.name in names and output.words is not None:
-            far, near = map(_, output.words.ends)
-            guides = placed(machine, place, np.zeros(1)).guides if is_ram(output) else ()
+        words = place.kind.output.words
+        if place.name in names and words is not None:
+            far, near = map(_, words.ends)
+            guides = placed(machine, place, np.zeros(1)).guides if is_ram(output_of(machine, place)) else ()
             up = upward(unit(guides[0].direction).reshape(2)) if guides else 0
             if up:
                 far, near = (_("upper"), _("lower"))[::up]

@@ -12,6 +12,7 @@ PICTURES = (
         "cycle",
         needs={"crankpin_wear": N_("a sheet of wear needs {needs}")},
         refused=REFUSED,
+        takes=("method",),
         follows="crankpins",
     ),
 )

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.language import Words, _
+from cranktrain.language import Listed, Words, _
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.panels.design import OneDesign
@@ -21,17 +21,20 @@ def pin_wear(shown: OneDesign) -> Iterator[Rays]:
         yield wear_rays(_("Rod {names}", names=pin.names), shown("rod_bearing_wear")[pin.first])
 
 
-def journal_wear(shown: OneDesign) -> Iterator[tuple[Rays, Rays]]:
-    """Wear of every journal, up is toward throw 1, and of its bearing as it is seen, by the first method."""
+def journal_wear(shown: OneDesign, place: int = 0, method: Words = "") -> Iterator[tuple[Rays, Rays]]:
+    """Wear of every journal, up is toward throw 1, and of its bearing as it is seen, by the method at a place.
+
+    method: what stands below the title, if anything.
+    """
     turns = [
         -one.layout.turn for one in shown.result[LoadedShafts].each for _bearing in one.layout.declared.bearing_names
     ]
     for bearing, (name, turn) in enumerate(zip(shown.result.labels["bearing"], turns, strict=True)):
         journal, shell = (
             wear_rays(
-                title.format(name=name),
-                shown(f"{part}_wear")[0, bearing],
-                float(shown(f"{part}_oil_hole")[0, bearing]),
+                Listed((title.format(name=name), method), "\n") if method else title.format(name=name),
+                shown(f"{part}_wear")[place, bearing],
+                float(shown(f"{part}_oil_hole")[place, bearing]),
                 sense,
             )
             for part, title, sense in (("journal", _("Journal {name}"), 1.0), ("bearing", _("Bearing {name}"), turn))
