@@ -33,8 +33,8 @@ _NUMBERED = ((70.0, 60.0), (40.0, 90.0), (0.0, 180.0))
 """From which size of a diagram on [mm], and each how many degrees of one turn, marks have their crank angles."""
 _SMALL, _THIN = 30.0, 0.7
 """A smaller diagram [mm] has small marks, thin curves [pt], and of numbers its largest load's and the rings'."""
-_NAME = 2.0
-"""Below a diagram for the crank angle of its largest load. [mm]"""
+_NAME, _NAMED = 2.0, 4.2
+"""Below a diagram for the crank angle of its largest load; how far from this that stands. [mm]"""
 _DIRECTIONS = np.deg2rad(np.arange(-90.0, 270.0, 15.0))
 """In which numbers of rings may stand. [rad]"""
 _MISSING = 12.0
@@ -190,7 +190,11 @@ def _marked(one: PolarDiagram, edges: tuple[Array, Array], rings: PolarRings) ->
         sketch.add([Circle(largest, _RINGED, "LINKS", "outline", 7)])
         wishes.append(Wish(largest, f"{round(one.largest_at) % one.cycle:.0f}°", angle_of(largest), "name"))
     curves = [curve.points / rings.scale for curve in one.curves]
-    numbers = ring_numbers(np.concatenate([dots(curve) for curve in curves], axis=1), edges, rings)
+    kept_free = [dots(curve) for curve in curves]
+    if np.isfinite(one.largest_at):
+        name = Label(largest + _NAMED * unit(angle_of(largest)), "000°")
+        kept_free += 2 * [dots(label_outline(name, 1.0))]
+    numbers = ring_numbers(np.concatenate(kept_free, axis=1), edges, rings)
     sketch.add(numbers)
     every = next(step for least, step in _NUMBERED if size >= least) * round(one.cycle / 360.0)
     wishes += [
@@ -202,7 +206,8 @@ def _marked(one: PolarDiagram, edges: tuple[Array, Array], rings: PolarRings) ->
     ]
     axes = [np.array([[low[0], high[0]], [0.0, 0.0]]), np.array([[0.0, 0.0], [low[1], high[1]]])]
     if wishes:
-        sketch.add(placed_labels(wishes, [*curves, *axes], 1.0, sketch.circles, numbers))
+        lines = curves if is_small else [*curves, *axes]
+        sketch.add(placed_labels(wishes, lines, 1.0, sketch.circles, numbers))
     return sketch
 
 
