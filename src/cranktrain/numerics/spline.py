@@ -38,7 +38,7 @@ def periodic_slopes(places: Array, values: Array, period: float) -> Array:
     middle[-1] += corner**2 / first
     ends = np.zeros_like(right)
     ends[0], ends[-1] = -first, corner
-    plain, bent = _tridiagonal(after[:-1], middle, np.stack([right, ends], axis=-1)).T
+    plain, bent = tridiagonal(after[:-1], middle, np.stack([right, ends], axis=-1)).T
     share = (plain[0] - corner / first * plain[-1]) / (1 + bent[0] - corner / first * bent[-1])
     return plain - share * bent
 
@@ -53,7 +53,7 @@ def periodic_powers(places: Array, values: Array, period: float) -> Array:
     return np.stack([values, slopes, second, third])
 
 
-def _tridiagonal(beside: Array, middle: Array, right: Array) -> Array:
+def tridiagonal(beside: Array, middle: Array, right: Array) -> Array:
     """Solve a symmetric tridiagonal system with diagonal dominance, for several right sides (n, k)."""
     pivots, sides = middle.tolist(), right.copy()
     for row, off in enumerate(beside.tolist(), start=1):

@@ -1,5 +1,6 @@
 """The wanted motions that machines declare: of all designs, and what is wrong with one."""
 
+import math
 from collections.abc import Iterator
 from functools import partial
 from typing import ClassVar
@@ -17,6 +18,7 @@ from cranktrain.layout.wish.constant_crank import constant_crank
 from cranktrain.layout.wish.fitting import WishWay, fitted, refuse_outside
 from cranktrain.layout.wish.following import Following, Rocking, corners, crank_by_angle
 from cranktrain.layout.wish.laws import LAWS, NEAREST
+from cranktrain.layout.wish.polynomials import polynomial_pieces, through_rests
 from cranktrain.layout.wish.stroke import Output, output_of
 from cranktrain.layout.wish.tables import MotionPieceSpec, WantedMotionSpec
 from cranktrain.layout.wish.wanted import Piece, WantedMotion, from_pieces, through_positions
@@ -180,23 +182,46 @@ def _wanted(spec: WantedMotionSpec, output: Output, way: WishWay) -> WantedMotio
     """The motion that a table says, in the output's own coordinate."""
     if spec.times is not None and spec.listed is not None and spec.period is not None:
         times, places = (np.array([one.si for one in own]) for own in (spec.times, spec.listed))
-        return through_positions(times, way.zero + way.sense * places, spec.period.si)
+        at = way.zero + way.sense * places
+        if spec.rest:
+            return through_rests(times, at, spec.period.si, spec.rests)
+        return through_positions(times, at, spec.period.si)
     ends = [piece.target.si for piece in spec.piece if piece.target is not None]
     at, start = way.zero + way.sense * ends[-1], 0.0
     pieces: list[Piece] = []
     for number, piece in enumerate(spec.piece):
         to = at if piece.target is None else way.zero + way.sense * piece.target.si
-        pieces.append(_piece(piece, start, at, to, output, way, number))
+        pieces += _pieces(piece, start, at, to, output, way, number)
         at, start = to, start + piece.duration.si
     return from_pieces(tuple(pieces))
 
 
-def _piece(
+def _pieces(
+    spec: MotionPieceSpec, start: float, at: float, to: float, output: Output, way: WishWay, number: int
+) -> tuple[Piece, ...]:
+    """A piece of the motion, cut where its polynomial turns round; a way to where it is already is a rest."""
+    if spec.coefficients is not None:
+        return _by_coefficients(spec, start, at, to, way, number)
+    if to == at:
+        return (Piece(start, spec.duration.si, at, 0.0, None, number),)
+    return (_by_law(spec, start, at, to, output, way, number),)
+
+
+def _by_coefficients(
+    spec: MotionPieceSpec, start: float, at: float, to: float, way: WishWay, number: int
+) -> tuple[Piece, ...]:
+    """Pieces of a polynomial that its coefficients say."""
+    if to == at:
+        allowed = _("are shares of a way, and this piece goes nowhere: let it stand, or go somewhere else and back")
+        raise InputError([Problem(f"{way.path}.piece[{number}].coefficients", None, allowed)])
+    shares = np.array([one.si for one in spec.coefficients or ()])
+    return polynomial_pieces(start, spec.duration.si, at, (to - at) * shares / math.fsum(shares.tolist()), number)
+
+
+def _by_law(
     spec: MotionPieceSpec, start: float, at: float, to: float, output: Output, way: WishWay, number: int
 ) -> Piece:
-    """A piece of the motion; a way to where it is already is a rest."""
-    if to == at:
-        return Piece(start, spec.duration.si, at, 0.0, None, number)
+    """A piece by a law that has a name."""
     if spec.law != "constant crank":
         return Piece(start, spec.duration.si, at, to - at, LAWS[spec.law or NEAREST], number)
     ends = (output.high.position, output.low.position)

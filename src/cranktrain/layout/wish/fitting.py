@@ -109,7 +109,7 @@ def _turn_problems(wanted: WantedMotion, way: WishWay) -> Iterator[Problem]:
     if n_turns != 2:
         allowed = _("must go from one end of the stroke to the other and back once a period; it turns round {n} times")
         repair = _('for a crank that swings within the stroke write mode = "rocking"')
-        repair = _("give rests as pieces that stand") if way.is_table and n_turns > 2 else repair
+        repair = _("give its rests, each with `begin` and `until`") if way.is_table and n_turns > 2 else repair
         yield Problem(way.path, None, allowed.format(n=n_turns), repair)
 
 

@@ -1,9 +1,10 @@
-"""What is said of steady running: speed, torque and power of the motor."""
+"""What is said of steady running: speed, torque and power of the motor, or of one that would hold the speed."""
 
 from collections.abc import Iterator
 
 from cranktrain.language import N_, _
 from cranktrain.questions.drive.steady_drive import SteadyDrive
+from cranktrain.questions.reduction.constant_speed import ConstantSpeedDrive
 from cranktrain.saying.rows import AnswerLine, Telling, worded
 
 
@@ -25,3 +26,18 @@ def running_rows(of: Telling, found: SteadyDrive) -> Iterator[AnswerLine]:
             lost=of.amount(found, "lost_power", beside=swung),
         ),
     )
+
+
+def constant_speed_rows(of: Telling, found: ConstantSpeedDrive, steady: SteadyDrive | None) -> Iterator[AnswerLine]:
+    """Torque of a motor that would hold the declared speed; of a declared one, its own running says more."""
+    if steady is None:
+        least, most = "smallest_constant_speed_torque", "largest_constant_speed_torque"
+        yield worded(
+            _("motor at constant speed"),
+            _(
+                "{range}; effective {rms}; {power}",
+                range=of.extent(found, least, most, 0),
+                rms=of.amount(found, "rms_constant_speed_torque", 0),
+                power=of.amount(found, "constant_speed_power"),
+            ),
+        )

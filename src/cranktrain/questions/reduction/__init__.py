@@ -9,6 +9,7 @@ from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, table
 from cranktrain.motors import motor_of
 from cranktrain.questions.reduction import rows
+from cranktrain.questions.reduction.constant_speed import constant_speed_drive, turns_evenly
 from cranktrain.questions.reduction.half_periods import half_periods
 from cranktrain.questions.reduction.machines import reduced_machines
 from cranktrain.questions.reduction.static_torques import RULES, StaticTorques, static_torques
@@ -38,6 +39,7 @@ QUESTION = Question(
         Stage(reduced_machines, applies=is_driven),
         Stage(static_torques),
         Stage(half_periods),
+        Stage(constant_speed_drive, applies=turns_evenly),
     ),
     dimensions=(
         ResultDimension("drive_shaft", N_("shaft of the drive"), titles=SHAFT_TITLES),
@@ -46,6 +48,6 @@ QUESTION = Question(
     ),
     title=N_("Drive"),
     rows=(rows.static_rows,),
-    curve_tables={"drive": ("static_torque", "static_motor_torque", "driven_inertia")},
+    curve_tables={"drive": ("static_torque", "static_motor_torque", "driven_inertia", "constant_speed_torque")},
     uses=(Use(table("drive"), (StaticTorques,)),),
 )

@@ -118,8 +118,8 @@ class StaticTorques(Flagged):
     )
 
 
-class StaticFacts(NamedTuple):
-    """Static torque of one design at every shaft: extremes, mean and root mean square, each of shape (shaft,)."""
+class TorqueFacts(NamedTuple):
+    """Torque of one design at every shaft: extremes, mean and root mean square, each of shape (shaft,)."""
 
     largest: Extreme
     smallest: Extreme
@@ -136,7 +136,7 @@ def static_torques(drive: DeclaredDrive, machines: ReducedMachines, crank_angle:
     """
     grid = np.broadcast_to(crank_angle.angle[:, 0], (len(machines.each), crank_angle.shown.size))
     torque, others, inertia = list[Array](), list[Array](), list[Array]()
-    facts: list[StaticFacts] = []
+    facts: list[TorqueFacts] = []
     for design, (machine, gearing) in enumerate(zip(machines.each, drive.gearings, strict=True)):
         at = reduced_at(machine, grid[design])
         still = at.by_load(0.0 * grid[design])
@@ -145,7 +145,7 @@ def static_torques(drive: DeclaredDrive, machines: ReducedMachines, crank_angle:
         inertia.append(_inertias(at.inertia, gearing))
         corners = machines.corners[min(design, len(machines.corners) - 1)]
         zero = float(crank_angle.zero[min(design, len(crank_angle.zero) - 1), 0, 0])
-        facts.append(static_facts(machine, corners, machines.cycle, gearing, zero=zero, grid=crank_angle.shown))
+        facts.append(torque_facts(machine, corners, machines.cycle, gearing, zero=zero, grid=crank_angle.shown))
     driven = np.stack(inertia)
     of_drive = np.stack([_inertias(np.zeros(1), gearing)[:, 0] for gearing in drive.gearings])
     at_motor = np.stack([own[:1] for own in torque])
@@ -159,8 +159,8 @@ def static_torques(drive: DeclaredDrive, machines: ReducedMachines, crank_angle:
         driven_inertia=driven,
         driven_flywheel_moment=4 * driven,
         gear_flywheel_moment=4 * of_drive,
-        largest_static_torque=_together([own.largest for own in facts]),
-        smallest_static_torque=_together([own.smallest for own in facts]),
+        largest_static_torque=together([own.largest for own in facts]),
+        smallest_static_torque=together([own.smallest for own in facts]),
         mean_static_torque=np.stack([own.mean for own in facts]),
         rms_static_torque=np.stack([own.rms for own in facts]),
         flags=tuple(_flags(drive)),
@@ -172,7 +172,7 @@ def _other_laws(gearing: Gearing) -> tuple[Gearing, Gearing]:
     return gearing._replace(backward=gearing.forward), gearing._replace(backward=1 / gearing.forward)
 
 
-def _by_rule(found: StaticFacts, gearing: Gearing) -> Array:
+def _by_rule(found: TorqueFacts, gearing: Gearing) -> Array:
     """Least and largest torque at the motor by each law, shape (2, rule). [N·m]
 
     By the two other laws it grows with the torque on the crank, which is the last shaft's by any.
@@ -189,10 +189,17 @@ def _inertias(machine: Array, gearing: Gearing) -> Array:
     return at_motor * turned[:, np.newaxis] ** 2
 
 
-def static_facts(
-    machine: ReducedMachine, corners: Array, cycle: float, gearing: Gearing, *, zero: float, grid: Array
-) -> StaticFacts:
-    """Extremes between corners, and means by quadrature between them.
+def torque_facts(
+    machine: ReducedMachine,
+    corners: Array,
+    cycle: float,
+    gearing: Gearing,
+    *,
+    zero: float,
+    grid: Array,
+    speed: float = 0.0,
+) -> TorqueFacts:
+    """Extremes between corners of the torque at a constant speed, and means by quadrature between them.
 
     Parameters
     ----------
@@ -206,11 +213,13 @@ def static_facts(
         φ from which angles of extremes are counted. [rad]
     grid : Array, shape (n,)
         Equal steps over the cycle, counted so, near which extremes are looked for. [rad]
+    speed : float
+        Of the crank; static torque unless given. [rad/s]
     """
 
     def torque(angle: Array) -> Array:
-        still = reduced_at(machine, np.ravel(angle)).by_load(np.zeros(angle.size))
-        return torque_through(still, ONE, gearing).reshape(len(gearing.ratio) + 1, *angle.shape)
+        taken = reduced_at(machine, np.ravel(angle)).taken(np.full(angle.size, speed))
+        return torque_through(taken, ONE, gearing).reshape(len(gearing.ratio) + 1, *angle.shape)
 
     def passed(place: int, angle: Array) -> Array:
         return torque(angle)[place]
@@ -230,10 +239,10 @@ def static_facts(
         return Extreme(within(found.angle, cycle), without_residue(sign * found.value, largest))
 
     at_nodes = torque(mesh.nodes)
-    return StaticFacts(peak(1.0), peak(-1.0), mesh.mean(at_nodes), np.sqrt(mesh.mean(at_nodes**2)))
+    return TorqueFacts(peak(1.0), peak(-1.0), mesh.mean(at_nodes), np.sqrt(mesh.mean(at_nodes**2)))
 
 
-def _together(each: Sequence[Extreme]) -> Extreme:
+def together(each: Sequence[Extreme]) -> Extreme:
     """Extremes of all designs, shape (design, shaft)."""
     return Extreme(np.stack([own.angle for own in each]), np.stack([own.value for own in each]))
 

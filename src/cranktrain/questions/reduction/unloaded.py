@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.reduction.static_torques import static_facts
+from cranktrain.questions.reduction.static_torques import torque_facts
 from cranktrain.transient.gearing import Gearing
 from cranktrain.transient.reduced import DISCHARGE, SUCTION, ReducedMachine
 
@@ -28,5 +28,5 @@ def without_loads(machine: ReducedMachine) -> ReducedMachine:
 def starting_torques(machine: ReducedMachine, corners: Array, gearing: Gearing, cycle: float) -> tuple[float, float]:
     """Largest and mean static torque at the motor of a machine as it starts, with what loads it has then. [N·m]"""
     grid = np.arange(_N_ANGLES) * cycle / _N_ANGLES
-    found = static_facts(machine, corners, cycle, gearing, zero=0.0, grid=grid)
+    found = torque_facts(machine, corners, cycle, gearing, zero=0.0, grid=grid)
     return float(found.largest.value[0]), float(found.mean[0])

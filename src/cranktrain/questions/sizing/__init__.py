@@ -6,7 +6,9 @@ from cranktrain.language import N_
 from cranktrain.layout.design import Designs
 from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use, inner_table
+from cranktrain.questions.reduction.constant_speed import turns_evenly
 from cranktrain.questions.sizing import rows
+from cranktrain.questions.sizing.constant_speed import constant_speed_use
 from cranktrain.questions.sizing.flywheel_sizing import DriveFlywheel, drive_flywheel
 from cranktrain.questions.sizing.motor_checks import CHECK_TITLES
 from cranktrain.questions.sizing.motor_sizing import SIZED_MOTORS, MotorSizing, motor_sizing
@@ -30,7 +32,11 @@ def is_flywheel_wanted(wanted: WantedFlywheel | None) -> bool:
 QUESTION = Question(
     "sizing",
     parts=_parts,
-    stages=(Stage(motor_sizing), Stage(drive_flywheel, applies=is_flywheel_wanted)),
+    stages=(
+        Stage(motor_sizing),
+        Stage(drive_flywheel, applies=is_flywheel_wanted),
+        Stage(constant_speed_use, applies=turns_evenly),
+    ),
     dimensions=(
         ResultDimension("sized_motor", N_("motor"), titles=SIZED_MOTORS),
         ResultDimension("sizing_check", N_("check"), titles=CHECK_TITLES),

@@ -15,6 +15,9 @@ from cranktrain.questions.servo.rocking import RockingDrive
 from cranktrain.questions.servo.stages import ServoDrive
 from cranktrain.saying.amounts import Amount
 
+_SEEN = 0.01
+"""Of the largest static torque: a curve that is nearer to it is not seen beside it."""
+
 
 def drive_panels(shown: OneDesign) -> Iterator[Panel]:
     """Collect the curves: static torque by where losses go, with its half-periods, and inertia."""
@@ -23,11 +26,17 @@ def drive_panels(shown: OneDesign) -> Iterator[Panel]:
     curves = [Curve(right, "whole", "T", "M_{st}")]
     if not np.allclose(right, dividing):
         curves.append(Curve(dividing, "formula", "F", r"M_{st}^{1/\eta}"))
+    title = _("Static torque at the motor's shaft")
+    if shown.has("constant_speed_torque"):
+        turned = closed(shown("constant_speed_torque")[0])
+        if not np.allclose(right, turned, rtol=0.0, atol=_SEEN * np.max(np.abs(right))):
+            title = _("Static and constant-speed torque")
+            curves.append(Curve(turned, "second", "T", r"M_\omega"))
     start, length = shown("half_period_start"), shown("half_period_length")
     start, length = start[np.isfinite(start)], length[np.isfinite(length)]
     changes = list(zip(start.tolist(), length.tolist(), strict=True)) if len(start) > 1 else []
     yield Panel(
-        _("Static torque at the motor's shaft"),
+        title,
         "N*m",
         angle,
         tuple(curves),

@@ -85,3 +85,6 @@ def _facts(shown: OneDesign, demand: ServoDemand | None) -> Iterator[tuple[Messa
         yield _("power that the loads take"), shown.amount("driven_power")
         yield _("power that the drive loses"), shown.amount("lost_power")
         yield _("heat in the motor"), shown.amount("motor_heat")
+    elif shown.has("constant_speed_torque"):
+        yield _("largest torque at constant speed"), shown.amount("largest_constant_speed_torque", 0)
+        yield _("effective torque at constant speed"), shown.amount("rms_constant_speed_torque", 0)
