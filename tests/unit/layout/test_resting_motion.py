@@ -171,7 +171,7 @@ REFUSED = {
     "twice": (listed(rests=[*RESTS, (0.8, 1.1)]), "rest[2].begin", "is there twice"),
     "no end": ({**listed(), "rest": [{"begin": "0.8 s"}]}, "rest[0].until", "is missing"),
     "beside pieces": (
-        {"piece": [{"duration": "1 s", "to": "100 mm"}], "rest": [{"begin": "0 s", "end": "1 s"}]},
+        {"piece": [{"duration": "1 s", "to": "100 mm"}], "rest": [{"begin": "0 s", "until": "1 s"}]},
         "rest",
         "a piece without `to` stands",
     ),
