@@ -17,8 +17,10 @@ from cranktrain.errors import Position, Problem, problems_as, refuse
 from cranktrain.how_far import say_how_far
 from cranktrain.io.machine_file import read_machine
 from cranktrain.language import said as _
+from cranktrain.motion import Array
 from cranktrain.one_line import one_line
 from cranktrain.record import record
+from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.sections import Column, Grid, PagePart, ShownSection, Unfolded
 from cranktrain.saying.wording import number
 from cranktrain.study.start import Start, start
@@ -80,11 +82,28 @@ def _at_option(problem: Problem) -> Problem:
 def _at_times(found: Start) -> Grid:
     """Curves at the times that were asked for."""
     columns = [
-        Column(entry.symbol or name, getattr(found, name).tolist(), entry.shown, "amounts", name)
+        Column(
+            " ".join((entry.symbol or name, *whose)),
+            values.tolist(),
+            entry.shown,
+            "amounts",
+            name,
+        )
         for name, entry in found.catalogue.items()
         if found.is_curve(entry)
+        for whose, values in _members(found, entry)
     ]
     return Grid(columns, [f"{time:g} s" for time in found.time.tolist()])
+
+
+def _members(found: Start, entry: Entry) -> Iterator[tuple[tuple[str, ...], Array]]:
+    """Curves of a quantity, each with whose it is."""
+    values = np.asarray(getattr(found, entry.name))
+    names = [name for members in found.titles_of(entry).values() for name in members]
+    if not names:
+        yield (), values
+    else:
+        yield from (((name,), own) for name, own in zip(names, values, strict=True))
 
 
 def _shown(found: Start, *, is_full: bool) -> Iterator[PagePart]:

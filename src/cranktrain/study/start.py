@@ -20,7 +20,7 @@ from cranktrain.motors import DeclaredMotor
 from cranktrain.one_line import short
 from cranktrain.questions.start.asked import MovingParts, StartAsked
 from cranktrain.questions.start.facts import StartFacts, StrokeFacts
-from cranktrain.questions.start.record import StartEvent, StartEvents, StartRun
+from cranktrain.questions.start.record import StartEvent, StartEvents, StartPressures, StartRun
 from cranktrain.questions.start.rows import start_rows
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry, entries
@@ -97,8 +97,9 @@ class Start(Run):
 
     @property
     def labels(self) -> Mapping[str, tuple[str, ...]]:
-        """Events by their names, and numbers where a name comes again."""
-        return self.given[StartEvents].labels
+        """Events by their names, and numbers where a name comes again; chambers by theirs."""
+        gas = self.given.get(StartPressures)
+        return {**self.given[StartEvents].labels, **({} if gas is None else gas.labels)}
 
     def attributes(self) -> Mapping[str, object]:
         """What a dataset says of it as a whole: the machine, and why it ended."""

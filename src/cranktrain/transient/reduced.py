@@ -157,14 +157,26 @@ def settle(angle: float, numbers: Any) -> None:
         numbers[held + 1] = exponent
 
 
-def filled_at(angle: float, numbers: Any) -> None:
-    """Fill every chamber with gas at suction pressure, as after standing long or running unloaded."""
+def filled_at(angle: float, numbers: Any, pressure: float = math.nan) -> None:
+    """Fill every chamber with gas at a pressure [Pa]; unless given at its suction's, as after running unloaded."""
     row, x, _ = place_of(angle, numbers)
     for at in range(int(numbers[_N_CHAMBERS])):
         chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * _N_HELD
         volume = value_of(numbers, row + int(numbers[chamber + VOLUME]) * (DEGREE + 1), x)
-        numbers[held] = numbers[chamber + SUCTION] * volume ** numbers[chamber + COMPRESSION]
+        filled = numbers[chamber + SUCTION] if math.isnan(pressure) else pressure
+        numbers[held] = filled * volume ** numbers[chamber + COMPRESSION]
         numbers[held + 1] = numbers[chamber + COMPRESSION]
+
+
+def pressures_at(angle: float, numbers: Any) -> list[float]:
+    """Absolute pressure in every chamber at a crank angle, by what it remembers. [rad, Pa]"""
+    row, x, _ = place_of(angle, numbers)
+    found = list[float]()
+    for at in range(int(numbers[_N_CHAMBERS])):
+        chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * _N_HELD
+        volume = value_of(numbers, row + int(numbers[chamber + VOLUME]) * (DEGREE + 1), x)
+        found.append(_gas_in(numbers, chamber, numbers[held], numbers[held + 1], volume)[0])
+    return found
 
 
 def place_of(angle: float, numbers: Any) -> Any:

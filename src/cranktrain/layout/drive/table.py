@@ -22,6 +22,7 @@ from cranktrain.quantities import (
     Given,
     NonNegativeInertia,
     NonNegativeTime,
+    PositivePressure,
     PositiveRatio,
     PositiveSpeed,
     PositiveTime,
@@ -156,6 +157,10 @@ class StartSpec(Spec, frozen=True):
     brake_on: NonNegativeTime | None = Field(default=None, description=N_("When the brake is commanded."))
     unloaded_until: NonNegativeTime | None = Field(
         default=None, description=N_("Until when a compressor's suction valves are held open.")
+    )
+    gas_pressure: PositivePressure | None = Field(
+        default=None,
+        description=N_("Absolute pressure in a compressor's chambers at the beginning; that of suction unless given."),
     )
     interval: PositiveTime | None = Field(default=None, description=N_("Between the times that are shown."))
     tolerance: Tolerance = Field(

@@ -89,6 +89,8 @@ class StartCase:
     brake : Braking
         From its command on: `begins` is its delay.
     place : BrakePlace
+    chambers : tuple of str
+        Names of those of a compressor.
     zero : float
         φ where the shown crank angle is 0. [rad]
     steady_speed, cycle_time : float
@@ -106,6 +108,7 @@ class StartCase:
     interval_text: str
     brake: Braking
     place: BrakePlace
+    chambers: tuple[str, ...]
     zero: float
     steady_speed: float
     cycle_time: float

@@ -1,6 +1,9 @@
 """Curves of a start: when they are looked at closely, and speeds, torques, powers and energies at these times."""
 
+import math
+from collections.abc import Sequence
 from dataclasses import fields
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,25 +14,45 @@ from cranktrain.questions.start.record import StartCurves
 from cranktrain.transient.equation import ANGLE, HEAT, LOAD_WORK, LOST_WORK, MOTOR_WORK, SPEED
 from cranktrain.transient.floats import in_floats
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
-from cranktrain.transient.reduced import ReducedMachine, filled_at, in_one_row, settle
+from cranktrain.transient.reduced import ReducedMachine, filled_at, in_one_row, pressures_at, settle
 
 _QUICKLY = 0.01
 """Of its largest torque, by which a motor's changes in a step that is looked into closely."""
 _N_CLOSE = 9
 
 
-def curves_of(case: StartCase, time: Array, state: Array) -> StartCurves:
-    """Speeds, torques, powers and energies at the samples."""
+class SampledGas(NamedTuple):
+    """Curves at the samples, and the pressure in every chamber that remembers its gas, shape (chamber, time). [Pa]"""
+
+    curves: StartCurves
+    pressure: Array
+
+
+def curves_of(case: StartCase, time: Array, state: Array, loaded: Sequence[tuple[float, ReducedMachine]]) -> SampledGas:
+    """Speeds, torques, powers, energies and pressures at the samples.
+
+    Parameters
+    ----------
+    case : StartCase
+    time : Array, shape (time,)
+    state : Array, shape (time, state)
+    loaded : sequence of (float, ReducedMachine)
+        From when on it is which machine, as its suction valves are held open or not. [s]
+    """
     angle, speed = state[:, ANGLE], state[:, SPEED]
     ratio = overall_ratio(case.gearing)
     kernels = start_kernels(case.motor)
     torque = motor_torque(case, time, speed)
     load, inertia = np.empty(time.shape), np.empty(time.shape)
-    machine = in_list(case.machine, float(angle[0]))
-    for at, (phi, omega) in enumerate(zip(angle.tolist(), speed.tolist(), strict=True)):
+    pressure = np.empty((len(case.chambers), *time.shape))
+    machines, machine = list(loaded), list[float]()
+    for at, (now, phi, omega) in enumerate(zip(time.tolist(), angle.tolist(), speed.tolist(), strict=True)):
+        while machines and now >= machines[0][0]:
+            machine = in_list(machines.pop(0)[1], phi, math.nan if machine else case.start.gas_pressure)
         inertia[at], _, load[at], _ = kernels.machine(phi, omega, np.sign(omega), machine)
+        pressure[:, at] = in_floats(pressures_at)(phi, machine)
         in_floats(settle)(phi, machine)
-    return StartCurves(
+    curves = StartCurves(
         crank_angle_turned=angle - case.zero,
         crank_speed=speed,
         motor_speed=speed * ratio,
@@ -42,6 +65,7 @@ def curves_of(case: StartCase, time: Array, state: Array) -> StartCurves:
         kinetic_energy=0.5 * (inertia + turning_inertia(case.gearing)) * speed**2,
         motor_heat=state[:, HEAT],
     )
+    return SampledGas(curves, pressure)
 
 
 def motor_torque(case: StartCase, time: Array, speed: Array) -> Array:
@@ -74,8 +98,11 @@ def at_times(curves: StartCurves, chosen: NDArray[np.intp]) -> StartCurves:
     return StartCurves(**{one.name: getattr(curves, one.name)[chosen] for one in fields(curves)})
 
 
-def in_list(machine: ReducedMachine, angle: float) -> list[float]:
-    """Numbers for a run that is not compiled, from an angle where all chambers hold gas at suction pressure."""
+def in_list(machine: ReducedMachine, angle: float, pressure: float = math.nan) -> list[float]:
+    """Numbers for a run that is not compiled, from an angle where all chambers hold gas at a pressure [rad, Pa].
+
+    Unless given, at that of their suction.
+    """
     numbers = in_one_row(machine).tolist()
-    filled_at(angle, numbers)
+    filled_at(angle, numbers, pressure)
     return numbers

@@ -28,6 +28,8 @@ class StartOrders(NamedTuple):
         When each is commanded; infinite for never. [s]
     unloaded_until : float
         Until when suction valves are held open; 0 where they are not. [s]
+    gas_pressure : float
+        In a compressor's chambers at the beginning; NaN for that of suction. [Pa]
     interval : float
         Between times that are shown; infinite where the table does not say it. [s]
     tolerance : float
@@ -43,6 +45,7 @@ class StartOrders(NamedTuple):
     motor_reversed: float
     brake_on: float
     unloaded_until: float
+    gas_pressure: float
     interval: float
     tolerance: float
 
@@ -72,7 +75,7 @@ class DeclaredStart:
 def declared_start(spec: StartSpec, designs: Designs) -> DeclaredStart:
     """Take what the table says."""
     given: dict[str, Given | None] = {name: getattr(spec, name) for name in StartOrders._fields}
-    unsaid = dict.fromkeys(given, np.inf) | {"unloaded_until": 0.0}
+    unsaid = dict.fromkeys(given, np.inf) | {"unloaded_until": 0.0, "gas_pressure": np.nan}
     orders = [unsaid[name] if one is None else one.array for name, one in given.items()]
     return DeclaredStart(designs.by_design(orders), {name: one.text for name, one in given.items() if one is not None})
 

@@ -7,14 +7,19 @@ from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredDrive
 from cranktrain.questions.drive.steady_drive import SteadyDrive
+from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.reduction.at_angles import has_inertia, reduced_at
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.start.asked import MovingParts
 from cranktrain.questions.start.case import Braking, StartCase
 from cranktrain.questions.start.gentle_rows import corners_and_rows
+from cranktrain.saying.wording import number
 from cranktrain.transient.equation import AT_MOTOR, BrakePlace
 from cranktrain.transient.gearing import turning_inertia
-from cranktrain.transient.reduced import ReducedMachine
+from cranktrain.transient.reduced import DISCHARGE, SUCTION, ReducedMachine
+
+_SAME = 1e-9
+"""In parts: pressures that differ by less are one, in whichever unit."""
 
 
 def start_case(
@@ -22,6 +27,7 @@ def start_case(
     parts: MovingParts,
     machines: ReducedMachines,
     steady: SteadyDrive | None,
+    gas: GasInChambers | None,
     crank_angle: CrankAngle,
 ) -> StartCase:
     """Make the machine ready to start: refuse one that has no inertia, or whose load is no number."""
@@ -33,6 +39,7 @@ def start_case(
     _refuse_unknown_load(machines.each[0], crank_angle)
     brake, place = _brake(parts.brake)
     start = parts.start.of(0)
+    _refuse_pressure(machines.each[0], start.gas_pressure, parts.start.texts.get("gas_pressure", ""))
     corners, rows = corners_and_rows(machines.corners[0], machines.misses[0], machines.cycle, start.tolerance)
     cycle_time = np.nan if steady is None else float(steady.cycle_time[0])
     return StartCase(
@@ -47,6 +54,7 @@ def start_case(
         interval_text=parts.start.texts.get("interval", ""),
         brake=brake,
         place=place,
+        chambers=() if gas is None else _remembering(gas),
         zero=float(crank_angle.zero[0, 0, 0]),
         steady_speed=machines.cycle / cycle_time,
         cycle_time=cycle_time,
@@ -60,6 +68,27 @@ def _brake(found: DeclaredBrake | None) -> tuple[Braking, BrakePlace]:
     grip = found.of(0)
     place = BrakePlace(float(found.on == "crank"), grip.static_torque / grip.torque)
     return Braking(grip.torque, grip.delay, grip.rise_time), place
+
+
+def _remembering(gas: GasInChambers) -> tuple[str, ...]:
+    """Names of the chambers that remember their gas, in the order of the reduced machine."""
+    places = [place for filling in gas.filled_with("compressor") for place in filling.places.tolist()]
+    return tuple(gas.chambers.names[place] for place in places)
+
+
+def _refuse_pressure(machine: ReducedMachine, pressure: float, text: str) -> None:
+    """Refuse a pressure at the beginning without a chamber that has one, and one that no valve would leave there."""
+    if np.isnan(pressure):
+        return
+    chambers = np.asarray(machine.chambers)
+    if not len(chambers):
+        allowed = _('is for chambers of a compressor, [gas] kind = "compressor"; other gas goes by the crank angle')
+        raise InputError([Problem("drive.start.gas_pressure", text, allowed)])
+    least, most = float(np.min(chambers[:, SUCTION])), float(np.max(chambers[:, DISCHARGE]))
+    if not least * (1 - _SAME) <= pressure <= most * (1 + _SAME):
+        allowed = _("must be from the suction's {least} to the discharge's {most}: beyond them valves open at once")
+        said = allowed.format(least=number(least, "kPa"), most=number(most, "kPa"))
+        raise InputError([Problem("drive.start.gas_pressure", text, said)])
 
 
 def _refuse_unknown_load(machine: ReducedMachine, grid: CrankAngle) -> None:

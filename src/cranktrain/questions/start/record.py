@@ -2,18 +2,22 @@
 
 from collections import Counter
 from collections.abc import Mapping
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TRANSIENTS as _THEORY
 from cranktrain.saying.catalogue import quantity
+from cranktrain.saying.checks import StageResult
 from cranktrain.transient.clutched.settled import SettledStroke
 from cranktrain.transient.clutched.stopping import WorstStop
 
 _TIME = ("time",)
+_REDUCED = "docs/theory/reduced-machine"
 
 
 @record
@@ -35,6 +39,33 @@ class StartCurves:
     )
     kinetic_energy: Array = quantity("T", "J", _TIME, N_("Kinetic energy of machine and drive"), _THEORY, "26.11")
     motor_heat: Array = quantity("Q_m", "J", _TIME, N_("Heat in the motor's rotor"), _THEORY, "26.10")
+
+
+class GasOverTime(NamedTuple):
+    """Pressures in chambers that remember their gas.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Of the chambers.
+    whole : Array, shape (chamber, time)
+        At all times of the run. [Pa]
+    asked : array of int
+        Which of these times were asked for.
+    """
+
+    names: tuple[str, ...]
+    whole: Array
+    asked: NDArray[np.intp]
+
+
+@record
+class StartPressures(StageResult):
+    """Pressures of a compressor over time."""
+
+    gas_pressure: Array = quantity(
+        "p", "Pa", ("chamber", "time"), N_("Absolute pressure in each chamber of a compressor"), _REDUCED, "31.5"
+    )
 
 
 @record
@@ -96,6 +127,8 @@ class StartRun:
     tolerance : float
     n_steps : int
     method : str
+    gas : GasOverTime or None
+        Of a compressor.
     stroke : StrokeRun or None
         Of a start that is a single stroke.
     notes : tuple of str
@@ -113,6 +146,7 @@ class StartRun:
     tolerance: float
     n_steps: int
     method: str
+    gas: GasOverTime | None = None
     stroke: StrokeRun | None = None
     notes: tuple[str, ...] = ()
 
@@ -120,6 +154,12 @@ class StartRun:
 def start_curves(run: StartRun) -> StartCurves:
     """Give the curves at the times that were asked for."""
     return run.curves
+
+
+def start_pressures(run: StartRun) -> StartPressures:
+    """Give the pressures at the times that were asked for."""
+    assert run.gas is not None  # a run from rest has them
+    return StartPressures(labels={"chamber": run.gas.names}, gas_pressure=run.gas.whole[:, run.gas.asked])
 
 
 def start_events(run: StartRun) -> StartEvents:

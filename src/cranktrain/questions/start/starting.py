@@ -16,7 +16,7 @@ from cranktrain.questions.start.case import StartCase, Switching, start_kernels
 from cranktrain.questions.start.curves import at_times, close_times, curves_of, in_list
 from cranktrain.questions.start.method import Runs, method_of
 from cranktrain.questions.start.notes import start_notes
-from cranktrain.questions.start.record import StartEvent, StartRun
+from cranktrain.questions.start.record import GasOverTime, StartEvent, StartRun
 from cranktrain.saying.wording import number
 from cranktrain.transient import endings
 from cranktrain.transient.equation import MOTOR_WORK, SPEED, DriveTrain
@@ -125,13 +125,14 @@ def _runs(
     """
     angle, speed, now = case.start.angle + case.zero, case.start.speed, 0.0
     spans, kernels = list(_spans(case)), start_kernels(case.motor)
-    numbers, machine = list[float](), None
+    numbers, machine, filled = list[float](), None, case.start.gas_pressure
     while spans:
         span = spans.pop(0)
         if span.to_rest and speed <= 0:
             continue
         span = _from_speed(case, span._replace(start=now, end=min(span.end, end)), speed)
-        numbers = numbers if span.machine is machine else in_list(span.machine, angle)
+        numbers = numbers if span.machine is machine else in_list(span.machine, angle, filled)
+        filled = math.nan
         asked = _wanted(case, span, angle, speed, samples)
         own = None if steps is None else list[tuple[float, float]]()
         telling = _from(span.start, progress)
@@ -226,7 +227,7 @@ def _together(case: StartCase, runs: list[tuple[_Span, TransientRun]], reason: i
     span, last = runs[-1]
     time, state = np.concatenate(times), np.concatenate(states)
     wanted_too = np.flatnonzero(np.isin(time, asked))
-    whole = curves_of(case, time, state)
+    whole, pressure = curves_of(case, time, state, [(one.start, one.machine) for one in _loaded(runs)])
     return StartRun(
         reason=_(_reason(case, runs, reason)),
         time=time[wanted_too],
@@ -236,10 +237,20 @@ def _together(case: StartCase, runs: list[tuple[_Span, TransientRun]], reason: i
         events=tuple(_events(case, runs)),
         residual=sum(found.residual for _, found in runs),
         supplied=max(sum(found.supplied for _, found in runs), float(np.max(whole.kinetic_energy))),
+        gas=GasOverTime(case.chambers, pressure, wanted_too),
         tolerance=case.start.tolerance,
         n_steps=sum(found.n_steps for _, found in runs),
         method=last.method,
     )
+
+
+def _loaded(runs: list[tuple[_Span, TransientRun]]) -> Iterator[_Span]:
+    """Spans with which another machine begins: a compressor that is loaded."""
+    machine = None
+    for span, _found in runs:
+        if span.machine is not machine:
+            machine = span.machine
+            yield span
 
 
 def _reason(case: StartCase, runs: list[tuple[_Span, TransientRun]], reason: int) -> str:

@@ -1,5 +1,6 @@
 """A start as a sheet: speed, torque, power and energy over time, its way through the motor's curve, its events."""
 
+import itertools
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -15,6 +16,7 @@ from cranktrain.saying.rows import Telling
 from cranktrain.saying.wording import power_of_ten
 from cranktrain.study.start import Start
 
+_CHAMBERS: tuple[Role, ...] = ("card", "later_card", "side", "resultant")
 _FEW, _MOST = 3, 60
 """Events of one name that each have a number and a row; lines of one that has none."""
 
@@ -89,6 +91,11 @@ def _panels(start: Start, levels: tuple[PanelLine, ...]) -> Iterator[Panel]:
     if start.motor is not None:
         yield panel(_("Torque of the motor"), "N*m", of("motor_torque", "card", "T"))
         yield panel(_("Power of the motor"), "W", of("motor_power", "card", "j"))
+    if start.run.gas is not None and start.run.gas.names:
+        names, roles = start.run.gas.names, itertools.cycle(_CHAMBERS)
+        each = zip(names, start.run.gas.whole, roles, strict=False)
+        lines = (Curve(own, role, "p", name=name if len(names) > 1 else "") for name, own, role in each)
+        yield panel(_("Pressure in the chambers"), "Pa", *lines)
     yield panel(
         _("Energy"),
         "J",
