@@ -30,6 +30,7 @@ from cranktrain.spec import Spec, SpecType
 
 Torque = Annotated[Given, Quantity(Dimension.TORQUE)]
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=10.0, example="2")]
+Factor = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, example="1.1")]
 
 _MOST = 2 * TURN * (1 + 1e-9)
 """How far crank angles may reach. [rad]"""
@@ -95,6 +96,10 @@ class LoadSpec(Spec, frozen=True):
             "Of a torque on a shaft: whether its sizes count as given, or times one factor, so that they balance the"
             " mean of the machine's torque."
         ),
+    )
+    factor: Factor | None = Field(
+        default=None,
+        description=N_("By which all sizes of a list or a file count, as of another material; 1 unless given."),
     )
     direction: Angle | None = Field(
         default=None,
@@ -206,6 +211,7 @@ class LoadSpec(Spec, frozen=True):
         """Find a load of no sort or of two, and what belongs to another."""
         if self.is_balanced and self.sense != "resisting":
             yield Problem("sense", self.sense, _("must be resisting: it balances what the machine gives"))
+        yield from self._factor_problems()
         if self.file is not None:
             yield from self._file_problems(self.file)
             return
@@ -222,6 +228,17 @@ class LoadSpec(Spec, frozen=True):
         sort: Sort = "torque" if self.force is None else "force"
         yield from self._sort_problems(sort)
         yield from self._size_problems(sort)
+
+    def _factor_problems(self) -> Iterator[Problem]:
+        """Find a factor of one size, which says it itself, and one of what has its own."""
+        if self.factor is None:
+            return
+        if self.is_balanced:
+            allowed = _('must not stand beside scale = "balanced", by which the factor is found')
+            yield Problem("factor", self.factor.text, allowed)
+        elif self.file is None and self.over is None:
+            allowed = _("is for a list of sizes or a file; write the one size as it is")
+            yield Problem("factor", self.factor.text, allowed)
 
     def _file_problems(self, file: str) -> Iterator[Problem]:
         """Find what stands beside a file, what is wrong in it, and what does not suit what it holds."""

@@ -227,11 +227,12 @@ def law_of(laid: Laid, spec: LoadSpec, sign: float = 1.0) -> Law:
     def each(numbers: Sequence[Given]) -> Array:
         return laid([number.array for number in numbers])
 
-    size = sign * (each(spec.sizes) if spec.sizes else laid([ONE]))
+    scale = sign if spec.factor is None else sign * laid([spec.factor.array])
+    size = scale * (each(spec.sizes) if spec.sizes else laid([ONE]))
     if spec.crank_angles is not None:
         return ByAngle(each(spec.crank_angles), size)
     if (travel := spec.travel or spec.swing) is not None:
-        return ByTravel(each(travel), size, size if spec.back is None else sign * each(spec.back))
+        return ByTravel(each(travel), size, size if spec.back is None else scale * each(spec.back))
     at = spec.at_speed or spec.at_turning
     power = ZERO if at is None else ONE
     if spec.exponent is not None:

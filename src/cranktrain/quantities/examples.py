@@ -63,6 +63,7 @@ EXAMPLES = {
     "exhaust_pressure": "110 kPa",
     "expansion_exponent": "1.28",
     "exponent": "1.3",
+    "factor": "1.1",
     "fall_time": "30 ms",
     "firing_angle": "360 deg",
     "firing_angles": "240 deg",
