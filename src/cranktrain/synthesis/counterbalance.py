@@ -19,6 +19,8 @@ from cranktrain.synthesis.proposal import Alternative, MachineProposal, Number, 
 Aim = Literal["equal_peaks", "least_rms"]
 
 _UNITS = ("N", "kN", "lbf")
+_ONE = 1e-9
+"""In parts: moments that differ by less are one."""
 _AIMS = {
     "equal_peaks": N_("equal peaks of up- and downstroke"),
     "least_rms": N_("the least root mean square of the torque"),
@@ -61,6 +63,7 @@ def counterbalance(
     # At no weight at all nothing says how much of it would be best.
     started = machine if given.si != 0.0 else machine.with_({path: f"1 {unit}"})
     start, base = _torques(started), _si(started)
+    _refuse_other_weights(machine, start, base)
     forces = {
         "equal_peaks": base * float(start.equal_peaks_moment[0] / start.counterbalance_moment[0]),
         "least_rms": base * float(start.least_rms_moment[0] / start.counterbalance_moment[0]),
@@ -99,6 +102,18 @@ def _weights(machine: Machine) -> tuple[str, Given]:
         if load is not None and load.force is not None:
             return f"{home}.{path_text((pumping.counterbalance,))}.force", load.force[0]
     raise InputError([Problem("pumping.counterbalance", pumping.counterbalance, _("must be a force on the crank"))])
+
+
+def _refuse_other_weights(machine: Machine, start: GearboxTorque, force: float) -> None:
+    """Refuse a crank whose own body is a counterbalance, too: no force alone is then the answer."""
+    path, _given = _weights(machine)
+    named = {name: load for loads in machine.loads.values() for name, load in loads.items()}
+    load = named[machine.pumping.counterbalance or ""] if machine.pumping is not None else None
+    arms = () if load is None else (load.along, load.across)
+    own = abs(force) * float(np.hypot(*(0.0 if arm is None else arm.si for arm in arms)))
+    if abs(float(start.counterbalance_moment[0]) - own) > _ONE * own:
+        allowed = _("is not all of the counterbalance: [masses.crank] weighs, too; say its moment by the force alone")
+        raise InputError([Problem(path, None, allowed)])
 
 
 def _si(machine: Machine) -> float:

@@ -5,8 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.layout.load_laws import ByTravel
+from cranktrain.layout.crank_bodies import CRANK
+from cranktrain.layout.load_laws import BySpeed, ByTravel
 from cranktrain.layout.loads import LinkLoad
+from cranktrain.linkage.vectors import Vector
 from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import bracketed_roots, extremes
 from cranktrain.numerics.designs import by_design
@@ -40,20 +42,36 @@ class ActingOnUnit(NamedTuple):
 
 @record
 class PumpingUnit:
-    """A pumping unit whose loads can be asked for; `bottom` and `top`, shape (design,), φ of its rod's ends. [rad]"""
+    """A pumping unit whose loads can be asked for.
+
+    Attributes
+    ----------
+    loaded : LoadedMachine
+    well : LinkLoad
+    weights : tuple of LinkLoad
+        The counterbalance: the load that is it, and the weight of the crank's body.
+    beside : tuple of LinkLoad
+        All other loads.
+    bottom, top : Array, shape (design,)
+        φ of its rod's ends. [rad]
+    moment, phase : Array, shape (design,)
+        As of `DeclaredPumping`, of all weights together. [N·m, rad]
+    """
 
     loaded: LoadedMachine
     well: LinkLoad
-    weights: LinkLoad | None
+    weights: tuple[LinkLoad, ...]
     beside: tuple[LinkLoad, ...]
     bottom: Array
     top: Array
+    moment: Array
+    phase: Array
 
     def at(self, angle: Array) -> ActingOnUnit:
         """What acts at φ, shape (design, n). [rad]"""
         own = angle[:, np.newaxis]
         speed = self.loaded.speed.drive(own).speed
-        loads = (self.well, *self.beside, *(() if self.weights is None else (self.weights,)))
+        loads = (self.well, *self.beside, *self.weights)
         ways = self.loaded.load_ways(loads, own)
         sizes = [self.loaded.load_value(load, way, own, speed) for load, way in zip(loads, ways, strict=True)]
         torques = [-size * way.rate for size, way in zip(sizes, ways, strict=True)]
@@ -109,12 +127,69 @@ def pumping_unit(declared: DeclaredPumping, loaded: LoadedMachine) -> PumpingUni
     assert loaded.loads is not None  # the card is one
     by_name = {load.name: load for load in loaded.loads.each}
     well = by_name[declared.card]
-    weights = by_name.get(declared.counterbalance)
+    load, body = by_name.get(declared.counterbalance), _body_of_crank(loaded, well.mechanism)
+    weights = tuple(one for one in (load, body) if one is not None)
+    moment, phase = (declared.moment, declared.phase) if body is None else _together(weights, declared)
     found = extremes(partial(_place, loaded, well), partial(_rate, loaded, well))
     ends = [one.angle[:, 0, 0] for one in (found.largest, found.smallest)]
     bottom, top = by_design(ends, len(declared.moment)).T
-    beside = tuple(load for load in loaded.loads.each if load is not well and load is not weights)
-    return PumpingUnit(loaded, well, weights, beside, bottom, top)
+    beside = tuple(one for one in loaded.loads.each if one is not well and one is not load)
+    return PumpingUnit(loaded, well, weights, beside, bottom, top, moment, phase)
+
+
+def _body_of_crank(loaded: LoadedMachine, mechanism: int) -> LinkLoad | None:
+    """Weight of the body of the crank as a load at its centroid; None where it has none, or stands in balance."""
+    kind, made = loaded.mechanisms.batches[0].kind, loaded.masses.batches[0]
+    if CRANK not in kind.dynamics.moving:
+        return None
+    link = kind.dynamics.moving.index(CRANK)
+    body, gravity = made.bodies[link], made.gravity
+    size = body.mass * np.hypot(gravity.x, gravity.y)
+    if np.all(size * np.hypot(body.along, body.across) == 0.0):
+        return None
+    return LinkLoad(
+        name=CRANK,
+        mechanism=mechanism,
+        link=link,
+        is_slider=False,
+        is_torque=False,
+        resists=False,
+        law=BySpeed(size, np.ones_like(size), np.zeros_like(size)),
+        stretch=None,
+        arm=Vector(body.along, body.across),
+        counts=1.0,
+        radius=None,
+        direction=np.arctan2(gravity.y, gravity.x),
+    )
+
+
+def _together(weights: tuple[LinkLoad, ...], declared: DeclaredPumping) -> tuple[Array, Array]:
+    """Largest moment of weights that pull in directions of their own, and their phase by that of the first one.
+
+    docs/theory/pumping-unit, eq. (28.11).
+    """
+    first, *_others = (_direction(load) for load in weights)
+    turned = sum(
+        (
+            _constant(load) * (load.arm.x + 1j * load.arm.y) * np.exp(1j * (first - _direction(load)))
+            for load in weights
+        ),
+        np.zeros((1, 1, 1), dtype=complex),
+    )
+    of_all = np.broadcast_to(turned[:, 0, 0], declared.moment.shape)
+    return np.abs(of_all), declared.sense * np.angle(of_all)
+
+
+def _direction(load: LinkLoad) -> Array:
+    """In which a weight pulls, in the mechanism's axes. [rad]"""
+    assert load.direction is not None  # a rope or a weight has one
+    return load.direction
+
+
+def _constant(load: LinkLoad) -> Array:
+    """Size of a load that has but one. [N]"""
+    assert isinstance(load.law, BySpeed)  # what else is refused as a counterbalance
+    return load.law.size
 
 
 def _place(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> Array:

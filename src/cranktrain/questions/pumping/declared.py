@@ -7,6 +7,7 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
+from cranktrain.layout.crank_bodies import CRANK
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.layout.places import PlacedMechanism
@@ -32,7 +33,10 @@ class DeclaredPumping:
         Largest moment of the counterbalance, its force times its arm; NaN without one. [N·m]
     phase : Array, shape (design,)
         How far the weights are ahead of the line from shaft to crank pin. [rad]
+    sense : float
+        −1 of a crank that runs against the machine.
     has_masses : bool
+        Whether anything but the crank weighs something.
     """
 
     needs: ClassVar[str] = N_("[pumping]")
@@ -44,6 +48,7 @@ class DeclaredPumping:
     rated_load: Array
     moment: Array
     phase: Array
+    sense: float
     has_masses: bool
 
 
@@ -72,7 +77,8 @@ def declared_pumping(designs: Designs) -> DeclaredPumping | None:
         rated_load=each(np.nan if spec.rated_load is None else spec.rated_load.array),
         moment=moment,
         phase=phase,
-        has_masses=bool(designs.together.weighed.bodies),
+        sense=float(designs.places[0].sense),
+        has_masses=any(part != CRANK for bodies in designs.together.weighed.bodies.values() for part in bodies),
     )
 
 

@@ -57,7 +57,7 @@ class GearboxTorque(Checked, Flagged):
         _CURVE,
         N_("Rod load that brings the gearbox to its rated torque: a most going up, a least going down"),
         _THEORY,
-        "28.11, 28.12",
+        "28.12, 28.13",
     )
     upstroke_angle: Array = quantity(
         "φ_u", "deg", _POSITION, N_("Crank angle at a position on the upstroke"), _THEORY, "28.1", is_place=True
@@ -66,7 +66,7 @@ class GearboxTorque(Checked, Flagged):
         "φ_d", "deg", _POSITION, N_("Crank angle at a position on the downstroke"), _THEORY, "28.1", is_place=True
     )
     upstroke_permissible_load: Array = quantity(
-        "W_p,u", "N", _POSITION, N_("Most that the rod may pull going up, by the rated torque"), _THEORY, "28.11, 28.12"
+        "W_p,u", "N", _POSITION, N_("Most that the rod may pull going up, by the rated torque"), _THEORY, "28.12, 28.13"
     )
     downstroke_permissible_load: Array = quantity(
         "W_p,d",
@@ -74,7 +74,7 @@ class GearboxTorque(Checked, Flagged):
         _POSITION,
         N_("Least that the rod must pull going down, by the rated torque"),
         _THEORY,
-        "28.11, 28.12",
+        "28.12, 28.13",
     )
     rod_stroke: Array = quantity("S_PR", "m", (), N_("Stroke of the polished rod"), _THEORY, "28.1")
     bottom_angle: Array = quantity(
@@ -112,12 +112,12 @@ class GearboxTorque(Checked, Flagged):
     card_work: Array = quantity(
         "W_c", "J", (), N_("Work of a turn at the polished rod: area of its card"), _THEORY, "28.6"
     )
-    polished_rod_power: Array = quantity("P_PR", "W", (), N_("Mean power at the polished rod"), _THEORY, "28.13")
+    polished_rod_power: Array = quantity("P_PR", "W", (), N_("Mean power at the polished rod"), _THEORY, "28.14")
     counterbalance_moment: Array = quantity(
-        "M", "N*m", (), N_("Largest moment of the counterbalance about the crankshaft"), _THEORY, "definition"
+        "M", "N*m", (), N_("Largest moment of the counterbalance about the crankshaft"), _THEORY, "28.11"
     )
     weights_phase: Array = quantity(
-        "τ", "deg", (), N_("How far the weights are ahead of the line from shaft to crank pin"), _THEORY, "definition"
+        "τ", "deg", (), N_("How far the weights are ahead of the line from shaft to crank pin"), _THEORY, "28.11"
     )
     equal_peaks_moment: Array = quantity(
         "M_eq", "N*m", (), N_("Moment of the counterbalance that makes both peaks equal"), _THEORY, "28.9"
@@ -135,10 +135,10 @@ class GearboxTorque(Checked, Flagged):
         "T_rms,max", "N*m", (), N_("Largest torque with that counterbalance"), _THEORY, "28.8, 28.10"
     )
     torque_share: Array = quantity(
-        "T/T_r", "1", (), N_("Largest torque of either sign, of the gearbox's rating"), _THEORY, "28.13"
+        "T/T_r", "1", (), N_("Largest torque of either sign, of the gearbox's rating"), _THEORY, "28.14"
     )
     load_share: Array = quantity(
-        "W/W_r", "1", (), N_("Largest pull at the polished rod, of its rating"), _THEORY, "28.13"
+        "W/W_r", "1", (), N_("Largest pull at the polished rod, of its rating"), _THEORY, "28.14"
     )
 
 
@@ -169,7 +169,7 @@ def gearbox_torque(
 
     Notes
     -----
-    T = TF (W − B) − M sin(θ + τ), by virtual work of all loads. docs/theory/pumping-unit, eqs. (28.1) to (28.12).
+    T = TF (W − B) − M sin(θ + τ), by virtual work of all loads. docs/theory/pumping-unit, eqs. (28.1) to (28.13).
     """
     unit = pumping_unit(declared, loaded)
     n_designs = len(declared.moment)
@@ -221,11 +221,11 @@ def gearbox_torque(
             cyclic_load_factor=np.where(mean > 0, rms / mean, np.nan),
             card_work=work,
             polished_rod_power=work * np.broadcast_to(loaded.speed.mean[..., 0], (n_designs, 1))[:, 0] / TURN,
-            counterbalance_moment=declared.moment,
-            weights_phase=declared.phase,
-            equal_peaks_moment=equal * declared.moment,
+            counterbalance_moment=unit.moment,
+            weights_phase=unit.phase,
+            equal_peaks_moment=equal * unit.moment,
             equal_peaks_torque=each("equal_peaks"),
-            least_rms_moment=least_rms * declared.moment,
+            least_rms_moment=least_rms * unit.moment,
             least_rms_torque=each("least_rms"),
             least_rms_peak=each("least_rms_peak"),
             torque_share=largest / declared.rated_torque,
@@ -299,9 +299,13 @@ def _flags(found: GearboxTorque, declared: DeclaredPumping) -> Iterator[Words]:
     if np.any(found.mean_gearbox_torque < -_APART * np.maximum(np.abs(up), np.abs(down))):
         yield _("The card gives work over a turn, as if the well drove the machine: see whether its `counts` is right.")
     apart = (up - down) / np.maximum(np.abs(up), np.abs(down))
-    if np.any(np.isfinite(declared.moment) & (apart > _APART)):
+    if np.any(np.isfinite(found.counterbalance_moment) & (apart > _APART)):
         yield _("The counterbalance is too light: the peak of the upstroke is the larger one.")
-    if np.any(np.isfinite(declared.moment) & (apart < -_APART)):
+    if np.any(np.isfinite(found.counterbalance_moment) & (apart < -_APART)):
         yield _("The counterbalance is too heavy: the peak of the downstroke is the larger one.")
     if declared.has_masses:
-        yield _("The gearbox torque is that of loads alone; weight and inertia of masses are in driving_torque.")
+        said = _(
+            "The gearbox torque is that of loads and the weight of the crank's body alone; weight of other masses, and"
+            " inertia, are in driving_torque."
+        )
+        yield said
