@@ -21,8 +21,7 @@ from cranktrain.layout.closing import closing_problems
 from cranktrain.layout.design import Design
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
-from cranktrain.layout.load_laws import is_over_two_turns
-from cranktrain.layout.load_tables import LoadSpec, LoadTables, in_place_of_lists
+from cranktrain.layout.load_tables import LoadSpec, LoadTables, cycle_of, in_place_of_lists
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
 from cranktrain.layout.question import Question
@@ -31,7 +30,6 @@ from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPist
 from cranktrain.layout.unit_tables import unit_problems
 from cranktrain.mechanisms import KINDS, AnyMechanism
 from cranktrain.motion import Array
-from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import path_text, with_values
 from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
@@ -353,16 +351,8 @@ class Machine(Spec, frozen=True):
     @property
     def cycle(self) -> float:
         """Crank angle after which all repeats: a turn, or two, as cylinders say, or else loads and pulls. [rad]"""
-        return self.cylinder.cycle_length or (2 * TURN if self._is_over_two_turns else TURN)
-
-    @property
-    def _is_over_two_turns(self) -> bool:
-        """Whether a load or a pull has sizes over two turns, and no gas works once a turn."""
-        if self.gas is not None:
-            return False
-        over = [load.crank_angles for named in self.loads.values() for load in named.values()]
-        over += [] if self.crankshaft is None else [pull.crank_angles for pull in self.crankshaft.pulls]
-        return any(angles is not None and is_over_two_turns(angles[0].si, angles[-1].si) for angles in over)
+        pulls = () if self.crankshaft is None or self.gas is not None else self.crankshaft.pulls
+        return self.cylinder.cycle_length or cycle_of({} if self.gas is not None else self.loads, pulls)
 
     @cached_property
     def table_problems(self) -> tuple[Problem, ...]:

@@ -1,9 +1,9 @@
 """Loads: what a machine works against, or what drives it besides the gas; their tables of the machine file."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from typing import Annotated, ClassVar, Literal, TypeAlias, cast
+from typing import Annotated, ClassVar, Literal, Protocol, TypeAlias, cast
 
 from pydantic import BaseModel, Field
 
@@ -12,6 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.listed import OneOrMany
 from cranktrain.layout.load_card import LoadCard, load_card
 from cranktrain.layout.load_heads import Sort
+from cranktrain.layout.load_laws import is_over_two_turns
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import PathParts, item_at, replaced
 from cranktrain.quantities import (
@@ -350,3 +351,19 @@ def in_place_of_lists(data: Mapping[str, object], paths: Sequence[PathParts]) ->
 
 LoadTables: TypeAlias = Mapping[str, Mapping[str, LoadSpec]]
 """Loads by the path of their tables, `load` or `bank.B.load`, and by name."""
+
+
+class OverAngles(Protocol):
+    """What may have sizes over crank angles: a load, or a pull."""
+
+    @property
+    def crank_angles(self) -> tuple[Given, ...] | None:
+        """These angles."""
+        ...
+
+
+def cycle_of(loads: LoadTables, pulls: Iterable[OverAngles]) -> float:
+    """Cycle of a machine of which only its loads and pulls say it: two turns where one of them has more than one."""
+    over = [one.crank_angles for one in (*(load for named in loads.values() for load in named.values()), *pulls)]
+    is_longer = any(one is not None and is_over_two_turns(one[0].si, one[-1].si) for one in over)
+    return 2 * TURN if is_longer else TURN
