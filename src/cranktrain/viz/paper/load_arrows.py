@@ -50,14 +50,14 @@ class ArrowSizes(NamedTuple):
     radius: float
 
 
-class Body(NamedTuple):
+class DrawnBody(NamedTuple):
     """How far a body reaches from a force's point along the way of the force, and against it. [mm of metal]"""
 
     ahead: float
     behind: float
 
 
-_POINT = Body(0.0, 0.0)
+_POINT = DrawnBody(0.0, 0.0)
 
 
 class LoadMark(NamedTuple):
@@ -79,7 +79,7 @@ def load_marks(
     largest: dict[bool, float],
     room: ArrowSizes,
     links: Sequence[Array],
-    bodies: Mapping[tuple[str, str], Body] | None = None,
+    bodies: Mapping[tuple[str, str], DrawnBody] | None = None,
 ) -> Iterator[LoadMark]:
     """Draw loads at one crank angle, places in mm of metal; dashed where there is none.
 
@@ -138,7 +138,7 @@ def _arrow(
     room: ArrowSizes,
     links: Sequence[Array],
     taken: list[tuple[Array, Array]],
-    body: Body,
+    body: DrawnBody,
 ) -> LoadMark | None:
     """A force; None of one that goes nowhere."""
     way, point = load.way[:, 0], load.place[:, 0]

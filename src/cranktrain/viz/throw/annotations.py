@@ -14,7 +14,7 @@ from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.saying.scales import scale_for
 from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.load_arrows import ArrowSizes, Body, LoadMark, load_marks, load_wishes
+from cranktrain.viz.paper.load_arrows import ArrowSizes, DrawnBody, LoadMark, load_marks, load_wishes
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch, Wish, label_outline, placed_labels
 from cranktrain.viz.throw.cylinders import skirt, wall_end
 
@@ -168,16 +168,16 @@ def throw_loads(scene: Scene, angle: float) -> tuple[LoadMark, ...]:
     return tuple(load_marks(acting, scene.loads.largest, room, links, bodies))
 
 
-def _body(scene: Scene, load: ActingLoad) -> Body:
+def _body(scene: Scene, load: ActingLoad) -> DrawnBody:
     """Slider about the point of a force along its line: a force across it acts at the point itself."""
     member = next(member for member in scene.members if member.place.name == load.mechanism)
     along = float(member.stroke_line.along @ load.way[:, 0])
     if abs(along) < _IN_LINE:
-        return Body(0.0, 0.0)
+        return DrawnBody(0.0, 0.0)
     near = skirt(scene, member)
     far = near if member.crosshead is not None else scene.above(member)
     ends = (far, near) if member.toward_chamber > 0 else (near, far)
-    return Body(*(ends if along > 0 else ends[::-1]))
+    return DrawnBody(*(ends if along > 0 else ends[::-1]))
 
 
 def moving_lines(scene: Scene, marks: Sequence[LoadMark]) -> Iterator[Line]:
