@@ -262,7 +262,8 @@ def polar_diagram(
     """
     cycle = float(angles[-1])
     marked = np.arange(0.0, cycle, _MARKS)
-    marks = np.stack([np.interp(marked, angles, part) for part in curves[0].points])
+    x, y = curves[0].points
+    marks = np.stack([np.interp(marked, angles, x), np.interp(marked, angles, y)])
     return PolarDiagram(title, curves, largest, largest_at, cycle, marked, marks)
 
 
