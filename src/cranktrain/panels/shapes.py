@@ -262,8 +262,8 @@ def polar_diagram(
     """
     cycle = float(angles[-1])
     marked = np.arange(0.0, cycle, _MARKS)
-    x, y = curves[0].points
-    marks = np.stack([np.interp(marked, angles, x), np.interp(marked, angles, y)])
+    ways: list[Array] = [np.asarray(np.interp(marked, angles, part), np.float64) for part in curves[0].points]
+    marks: Array = np.stack(ways)
     return PolarDiagram(title, curves, largest, largest_at, cycle, marked, marks)
 
 
