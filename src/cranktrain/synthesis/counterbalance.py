@@ -1,5 +1,6 @@
 """Counterbalance of a pumping unit: the weights that make both peaks of its gearbox torque equal, or its rms least."""
 
+import math
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
@@ -109,8 +110,8 @@ def _refuse_other_weights(machine: Machine, start: GearboxTorque, force: float) 
     path, _given = _weights(machine)
     named = {name: load for loads in machine.loads.values() for name, load in loads.items()}
     load = named[machine.pumping.counterbalance or ""] if machine.pumping is not None else None
-    arms = () if load is None else (load.along, load.across)
-    own = abs(force) * float(np.hypot(*(0.0 if arm is None else arm.si for arm in arms)))
+    along, across = (None, None) if load is None else (load.along, load.across)
+    own = abs(force) * math.hypot(0.0 if along is None else along.si, 0.0 if across is None else across.si)
     if abs(float(start.counterbalance_moment[0]) - own) > _ONE * own:
         allowed = _("is not all of the counterbalance: [masses.crank] weighs, too; say its moment by the force alone")
         raise InputError([Problem(path, None, allowed)])

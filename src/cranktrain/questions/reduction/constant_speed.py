@@ -82,10 +82,11 @@ def constant_speed_drive(
     speeds = np.broadcast_to(speed.value[:, 0, 0], (n_designs,))
     zeros = np.broadcast_to(crank_angle.zero[:, 0, 0], (n_designs,))
     corners = np.broadcast_to(machines.corners, (n_designs, machines.corners.shape[-1]))
-    rows = list(zip(machines.each, drive.gearings, speeds.tolist(), strict=True))
+    turned: list[float] = [float(one) for one in speeds]
+    rows = list(zip(machines.each, drive.gearings, turned, strict=True))
     curves = [
-        torque_through(reduced_at(machine, own).taken(np.full(own.size, turning)), ONE, gearing)
-        for (machine, gearing, turning), own in zip(rows, grid, strict=True)
+        torque_through(reduced_at(machine, grid[n]).taken(np.full(grid.shape[-1], turning)), ONE, gearing)
+        for n, (machine, gearing, turning) in enumerate(rows)
     ]
     facts = [
         torque_facts(machine, own, machines.cycle, gearing, zero=float(zero), grid=crank_angle.shown, speed=turning)

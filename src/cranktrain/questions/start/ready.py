@@ -72,7 +72,8 @@ def _brake(found: DeclaredBrake | None) -> tuple[Braking, BrakePlace]:
 
 def _remembering(gas: GasInChambers) -> tuple[str, ...]:
     """Names of the chambers that remember their gas, in the order of the reduced machine."""
-    places = [place for filling in gas.filled_with("compressor") for place in filling.places.tolist()]
+    each = [filling.places for filling in gas.filled_with("compressor")]
+    places: list[int] = [int(place) for own in each for place in own.tolist()]
     return tuple(gas.chambers.names[place] for place in places)
 
 

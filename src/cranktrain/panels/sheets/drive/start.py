@@ -1,6 +1,5 @@
 """A start as a sheet: speed, torque, power and energy over time, its way through the motor's curve, its events."""
 
-import itertools
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -92,9 +91,11 @@ def _panels(start: Start, levels: tuple[PanelLine, ...]) -> Iterator[Panel]:
         yield panel(_("Torque of the motor"), "N*m", of("motor_torque", "card", "T"))
         yield panel(_("Power of the motor"), "W", of("motor_power", "card", "j"))
     if start.run.gas is not None and start.run.gas.names:
-        names, roles = start.run.gas.names, itertools.cycle(_CHAMBERS)
-        each = zip(names, start.run.gas.whole, roles, strict=False)
-        lines = (Curve(own, role, "p", name=name if len(names) > 1 else "") for name, own, role in each)
+        names = start.run.gas.names
+        lines = (
+            Curve(own, _CHAMBERS[place % len(_CHAMBERS)], "p", name=name if len(names) > 1 else "")
+            for place, (name, own) in enumerate(zip(names, start.run.gas.whole, strict=True))
+        )
         yield panel(_("Pressure in the chambers"), "Pa", *lines)
     yield panel(
         _("Energy"),
