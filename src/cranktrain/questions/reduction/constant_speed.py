@@ -85,7 +85,7 @@ def constant_speed_drive(
     turned: list[float] = [float(one) for one in speeds]
     rows = list(zip(machines.each, drive.gearings, turned, strict=True))
     curves = [
-        torque_through(reduced_at(machine, grid[n]).taken(np.full(grid.shape[-1], turning)), ONE, gearing)
+        torque_through(reduced_at(machine, grid[n]).taken(0.0 * grid[n] + turning), ONE, gearing)
         for n, (machine, gearing, turning) in enumerate(rows)
     ]
     facts = [
