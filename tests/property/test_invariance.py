@@ -155,7 +155,7 @@ def same(one: ct.Result, other: ct.Result, *, design: int | None = None) -> None
             off = np.mod(found - expected + 180, 360) - 180
             assert np.all((np.abs(off) <= np.degrees(1e-6)) | (np.isnan(found) & np.isnan(expected))), name
             continue
-        scale = np.nanmax(np.abs(expected), initial=0.0)
+        scale = np.max(np.nan_to_num(np.abs(expected)), initial=0.0)
         if "direction" in name:
             scale, limit = 1.0, 1e-6
         else:
@@ -276,7 +276,7 @@ def moves_angles_only(machine: ct.Machine) -> None:
         # Which half period is the first goes with the zero.
         in_order = np.sort if "half_period" in entry.dimensions else np.asarray
         expected, found = in_order(values), in_order(moved.facts[name].value)
-        scale = np.nanmax(np.abs(expected), initial=0.0)
+        scale = np.max(np.nan_to_num(np.abs(expected)), initial=0.0)
         limit = 1e-6 if any(word in name for word in ("flywheel", "fluctuation", "speed", "excess")) else 1e-9
         # What cancels is measured by what is left of more.
         limit = 1e-7 if name.startswith("shaking_") else limit

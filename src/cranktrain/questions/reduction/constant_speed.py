@@ -79,8 +79,7 @@ def constant_speed_drive(
     """
     n_designs = len(drive.gearings)
     grid = np.broadcast_to(crank_angle.angle[:, 0], (n_designs, crank_angle.shown.size))
-    speeds = np.broadcast_to(speed.value[:, 0, 0], (n_designs,))
-    zeros = np.broadcast_to(crank_angle.zero[:, 0, 0], (n_designs,))
+    speeds, zeros = speed.value[:, 0, 0], crank_angle.zero[:, 0, 0]
     corners = np.broadcast_to(machines.corners, (n_designs, machines.corners.shape[-1]))
     turned: list[float] = [float(one) for one in speeds]
     rows = list(zip(machines.each, drive.gearings, turned, strict=True))

@@ -1,6 +1,6 @@
 """Where loads change sides, of pins along their links and of guides across them, and play is taken up with a knock."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -11,6 +11,7 @@ from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
+from cranktrain.numerics.subintervals import Subintervals, interpolation, leggauss
 from cranktrain.questions.forces.joint_forces import joints_of
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.solved_cycle import Member, force_size, mechanisms_of, parts_of
@@ -20,6 +21,8 @@ from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import StageResult
 
+_ASIDE = 1e-4
+"""How far beside a root its curve's slope is taken. [rad]"""
 _NOTHING = 1e-12
 """Of the largest; what is smaller may be of either sign."""
 _MOST = 12
@@ -64,28 +67,103 @@ def sign_changes(
         None of a curve that is nothing all round.
     """
     values = pick(points.solved)
-    found: list[SignChanges] = []
-    beyond: list[Array] = []
-    for design, cut in enumerate(points.cuts):
-        angle = points.angle[design, 0, : cut.angle.size]
-        for place, curve in enumerate(values[design, :, : cut.angle.size]):
-            whole = np.max(np.abs(curve)) if gross is None else gross[design, place]
-            is_clear = np.abs(curve) > _NOTHING * whole
-            if np.any(is_clear):
-                at, is_positive = angle[is_clear], curve[is_clear] > 0
-                changes = is_positive != np.roll(is_positive, -1)
-                after = ~is_positive[changes] if np.any(changes) else is_positive[:1]
-                found.append(SignChanges(design, place, at[changes], after))
-                beyond.append(np.append(at[1:], at[0] + points.cycle)[changes])
+    found = [
+        one
+        for design, cut in enumerate(points.cuts)
+        for one in _of_design(design, cut, values[design, :, : cut.angle.size], gross)
+    ]
+    return _refined(found, rows, pick, points, loaded)
+
+
+def _of_design(design: int, cut: Subintervals, values: Array, gross: Array | None) -> Iterator[SignChanges]:
+    """Sign changes of the curves of one design, by the polynomials of panels."""
+    sampled = _sampled(cut, values)
+    whole = np.max(np.abs(sampled.value), axis=-1) if gross is None else gross[design]
+    clear = [np.flatnonzero(own) for own in np.abs(sampled.value) > _NOTHING * whole[:, np.newaxis]]
+    signs = [sampled.value[curve, at] > 0 for curve, at in enumerate(clear)]
+    changes = [np.flatnonzero(own[1:] != own[:-1]) for own in signs]
+    ends = zip(clear, changes, strict=True)
+    low, high = (np.concatenate(parts) for parts in zip(*((at[own], at[own + 1]) for at, own in ends), strict=True))
+    sizes = [own.size for own in changes]
+    crossings = _crossings(cut, sampled, np.repeat(np.arange(len(sizes)), sizes), low, high)
+    angles = np.split(crossings, np.cumsum(sizes)[:-1])
+    for curve, (angle, own, change) in enumerate(zip(angles, signs, changes, strict=True)):
+        if own.size == 0:
+            continue
+        # The sign after a whole period is that before it: where they differ it changes at its very beginning.
+        at_start = own[:1][own[:1] != own[-1:]]
+        roots, after = np.append(cut.start[: at_start.size], angle), np.append(at_start, own[change + 1])
+        yield SignChanges(design, curve, roots, after if roots.size else own[:1])
+
+
+class _Sampled(NamedTuple):
+    """Curves at the points of panels and at both their ends, shape (curve, sample); of which panel, at which way."""
+
+    value: Array
+    panel: NDArray[np.intp]
+    way: Array
+
+
+def _sampled(cut: Subintervals, values: Array) -> _Sampled:
+    """Take curves at the points of their panels, and by the polynomial through these at the ends."""
+    found: list[Array] = []
+    panels: list[NDArray[np.intp]] = []
+    ways: list[Array] = []
+    for panel, (first, size) in enumerate(zip(cut.first.tolist(), cut.size.tolist(), strict=True)):
+        own = values[:, first : first + size]
+        first_end, last_end = np.moveaxis(
+            np.sum(interpolation(np.array([-1.0, 1.0]), size) * own[:, np.newaxis], axis=-1), -1, 0
+        )
+        found.append(np.column_stack([first_end, own, last_end]))
+        panels.append(np.full(size + 2, panel, dtype=np.intp))
+        ways.append(np.pad(leggauss(size)[0], 1, constant_values=(-1.0, 1.0)))
+    return _Sampled(np.concatenate(found, axis=-1), np.concatenate(panels), np.concatenate(ways))
+
+
+def _crossings(
+    cut: Subintervals,
+    of: _Sampled,
+    curve: NDArray[np.intp],
+    low: NDArray[np.intp],
+    high: NDArray[np.intp],
+) -> Array:
+    """Where curves pass nothing between two samples: by the polynomial of their panel, or at the edge between two."""
+    panel = of.panel[high]
+    angle = cut.start[panel]
+    is_within = of.panel[low] == panel
+    for size in set(cut.size[panel[is_within]].tolist()):
+        own = np.flatnonzero(is_within & (cut.size[panel] == size))
+        # A panel's samples begin with its edge.
+        first = cut.first[panel[own]] + 2 * panel[own] + 1
+        values = of.value[curve[own, np.newaxis], first[:, np.newaxis] + np.arange(size)]
+        root = bracketed_roots(
+            lambda way, values=values: np.sum(interpolation(way, values.shape[-1]) * values, axis=-1),
+            of.way[low[own]],
+            of.way[high[own]],
+        )
+        angle[own] += 0.5 * cut.width[panel[own]] * (1.0 + root)
+    return angle
+
+
+def _refined(
+    found: list[SignChanges], rows: NDArray[np.intp], pick: Pick, points: CyclePoints, loaded: LoadedMachine
+) -> list[SignChanges]:
+    """Correct each root by the curve itself, as the polynomial's digits are those of its peak; at an edge it stays."""
     sizes = [one.angle.size for one in found]
     if not sum(sizes):
         return found
     which = np.repeat(np.array([one.design * rows.size + one.curve for one in found]), sizes)
-    low, high = (np.concatenate(ends)[:, np.newaxis] for ends in ([one.angle for one in found], beyond))
-    roots = bracketed_roots(
-        lambda angle: loaded.of_each(rows, which, angle, lambda own: pick(loaded.solved(own))), low, high
-    )[:, 0]
-    each = np.split(roots, np.cumsum(sizes)[:-1])
+    edges = [np.append(cut.start, cut.start[0] + points.cycle) for cut in points.cuts]
+    reach = np.concatenate(
+        [np.min(np.abs(one.angle[:, np.newaxis] - edges[one.design]), axis=-1, initial=np.inf) for one in found]
+    )
+    root = np.concatenate([one.angle for one in found])
+    beside = np.minimum(_ASIDE, 0.5 * reach)[:, np.newaxis] * np.array([-1.0, 0.0, 1.0])
+    value = loaded.of_each(rows, which, root[:, np.newaxis] + beside, lambda own: pick(loaded.solved(own)))
+    slope = (value[:, 2] - value[:, 0]) / np.where(reach > 0, beside[:, 2] - beside[:, 0], 1.0)
+    step = np.where((reach > 0) & (slope != 0), -value[:, 1] / np.where(slope != 0, slope, 1.0), 0.0)
+    root = root + np.where(np.abs(step) <= beside[:, 2], step, 0.0)
+    each = np.split(root, np.cumsum(sizes)[:-1])
     return [one._replace(angle=own) for one, own in zip(found, each, strict=True)]
 
 
