@@ -27,6 +27,8 @@ _NOTHING = 1e-12
 """Of the largest; what is smaller may be of either sign."""
 _MOST = 12
 """So many angles of a cycle are told: a guide's load changes sides at dead centres, and where gas and inertia part."""
+_ENDS: Array = np.array([-1.0, 1.0])
+"""Ways at which a panel begins and ends."""
 _ACROSS = ("guide", "slot")
 """Roles of joints whose load counts across their link."""
 
@@ -107,17 +109,16 @@ class _Sampled(NamedTuple):
 def _sampled(cut: Subintervals, values: Array) -> _Sampled:
     """Take curves at the points of their panels, and by the polynomial through these at the ends."""
     found: list[Array] = []
-    panels: list[NDArray[np.intp]] = []
     ways: list[Array] = []
-    for panel, (first, size) in enumerate(zip(cut.first.tolist(), cut.size.tolist(), strict=True)):
+    for first, size in zip(cut.first.tolist(), cut.size.tolist(), strict=True):
         own = values[:, first : first + size]
-        first_end, last_end = np.moveaxis(
-            np.sum(interpolation(np.array([-1.0, 1.0]), size) * own[:, np.newaxis], axis=-1), -1, 0
-        )
+        first_end, last_end = np.moveaxis(np.sum(interpolation(_ENDS, size) * own[:, np.newaxis], axis=-1), -1, 0)
         found.append(np.column_stack([first_end, own, last_end]))
-        panels.append(np.full(size + 2, panel, dtype=np.intp))
-        ways.append(np.pad(leggauss(size)[0], 1, constant_values=(-1.0, 1.0)))
-    return _Sampled(np.concatenate(found, axis=-1), np.concatenate(panels), np.concatenate(ways))
+        nodes, _weight = leggauss(size)
+        ways.append(np.concatenate((_ENDS[:1], nodes, _ENDS[1:])))
+    return _Sampled(
+        np.concatenate(found, axis=-1), np.repeat(np.arange(cut.size.size), cut.size + 2), np.concatenate(ways)
+    )
 
 
 def _crossings(
