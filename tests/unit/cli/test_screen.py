@@ -320,3 +320,39 @@ class TestGroups:
 
 def test_like_warnings_are_one():
     assert list(joined(["a: 1; 2.", "b.", "a: 3."])) == ["a … (--full)", "b."]
+
+
+WITHOUT_RODS_ON_PINS = """
+[shaft.main]
+speed = "100 rpm"
+[mechanism]
+kind = "scotch_yoke"
+crank_radius = "50 mm"
+[masses.slider]
+mass = "20 kg"
+[load.tool]
+on = "slider"
+force = "5 kN"
+[balance]
+counterweights = "least_force"
+[evenness]
+coefficient = 0.05
+[guide.slider]
+length = "200 mm"
+[crankshaft]
+journals = [1, 2]
+journal_diameter = "50 mm"
+pin_diameter = "40 mm"
+pin_length = "40 mm"
+web_thickness = "20 mm"
+web_width = "80 mm"
+bearing_distance = "140 mm"
+"""
+
+
+def test_what_no_table_can_say_is_not_asked_for(typed, written):
+    """Bearings of a crankshaft need a rod on every crank pin, which is no key: "rod on every throw's crank pin]"."""
+    said = typed("run", str(written(WITHOUT_RODS_ON_PINS))).output.rpartition("Next: ")[2]
+    assert said
+    assert "crank pin" not in said
+    assert said.count("[") == said.count("]")

@@ -13,7 +13,7 @@ from cranktrain.cli.screen.text import folded
 from cranktrain.cli.screen.typesetting import KEPT
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import MachineFile, inputs_of
-from cranktrain.language import N_
+from cranktrain.language import N_, Words
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.saying.amounts import Amount
@@ -112,13 +112,14 @@ def _offers(file: MachineFile, missing: Sequence[Missing]) -> Iterator[str]:
     """Say what the file could say next and what that gives: what needs least first, then what a question offers first.
 
     Where several keys are missing, only of a table that the file has: a press is not asked for a compression ratio.
+    What no table can say, as that there be a rod, is not asked for.
     """
     ranked = sorted(
         (len(one.needs), rank, -place if rank else place, tuple(map(str, one.needs)), words)
         for place, name in enumerate(QUESTIONS.names)
         for rank, (quantity, words) in enumerate(_offered(file.machine, name).items())
         for one in missing
-        if quantity in one.results and len(one.needs) <= _MOST_NEEDS
+        if quantity in one.results and len(one.needs) <= _MOST_NEEDS and all(map(_is_table, one.needs))
     )
     first: dict[tuple[str, ...], str] = {}
     for n_needs, _rank, _place, needs, words in ranked:
@@ -138,6 +139,11 @@ def _has_table(file: MachineFile, need: str) -> bool:
     """Whether the table of a key is in the file; one that is missing as a whole has no key."""
     table, _bracket, key = need.removeprefix("[").partition("]")
     return not key or table.partition(".")[0] in file.document.data
+
+
+def _is_table(need: Words) -> bool:
+    """Whether a need is a table of the file, or keys of one."""
+    return str(need).startswith("[")
 
 
 def _shortly(need: str) -> str:
