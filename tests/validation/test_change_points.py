@@ -207,6 +207,18 @@ def test_what_is_no_parallelogram_is_not_crossed(lengths):
         bar(*lengths, "crossed = true")
 
 
+@pytest.mark.parametrize(
+    ("lengths", "said"),
+    [
+        ((100, 299.99, 100, 300), "must be 300 mm, for a parallelogram"),
+        ((300, 301, 100, 100), "must be 300 mm, for a kite"),
+    ],
+)
+def test_a_rod_that_nearly_suits_is_told_which_does(lengths, said):
+    with pytest.raises(ct.InputError, match=said):
+        ct.run(bar(*lengths))
+
+
 MASSES = """
 [masses.rod]
 mass = "20 kg"
@@ -252,6 +264,8 @@ def test_what_links_in_line_cannot_hold_is_said():
     )
     assert np.all(np.isnan(result.largest_joint_force))
     assert any("beyond all bounds" in str(flag) for flag in result.flags)
+    verdicts = {check.name: str(check.verdict()) for check in result.checks}
+    assert verdicts["torque"] == "forces go beyond all bounds at change points"
 
 
 def test_designs_side_by_side_are_as_alone():

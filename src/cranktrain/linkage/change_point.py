@@ -7,7 +7,10 @@ import numpy as np
 from cranktrain.linkage.pin import Pin, PinMotion, line_between
 from cranktrain.linkage.point import Ends
 from cranktrain.linkage.vectors import Vector, between, cross, dot, moving_between, swept
-from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.motion import Array, Coefficient, Link, Point, chosen
+
+_ROUNDING = 64 * np.finfo(float).eps
+"""Of the terms of a turn's rate; what is less is nothing."""
 
 
 class Hinged(NamedTuple):
@@ -94,7 +97,10 @@ def _direction(start: Point, end: Point) -> _Direction:
     d, d1, d2 = moving_between(start, end)
     square = dot(d, d)
     length = np.sqrt(square)
-    return _Direction(Vector(d.x / length, d.y / length), cross(d, d1) / square, cross(d, d2) / square)
+    rate = cross(d, d2) / square
+    # A body that turns evenly is sped up by the rounding of its pins alone.
+    is_clear = np.abs(rate) > _ROUNDING * np.sqrt(dot(d2, d2) / square)
+    return _Direction(Vector(d.x / length, d.y / length), cross(d, d1) / square, chosen(is_clear, rate, 0.0))
 
 
 def _doubled(ends: Ends) -> _Direction:

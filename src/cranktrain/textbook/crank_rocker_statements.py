@@ -17,6 +17,8 @@ from cranktrain.texts.crank_rocker import pin_velocity_ratio, product_of_sines
 _SOURCE = "gandzha"
 _EQUATIONS = "(7) (10)"
 _KIND = "crank_rocker"
+_IN_LINE = 1e-6
+"""Sine of the angle between rod and rocker below which their quotients are rounding."""
 
 
 class AlikeRockers(NamedTuple):
@@ -45,7 +47,10 @@ def pin_velocities(place: PlacedMechanism, angle: Array) -> PinVelocities:
     motion = place.kind.motion(angle, place.geometry)
     exact = motion.rocker.angle.first * place.geometry.rocker_length / place.geometry.crank_radius
     directions = (angle, motion.rod.angle.value, motion.rocker.angle.value)
-    return PinVelocities(exact, pin_velocity_ratio(*directions), product_of_sines(*directions))
+    # Where all links lie in line AC/BC is 0/0, and its limit is that of the velocities.
+    in_line = np.abs(np.sin(motion.rocker.angle.value - motion.rod.angle.value)) < _IN_LINE
+    by_sines = np.where(in_line, exact, pin_velocity_ratio(*directions))
+    return PinVelocities(exact, by_sines, product_of_sines(*directions))
 
 
 def crank_rocker_statements(one: AlikeRockers) -> Iterator[Statement]:

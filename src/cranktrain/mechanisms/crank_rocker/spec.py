@@ -84,6 +84,10 @@ def crank_rocker_advice(geometry: CrankRocker) -> Words:
     nearest = abs(geometry.ground_length - geometry.crank_radius)
     least = max(farthest - geometry.rocker_length, geometry.rocker_length - nearest)
     most = geometry.rocker_length + nearest
+    if least >= most and geometry.rocker_length == geometry.crank_radius:
+        return _("rod_length must be {least}, for a parallelogram", least=precise(float(geometry.ground_length)))
+    if least >= most and geometry.rocker_length == geometry.ground_length:
+        return _("rod_length must be {least}, for a kite", least=precise(float(geometry.crank_radius)))
     if least >= most:
         return _("no rod_length lets the crank turn: the crank or the ground must be the shortest link")
     return _("rod_length must lie between {least} and {most}", least=precise(float(least)), most=precise(float(most)))

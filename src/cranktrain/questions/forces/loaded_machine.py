@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import Words
+from cranktrain.language import Words, _
 from cranktrain.layout.load_laws import ByTravel, LoadState
 from cranktrain.layout.loads import LinkLoad, Loads, of_member
 from cranktrain.layout.masses import Masses
@@ -182,6 +182,15 @@ class LoadedMachine:
             np.any(np.isnan(reduce(np.add, (part for joint in one.forces.joints for part in joint[:2]))), axis=-1)
             for one in at_points
         )
+
+    def judged(self, residual: Array) -> tuple[Array, tuple[Words, ...]]:
+        """Leave open what forces that go beyond all bounds would judge by their rounding, and say why, by design.
+
+        residual: of an identity of forces, shape (design,); infinite in what is given back where it is left open.
+        """
+        is_open = np.any(self.unheld, axis=1)
+        reasons = tuple(_("forces go beyond all bounds at change points") for _one in is_open) if is_open.any() else ()
+        return np.where(is_open, np.inf, residual), reasons
 
     @cached_property
     def sharing(self) -> NDArray[np.intp]:

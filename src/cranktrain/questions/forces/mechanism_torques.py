@@ -82,6 +82,7 @@ def mechanism_torques(
     # Where forces stand across the way of their pins there is no torque, but rounding of forces times arms.
     scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1) + np.sum(times_arms.value, axis=1)
     residual = np.max(np.abs(own - np.sum(by_work, axis=1)), axis=-1) / np.where(scale > 0, scale, 1.0)
+    residual, reasons = loaded.judged(residual)
     return MechanismTorques(
         from_mechanisms=own,
         mechanism_torque=-by_work,
@@ -94,6 +95,7 @@ def mechanism_torques(
                 _("Torque by the reactions of all joints against that by virtual work, relative to forces times arms"),
                 residual,
                 _TORQUES_LIMIT,
+                reasons,
             ),
         ),
     )

@@ -60,7 +60,8 @@ def load_balance(
     done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
     residual = np.abs(done - np.sum(works, axis=-1)) / _work_size(works, loaded, solved, times_arms)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of loads and gas")
-    return LoadBalance(checks=(Check("load_work", sentence, residual, _LIMIT),))
+    residual, reasons = loaded.judged(residual)
+    return LoadBalance(checks=(Check("load_work", sentence, residual, _LIMIT, reasons),))
 
 
 def _work_size(works: Array, loaded: LoadedMachine, solved: SolvedCycle, times_arms: ForcesTimesArms) -> Array:

@@ -51,7 +51,7 @@ def ruler_of(result: Result, design: int = 0, mechanism: str | None = None) -> R
     if "piston" not in result.labels:
         words = _("largest at"), _("smallest at")
         found = tuple(_marks(shown, "rocker", dict.fromkeys(drawn_names(shown, "rocker"), words)))
-        heading = _("Dead positions of the rocker") if found else _("The rocker turns with the crank")
+        heading = _("Dead positions of the rocker") if found else _("The rocker turns all round")
         if shown.has("crank_range_start"):
             heading = _("The crank does not turn all round")
         return Ruler(heading, found)
