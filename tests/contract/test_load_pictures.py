@@ -63,7 +63,9 @@ def test_every_load_is_drawn(kind):
         assert {load_words(load) for load in there} <= said
         scene = scene_of(machine, (place,))
         drawn = mechanism_sketch(scene, angle, 2.0)
-        assert len([line for line in drawn.lines if line.habit == "arrow" and line.layer == "LOADS"]) == len(pulling)
+        on_shafts = [load for load in loads.on_shafts_at(np.array([angle])) if load.size[0]]
+        heads = [line for line in drawn.lines if line.habit == "arrow" and line.layer == "LOADS"]
+        assert len(heads) == len(pulling) + len(on_shafts)
         said = {label.text for label in drawn.labels}
         assert {load_words(load) for load in there} <= said
     several = positions_sketch(position_plan(machine, ANGLES, mechanism=place.name), loads=loads)
@@ -81,7 +83,7 @@ def test_films_have_as_many_lines_at_every_angle(kind):
     shapes = [[(line.layer, line.habit, line.order) for line in frame.lines] for frame in frames]
     assert shapes[0] == shapes[1] == shapes[2]
     seen = [line for line in frames[1].lines if line.layer == "LOADS" and np.all(np.isfinite(line.points))]
-    acting = loads.at(np.array([33.0]))
+    acting = (*loads.at(np.array([33.0])), *loads.on_shafts_at(np.array([33.0])))
     assert len([line for line in seen if line.habit == "arrow"]) == sum(
         bool(load.size[0]) and (load.is_torque or bool(np.any(load.way))) for load in acting
     )

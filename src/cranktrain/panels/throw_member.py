@@ -92,7 +92,9 @@ class DrawnMechanism:
 
     @cached_property
     def travel(self) -> tuple[float, float]:
-        """Nearest and farthest place of the output pin on its line."""
+        """Nearest and farthest place of the output pin on its line; NaN without a line."""
+        if not self.turn.guides:
+            return np.nan, np.nan
         places = self.stroke_line.place(self.turn_pins[self.turn.guides[0].pin])
         return float(np.nanmin(places)), float(np.nanmax(places))
 
@@ -103,7 +105,7 @@ class DrawnMechanism:
 
     def crosshead_along(self, travel: Array) -> CrossheadDrawing | None:
         """Give crosshead and cylinder for a travel of the pin, its nearest and farthest place, shape (2,)."""
-        if self.bore is None or not self.works_at_crank:
+        if self.bore is None or not self.works_at_crank or not self.turn.guides:
             return None
         return crosshead_of(travel, self.bore, self.piston_rod)
 
@@ -114,7 +116,9 @@ class DrawnMechanism:
 
     def ram_along(self, travel: Array) -> RamDrawing | None:
         """Give the ram for a travel of the pin, its nearest and farthest place, shape (2,)."""
-        return ram_of(travel) if self.is_bare and upward(self.stroke_line.along) < 0 else None
+        if not self.is_bare or not self.turn.guides:
+            return None
+        return ram_of(travel) if upward(self.stroke_line.along) < 0 else None
 
     @property
     def toward_chamber(self) -> float:

@@ -49,7 +49,7 @@ def drawn_curves(figure):
 @pytest.mark.parametrize("size", ["A4", "A3"])
 def test_sheet_is_readable(name, size):
     words = texts(drive_of(name) if size == "A4" else sheet_drive(ran(name), size=size))
-    assert any(text.startswith("Static torque at the motor's shaft") for text in words)
+    assert any(text.startswith("Static and constant-speed torque") for text in words)
     assert any(text.startswith("Torque of the motor in steady running") for text in words)
     assert "coefficient of fluctuation" in words
 
@@ -107,7 +107,7 @@ def test_titles_end_before_their_keys(name):
 def test_without_a_motor_there_is_what_the_load_asks():
     machine = ct.load("tilting_table").with_({"drive": {"stage": [{"ratio": 40}]}})
     words = texts(sheet_drive(ct.run(machine)))
-    assert any(text.startswith("Static torque at the motor's shaft") for text in words)
+    assert any(text.startswith("Static and constant-speed torque") for text in words)
     assert not any(text.startswith("Torque of the motor") for text in words)
 
 
