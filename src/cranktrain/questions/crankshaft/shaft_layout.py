@@ -88,10 +88,10 @@ def with_rods(
     declared: DeclaredCrankshafts | None, shafts: Shafts, mechanisms: Mechanisms, carriers: Carriers
 ) -> bool | str:
     """Whether on every throw of the declared crankshafts there are rods on a crank pin."""
+    if declared is None:
+        return DeclaredCrankshafts.needs
     have_pins = mechanisms.marked(lambda kind: kind.dynamics.joint("crank_pin") is not None)
     on_crank_pins = have_pins & (carriers.master < 0)
-    if declared is None:
-        return DeclaredCrankshafts.needs if np.any(on_crank_pins) else False
     for crankshaft in declared.each:
         standing = set(shafts.throw[on_crank_pins & (shafts.shaft == crankshaft.shaft)].tolist())
         if len(standing) < shafts.n_throws[crankshaft.shaft]:

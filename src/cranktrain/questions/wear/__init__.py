@@ -9,7 +9,7 @@ from cranktrain.questions.wear.side_changes import side_changes
 
 QUESTION = Question(
     "wear",
-    stages=(Stage(cycle_points), Stage(crank_pin_wear, applies=have_crank_pins), Stage(side_changes)),
+    stages=(Stage(cycle_points, applies=have_crank_pins), Stage(crank_pin_wear), Stage(side_changes)),
     dimensions=(
         ResultDimension("ray", N_("ray"), is_number=True),
         ResultDimension("side_change", N_("change of sides"), is_number=True),

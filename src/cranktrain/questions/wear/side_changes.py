@@ -12,10 +12,11 @@ from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
 from cranktrain.numerics.subintervals import Subintervals, interpolation, leggauss
+from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.joint_forces import joints_of
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.solved_cycle import Member, force_size, mechanisms_of, parts_of
-from cranktrain.questions.wear.cycle_points import CyclePoints
+from cranktrain.questions.wear.cycle_points import CyclePoints, cycle_points
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.saying.catalogue import quantity
@@ -191,8 +192,14 @@ class SideChanges(StageResult):
     )
 
 
-def side_changes(loaded: LoadedMachine, points: CyclePoints, crank_angle: CrankAngle) -> SideChanges:
-    """Roots of the loads along links and across guides, between the points of a cycle; docs/theory/forces, (13.58)."""
+def side_changes(
+    loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle, of_wear: CyclePoints | None
+) -> SideChanges:
+    """Roots of the loads along links and across guides, between the points of a cycle; docs/theory/forces, (13.58).
+
+    Those of wear, where there are crank pins.
+    """
+    points = cycle_points(loaded, events, crank_angle) if of_wear is None else of_wear
     joints = joints_of(loaded)
     parts = parts_of(joints, points.solved, lambda batch, place: points.solved[batch].forces.joints[place][:2])
     gross = np.max(force_size(*parts), axis=-1)

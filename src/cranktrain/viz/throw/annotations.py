@@ -171,6 +171,8 @@ def throw_loads(scene: Scene, angle: float) -> tuple[LoadMark, ...]:
 def _body(scene: Scene, load: ActingLoad) -> DrawnBody:
     """Slider about the point of a force along its line: a force across it acts at the point itself."""
     member = next(member for member in scene.members if member.place.name == load.mechanism)
+    if not member.turn.guides:
+        return DrawnBody(0.0, 0.0)
     along = float(member.stroke_line.along @ load.way[:, 0])
     if abs(along) < _IN_LINE:
         return DrawnBody(0.0, 0.0)
