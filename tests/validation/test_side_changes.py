@@ -49,3 +49,27 @@ def test_a_pin_that_is_pushed_all_round_changes_no_side():
     result = run(speed="60 rpm", more='[load.gas]\non = "piston"\nforce = "-2 kN"\nsense = "active"\n')
     assert changes(result, "wrist_pin").size == 0
     assert changes(result, "guide") == pytest.approx([0, 180], abs=1e-9)
+
+
+def test_where_a_load_is_nothing_it_is_on_neither_side():
+    """Gas alone of a four-stroke at ambient pressure while it changes: compression and tension leave its 360° out."""
+    more = """
+[cylinder]
+bore = "80 mm"
+compression_ratio = 9
+cycle = "four-stroke"
+[gas]
+kind = "otto"
+start_pressure = "101.325 kPa"
+compression_exponent = 1.3
+expansion_exponent = 1.3
+pressure_ratio = 3
+inlet_pressure = "101.325 kPa"
+exhaust_pressure = "101.325 kPa"
+[rod_load]
+compression = "50 kN"
+"""
+    result = run(more=more)
+    gas = result.labels["rod_load_place"].index("gas")
+    assert result.compression_arc[gas, 0] == pytest.approx(360, abs=1e-9)
+    assert result.tension_arc[gas, 0] == pytest.approx(0, abs=1e-9)

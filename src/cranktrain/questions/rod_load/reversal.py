@@ -132,12 +132,12 @@ def _flags(names: Sequence[str], is_lacking: NDArray[np.bool_], declared: Declar
 
 
 def _arcs(of: SignChanges, cycle: float, zero: float) -> _Arcs:
-    """Arcs between roots; angles as they are shown."""
+    """Arcs between roots; angles as they are shown. Where the load is nothing on a way, that is of neither."""
     if not of.angle.size:
-        whole = (cycle, 0.0) if of.is_positive[0] else (0.0, cycle)
+        whole = (cycle, 0.0) if of.sign[0] > 0 else (0.0, cycle)
         return _Arcs(*whole, *whole)
     length = np.diff(np.append(of.angle, of.angle[0] + cycle))
-    pressing, pulling = (np.where(own, length, 0.0) for own in (of.is_positive, ~of.is_positive))
+    pressing, pulling = (np.where(own, length, 0.0) for own in (of.sign > 0, of.sign < 0))
     longest = first_largest(pulling)
     begins = float(of.angle[longest]) - zero
     return _Arcs(

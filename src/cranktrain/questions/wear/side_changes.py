@@ -38,7 +38,7 @@ Pick = Callable[[Sequence[SolvedBatch]], Array]
 
 
 class SignChanges(NamedTuple):
-    """Of a curve of a design: where it changes its sign, φ, rising, and whether it is positive after each.
+    """Of a curve of a design: where it changes its sign, φ, rising, and which it has after each; 0 where it is nothing.
 
     Of one that nowhere does, no angle and its own sign.
     """
@@ -46,7 +46,13 @@ class SignChanges(NamedTuple):
     design: int
     curve: int
     angle: Array
-    is_positive: NDArray[np.bool_]
+    sign: Array
+
+    @property
+    def sides(self) -> Array:
+        """Where it has come to the other side, φ: of a way on which it is nothing the end."""
+        acts = np.flatnonzero(self.sign)
+        return self.angle[acts[self.sign[acts] != np.roll(self.sign[acts], 1)]] if self.angle.size else self.angle
 
 
 def sign_changes(
@@ -79,24 +85,26 @@ def sign_changes(
 
 
 def _of_design(design: int, cut: Subintervals, values: Array, gross: Array | None) -> Iterator[SignChanges]:
-    """Sign changes of the curves of one design, by the polynomials of panels."""
-    sampled = _sampled(cut, values)
+    """Sign changes of the curves of one design, by the polynomials of panels; over whole panels it may be nothing."""
+    sampled, n_panels = _sampled(cut, values), cut.size.size
     whole = np.max(np.abs(sampled.value), axis=-1) if gross is None else gross[design]
-    clear = [np.flatnonzero(own) for own in np.abs(sampled.value) > _NOTHING * whole[:, np.newaxis]]
-    signs = [sampled.value[curve, at] > 0 for curve, at in enumerate(clear)]
-    changes = [np.flatnonzero(own[1:] != own[:-1]) for own in signs]
-    ends = zip(clear, changes, strict=True)
-    low, high = (np.concatenate(parts) for parts in zip(*((at[own], at[own + 1]) for at, own in ends), strict=True))
-    sizes = [own.size for own in changes]
-    crossings = _crossings(cut, sampled, np.repeat(np.arange(len(sizes)), sizes), low, high)
-    angles = np.split(crossings, np.cumsum(sizes)[:-1])
-    for curve, (angle, own, change) in enumerate(zip(angles, signs, changes, strict=True)):
-        if own.size == 0:
+    edges = np.append(cut.start, cut.start[0])
+    for curve, own in enumerate(sampled.value):
+        clear = np.flatnonzero(np.abs(own) > _NOTHING * whole[curve])
+        if clear.size == 0:
             continue
-        # The sign after a whole period is that before it: where they differ it changes at its very beginning.
-        at_start = own[:1][own[:1] != own[-1:]]
-        roots, after = np.append(cut.start[: at_start.size], angle), np.append(at_start, own[change + 1])
-        yield SignChanges(design, curve, roots, after if roots.size else own[:1])
+        after = np.roll(clear, -1)
+        signs, panels = np.sign(own[clear]), sampled.panel[clear]
+        signs_after, panels_after = np.roll(signs, -1), np.roll(panels, -1)
+        ahead = panels_after - panels
+        ahead[-1] += n_panels
+        is_nothing = ahead > 1
+        crosses = np.flatnonzero(~is_nothing & (signs != signs_after))
+        crossings = _crossings(cut, sampled, curve, clear[crosses], after[crosses])
+        angle = np.concatenate([edges[panels[is_nothing] + 1], edges[panels_after[is_nothing]], crossings])
+        sign = np.concatenate([np.zeros(np.count_nonzero(is_nothing)), signs_after[is_nothing], signs_after[crosses]])
+        order = np.argsort(angle, kind="stable")
+        yield SignChanges(design, curve, angle[order], sign[order] if order.size else signs[:1])
 
 
 class _Sampled(NamedTuple):
@@ -122,14 +130,8 @@ def _sampled(cut: Subintervals, values: Array) -> _Sampled:
     )
 
 
-def _crossings(
-    cut: Subintervals,
-    of: _Sampled,
-    curve: NDArray[np.intp],
-    low: NDArray[np.intp],
-    high: NDArray[np.intp],
-) -> Array:
-    """Where curves pass nothing between two samples: by the polynomial of their panel, or at the edge between two."""
+def _crossings(cut: Subintervals, of: _Sampled, curve: int, low: NDArray[np.intp], high: NDArray[np.intp]) -> Array:
+    """Where a curve passes nothing between two samples: by their panel's polynomial, or at the edge between panels."""
     panel = of.panel[high]
     angle = cut.start[panel]
     is_within = of.panel[low] == panel
@@ -137,7 +139,7 @@ def _crossings(
         own = np.flatnonzero(is_within & (cut.size[panel] == size))
         # A panel's samples begin with its edge.
         first = cut.first[panel[own]] + 2 * panel[own] + 1
-        values = of.value[curve[own, np.newaxis], first[:, np.newaxis] + np.arange(size)]
+        values = of.value[curve, first[:, np.newaxis] + np.arange(size)]
         root = bracketed_roots(
             lambda way, values=values: np.sum(interpolation(way, values.shape[-1]) * values, axis=-1),
             of.way[low[own]],
@@ -209,8 +211,8 @@ def side_changes(
     angles = np.full((n_designs, len(joints), _MOST), np.nan)
     for one in found:
         zero = float(crank_angle.zero[one.design, 0, 0])
-        often[one.design, one.curve] = one.angle.size
-        shown = np.sort(within(one.angle - zero, points.cycle))[:_MOST]
+        often[one.design, one.curve] = one.sides.size
+        shown = np.sort(within(one.sides - zero, points.cycle))[:_MOST]
         angles[one.design, one.curve, : shown.size] = shown
     names = tuple(joint.name for joint in joints)
     return SideChanges(often, angles, labels={"joint": names, "side_change": tuple(str(i + 1) for i in range(_MOST))})
