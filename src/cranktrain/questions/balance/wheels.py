@@ -9,7 +9,9 @@ from cranktrain.layout.specs import MAIN
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
+from cranktrain.questions.balance.counterweights import two_plane_vectors
 from cranktrain.questions.balance.frame_forces import FrameForces
+from cranktrain.questions.balance.rotating_weights import weight_vectors
 from cranktrain.questions.balance.weights import BalanceWeights, DeclaredBalance, divided
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_BALANCE as _THEORY
@@ -70,15 +72,12 @@ def hammer_blow(
     assert wheels is not None  # else the stage does not apply
     own = np.array([throws.shafts[throw] == MAIN for throw in map(int, throws.carrying)])
     rotating, _swinging = divided(frame, frames)
-    on_axle = weights.weights
-    turns_with = on_axle.ratio == 1.0
-    vectors = np.concatenate(
-        [rotating[..., 0] * own, np.where(turns_with, on_axle.moment * np.exp(1j * on_axle.angle), 0.0)], axis=-1
-    )
-    place = np.concatenate([axial.throw, on_axle.position], axis=-1)
-    other = wheels.place[:, ::-1, np.newaxis]
-    shares = (place[:, np.newaxis] - other) / (wheels.place[..., np.newaxis] - other)
-    at_wheels = np.sum(np.where(vectors[:, np.newaxis] == 0.0, 0.0, shares * vectors[:, np.newaxis]), axis=-1)
+    of_weights = weight_vectors(weights.weights, np.ones(1)).forward[..., 0]
+    vectors = np.concatenate([rotating[..., 0] * own, of_weights], axis=-1)
+    place = np.concatenate([axial.throw, weights.weights.position], axis=-1)
+    force, couple = np.sum(vectors, axis=-1), np.sum(place * vectors, axis=-1)
+    # Weights in the wheels that took all of it away would be just opposite.
+    at_wheels = -two_plane_vectors(force, couple, wheels.place)
     together = np.sum(np.abs(vectors), axis=-1, keepdims=True)
     moment = np.where(np.abs(at_wheels) > _NOTHING * together, np.abs(at_wheels), 0.0)
     blow = moment * speed.mean[:, 0] ** 2

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from cranktrain.language import N_
-from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.layout.mechanisms import Mechanisms, distinct
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.motion import Array
@@ -87,7 +87,7 @@ def closing(mechanisms: Mechanisms, crank_angle: CrankAngle) -> Closing:
     for batch in mechanisms.batches:
         if batch.kind.change_points is not None:
             angle = batch.kind.change_points.angle(batch.members.geometry) - batch.members.phase
-            shown = np.sort(np.mod(crank_angle.counted(angle) + _SAME, TURN) - _SAME, axis=-1)
+            shown = np.sort(within(crank_angle.counted(angle), TURN, _SAME), axis=-1)
             passed |= {
                 one: PassedChangePoints(shown[:, own], batch.kind.change_points.forms)
                 for own, one in enumerate(batch.index.tolist())

@@ -57,11 +57,25 @@ def load_balance(
     works = loads.load_work[:, : loads.n_on_links]
     if pressures is not None:
         works = np.concatenate([works, pressures.indicated_work], axis=-1)
-    done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
-    residual = np.abs(done - np.sum(works, axis=-1)) / _work_size(works, loaded, solved, times_arms)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of loads and gas")
-    residual, reasons = loaded.judged(residual)
+    residual, reasons = loaded.judged(_apart(works, loaded, solved, times_arms, sources, crank_angle))
     return LoadBalance(checks=(Check("load_work", sentence, residual, _LIMIT, reasons),))
+
+
+def _apart(
+    works: Array,
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    times_arms: ForcesTimesArms,
+    sources: TorqueSources,
+    crank_angle: CrankAngle,
+) -> Array:
+    """By how much the torque's work is off those of what acts, in parts of their size, shape (design,).
+
+    What inertia takes at a moment of acceleration, the shaft does not get.
+    """
+    done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
+    return np.abs(done - np.sum(works, axis=-1)) / _work_size(works, loaded, solved, times_arms)
 
 
 def _work_size(works: Array, loaded: LoadedMachine, solved: SolvedCycle, times_arms: ForcesTimesArms) -> Array:
@@ -96,8 +110,6 @@ def work_balance(
     total = np.sum(works, axis=-1)
     if loaded.jumps:
         return WorkBalance(total)
-    # What inertia takes at a moment of acceleration, the shaft does not get.
-    done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
-    residual = np.abs(done - total) / _work_size(works, loaded, solved, times_arms)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas")
-    return WorkBalance(total, checks=(Check("work", sentence, residual, _LIMIT),))
+    residual, reasons = loaded.judged(_apart(works, loaded, solved, times_arms, sources, crank_angle))
+    return WorkBalance(total, checks=(Check("work", sentence, residual, _LIMIT, reasons),))
