@@ -10,13 +10,15 @@ from cranktrain.motion import Array
 TURN = 2 * math.pi
 DEGREE = 11
 """Of the polynomials in which smooth coefficients of the crank angle are written; `value_of` is written out for it."""
+CURVE_WIDTH = 2 + DEGREE + 1
+"""Numbers of a piece of a curve: where it begins, how wide it is, and its polynomial."""
 INERTIA, WEIGHT, OUTPUT = range(3)
 """Coefficients of every machine, by their places: J, the torque that weights take at the crank, x′ of what is driven.
 
 Those of loads and chambers come after them.
 """
-BY_SPEED, BY_ANGLE, BY_TRAVEL = range(3)
-"""Laws of loads."""
+BY_SPEED, BY_ANGLE, BY_TRAVEL, BY_CURVE = range(4)
+"""Laws of loads: straight lines over angles or travel as declared, a curve as what the machine itself gives."""
 _LARGEST_POWER = math.log(1e300)
 """Of the logarithm of a load's rise with its speed."""
 
@@ -27,7 +29,7 @@ class ReducedLoad(NamedTuple):
     Attributes
     ----------
     law : int
-        `BY_SPEED`, `BY_ANGLE` or `BY_TRAVEL`.
+        `BY_SPEED`, `BY_ANGLE`, `BY_TRAVEL` or `BY_CURVE`.
     rate, place : int
         Places of its rate along its way by the crank angle, and of how far it is; −1 of a torque on a shaft.
     is_squared : bool
@@ -38,7 +40,7 @@ class ReducedLoad(NamedTuple):
     size, at, exponent : float
         Of a law by the speed; one by the angle goes with that power of the speed, too, mostly 0.
     first, n_points : int
-        Its points among those of all.
+        Its points among those of all, or its pieces among those of all curves.
     origin, period : float
         Of a law by the angle: φ where its angle is 0, and after how much it comes again. Of one by travel: where that
         begins. [rad; m or rad]
@@ -89,6 +91,8 @@ class ReducedMachine(NamedTuple):
     loads : Array, shape (load, field of `ReducedLoad`)
     points : Array, shape (point, 3)
         Of all loads: angle or travel, size on the way out, size on the way back.
+    curves : Array, shape (piece, `CURVE_WIDTH`)
+        Of loads by a curve: where a piece of it begins, how wide it is [rad], and its polynomial as in `pieces`.
     chambers : Array, shape (chamber, field of `ReducedChamber`)
     memory : Array, shape (chamber, 2)
         Of each chamber p·Vⁿ, and n.
@@ -97,13 +101,14 @@ class ReducedMachine(NamedTuple):
     pieces: Any
     loads: Any
     points: Any
+    curves: Any
     chambers: Any
     memory: Any
 
 
-_N_PIECES, _WIDTH, _N_LOADS, _N_CHAMBERS, _PIECES, _LOADS, _POINTS, _CHAMBERS, _MEMORY = range(9)
+_N_PIECES, _WIDTH, _N_LOADS, _N_CHAMBERS, _PIECES, _LOADS, _POINTS, _CURVES, _CHAMBERS, _MEMORY = range(10)
 """What stands first in the numbers of a machine for its kernel: how many there are, and where each begins."""
-_HEAD = 9
+_HEAD = 10
 _N_FIELDS, _N_POINT, _N_CHAMBER, _N_HELD = len(ReducedLoad._fields), 3, len(ReducedChamber._fields), 2
 
 
@@ -114,7 +119,7 @@ def in_one_row(machine: ReducedMachine) -> Array:
     """
     parts = [np.asarray(part, dtype=float) for part in machine]
     starts = _HEAD + np.concatenate([[0], np.cumsum([part.size for part in parts])[:-1]])
-    head = [len(parts[0]), parts[0].shape[1], len(parts[1]), len(parts[3]), *starts.tolist()]
+    head = [len(parts[0]), parts[0].shape[1], len(parts[1]), len(parts[4]), *starts.tolist()]
     return np.concatenate([np.array(head, dtype=float), *(part.ravel() for part in parts)])
 
 
@@ -250,9 +255,11 @@ def _size_of(numbers: Any, load: int, row: int, x: float, angle: float, speed: f
     by_speed = 1.0 if exponent == 0 else _power(abs(speed) / numbers[load + AT], exponent)
     if law == BY_SPEED:
         return numbers[load + SIZE] * by_speed
+    shown = (angle - numbers[load + ORIGIN]) % numbers[load + PERIOD]
     if law == BY_ANGLE:
-        shown = (angle - numbers[load + ORIGIN]) % numbers[load + PERIOD]
         return by_speed * _between(numbers, load, shown, 1)
+    if law == BY_CURVE:
+        return by_speed * _on_curve(numbers, load, shown)
     place = value_of(numbers, row + int(numbers[load + PLACE]) * (DEGREE + 1), x)
     travel = numbers[load + COUNTS] * place - numbers[load + ORIGIN]
     return _between(numbers, load, travel, 1 if sense >= 0 else 2)
@@ -268,17 +275,31 @@ def _power(base: float, exponent: float) -> float:
 def _between(numbers: Any, load: int, at: float, column: int) -> float:
     """Straight lines between a load's points; beyond the ends the last value."""
     first = int(numbers[_POINTS]) + int(numbers[load + FIRST]) * _N_POINT
-    low, high = 0, int(numbers[load + N_POINTS]) - 1
+    high = int(numbers[load + N_POINTS]) - 1
     if at <= numbers[first]:
         return numbers[first + column]
     if at >= numbers[first + high * _N_POINT]:
         return numbers[first + high * _N_POINT + column]
+    low = _last_before(numbers, first, _N_POINT, high, at)
+    one, other = first + low * _N_POINT, first + (low + 1) * _N_POINT
+    share = (at - numbers[one]) / (numbers[other] - numbers[one])
+    return numbers[one + column] + share * (numbers[other + column] - numbers[one + column])
+
+
+def _on_curve(numbers: Any, load: int, at: float) -> float:
+    """A load's curve at an angle of its period."""
+    first = int(numbers[_CURVES]) + int(numbers[load + FIRST]) * CURVE_WIDTH
+    piece = first + _last_before(numbers, first, CURVE_WIDTH, int(numbers[load + N_POINTS]), at) * CURVE_WIDTH
+    return value_of(numbers, piece + 2, 2 * (at - numbers[piece]) / numbers[piece + 1] - 1)
+
+
+def _last_before(numbers: Any, first: int, width: int, n_rows: int, at: float) -> int:
+    """Which of some rows, each beginning with where it stands, is the last that does not stand beyond a place."""
+    low, high = 0, n_rows
     while high - low > 1:
         middle = (low + high) // 2
-        if at < numbers[first + middle * _N_POINT]:
+        if at < numbers[first + middle * width]:
             high = middle
         else:
             low = middle
-    one, other = first + low * _N_POINT, first + high * _N_POINT
-    share = (at - numbers[one]) / (numbers[other] - numbers[one])
-    return numbers[one + column] + share * (numbers[other + column] - numbers[one + column])
+    return low

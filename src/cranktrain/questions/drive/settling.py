@@ -61,7 +61,7 @@ def settled(
     certain torques and speeds: found from it, and it anew with them, until they stand. Pieces on which the equation
     of motion is missed between the nodes are cut.
     """
-    corners = machines.corners[min(turning.design, len(machines.corners) - 1)]
+    corners = machines.corners[turning.design]
     mesh = mesh_of(machines.cycle, corners)
     turning = turning.at(mesh.nodes)
     if turning.is_held:

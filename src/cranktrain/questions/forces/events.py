@@ -84,7 +84,7 @@ def force_events(
     if gas is not None and loaded.gas is not None:
         for chamber, mechanism in enumerate(loaded.carriers.driven[loaded.gas.chambers.leading].tolist()):
             own[mechanism].append(_beside_rows(gas.angle[:, chamber]))
-    for signals in (*_rubbing(loaded, solved), *_loading(loaded, crank_angle)):
+    for signals in (*_rubbing(loaded, solved.batches), *_loading(loaded, crank_angle)):
         turns = _turns(loaded, signals, crank_angle)
         for member, mechanism in enumerate(signals.mechanisms.tolist()):
             own[mechanism].append(_Found(turns.angle[:, member], turns.misses[:, member]))
@@ -104,6 +104,13 @@ def force_events(
     for mechanism, part in enumerate(shared):
         angle[:, mechanism, : part.shape[-1]] = part
     return ForceEvents(angle, np.concatenate(each, axis=-1), misses)
+
+
+def friction_kinks(loaded: LoadedMachine, crank_angle: CrankAngle) -> Array:
+    """Crank angles φ at which the friction of what slides has kinks, shape (design, event); NaN for none. [rad]"""
+    each = [_turns(loaded, own, crank_angle).angle for own in _rubbing(loaded, loaded.solved(crank_angle.angle))]
+    n_designs = len(crank_angle.zero)
+    return np.concatenate([np.empty((n_designs, 0)), *(found.reshape(n_designs, -1) for found in each)], axis=-1)
 
 
 def breaks_at_speed(events: ForceEvents, speed: Speed, crank_angle: CrankAngle) -> Array:
@@ -138,13 +145,13 @@ def _rows_by_angle(law: ByAngle, crank_angle: CrankAngle) -> _Found:
     return _Found(angle, np.broadcast_to(law.misses(crank_angle.cycle), angle.shape))
 
 
-def _rubbing(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[_Signals]:
+def _rubbing(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Iterator[_Signals]:
     """Find what rubs."""
     for place, (batch, made) in enumerate(zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True)):
         for sliding, coefficient in enumerate(made.friction):
             if np.any(coefficient != 0.0):
                 pressing = partial(_pressing, loaded, place, sliding)
-                yield _of_no_rows(batch.index, pressing(solved.batches), partial(_solved, loaded, pressing))
+                yield _of_no_rows(batch.index, pressing(solved), partial(_solved, loaded, pressing))
 
 
 def _solved(loaded: LoadedMachine, pick: Callable[[Sequence[SolvedBatch]], Array], angle: Array) -> Array:

@@ -120,7 +120,7 @@ def press_case(parts: PressParts, design: int) -> PressCase | None:
     plan = PressPlan(
         end_time=math.inf,
         command_angle=command if math.isfinite(command) else math.inf,
-        jumps=_jumps(parts.machines.corners[min(design, len(parts.machines.corners) - 1)]),
+        jumps=_jumps(parts.machines.corners[design]),
         tolerance=parts.tolerance,
     )
     idle = _idle_speed(kernels, press, float(parts.motor.top_speed[design]))

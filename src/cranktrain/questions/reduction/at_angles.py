@@ -12,6 +12,7 @@ from cranktrain.transient.reduced import (
     AMBIENT,
     AT,
     BY_ANGLE,
+    BY_CURVE,
     BY_SPEED,
     COMPRESSION,
     COUNTS,
@@ -124,14 +125,23 @@ def _size(
     """Size of a load; of one that goes with a power of the speed where that is its own."""
     if row[LAW] == BY_SPEED:
         return np.full(angle.shape, row[SIZE])
-    first = int(row[FIRST])
-    points: Array = np.asarray(machine.points, dtype=np.float64)
-    own = points[first : first + int(row[N_POINTS])]
-    at, out, back = own[:, 0], own[:, 1], own[:, 2]
+    rows = slice(int(row[FIRST]), int(row[FIRST] + row[N_POINTS]))
+    shown = np.mod(angle - row[ORIGIN], row[PERIOD])
+    if row[LAW] == BY_CURVE:
+        return _on_curve(np.asarray(machine.curves, dtype=np.float64)[rows], shown)
+    points: Array = np.asarray(machine.points, dtype=np.float64)[rows]
+    at, out, back = points[:, 0], points[:, 1], points[:, 2]
     if row[LAW] == BY_ANGLE:
-        return np.interp(np.mod(angle - row[ORIGIN], row[PERIOD]), at, out)
+        return np.interp(shown, at, out)
     travel = row[COUNTS] * value(row[PLACE]) - row[ORIGIN]
     return np.where(row[COUNTS] * rate >= 0, np.interp(travel, at, out), np.interp(travel, at, back))
+
+
+def _on_curve(curve: Array, angle: Array) -> Array:
+    """A load's curve, shape (piece, `CURVE_WIDTH`), at angles of its period."""
+    own: Array = curve[np.searchsorted(curve[:, 0], angle, side="right") - 1]
+    x: Array = 2 * (angle - own[:, 0]) / own[:, 1] - 1
+    return np.einsum("nk,nk->n", own[:, 2:], np.vander(x, DEGREE + 1, increasing=True))
 
 
 def _steady_pressures(machine: ReducedMachine, value: _Coefficient, slope: _Coefficient) -> list[Array]:

@@ -89,7 +89,7 @@ def half_periods(drive: DeclaredDrive, machines: ReducedMachines, crank_angle: C
 def _halves(drive: DeclaredDrive, machines: ReducedMachines, crank_angle: CrankAngle, design: int) -> _Halves:
     """Half-periods of one design."""
     machine, gearing, cycle = machines.each[design], drive.gearings[design], machines.cycle
-    corners = machines.corners[min(design, len(machines.corners) - 1)]
+    corners = machines.corners[design]
     zero = float(crank_angle.zero[min(design, len(crank_angle.zero) - 1), 0, 0])
 
     def torque(angle: Array) -> Array:

@@ -15,15 +15,18 @@ from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.polyline import Polyline
 from cranktrain.questions.evenness.spec import GivenFlywheel
-from cranktrain.questions.forces.events import ForceEvents, with_rows
+from cranktrain.questions.forces.events import ForceEvents, friction_kinks, with_rows
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.chambers import Filling, GasInChambers
+from cranktrain.questions.reduction.curve_pieces import curve_pieces
 from cranktrain.questions.reduction.smooth import smooth_pieces
 from cranktrain.record import record
 from cranktrain.transient.reduced import (
     BY_ANGLE,
+    BY_CURVE,
     BY_SPEED,
     BY_TRAVEL,
+    CURVE_WIDTH,
     ReducedChamber,
     ReducedLoad,
     ReducedMachine,
@@ -31,11 +34,6 @@ from cranktrain.transient.reduced import (
 
 _OF_ALL = 3
 """Coefficients that every machine has: J, weights, x′ of what is driven."""
-_ASIDE = 1e-9
-"""Of a jump, on both its sides. [rad]"""
-_CLOSE = 1e-7
-"""Of the gas torque's peak: what straight lines between its points may miss."""
-_MOST_POINTS = 40_000
 
 
 @record
@@ -76,7 +74,7 @@ class _Way(NamedTuple):
 class _Curve(NamedTuple):
     """A torque on the crank by φ, of each design; it may go with a power of the speed of the crank over another."""
 
-    lines: Sequence[Polyline]
+    pieces: Sequence[Array]
     resists: bool
     at: Array
     exponent: float
@@ -93,8 +91,9 @@ def reduced_machines(
 
     Notes
     -----
-    docs/theory/reduced-machine, eqs. (31.1) to (31.5). Gas other than a compressor's comes back with the crank angle,
-    over its cycle. Friction in guides goes between that at rest and that at the declared speed with ω², eq. (31.11).
+    docs/theory/reduced-machine, eqs. (31.1) to (31.5), (31.15). Gas other than a compressor's comes back with the crank
+    angle, over its cycle. Friction in guides goes between that at rest and that at the declared speed with ω²,
+    eq. (31.11).
     """
     ways = _ways(() if loaded.loads is None else loaded.loads.each)
     remembering = [] if loaded.gas is None else loaded.gas.filled_with("compressor")
@@ -102,21 +101,24 @@ def reduced_machines(
     if flywheel is not None:
         pieces[:, :, 0, 0] += flywheel.inertia[:, np.newaxis]
     first_volume = _OF_ALL + sum(way.n_coefficients for way in ways)
-    others = [*_gas_over_cycle(loaded, remembering, crank_angle, events), *_friction(loaded, crank_angle, events)]
     on_shaft = () if on_shafts is None else on_shafts.given
-    of_all = with_rows(events, [load.law for load in on_shaft], crank_angle)
+    of_all = with_rows(
+        _with_friction_at_rest(loaded, events, crank_angle), [load.law for load in on_shaft], crank_angle
+    )
+    cycle = crank_angle.cycle
+    curves = [*_gas_over_cycle(loaded, remembering, of_all.whole, cycle), *_friction(loaded, of_all.whole, cycle)]
     return ReducedMachines(
         tuple(
             ReducedMachine(
                 own.reshape(len(own), -1),
-                *_loads(loaded, ways, on_shaft, others, design, float(crank_angle.zero[design, 0, 0])),
+                *_loads(loaded, ways, on_shaft, curves, design, crank_angle),
                 *_chambers(loaded.gas, first_volume, design),
             )
             for design, own in enumerate(pieces)
         ),
         of_all.whole,
         of_all.misses,
-        crank_angle.cycle,
+        cycle,
     )
 
 
@@ -178,13 +180,14 @@ def _loads(
     loaded: LoadedMachine,
     ways: Sequence[_Way],
     on_shaft: Sequence[TorqueOnShaft],
-    others: Sequence[_Curve],
+    curves: Sequence[_Curve],
     design: int,
-    zero: float,
-) -> tuple[Array, Array]:
-    """Rows of all loads of a design, and their points."""
+    crank_angle: CrankAngle,
+) -> tuple[Array, Array, Array]:
+    """Rows of all loads of a design, their points, and the pieces of curves."""
     rows: list[ReducedLoad] = []
     points: list[tuple[float, float, float]] = []
+    zero = float(crank_angle.zero[design, 0, 0])
     for way in ways:
         load = way.load
         row = _NOTHING._replace(
@@ -196,10 +199,13 @@ def _loads(
     for torque in on_shaft:
         row = _NOTHING._replace(counts=1.0 if torque.resists else torque.sense, resists=torque.resists)
         rows.append(_with_law(row, torque.law, design, zero, points))
-    for curve in others:
-        row = _NOTHING._replace(resists=curve.resists, at=float(_of(curve.at, design)), exponent=curve.exponent)
-        rows.append(_round(row, curve.lines[design], 0.0, points))
-    return _table(rows, len(_NOTHING)), np.array(points, dtype=float).reshape(-1, 3)
+    pieces, n_pieces = [curve.pieces[design] for curve in curves], 0
+    for curve, own in zip(curves, pieces, strict=True):
+        row = _NOTHING._replace(law=BY_CURVE, first=n_pieces, n_points=len(own), period=crank_angle.cycle)
+        rows.append(row._replace(resists=curve.resists, at=float(_of(curve.at, design)), exponent=curve.exponent))
+        n_pieces += len(own)
+    no_pieces = np.empty((0, CURVE_WIDTH))
+    return _table(rows, len(_NOTHING)), _table(points, 3), np.concatenate([no_pieces, *pieces])
 
 
 _NOTHING = ReducedLoad(BY_SPEED, -1, -1, False, False, 1.0, 0.0, 1.0, 0.0, 0, 0, 0.0, 1.0)
@@ -267,7 +273,7 @@ def _only(number: Array) -> float:
 
 
 def _gas_over_cycle(
-    loaded: LoadedMachine, remembering: Sequence[Filling], crank_angle: CrankAngle, events: ForceEvents
+    loaded: LoadedMachine, remembering: Sequence[Filling], corners: Array, cycle: float
 ) -> Iterator[_Curve]:
     """Torque that all other gas gives to the crank over its cycle; nothing without such gas."""
     gas = loaded.gas
@@ -282,52 +288,37 @@ def _gas_over_cycle(
         over = gas.pressure(angle, volume) - gas.chambers.ambient[..., np.newaxis]
         return np.sum((over * volume.first)[:, own], axis=1)
 
-    yield _Curve(_each_design(torque, crank_angle, events), False, np.ones(1), 0.0)
+    yield _Curve(curve_pieces(torque, corners, cycle), False, np.ones(1), 0.0)
 
 
-def _friction(loaded: LoadedMachine, crank_angle: CrankAngle, events: ForceEvents) -> Iterator[_Curve]:
+def _friction(loaded: LoadedMachine, corners: Array, cycle: float) -> Iterator[_Curve]:
     """Torque that friction takes at the crank: at rest, and what is more of it at the declared speed."""
     if not loaded.masses.has_friction:
         return
-    at_rest = replace(loaded, speed=Speed(np.zeros_like(loaded.speed.value)))
+    at_rest = _at_rest(loaded)
 
     def rubbed(machine: LoadedMachine, angle: Array) -> Array:
-        each = [np.sum(one.forces.friction_torque + 0 * angle, axis=1) for one in machine.solved(angle)]
-        return -sum(each, np.zeros(angle.shape))
+        each = [np.sum(one.forces.friction_torque, axis=1) for one in machine.solved(angle)]
+        return -sum(each, np.zeros((len(angle), angle.shape[-1])))
 
-    still = _each_design(lambda angle: rubbed(at_rest, angle), crank_angle, events)
-    more = _each_design(lambda angle: rubbed(loaded, angle) - rubbed(at_rest, angle), crank_angle, events)
+    still = curve_pieces(lambda angle: rubbed(at_rest, angle), corners, cycle)
+    more = curve_pieces(lambda angle: rubbed(loaded, angle) - rubbed(at_rest, angle), corners, cycle)
     yield _Curve(still, True, np.ones(1), 0.0)
     yield _Curve(more, True, loaded.speed.value[:, 0, 0], 2.0)
 
 
-def _each_design(torque: Callable[[Array], Array], crank_angle: CrankAngle, events: ForceEvents) -> list[Polyline]:
-    """Straight lines along a torque at φ, shape (n,) → (design, n), of each design."""
-    designs = range(len(crank_angle.zero))
-    kinks = np.broadcast_to(events.whole, (len(designs), events.whole.shape[-1]))
-    return [_lines(lambda angle, at=at: _row(torque(angle), at), kinks[at], crank_angle.cycle) for at in designs]
+def _at_rest(loaded: LoadedMachine) -> LoadedMachine:
+    """A machine whose crank hardly moves."""
+    return replace(loaded, speed=Speed(np.zeros_like(loaded.speed.value)))
 
 
-def _row(values: Array, design: int) -> Array:
-    """Values of one design, or of all."""
-    return values[min(design, len(values) - 1)]
-
-
-def _lines(curve: Callable[[Array], Array], kinks: Array, cycle: float) -> Polyline:
-    """Straight lines so close to a curve over its cycle that they miss next to nothing of its peak."""
-    own = np.unique(np.mod(kinks[np.isfinite(kinks)], cycle))
-    aside = _ASIDE * np.array([-1.0, 1.0])
-    angles = np.unique(np.mod([*np.linspace(0, cycle, 721)[:-1], *np.ravel(own[:, np.newaxis] + aside)], cycle))
-    values = curve(angles)
-    peak = np.max(np.abs(values))
-    while angles.size < _MOST_POINTS:
-        wrapped = np.append(angles, angles[0] + cycle)
-        middles = 0.5 * (wrapped[1:] + wrapped[:-1])
-        found = curve(middles)
-        misses = np.abs(found - 0.5 * (values + np.roll(values, -1))) > _CLOSE * peak
-        misses &= np.diff(wrapped) > 4 * _ASIDE
-        if not np.any(misses):
-            break
-        order = np.argsort(np.mod([*angles, *middles[misses]], cycle))
-        angles, values = (np.concatenate(pair)[order] for pair in ((angles, middles[misses]), (values, found[misses])))
-    return Polyline(angles, values, cycle)
+def _with_friction_at_rest(loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle) -> ForceEvents:
+    """Events of a machine, and where its friction has kinks while it hardly moves."""
+    if not loaded.masses.has_friction:
+        return events
+    kinks = friction_kinks(_at_rest(loaded), crank_angle)
+    return replace(
+        events,
+        whole=np.concatenate([events.whole, kinks], axis=-1),
+        misses=np.concatenate([events.misses, np.full(kinks.shape, np.inf)], axis=-1),
+    )

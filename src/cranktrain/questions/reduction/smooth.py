@@ -13,16 +13,17 @@ _CLOSE = 1e-13
 """Of a coefficient's peak: what a polynomial may miss between its nodes."""
 _FALL = 8
 """Of what a polynomial misses, at least, where halving its pieces is worth while."""
-_NODES = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
-_LOOKS = np.array([-0.93, -0.41, 0.07, 0.68, 0.97])
+NODES = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
+"""Places −1…1 within a piece at which a curve is asked for its polynomial."""
+LOOKS = np.array([-0.93, -0.41, 0.07, 0.68, 0.97])
+"""Others, at which that polynomial is held against the curve."""
+POWERS_AT_LOOKS = np.vander(LOOKS, DEGREE + 1, increasing=True).T
 
 
 _DEGREES = np.arange(DEGREE + 1)
-_TO_SERIES = (
-    np.cos(np.outer(_DEGREES, np.arccos(_NODES))) * np.where(_DEGREES > 0, 2.0, 1.0)[:, np.newaxis] / _NODES.size
-)
+_TO_SERIES = np.cos(np.outer(_DEGREES, np.arccos(NODES))) * np.where(_DEGREES > 0, 2.0, 1.0)[:, np.newaxis] / NODES.size
 """From values at the nodes to Chebyshev's series."""
-_POWERS = np.array([np.pad(chebyshev.cheb2poly(row), (0, DEGREE - i)) for i, row in enumerate(np.eye(DEGREE + 1))])
+_TO_POWERS = np.array([np.pad(chebyshev.cheb2poly(row), (0, DEGREE - i)) for i, row in enumerate(np.eye(DEGREE + 1))])
 """From the series to powers of −1…1. A second step: multiplied into the first, these whole numbers make a thousand
 times its rounding, of which an inertia's slope gives work in every turn, and a soft motor a slip."""
 
@@ -56,6 +57,15 @@ def smooth_pieces(coefficients: Callable[[Array], Array]) -> Array:
         pieces = _on(coefficients, n_pieces)
 
 
+def powers_from(values: Array) -> Array:
+    """Polynomials of powers of −1…1, shape (..., `DEGREE` + 1), by values at `NODES`, of that shape."""
+    # From one of its own values on, as a constant is to have no slope, not even by rounding.
+    base = values[..., :1]
+    found = (values - base) @ _TO_SERIES.T @ _TO_POWERS
+    found[..., :1] += base
+    return found
+
+
 def _angles(n_pieces: int, places: Array) -> Array:
     """Angles at places −1…1 of every piece, shape (piece · place,). [rad]"""
     width = TURN / n_pieces
@@ -64,18 +74,13 @@ def _angles(n_pieces: int, places: Array) -> Array:
 
 def _on(coefficients: Callable[[Array], Array], n_pieces: int) -> Array:
     """Polynomials on so many pieces."""
-    values = coefficients(_angles(n_pieces, _NODES))
-    apart = values.reshape(*values.shape[:2], n_pieces, DEGREE + 1)
-    # From one of its own values on, as a constant is to have no slope, not even by rounding.
-    base = apart[..., :1]
-    found = (apart - base) @ _TO_SERIES.T @ _POWERS
-    found[..., :1] += base
-    return np.moveaxis(found, 1, 2)
+    values = coefficients(_angles(n_pieces, NODES))
+    return np.moveaxis(powers_from(values.reshape(*values.shape[:2], n_pieces, DEGREE + 1)), 1, 2)
 
 
 def _miss(coefficients: Callable[[Array], Array], pieces: Array) -> Array:
     """Largest difference between the nodes, in parts of each coefficient's peak, shape (design, coefficient)."""
-    exact = coefficients(_angles(pieces.shape[1], _LOOKS))
-    found = np.moveaxis(pieces @ np.vander(_LOOKS, DEGREE + 1, increasing=True).T, 1, 2).reshape(exact.shape)
+    exact = coefficients(_angles(pieces.shape[1], LOOKS))
+    found = np.moveaxis(pieces @ POWERS_AT_LOOKS, 1, 2).reshape(exact.shape)
     peak = np.max(np.abs(exact), axis=-1)
     return np.max(np.abs(found - exact), axis=-1) / np.where(peak > 0, peak, 1.0)

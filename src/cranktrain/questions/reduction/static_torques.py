@@ -143,7 +143,7 @@ def static_torques(drive: DeclaredDrive, machines: ReducedMachines, crank_angle:
         torque.append(torque_through(still, ONE, gearing))
         others.append(np.stack([torque_through(still, ONE, other)[0] for other in _other_laws(gearing)]))
         inertia.append(_inertias(at.inertia, gearing))
-        corners = machines.corners[min(design, len(machines.corners) - 1)]
+        corners = machines.corners[design]
         zero = float(crank_angle.zero[min(design, len(crank_angle.zero) - 1), 0, 0])
         facts.append(torque_facts(machine, corners, machines.cycle, gearing, zero=zero, grid=crank_angle.shown))
     driven = np.stack(inertia)

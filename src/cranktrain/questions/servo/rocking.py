@@ -97,9 +97,7 @@ def rocking_drive(rocking: RockingMotions, drive: DeclaredDrive, machines: Reduc
     docs/theory/servo, eq. (29.8).
     """
     rows = zip(rocking.each, machines.each, drive.gearings, strict=True)
-    demands = tuple(
-        rocking_demand(*row, machines.corners[min(n, len(machines.corners) - 1)]) for n, row in enumerate(rows)
-    )
+    demands = tuple(rocking_demand(*row, machines.corners[n]) for n, row in enumerate(rows))
     return RockingDrive(
         demands,
         rocking_rms_torque=np.array([one.rms for one in demands]),

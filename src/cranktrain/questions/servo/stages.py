@@ -149,7 +149,7 @@ def servo_drive(
         turn = crank_by_angle(made, angle)
         torque = crank_torque(turn, reduced_at(machines.each[n], angle))
         rows.append((torque, motor_torque(torque, turn, drive.gearings[n])))
-        corners = machines.corners[min(n, len(machines.corners) - 1)]
+        corners = machines.corners[n]
         demands.append(servo_demand(made, machines.each[n], drive.gearings[n], corners))
     return ServoDrive(
         tuple(demands),

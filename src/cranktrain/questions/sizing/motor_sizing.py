@@ -218,8 +218,8 @@ def sized_design(
     """
     rotor = 0.0 if motor is None or motor.inertia is None else float(motor.inertia[design])
     bare = gearing._replace(motor_inertia=gearing.motor_inertia - rotor)
-    corner = min(design, len(machines.corners) - 1)
-    alone = replace(machines, each=machines.each[design : design + 1], corners=machines.corners[corner : corner + 1])
+    own = slice(design, design + 1)
+    alone = replace(machines, each=machines.each[own], corners=machines.corners[own], misses=machines.misses[own])
     if clutch is not None:
         return SizedDesign(alone, bare, _before_clutch(bare, clutch, design), duty, design)
     of_machine = mean_inertia(alone.each[0], alone.cycle) / overall_ratio(gearing) ** 2
