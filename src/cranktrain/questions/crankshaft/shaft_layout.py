@@ -90,13 +90,17 @@ def with_rods(
     """Whether on every throw of the declared crankshafts there are rods on a crank pin."""
     if declared is None:
         return DeclaredCrankshafts.needs
-    have_pins = mechanisms.marked(lambda kind: kind.dynamics.joint("crank_pin") is not None)
-    on_crank_pins = have_pins & (carriers.master < 0)
+    on_crank_pins = have_crank_pins(mechanisms) & (carriers.master < 0)
     for crankshaft in declared.each:
         standing = set(shafts.throw[on_crank_pins & (shafts.shaft == crankshaft.shaft)].tolist())
         if len(standing) < shafts.n_throws[crankshaft.shaft]:
             return N_("a rod on every throw's crank pin")
     return True
+
+
+def have_crank_pins(mechanisms: Mechanisms) -> NDArray[np.bool_]:
+    """Which mechanisms have their rod on a crank pin, shape (mechanism,): valve gears and chains have none."""
+    return mechanisms.marked(lambda kind: kind.dynamics.joint("crank_pin") is not None)
 
 
 def shaft_layouts(
@@ -108,13 +112,13 @@ def shaft_layouts(
     crank_angle: CrankAngle,
 ) -> ShaftLayouts:
     """Lay all crankshafts out; docs/theory/crankshaft, eqs. (24.21) to (24.25)."""
-    pins = pins_at(mechanisms, frames, crank_angle.angle[..., :1])[..., 0]
+    pins, have_pins = pins_at(mechanisms, frames, crank_angle.angle[..., :1])[..., 0], have_crank_pins(mechanisms)
     turn = -1.0 if frames.clockwise else 1.0
     layouts: list[ShaftLayout] = []
     for crankshaft in declared.each:
         carrying = np.flatnonzero((carriers.master < 0) & (shafts.shaft == crankshaft.shaft)).astype(np.intp)
         is_on_pin = shafts.throw[carrying] == crankshaft.throw[:, np.newaxis]
-        first = carrying[np.argmax(is_on_pin, axis=1)]
+        first = carrying[np.argmax(is_on_pin & have_pins[carrying], axis=1)]
         ahead = direction(pins, turn) - direction(pins[:, first[:1]], turn)
         throws = _throws(crankshaft, np.abs(pins)[:, first], ahead[:, first])
         on_pin, member = np.nonzero(is_on_pin)

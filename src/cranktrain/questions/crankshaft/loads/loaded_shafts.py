@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.masses import MechanismMasses
+from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import Drive
@@ -19,7 +20,7 @@ from cranktrain.questions.crankshaft.bending.loads_in_spans import AlikeShafts, 
 from cranktrain.questions.crankshaft.bending.shaft_loads import ActingPlaces, ShaftLoads
 from cranktrain.questions.crankshaft.loads.gears import DeclaredGears, Gear, Mesh, tooth_load
 from cranktrain.questions.crankshaft.metal.shaft import Crankshaft, Supports
-from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout, direction
+from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout, direction, have_crank_pins
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
@@ -46,6 +47,9 @@ class OfMechanisms(NamedTuple):
     crank_torque : Array
         Torque of the crank itself beside that of its forces at the pin and in the middle of its webs, in its sense of
         rotation: of a shaft that does not turn evenly, of weight beside the middle, of loads on the crank. [N·m]
+    pin_torque : Array
+        Torque on the pin beside that of the force on it, in that sense: of a valve gear or a chain, whose own cranks
+        the throw's pin holds. [N·m]
     """
 
     pin: ComplexArray
@@ -53,6 +57,7 @@ class OfMechanisms(NamedTuple):
     on_crank: ComplexArray
     of_pin: ComplexArray
     crank_torque: Array
+    pin_torque: Array
 
 
 @record
@@ -131,7 +136,7 @@ class LoadedShafts:
     def loads(self, angle: Array, solved: Sequence[SolvedBatch] | None = None) -> tuple[SpannedLoads, ...]:
         """What acts on each at φ, shape (design, 1, n) [rad]; solved, where the machine is solved there already."""
         batches = self.loaded.solved(angle) if solved is None else solved
-        mechanisms = of_mechanisms(self.loaded, self.frames, batches)
+        mechanisms = of_mechanisms(self.loaded, self.frames, self.shafts, batches)
         handed = [] if self.gears is None else self.gears.handed_on(self._torques(batches, angle))
         return tuple(spanned_loads(shaft.spans, self._on(shaft, mechanisms, angle, handed)) for shaft in self.each)
 
@@ -148,12 +153,13 @@ class LoadedShafts:
         force = [np.stack([-self.turn * of_machine.imag, of_machine.real], axis=2)]
         pulls = shaft.layout.declared.pulls.force(angle - self.zero)
         force.append(pulls)
-        of_cranks = (
-            shaft.layout.turn * mechanisms.crank_torque[:, shaft.cranks.number] * shaft.cranks.part[..., np.newaxis]
+        torques = (
+            mechanisms.pin_torque[:, shaft.rods.number] * shaft.rods.part[..., np.newaxis],
+            mechanisms.crank_torque[:, shaft.cranks.number] * shaft.cranks.part[..., np.newaxis],
         )
-        before, behind = shaft.rods.number.size, of_machine.shape[1] + pulls.shape[1]
-        torque = np.zeros((len(turned), behind, n))
-        torque[:, before : before + shaft.cranks.number.size] = of_cranks
+        behind = of_machine.shape[1] + pulls.shape[1]
+        others = np.zeros((len(turned), behind - sum(part.shape[1] for part in torques), n))
+        torque = np.concatenate([*(shaft.layout.turn * part for part in torques), others], axis=1)
         if not shaft.meshes:
             return ShaftLoads(*shaft.places, turned=turned, force=np.concatenate(force, axis=1), torque=torque)
         teeth = [tooth_load(gear, mesh, handed[number], shaft.layout.turn) for number, gear, mesh in shaft.meshes]
@@ -196,32 +202,50 @@ class LoadedShafts:
         return part[..., np.newaxis] * moment * phasor(ahead + ratio * angle) * turning
 
 
-def of_mechanisms(loaded: LoadedMachine, frames: Frames, solved: Sequence[SolvedBatch]) -> OfMechanisms:
+def of_mechanisms(
+    loaded: LoadedMachine, frames: Frames, shafts: Shafts, solved: Sequence[SolvedBatch]
+) -> OfMechanisms:
     """What all mechanisms do to their cranks, by the reactions of their joints."""
     shape = (len(loaded.speed.value), len(loaded.mechanisms.names), solved[0].forces.driving_torque.shape[-1])
-    together = OfMechanisms(*np.zeros((4, *shape), dtype=np.complex128), crank_torque=np.zeros(shape))
+    vectors = np.zeros((4, *shape), dtype=np.complex128)
+    together = OfMechanisms(*vectors, crank_torque=np.zeros(shape), pin_torque=np.zeros(shape))
     batches = zip(loaded.mechanisms.batches, loaded.masses.batches, solved, strict=True)
     for batch, made, solved_batch in batches:
         dynamics = batch.kind.dynamics
         at_pin, at_bearing = dynamics.joint("crank_pin"), dynamics.joint("main_bearing")
-        if at_pin is None or at_bearing is None:
+        if at_bearing is None:
             continue
 
         def common(x: Array, y: Array, index: NDArray[np.intp] = batch.index) -> ComplexArray:
             return np.broadcast_to(frames.common(index, x, y), (shape[0], index.size, shape[-1]))
 
-        pin, (bears, holds) = (
-            solved_batch.motion.pin,
-            (solved_batch.forces.joints[joint] for joint in (at_pin, at_bearing)),
-        )
-        on_rod, on_crank = common(bears.x, bears.y), common(holds.x, holds.y)
+        holds = solved_batch.forces.joints[at_bearing]
+        on_crank = common(holds.x, holds.y)
+        if at_pin is None:
+            together.on_pin[:, batch.index] = -on_crank
+            together.pin_torque[:, batch.index] = -solved_batch.forces.driving_torque
+            continue
+        pin, bears = solved_batch.motion.pin, solved_batch.forces.joints[at_pin]
+        on_rod = common(bears.x, bears.y)
         at, of_pin = common(pin.x.value, pin.y.value), common(*_of_pin(pin, made, solved_batch.conditions.drive))
         of_webs = on_rod - on_crank - of_pin
         by_forces = frames.sense[batch.index, np.newaxis] * np.imag(np.conj(at) * (of_webs / 2 + of_pin - on_rod))
         values = (at, -on_rod, of_webs, of_pin, -solved_batch.forces.driving_torque - by_forces)
-        for whole, part in zip(together, values, strict=True):
+        for whole, part in zip(together, values, strict=False):
             whole[:, batch.index] = part
+    _hold_at_pins(together, frames, shafts, loaded.mechanisms)
     return together
+
+
+def _hold_at_pins(acting: OfMechanisms, frames: Frames, shafts: Shafts, mechanisms: Mechanisms) -> None:
+    """Let the pin of their throw hold those mechanisms that have none; docs/theory/crankshaft, eq. (24.3)."""
+    have_pins = have_crank_pins(mechanisms)
+    for number in np.flatnonzero(~have_pins).tolist():
+        beside = (shafts.shaft == shafts.shaft[number]) & (shafts.throw == shafts.throw[number]) & have_pins
+        if not np.any(beside):
+            continue
+        at = acting.pin[:, number] = acting.pin[:, np.flatnonzero(beside)[0]]
+        acting.pin_torque[:, number] -= frames.sense[number] * np.imag(np.conj(at) * acting.on_pin[:, number])
 
 
 def _of_pin(pin: Point, made: MechanismMasses, drive: Drive) -> tuple[Array, Array]:
