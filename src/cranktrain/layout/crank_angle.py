@@ -47,7 +47,7 @@ class CrankAngle:
 
     def over_cycle(self, values: Array) -> Array:
         """Give what repeats with every turn, shape (..., n/turns), at all angles, shape (..., n)."""
-        return np.tile(values, self.shown.size // values.shape[-1])
+        return np.concatenate([values] * (self.shown.size // values.shape[-1]), axis=-1)
 
     def counted(self, angle: Array, period: float = 2 * np.pi) -> Array:
         """Count angles φ, shape (design, ..., 1), as they are shown: from `crank_zero`, in [0, period). [rad]"""
