@@ -108,8 +108,9 @@ if TYPE_CHECKING:
     from cranktrain.io.examples import example_names
     from cranktrain.language import in_language
     from cranktrain.machine import Machine
-    from cranktrain.public import behind, compare, drawing, run, start, units
+    from cranktrain.public import behind, compare, drawing, run, start, sweep, units
     from cranktrain.study.start import Start
+    from cranktrain.study.sweep import Sweep
 
 __all__ = [
     "Comparison",
@@ -118,6 +119,7 @@ __all__ = [
     "Problem",
     "Result",
     "Start",
+    "Sweep",
     "__version__",
     "behind",
     "compare",
@@ -127,6 +129,7 @@ __all__ = [
     "load",
     "run",
     "start",
+    "sweep",
     "textbook",
     "units",
     "viz",
@@ -142,6 +145,7 @@ _HOMES = {
     "Problem": "errors",
     "Result": "analysis",
     "Start": "study.start",
+    "Sweep": "study.sweep",
     "behind": "public",
     "compare": "public",
     "drawing": "public",
@@ -150,6 +154,7 @@ _HOMES = {
     "load": "io.any_machine",
     "run": "public",
     "start": "public",
+    "sweep": "public",
     "textbook": "textbook",
     "units": "public",
     "viz": "viz",

@@ -16,6 +16,7 @@ _HOMES = {
     "page_lines": "cli.screen.sections",
     "plot_comparison": "viz.curves",
     "plot_run": "viz.curves",
+    "plot_sweep": "viz.curves",
     "result_html": "analysis.representations",
     "result_line": "analysis.representations",
     "result_lines": "analysis.representations",

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from cranktrain.io.any_machine import MachineLike
     from cranktrain.panels.drawing import MachineDrawing
     from cranktrain.study.start import Start
+    from cranktrain.study.sweep import Sweep
     from cranktrain.transient.runs import Progress
 
 
@@ -120,6 +121,57 @@ def start(
     source = sources_of(machine, set, partial=False)[0][0]
     with problems_as(source.placed):
         return run_over_time(source.machine, progress=progress)
+
+
+def sweep(
+    machine: "MachineLike",
+    vary: "Mapping[str, object] | Sequence[Mapping[str, object]]",
+    wanted: "str | Iterable[str] | None" = None,
+    *,
+    set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
+    processes: int = 1,
+) -> "Sweep":
+    """Compute facts of a machine over values of its file.
+
+    Parameters
+    ----------
+    machine : str, path-like, dict or Machine
+        As `run` takes it.
+    vary : mapping of str, or sequence of such
+        What is varied, by path, or by the last name of one where the file has it once: a range `"130..160 mm:31"`, a
+        list `"1000, 1500 rpm"`, or values one by one, as `Machine.with_` takes them. All combinations are computed.
+        Of a sequence each item is a design: its values by path.
+    wanted : str or iterable of str, optional
+        Names of facts; the headlines of the machine's questions unless given.
+    set : mapping of str, optional
+        Other values by path, of all designs.
+    processes : int
+        How many may work at once; from a script these need `if __name__ == "__main__":`.
+
+    Returns
+    -------
+    Sweep
+        Every fact as an array along what is varied, NaN where a design cannot be, and `refused` says why; `dataset`,
+        `plot()`, `best(least=…)`.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with the machine, or with what is asked.
+
+    Examples
+    --------
+    >>> found = sweep("vaz_21213", {"rod_length": "120..160 mm:3"}, "largest_side_force")
+    >>> found.largest_side_force.shape
+    (4, 3)
+    >>> [round(float(force)) for force in found.largest_side_force[0]]
+    [2663, 1676, 1420]
+    """
+    from cranktrain.study.sweep import swept
+
+    source = sources_of(machine, set, partial=False)[0][0]
+    with problems_as(source.placed):
+        return swept(source.machine, vary, _names_in(wanted), processes=processes)
 
 
 def compare(

@@ -5,7 +5,6 @@ from typing import Annotated, Any
 
 import typer
 
-from cranktrain.cli.comparing import add_compare
 from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.options import (
     AllTables,
@@ -35,6 +34,7 @@ from cranktrain.cli.options import (
     degrees,
     listed,
 )
+from cranktrain.cli.several import add_compare, add_sweep
 from cranktrain.cli.task import Task, commands_of, put_off, task_of
 from cranktrain.cli.texts import add_textbook
 from cranktrain.cli.tools import add_tools
@@ -223,6 +223,7 @@ def _run(
 
 
 add_compare(_app)
+add_sweep(_app)
 
 
 @_app.command(

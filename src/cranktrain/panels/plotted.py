@@ -13,7 +13,7 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import short
 from cranktrain.panels.design import OneDesign, closed
-from cranktrain.panels.shapes import Curve, Panel, Role
+from cranktrain.panels.shapes import Curve, Map, Panel, Role
 from cranktrain.plans.placement import first_throw
 from cranktrain.quantities import nearest
 from cranktrain.record import record
@@ -57,7 +57,7 @@ class Plot:
 
     Attributes
     ----------
-    panels : tuple of Panel
+    panels : tuple of Panel, or of Map
     title : Words
     keys : tuple of Curve
         Explained above all panels, by their names; each panel has its own names unless there are such.
@@ -65,7 +65,7 @@ class Plot:
         What they are over, without its unit, if that is not the crank angle.
     """
 
-    panels: tuple[Panel, ...]
+    panels: tuple[Panel | Map, ...]
     title: Words = ""
     keys: tuple[Curve, ...] = ()
     over: Words | None = None
@@ -146,7 +146,8 @@ def _over(axis: Axis | None) -> Words | None:
     """What is written along an axis that is not the crank angle."""
     if axis is None or axis.name == "crank_angle":
         return None
-    return Listed((_(spelled(axis.name).capitalize()), axis.symbol), " ")
+    name = _(spelled(axis.name).capitalize())
+    return Listed((name, axis.symbol), " ") if axis.symbol else name
 
 
 def _main_names(results: Sequence[Run]) -> tuple[str, ...]:
@@ -203,7 +204,7 @@ def _refuse_members(members: Mapping[str, object], dimensions: Sequence[str]) ->
 def _panel_of(run: Run, entry: Entry, design: int, members: Mapping[str, "str | Sequence[str]"]) -> Panel:
     """Curves of some members of one machine."""
     curves = tuple(
-        Curve(closed(values) if isinstance(run, Result) else values, role_at(place), _letter(entry), name=name)
+        Curve(closed(values) if isinstance(run, Result) else values, role_at(place), letter_of(entry), name=name)
         for place, (name, values) in enumerate(_curves(run, entry, design, members))
     )
     across, unit = _along(run)
@@ -222,7 +223,7 @@ def _panel_of_both(comparison: Comparison, entry: Entry) -> Panel:
     ]
     ends = [float(_cycle(result)[-1]) for result in comparison.results]
     curves: list[Curve] = []
-    looks = zip(_OF_BOTH, (_letter(entry), "F"), strict=True)
+    looks = zip(_OF_BOTH, (letter_of(entry), "F"), strict=True)
     for result, own, one, (role, letter) in zip(comparison.results, ends, found, looks, strict=True):
         if one is not None:
             times = round(max(ends) / own)
@@ -233,7 +234,7 @@ def _panel_of_both(comparison: Comparison, entry: Entry) -> Panel:
     return Panel(title, entry.shown, np.array([0.0, max(ends)]), tuple(curves))
 
 
-def _letter(entry: Entry) -> str:
+def letter_of(entry: Entry) -> str:
     """By whose letter its colour is chosen."""
     return _LETTERS.get(entry.unit, "F")
 

@@ -1,4 +1,4 @@
-"""The five shapes of a panel: curves, polar diagrams, bars, rays, shapes along a shaft; all as data, in SI.
+"""The six shapes of a panel: curves, polar diagrams, bars, rays, shapes along a shaft, maps; all as data, in SI.
 
 Words are said, and units chosen, by whoever draws them.
 """
@@ -170,6 +170,35 @@ class Panel:
     def across_of(self, curve: Curve) -> Array:
         """Where a curve stands."""
         return self.across if curve.across is None else curve.across
+
+
+@record
+class Map:
+    """A quantity over two numbers.
+
+    Attributes
+    ----------
+    title, unit : Words
+        As of a `Panel`.
+    across, up : Array, shape (n,), (m,)
+        The two numbers, in their units.
+    values : Array, shape (m, n)
+        NaN where there is none.
+    across_unit, up_unit : str
+    upward : Words
+        What is written along the second.
+    marks : tuple of Mark
+    """
+
+    title: Words
+    unit: Words
+    across: Array
+    up: Array
+    values: Array
+    across_unit: str
+    up_unit: str
+    upward: Words
+    marks: tuple[Mark, ...] = ()
 
 
 def as_shown(panel: Panel) -> Panel:

@@ -5,6 +5,7 @@ from typing import Any
 
 from cranktrain.panels.pictures import sheet_picture
 from cranktrain.panels.plotted import plot_of, plot_of_both
+from cranktrain.panels.swept import plot_of_sweep
 from cranktrain.viz.drawn_curves import drawn_plot, in_notebook
 from cranktrain.viz.paper.page import Figure
 from cranktrain.viz.pictures import drawing_of
@@ -13,6 +14,11 @@ from cranktrain.viz.pictures import drawing_of
 def plot_run(run: Any, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Figure:
     """Draw curves of a run; parameters as of `plot_of`."""
     return drawn_plot(plot_of(run, *quantities, design=design, **members))
+
+
+def plot_sweep(sweep: Any, *quantities: str) -> Figure:
+    """Draw facts of a sweep; parameters as of `plot_of_sweep`."""
+    return drawn_plot(plot_of_sweep(sweep, *quantities))
 
 
 def plot_comparison(comparison: Any, *quantities: str) -> Figure:

@@ -9,15 +9,16 @@ import numpy as np
 from cranktrain.language import said as _
 from cranktrain.one_line import visible
 from cranktrain.panels.plotted import Plot
-from cranktrain.panels.shapes import Curve, Panel, as_shown
+from cranktrain.panels.shapes import Curve, Map, Panel, as_shown
+from cranktrain.viz.paper.contours import draw_map
 from cranktrain.viz.paper.curves import PENS, comes_near_zero, line_of
 from cranktrain.viz.paper.page import Axes, Figure, drawing_settings
 from cranktrain.viz.paper.style import GRID, HEADING, MUTED, TEXT
 
 _KEY: Mapping[str, Any] = {"fontsize": TEXT, "frameon": False, "handlelength": 4.0}
 
-_WIDTH, _HEIGHT, _HEAD = 8.0, 2.1, 0.7
-"""Of a figure, of a panel, and of what stands above and below [in]."""
+_WIDTH, _HEIGHT, _OF_MAP, _HEAD = 8.0, 2.1, 4.2, 0.7
+"""Of a figure, of a panel, of a map, and of what stands above and below [in]."""
 
 _TURN = 360.0
 _DOTS_PER_INCH = 110
@@ -52,21 +53,27 @@ def drawn_plot(plot: Plot) -> Figure:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure as NewFigure
 
-        size = (_WIDTH, _HEAD + _HEIGHT * len(plot.panels))
+        heights = [_OF_MAP if isinstance(panel, Map) else _HEIGHT for panel in plot.panels]
+        size = (_WIDTH, _HEAD + sum(heights))
         figure: Figure = NewFigure(figsize=size, facecolor="white", layout="constrained")
         FigureCanvasAgg(figure)
         if title := str(plot.title):
             figure.suptitle(visible(title), fontsize=HEADING + 1.5, fontweight="bold", parse_math=False)
-        rooms = figure.subplots(len(plot.panels), sharex=True, squeeze=False)[:, 0]
-        panels = list(map(as_shown, plot.panels))
+        rooms = figure.subplots(len(plot.panels), sharex=True, squeeze=False, height_ratios=heights)[:, 0]
+        panels = [panel if isinstance(panel, Map) else as_shown(panel) for panel in plot.panels]
         for axes, panel in zip(rooms, panels, strict=True):
+            if isinstance(panel, Map):
+                draw_map(axes, panel)
+                continue
             _draw_panel(axes, panel)
             if not plot.keys and any(curve.name for curve in panel.curves):
                 _plain(axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **_KEY))
         if plot.keys:
             handles = [_drawn_line(curve, np.zeros(1)) for curve in plot.keys]
             _plain(figure.legend(handles=handles, loc="outside upper center", ncols=len(plot.keys), **_KEY))
-        over = _("Crank angle φ, °") if plot.over is None else f"{plot.over}, {panels[-1].across_unit}"
+        over = (
+            _("Crank angle φ, °") if plot.over is None else f"{plot.over}, {panels[-1].across_unit}".removesuffix(", ")
+        )
         rooms[-1].set_xlabel(over)
     return in_notebook(figure)
 
@@ -86,7 +93,7 @@ def _draw_panel(axes: Axes, panel: Panel) -> None:
     for curve in panel.curves:
         axes.add_line(_drawn_line(curve, panel.across_of(curve)))
     axes.autoscale_view()
-    axes.set_xlim(min(float(panel.across[0]), 0.0), end)
+    axes.set_xlim(float(panel.across[0]), end)
     if panel.across_unit == "°":
         axes.set_xticks(np.arange(0.0, end + 1.0, 30.0 if end <= _TURN else 60.0))
     title = visible(f"{panel.title}, {panel.unit}".removesuffix(", "))

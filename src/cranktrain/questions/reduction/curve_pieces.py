@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.numerics import in_slots
+from cranktrain.numerics.products import product
 from cranktrain.questions.reduction.smooth import LOOKS, NODES, POWERS_AT_LOOKS, powers_from
 
 _WIDEST = 2 * np.pi / 32
@@ -81,7 +82,7 @@ def curve_pieces(curve: Callable[[Array], Array], ends: Array, cycle: float) -> 
         at_nodes, looked = values[:, : NODES.size], values[:, NODES.size :]
         np.maximum.at(peak, pieces.design, np.max(np.abs(values), axis=-1))
         powers = powers_from(at_nodes)
-        missed = np.max(np.abs(powers @ POWERS_AT_LOOKS - looked), axis=-1)
+        missed = np.max(np.abs(product(powers, POWERS_AT_LOOKS) - looked), axis=-1)
         in_vain = (pieces.width <= _NARROW) & (missed > pieces.missed / _FALL)
         stays = (missed <= _CLOSE * peak[pieces.design]) | in_vain | (pieces.width <= _NARROWEST)
         done.append((pieces.of(stays), powers[stays]))

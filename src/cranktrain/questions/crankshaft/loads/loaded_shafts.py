@@ -202,9 +202,7 @@ class LoadedShafts:
         return part[..., np.newaxis] * moment * phasor(ahead + ratio * angle) * turning
 
 
-def of_mechanisms(
-    loaded: LoadedMachine, frames: Frames, shafts: Shafts, solved: Sequence[SolvedBatch]
-) -> OfMechanisms:
+def of_mechanisms(loaded: LoadedMachine, frames: Frames, shafts: Shafts, solved: Sequence[SolvedBatch]) -> OfMechanisms:
     """What all mechanisms do to their cranks, by the reactions of their joints."""
     shape = (len(loaded.speed.value), len(loaded.mechanisms.names), solved[0].forces.driving_torque.shape[-1])
     vectors = np.zeros((4, *shape), dtype=np.complex128)

@@ -1,0 +1,154 @@
+"""What may be typed after `compare` and `sweep`: several machines, or several designs of one."""
+
+from typing import Annotated
+
+import typer
+
+from cranktrain.cli.options import Decimal, File, Force, Partial, Quantities, Settings, Units, Why, listed
+from cranktrain.cli.task import put_off
+from cranktrain.language import N_
+
+
+def add_compare(app: typer.Typer) -> None:
+    """Add the command to the others."""
+
+    @app.command(
+        "compare",
+        help=N_(
+            "Put two machines side by side, or one and itself with other values: rows with their difference.\n\n"
+            "With two machines --set goes for both; with one the second is that one with the values set.\n\n"
+            "\b\n"
+            "  cranktrain compare 3d12 kamaz_740\n"
+            "  cranktrain compare 3d12 kamaz_740 -o both.png\n"
+            '  cranktrain compare vaz_21213 --set "shaft.main.speed=3000 rpm"\n'
+            "  cranktrain compare jumo_205 jumo_205e --quantities combined_stroke,displacement"
+        ),
+    )
+    @put_off
+    def _compare(
+        file: File,
+        other: Annotated[
+            str | None, typer.Argument(metavar="OTHER", help=N_("The second machine."), show_default=False)
+        ] = None,
+        settings: Settings = None,
+        quantities: Quantities = None,
+        why: Why = None,
+        output: Annotated[
+            str | None,
+            typer.Option(
+                "-o",
+                "--output",
+                metavar="FILE",
+                help=N_("Write the facts of both: .csv, .json, .xlsx or .nc; or draw their curves: .png, .svg, .pdf."),
+            ),
+        ] = None,
+        decimal: Decimal = "point",
+        partial_turn: Partial = False,
+        units: Units = None,
+        force: Force = False,
+    ) -> None:
+        from cranktrain.cli.compare import CompareRequest, show_comparison
+
+        names = None if quantities is None else listed(quantities)
+        request = CompareRequest(
+            file=file,
+            second=other,
+            settings=tuple(settings or ()),
+            quantities=names,
+            why=why,
+            is_partial=partial_turn,
+            output=output,
+            decimal=decimal,
+            force=force,
+            units=units,
+        )
+        show_comparison(request)
+
+
+def add_sweep(app: typer.Typer) -> None:
+    """Add the command to the others."""
+
+    @app.command(
+        "sweep",
+        help=N_(
+            "Compute facts of a machine over values of its file: a curve, a map, or a list of designs.\n\n"
+            "\b\n"
+            "  cranktrain sweep vaz_21213 --vary rod_length=110..170mm:31 --wanted largest_side_force,largest_torque\n"
+            '  cranktrain sweep vaz_21213 --vary rod_length=110..170mm:31 --vary "speed=2000, 5400 rpm" -o rods.png\n'
+            '  cranktrain sweep 3d12 --vary "shaft.main.speed=1000..2000 rpm:11" -o speeds.csv\n'
+            "  cranktrain sweep mine.toml --cases designs.csv --wanted largest_torque -o designs.xlsx\n"
+            "  cranktrain sweep vaz_21213 --vary rod_length=110..170mm:61 --least largest_side_force --save best.toml"
+        ),
+    )
+    @put_off
+    def _sweep(
+        file: File,
+        vary: Annotated[
+            list[str] | None,
+            typer.Option(
+                "--vary",
+                metavar="PATH=VALUES",
+                help=N_("What is varied: 130..160 mm:31, or 1000, 1500 rpm, or words; as often as needed."),
+            ),
+        ] = None,
+        cases: Annotated[
+            str | None,
+            typer.Option(
+                "--cases",
+                metavar="FILE",
+                help=N_("Designs one by one instead: a .csv with a path at the head of each column."),
+            ),
+        ] = None,
+        wanted: Annotated[
+            str | None,
+            typer.Option(
+                metavar="A,B,…", help=N_("These facts; those that the machine's answer begins with unless given.")
+            ),
+        ] = None,
+        least: Annotated[
+            str | None, typer.Option(metavar="FACT", help=N_("Say which design has the least of this fact."))
+        ] = None,
+        most: Annotated[
+            str | None, typer.Option(metavar="FACT", help=N_("Say which design has the most of this fact."))
+        ] = None,
+        save: Annotated[
+            str | None, typer.Option(metavar="FILE", help=N_("With --least or --most: write that design's file."))
+        ] = None,
+        settings: Settings = None,
+        output: Annotated[
+            str | None,
+            typer.Option(
+                "-o",
+                "--output",
+                metavar="FILE",
+                help=N_("Write the facts: .csv, .json, .xlsx or .nc; or draw them: .png, .svg, .pdf."),
+            ),
+        ] = None,
+        processes: Annotated[
+            str | None, typer.Option(metavar="N", help=N_("How many may work at once; all processors unless given."))
+        ] = None,
+        yes: Annotated[bool, typer.Option("--yes", help=N_("However long it takes."))] = False,
+        decimal: Decimal = "point",
+        units: Units = None,
+        force: Force = False,
+    ) -> None:
+        from cranktrain.cli.sweep import SweepRequest, show_sweep
+
+        show_sweep(
+            SweepRequest(
+                file=file,
+                vary=tuple(vary or ()),
+                cases=cases,
+                wanted=None if wanted is None else listed(wanted),
+                least=least,
+                most=most,
+                save=save,
+                settings=tuple(settings or ()),
+                output=output,
+                processes=processes,
+                is_meant=yes,
+                decimal=decimal,
+                units=units,
+                force=force,
+            )
+        )

@@ -1,0 +1,191 @@
+"""`sweep`: facts of a machine over values of its file, shown, written or drawn; and which design is best."""
+
+import csv
+import json
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from io import StringIO
+from pathlib import Path
+
+from cranktrain.cli.asked import Asked, in_units_of, units_asked_for
+from cranktrain.cli.how_far import says_how_far
+from cranktrain.cli.run_files import form_or_picture, write_run
+from cranktrain.cli.screen.sections import show_page
+from cranktrain.cli.screen.title import title
+from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
+from cranktrain.io.curve_files import curve_text
+from cranktrain.io.machine_file import MachineFile, read_machine
+from cranktrain.io.output import write_machine_file
+from cranktrain.language import N_
+from cranktrain.language import said as _
+from cranktrain.one_line import one_line
+from cranktrain.record import record
+from cranktrain.saying.amounts import Amount
+from cranktrain.saying.names import said_name
+from cranktrain.saying.sections import PagePart, section
+from cranktrain.study.sweep import Sweep, swept
+
+_MOST_PROCESSES = 512
+
+
+@record
+class SweepRequest(Asked):
+    """What is asked of `sweep`, as typed; `wanted` is None for the headlines."""
+
+    vary: tuple[str, ...] = ()
+    cases: str | None = None
+    wanted: tuple[str, ...] | None = None
+    least: str | None = None
+    most: str | None = None
+    save: str | None = None
+    processes: str | None = None
+    is_meant: bool = False
+    decimal: str = "point"
+
+
+def show_sweep(request: SweepRequest) -> None:
+    """Compute, write where asked, and show.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with the request, else with the machine.
+    """
+    _check(request)
+    form = None if request.output is None else form_or_picture(request.output, request.decimal)
+    asked = units_asked_for(request.units)
+    file = read_machine(request.file, request.settings)
+    with in_units_of(file, asked):
+        found = _computed(request, file)
+        best = _best(request, found)
+        if request.save is not None and best is not None:
+            _save(request, file, found, best)
+        if request.output is not None and form is not None:
+            write_run(found, form, request.output, {}, force=request.force)
+        elif request.output is not None:
+            from cranktrain.cli.quiet_pictures import save_quietly
+
+            save_quietly(found.plot, request.output, force=request.force)
+            print(_("written: {name}", name=one_line(request.output)))
+        else:
+            show_page(title(file.machine), _shown(found, request, best))
+
+
+def _check(request: SweepRequest) -> None:
+    """Refuse what does not go together."""
+    problems: list[Problem] = []
+    if bool(request.vary) == (request.cases is not None):
+        allowed = _("needs either --vary PATH=VALUES or --cases FILE")
+        repair = _('write --vary "mechanism.rod_length=130..160 mm:31"')
+        problems.append(Problem("sweep", request.file, allowed, repair))
+    for typed in request.vary:
+        if not typed.partition("=")[1]:
+            allowed = _("must be PATH=VALUES, such as rod_length=130..160mm:31")
+            problems.append(Problem("", typed, allowed, position=_VARY))
+    if request.least is not None and request.most is not None:
+        problems.append(Problem("--most", request.most, _("does not go with --least"), _("keep one of the two")))
+    if request.save is not None and request.least is None and request.most is None:
+        problems.append(Problem("--save", request.save, _("needs --least FACT or --most FACT")))
+    if request.processes is not None and not _is_count(request.processes):
+        allowed = _("must be a whole number from 1 to {most}", most=_MOST_PROCESSES)
+        problems.append(Problem("--processes", request.processes, allowed))
+    refuse(problems)
+
+
+def _is_count(typed: str) -> bool:
+    return typed.isascii() and typed.isdecimal() and 1 <= int(typed) <= _MOST_PROCESSES
+
+
+_VARY = Position("--vary")
+
+
+def _computed(request: SweepRequest, file: MachineFile) -> Sweep:
+    """All designs."""
+    processes = len(os.sched_getaffinity(0)) if request.processes is None else int(request.processes)
+    wanted = request.wanted
+    if wanted is not None:
+        wanted = (*wanted, *(name for name in (request.least, request.most) if name is not None))
+
+    def placed(problem: Problem) -> Problem:
+        """Put what is wrong with what is asked to its option."""
+        options = {"wanted": "--wanted", "vary": "--vary"}
+        if problem.position is None and problem.path in options:
+            return replace(problem, path="", position=Position(options[problem.path]))
+        return problem if problem.position is not None else replace(problem, position=_VARY)
+
+    with problems_as(placed), says_how_far():
+        vary = _varied(request) if request.cases is None else list(_cases(request.cases))
+        return swept(file.machine, vary, wanted, processes=processes, is_meant=request.is_meant)
+
+
+def _varied(request: SweepRequest) -> Mapping[str, str]:
+    """What is varied, by what was typed before each `=`."""
+    given: dict[str, str] = {}
+    for typed in request.vary:
+        path, _equals, values = typed.partition("=")
+        refuse([Problem(path, values, _("is varied twice"), position=_VARY)] if path.strip() in given else [])
+        given[path.strip()] = values
+    return given
+
+
+def _cases(name: str) -> Iterator[dict[str, object]]:
+    """Designs of a .csv: a path at the head of each column, with the unit of plain numbers behind it in brackets."""
+    text = curve_text(Path(name), name, N_("a list of designs"))
+    head = text.partition("\n")[0]
+    lines = csv.reader(StringIO(text), delimiter=";" if head.count(";") > head.count(",") else ",")
+    paths: list[tuple[str, str]] | None = None
+    for number, line in enumerate(lines, start=1):
+        if not any(cell.strip() for cell in line) or line[0].lstrip().startswith("#"):
+            continue
+        if paths is None:
+            paths = [_headed(cell) for cell in line]
+            continue
+        if len(line) > len(paths):
+            allowed = _("has {n} values, and {heads} columns have a head", n=len(line), heads=len(paths))
+            raise InputError([Problem("", ", ".join(line), allowed, position=Position(name, number))])
+        yield {
+            path: f"{cell.strip()} {unit}".strip()
+            for (path, unit), cell in zip(paths, line, strict=False)
+            if cell.strip()
+        }
+
+
+def _headed(cell: str) -> tuple[str, str]:
+    """Path and unit of a column."""
+    path, bracket, unit = cell.strip().rpartition(" [")
+    return (path.strip(), unit.removesuffix("]").strip()) if bracket and unit.endswith("]") else (cell.strip(), "")
+
+
+def _best(request: SweepRequest, found: Sweep) -> int | None:
+    """Place of the design that is best, where one is asked for."""
+    if request.least is None and request.most is None:
+        return None
+    with problems_as(lambda problem: replace(problem, path="", position=Position(f"--{problem.path}"))):
+        return found.place_of_best(least=request.least or "", most=request.most or "")
+
+
+def _save(request: SweepRequest, file: MachineFile, found: Sweep, best: int) -> None:
+    """Write the file of the best design: the machine's own, with its values."""
+    document = file.document
+    for path, value in found.values_at(best).items():
+        document = document.with_value(path, value if isinstance(value, str) else json.dumps(value, ensure_ascii=False))
+    assert request.save is not None  # else nobody asks
+    write_machine_file(request.save, document.text, force=request.force)
+    print(_("written: {name}", name=one_line(request.save)))
+
+
+def _shown(found: Sweep, request: SweepRequest, best: int | None) -> Iterator[PagePart]:
+    """The facts, and which design is best."""
+    yield from found.sections()
+    if best is not None:
+        name = request.least or request.most or ""
+        entry = found.catalogue[name]
+        value = Amount(float(found.worst_of(name, is_least_wanted=request.least is not None)[best]), entry.shown, name)
+        where = ", ".join(f"{path} = {value}" for path, value in found.values_at(best).items())
+        head = (
+            _("Least {fact}", fact=said_name(name))
+            if request.least is not None
+            else _("Most {fact}", fact=said_name(name))
+        )
+        yield from section(head, [_("{value} at {where}", value=value, where=where)])

@@ -1,0 +1,102 @@
+"""Designs of a sweep in blocks: how long they will take is said before they begin, and how far they are meanwhile."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+from itertools import islice
+from multiprocessing import get_context
+from time import perf_counter
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.how_far import say_how_far
+from cranktrain.language import Words, _
+from cranktrain.machine import Machine
+from cranktrain.study.sweep.facts import FactsOfRows, facts_of_rows, joined_rows
+from cranktrain.study.sweep.sweep import Sweep
+from cranktrain.study.sweep.varied import combined_designs, listed_designs
+from cranktrain.study.sweep.wanted import facts_wanted
+
+_TRIED = 4
+"""SweptDesigns by which it is found how long one takes."""
+_BLOCK = 64
+_LONG = 60.0
+"""From when on somebody has to say that it is meant. [s]"""
+_WORTH = 6.0
+"""From when on more processes are worth their start. [s]"""
+
+
+def swept(
+    machine: Machine,
+    vary: Mapping[str, object] | Sequence[Mapping[str, object]],
+    wanted: Sequence[str] | None = None,
+    *,
+    processes: int = 1,
+    is_meant: bool = True,
+) -> Sweep:
+    """Compute facts of a machine over values of its file.
+
+    Parameters
+    ----------
+    machine : Machine
+    vary : mapping of str, or sequence of such
+        As `combined_designs` takes it; or the designs one by one, as `listed_designs` does.
+    wanted : sequence of str, optional
+        Names of facts; the headlines of the machine's questions unless given.
+    processes : int
+        How many may work at once.
+    is_meant : bool
+        Whether it may take however long it takes.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with what is asked; a single design that cannot be is none of it.
+    """
+    designs = combined_designs(machine, vary) if isinstance(vary, Mapping) else listed_designs(machine, vary)
+    names = facts_wanted(machine, wanted)
+    n_designs, rows = len(designs), designs.rows
+    parts = [facts_of_rows(machine, list(islice(rows, min(_TRIED, n_designs))), names)]
+    # The first one loads what the others have then.
+    since = perf_counter()
+    tried = list(islice(rows, min(_TRIED, n_designs - len(parts[0].refused))))
+    parts += [facts_of_rows(machine, tried, names)] if tried else []
+    each = (perf_counter() - since) / max(len(tried), 1)
+    n_left = n_designs - sum(len(part.refused) for part in parts)
+    if not is_meant and n_left * each / processes > _LONG:
+        raise InputError([_long(n_designs, n_left * each / processes)])
+    parts += _in_blocks(machine, rows, names, n_left, processes if n_left * each > _WORTH else 1)
+    return Sweep(machine, designs, joined_rows(parts))
+
+
+def _long(n_designs: int, seconds: float) -> Problem:
+    """Refuse what takes long and may not be meant."""
+    hours, minutes = divmod(round(seconds / 60), 60)
+    allowed = _("is {n} designs, which take some {hours} h {minutes} min", n=n_designs, hours=hours, minutes=minutes)
+    return Problem("vary", None, allowed, _("ask for fewer values, or write --yes"))
+
+
+def _in_blocks(
+    machine: Machine, rows: Iterator[Mapping[str, object]], names: Sequence[str], n_left: int, processes: int
+) -> Iterator[FactsOfRows]:
+    """Facts block by block, in their order."""
+    since, done = perf_counter(), 0
+    blocks = iter(lambda: list(islice(rows, _BLOCK)), [])
+    if processes == 1:
+        for block in blocks:
+            say_how_far(partial(_how_far, done, n_left, perf_counter() - since))
+            yield facts_of_rows(machine, block, names)
+            done += len(block)
+        return
+    with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
+        for part in pool.map(partial(facts_of_rows, machine, wanted=names), blocks):
+            yield part
+            done += len(part.refused)
+            say_how_far(partial(_how_far, done, n_left, perf_counter() - since))
+
+
+def _how_far(done: int, n_left: int, seconds: float) -> Words:
+    """How many designs are done, and how long the others will take."""
+    if done == 0:
+        return _("{done} of {all} designs", done=done, all=n_left)
+    left = seconds / done * (n_left - done)
+    return _("{done} of {all} designs, {left:.0f} s left", done=done, all=n_left, left=left)

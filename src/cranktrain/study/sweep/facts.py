@@ -1,0 +1,160 @@
+"""Facts of many designs of one machine, each design checked by itself; what cannot be has a sentence and no number."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from cranktrain.analysis import Result, run
+from cranktrain.analysis.blocks import MOST_AT_ONCE
+from cranktrain.errors import InputError, Problem
+from cranktrain.grouping import places_of_equal
+from cranktrain.language import Words
+from cranktrain.machine import Machine, machine_problems
+from cranktrain.motion import Array
+from cranktrain.quantities.number import measured
+from cranktrain.saying.catalogue import Entry
+
+
+class FactsOfRows(NamedTuple):
+    """Facts of some designs.
+
+    Attributes
+    ----------
+    entries : mapping of str to Entry
+        Of those that any design has, by name.
+    labels : mapping of str to tuple of str
+        Members along their dimensions.
+    values : mapping of str to Array, shape (row, …)
+        In the unit of the entry; NaN where a design has none.
+    refused : tuple of Problem or None
+        What is wrong with a design, the first of it; None of one that was computed.
+    failing : tuple of Words
+        Which checks of a design do not hold; empty where all do.
+    """
+
+    entries: Mapping[str, Entry]
+    labels: Mapping[str, tuple[str, ...]]
+    values: Mapping[str, Array]
+    refused: tuple[Problem | None, ...]
+    failing: tuple[Words, ...]
+
+
+def facts_of_rows(machine: Machine, rows: Sequence[Mapping[str, object]], wanted: Sequence[str]) -> FactsOfRows:
+    """Compute facts of designs, which differ from a machine in some values.
+
+    Parameters
+    ----------
+    machine : Machine
+    rows : sequence of mapping of str
+        The values of each, as `Machine.with_` takes them.
+    wanted : sequence of str
+        Names of facts.
+    """
+    refused: list[Problem | None] = [None] * len(rows)
+    machines: dict[int, Machine] = {}
+    for place, row in enumerate(rows):
+        try:
+            machines[place] = _checked(machine, row)
+        except InputError as error:
+            refused[place] = error.problems[0]
+    together = _Gathered(len(rows))
+    for places in places_of_equal(_words_of(rows[place]) for place in machines).values():
+        own = [list(machines)[place] for place in places]
+        for found, of in _computed(own, [machines[place] for place in own], wanted, refused):
+            together.take(found, of, wanted)
+    return FactsOfRows(together.entries, together.labels, together.values, tuple(refused), tuple(together.failing))
+
+
+def joined_rows(parts: Sequence[FactsOfRows]) -> FactsOfRows:
+    """Put facts of designs behind one another."""
+    n_rows = sum(len(part.refused) for part in parts)
+    together, start = _Gathered(n_rows), 0
+    for part in parts:
+        places = list(range(start, start + len(part.refused)))
+        together.add(part.entries, part.labels, part.values, places)
+        together.failing[start : start + len(places)] = part.failing
+        start += len(places)
+    refused = tuple(problem for part in parts for problem in part.refused)
+    return FactsOfRows(together.entries, together.labels, together.values, refused, tuple(together.failing))
+
+
+def _checked(machine: Machine, row: Mapping[str, object]) -> Machine:
+    """A design with whose tables nothing is wrong."""
+    design = machine.with_(row) if row else machine
+    if problems := machine_problems(design):
+        raise InputError(problems)
+    return design
+
+
+def _words_of(row: Mapping[str, object]) -> tuple[tuple[str, str], ...]:
+    """Values of a design that are no numbers: designs in which these are alike differ in numbers alone."""
+    return tuple((path, repr(value)) for path, value in row.items() if not _is_number(value))
+
+
+def _is_number(value: object) -> bool:
+    """Whether a value is a quantity; whole numbers may be counts."""
+    return isinstance(value, float) or (isinstance(value, str) and measured(value) is not None)
+
+
+def _computed(
+    places: Sequence[int], machines: Sequence[Machine], wanted: Sequence[str], refused: list[Problem | None]
+) -> Iterator[tuple[Result, Sequence[int]]]:
+    """Results of designs that differ in numbers alone; one by one where the computation refuses some of them."""
+    for start in range(0, len(places), MOST_AT_ONCE):
+        own, block = places[start : start + MOST_AT_ONCE], machines[start : start + MOST_AT_ONCE]
+        try:
+            found = run(block, quantities=wanted)
+            found.find_all()
+        except InputError as error:
+            if len(own) == 1:
+                refused[own[0]] = error.problems[0]
+                continue
+            for one, design in zip(own, block, strict=True):
+                yield from _computed([one], [design], wanted, refused)
+            continue
+        yield found, own
+
+
+class _Gathered:
+    """Facts of designs that may have other members, laid beside each other."""
+
+    def __init__(self, n_rows: int) -> None:
+        self.entries: dict[str, Entry] = {}
+        self.labels: dict[str, tuple[str, ...]] = {}
+        self.values: dict[str, Array] = {}
+        self.failing: list[Words] = [""] * n_rows
+
+    def take(self, result: Result, places: Sequence[int], wanted: Sequence[str]) -> None:
+        """Take what was asked for of a result of several designs."""
+        entries = {name: result.catalogue[name] for name in wanted if name in result.catalogue}
+        used = {dimension for entry in entries.values() for dimension in entry.dimensions}
+        labels = {dimension: tuple(result.labels[dimension]) for dimension in sorted(used)}
+        self.add(entries, labels, {name: np.asarray(getattr(result, name)) for name in entries}, places)
+        for check in result.checks:
+            for place in np.flatnonzero(check.judged & ~check.passed).tolist():
+                self.failing[places[place]] = check.sentence
+
+    def add(
+        self,
+        entries: Mapping[str, Entry],
+        labels: Mapping[str, tuple[str, ...]],
+        values: Mapping[str, Any],
+        places: Sequence[int],
+    ) -> None:
+        """Lay values to their places, with room for members that nobody had yet."""
+        before = dict(self.labels)
+        for dimension, own in labels.items():
+            self.labels[dimension] = tuple(dict.fromkeys((*self.labels.get(dimension, ()), *own)))
+        for name, entry in entries.items():
+            self.entries.setdefault(name, entry)
+        for name, entry in self.entries.items():
+            sizes = [len(self.labels[dimension]) for dimension in entry.dimensions]
+            whole = np.full((len(self.failing), *sizes), np.nan)
+            if name in self.values:
+                held = [[self.labels[one].index(label) for label in before[one]] for one in entry.dimensions]
+                whole[np.ix_(range(len(whole)), *held)] = self.values[name]
+            if name in values:
+                own = [[self.labels[one].index(label) for label in labels[one]] for one in entry.dimensions]
+                whole[np.ix_(places, *own)] = values[name]
+            self.values[name] = whole

@@ -1,0 +1,293 @@
+"""A sweep: facts of a machine over values of its file."""
+
+import itertools
+from collections.abc import Iterator, Mapping
+from contextlib import AbstractContextManager
+from dataclasses import replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.analysis.dimensions import Titled
+from cranktrain.errors import InputError, Problem
+from cranktrain.faces import face
+from cranktrain.grouping import grouped, places_of_equal
+from cranktrain.language import Listed, Words, _
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.numerics.ties import first_largest
+from cranktrain.one_line import short
+from cranktrain.quantities import FileUnits, nearest, shown_as_in
+from cranktrain.record import record
+from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.names import said_name
+from cranktrain.saying.run import Axis, BehindQuantity, Run
+from cranktrain.saying.sections import Column, Grid, PagePart, section
+from cranktrain.study.sweep.facts import FactsOfRows
+from cranktrain.study.sweep.varied import SweptDesigns, Varied
+
+_MOST_LINES = 24
+"""Of a table on the screen."""
+_MOST_OTHERS = 5
+"""Values of whatever else is varied, of which each fact has a column."""
+_FIGURES = 9
+"""Of its size, in which columns of members that share one are alike."""
+_MOST_SENTENCES = 6
+
+
+@record
+class Sweep(Run):
+    """Facts of a machine over values of its file.
+
+    Every fact of `catalogue` is an attribute: an array along what is varied, and along its own dimensions. What is
+    varied first among numbers is the `axis`, and stands last; NaN where a design cannot be.
+
+    Attributes
+    ----------
+    machine : Machine
+        Of which the designs are variants.
+    designs : SweptDesigns
+    found : FactsOfRows
+    """
+
+    machine: Machine
+    designs: SweptDesigns
+    found: FactsOfRows
+
+    @cached_property
+    def along(self) -> tuple[Varied, ...]:
+        """Along what facts stand: what is varied, or the cases of a list."""
+        return self.designs.dimensions
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """How many values there are along each."""
+        return tuple(len(one.values) for one in self.along)
+
+    @cached_property
+    def _over(self) -> int | None:
+        """Which of them is the axis."""
+        return next((place for place, one in enumerate(self.along) if one.numbers is not None), None)
+
+    @property
+    def subject(self) -> Words:
+        """Whose they are, and over what."""
+        over = Listed(tuple(said_name(one.name) for one in self.designs.varied), " × ")
+        return _("{name}, over {varied}", name=short(self.machine.name) or _("Machine without a name"), varied=over)
+
+    @property
+    def axis(self) -> Axis | None:
+        """The first of the numbers that are varied."""
+        if self._over is None:
+            return None
+        own = self.along[self._over]
+        assert own.numbers is not None  # of the axis
+        return Axis(own.name, own.unit, "", own.numbers)
+
+    @property
+    def catalogue(self) -> Mapping[str, Entry]:
+        """The facts, along what is varied and their own dimensions."""
+        return self._catalogue
+
+    @cached_property
+    def _catalogue(self) -> dict[str, Entry]:
+        beside = tuple(one.name for place, one in enumerate(self.along) if place != self._over)
+        over = () if self._over is None else (self.along[self._over].name,)
+        return {
+            name: replace(entry, dimensions=(*beside, *entry.dimensions, *over), of="", line="")
+            for name, entry in self.found.entries.items()
+        }
+
+    @property
+    def labels(self) -> Mapping[str, tuple[str, ...]]:
+        """Values as typed along what is varied, and members along all other dimensions."""
+        beside = {one.name: one.texts for place, one in enumerate(self.along) if place != self._over}
+        return {**beside, **self.found.labels}
+
+    @property
+    def titles(self) -> Mapping[str, tuple[Words, ...]]:
+        """What people call the members."""
+        return Titled(self.labels)
+
+    def __getattr__(self, name: str) -> Array:
+        """Give a fact of all designs, in the unit of its entry."""
+        if name.startswith("_") or name not in self.found.values:
+            raise AttributeError(name)
+        values = self.found.values[name]
+        apart = values.reshape(*self.shape, *values.shape[1:])
+        return apart if self._over is None else np.moveaxis(apart, self._over, -1)
+
+    @property
+    def refused(self) -> Mapping[int, Problem]:
+        """What is wrong with designs that were not computed, by their places among all."""
+        return {place: problem for place, problem in enumerate(self.found.refused) if problem is not None}
+
+    @property
+    def failing(self) -> Mapping[Words, list[int]]:
+        """Checks that do not hold, each with the places of designs of which they do not."""
+        return grouped((words, place) for place, words in enumerate(self.found.failing) if words)
+
+    def best(self, *, least: str = "", most: str = "") -> Machine:
+        """Give the design with the least or the largest value of a fact.
+
+        Parameters
+        ----------
+        least, most : str
+            Name of a fact with one value for each design, or of several: of these the worst member counts.
+
+        Returns
+        -------
+        Machine
+            Of alike ones the first.
+
+        Raises
+        ------
+        InputError
+            Where there is no such fact, or no design that has it.
+        """
+        return self.machine.with_(self.values_at(self.place_of_best(least=least, most=most)))
+
+    def values_at(self, place: int) -> Mapping[str, object]:
+        """Values of a design by path, by its place among all."""
+        return next(itertools.islice(self.designs.rows, place, None))
+
+    def place_of_best(self, *, least: str = "", most: str = "") -> int:
+        """Place among the designs of that which `best` gives."""
+        if bool(least) == bool(most):
+            raise InputError([Problem("best", None, _("needs one fact: least or most"))])
+        name, option = least or most, "least" if least else "most"
+        if name not in self.catalogue:
+            meant = nearest(name, list(self.catalogue))
+            allowed = _("must be one of: {names}", names=", ".join(self.catalogue))
+            repair = _("did you mean {name}?", name=meant) if meant else None
+            raise InputError([Problem(option, name, allowed, repair)])
+        worst = self.worst_of(name, is_least_wanted=bool(least))
+        if np.all(np.isnan(worst)):
+            raise InputError([Problem(option, name, _("has no value in any of these designs"))])
+        return first_largest(-worst if least else worst)
+
+    def worst_of(self, name: str, *, is_least_wanted: bool) -> Array:
+        """Of each design the member of a fact that is farthest from what is wanted, shape (design,)."""
+        values = self.found.values[name].reshape(len(self.found.refused), -1)
+        return (np.fmax if is_least_wanted else np.fmin).reduce(values, axis=1)
+
+    def about(self) -> Iterator[tuple[str, Words]]:
+        """What heads a file of it: the machine, what is varied, and what of it cannot be."""
+        yield "machine", self.machine.name
+        for one in self.designs.varied:
+            yield "varied", _("{path}: {n} values", path=one.path, n=len(one.values))
+        yield from (("refused", words) for words in self._refusals())
+
+    def _refusals(self) -> Iterator[Words]:
+        """How many designs cannot be, and why; how many do not hold a check."""
+        n_designs = len(self.found.refused)
+        for problems in grouped((problem.path, problem) for problem in self.refused.values()).values():
+            first = str(problems[0])
+            if len(problems) == 1:
+                yield _("1 of {all} designs cannot be: {why}", all=n_designs, why=first)
+            else:
+                said = _("{n} of {all} designs cannot be, one of them as {why}")
+                yield said.format(n=len(problems), all=n_designs, why=first)
+        for words, places in self.failing.items():
+            yield _("{n} of {all} designs do not hold a check: {which}", n=len(places), all=n_designs, which=words)
+
+    def in_its_units(self) -> AbstractContextManager[None]:
+        """Show numbers in the units of the machine, as far as nobody chose others."""
+        units: FileUnits = face("units_of")(self.machine)
+        return shown_as_in(units)
+
+    def behind(self, _name: str) -> BehindQuantity | None:
+        """What leads to a fact is that which leads to it in the machine."""
+        return None
+
+    def sections(self) -> Iterator[PagePart]:
+        """The facts in columns, at as many values as a screen has lines; and what cannot be."""
+        columns = [column for name in self.catalogue for column in self._columns(name)]
+        yield from section(_("Facts"), [Grid(columns, self._line_heads, title=self._lines_of, names_quantities=True)])
+        refusals = list(self._refusals())
+        more = len(refusals) - _MOST_SENTENCES
+        said: list[Words] = [*refusals[:_MOST_SENTENCES], *([_("and {n} more reasons", n=more)] if more > 0 else [])]
+        yield from section(_("To be minded"), said)
+
+    @cached_property
+    def _lines(self) -> NDArray[np.intp]:
+        """Which values of the axis, or else of what is varied first, have a line of their own."""
+        n_values = self.shape[self._over or 0]
+        return np.unique(np.linspace(0, n_values - 1, _MOST_LINES).round().astype(np.intp))
+
+    @property
+    def _lines_of(self) -> Words:
+        return said_name(self.along[self._over or 0].name)
+
+    @property
+    def _line_heads(self) -> list[str]:
+        own = self.along[self._over or 0]
+        if own.numbers is None:
+            return [own.texts[line] for line in self._lines.tolist()]
+        return [f"{own.numbers[line]:.6g} {own.unit}".strip() for line in self._lines.tolist()]
+
+    def apart(self, name: str) -> list[tuple[str, Array]]:
+        """Values of a fact by its members, arrays of `shape`; members that are alike in all designs stand once.
+
+        Each with what people call it: nothing where all are alike.
+        """
+        entry, titles = self.found.entries[name], Titled(self.found.labels)
+        each = itertools.product(*(map(str, titles[dimension]) for dimension in entry.dimensions))
+        members = [" ".join(words) for words in each]
+        values = self.found.values[name].reshape(-1, len(members)).T
+        size = np.fmax.reduce(np.abs(values), axis=None, initial=0.0) or 1.0
+        alike = places_of_equal(np.round(own / size, _FIGURES).tobytes() for own in values)
+        return [
+            (
+                "" if len(alike) == 1 else f"{members[first]}, …" if more else members[first],
+                values[first].reshape(self.shape),
+            )
+            for first, *more in alike.values()
+        ]
+
+    def _columns(self, name: str) -> Iterator[Column]:
+        """One fact over the lines: a column for each combination of the rest."""
+        entry, over = self.found.entries[name], self._over or 0
+        beside = [one for place, one in enumerate(self.along) if place != over]
+        others: list[tuple[str, ...]] = list(itertools.product(*(one.texts for one in beside)))
+        shown = np.unique(np.linspace(0, len(others) - 1, _MOST_OTHERS).round().astype(np.intp))
+        for place in shown.tolist():
+            said = others[place]
+            for whose, values in self.apart(name):
+                own = np.moveaxis(values, over, 0)[self._lines].reshape(self._lines.size, -1)[:, place]
+                words: list[str] = [entry.symbol or str(said_name(name)), whose, *said]
+                head = " ".join(filter(None, words))
+                yield Column(head, own.tolist(), entry.shown, "amounts", name)
+
+    def plot(self, *quantities: str, **_members: object) -> Any:
+        """Draw facts: over one number as curves, over two as maps with the designs that cannot be hatched.
+
+        Parameters
+        ----------
+        *quantities : str
+            Names of facts; all unless given.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+
+        Raises
+        ------
+        InputError
+            Where there is no such fact, or nothing that is a number is varied.
+        """
+        with self.in_its_units():
+            return face("plot_sweep")(self, *quantities)
+
+    def __repr__(self) -> str:
+        """Say in one line what it is."""
+        n_refused = len(self.refused)
+        n_designs = len(self.found.refused)
+        about = _("<Sweep of {subject}: {n} designs, {refused} not computed>")
+        return str(about.format(subject=self.subject, n=n_designs, refused=n_refused))
+
+    def __str__(self) -> str:
+        """Write it as tables."""
+        return self.page().lstrip("\n")

@@ -1,0 +1,130 @@
+"""Values of a sweep as they are typed: `130..160 mm:200`, `1000, 1500 rpm`, `cage, shunt`, `["0 deg", "90 deg"]`."""
+
+import re
+import tomllib
+from collections.abc import Sequence
+from fractions import Fraction
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import Words, _
+from cranktrain.one_line import short
+from cranktrain.quantities.number import Measured, measured, rounded
+
+DEFAULT_POINTS = 21
+"""Of a range that does not say how many."""
+MOST_POINTS = 1_000_000_000
+_WORD = re.compile(r"\d{1,10}")
+
+
+def values_typed(path: str, text: str) -> tuple[object, ...]:
+    """Read values of one number, or words, of a file.
+
+    Parameters
+    ----------
+    path : str
+        Where they stand in the file.
+    text : str
+        A range `FROM..TO:N` of N values, both ends with it; values with commas between, of which those without a unit
+        have that of the next one with it; or a list of TOML, each item of which is a value, as a list of throws is.
+
+    Returns
+    -------
+    tuple of object
+        As `Machine.with_` takes them.
+
+    Raises
+    ------
+    InputError
+
+    Examples
+    --------
+    >>> values_typed("mechanism.rod_length", "130..136 mm:4")
+    ('130 mm', '132 mm', '134 mm', '136 mm')
+    >>> values_typed("shaft.main.speed", "1000, 1500 rpm")
+    ('1000 rpm', '1500 rpm')
+    >>> values_typed("drive.motor.kind", "cage, shunt")
+    ('cage', 'shunt')
+    """
+    typed = text.strip()
+    if typed.startswith("["):
+        return tuple(_of_list(path, typed))
+    found: list[object] = []
+    unit = ""
+    for word in reversed(typed.split(",")):
+        if not word.strip():
+            raise _refused(path, text, _("must be values with commas between, such as 1000, 1500 rpm"))
+        values, unit = _of_range(path, word, unit) if ".." in word else _alone(word, unit)
+        found[:0] = values
+    return tuple(found)
+
+
+def _of_list(path: str, text: str) -> Sequence[object]:
+    """Items of a list of TOML."""
+    try:
+        items: list[object] = tomllib.loads(f"values = {text}")["values"]
+    except (tomllib.TOMLDecodeError, RecursionError):
+        items = []
+    if not items:
+        allowed = _("must be a list of TOML, each item of which is a value")
+        raise _refused(path, text, allowed, _('write like [["0 deg", "90 deg"], ["0 deg", "180 deg"]]'))
+    return items
+
+
+def _alone(word: str, unit: str) -> tuple[list[object], str]:
+    """One value, and the unit that is said up to here, from behind."""
+    text = word.strip()
+    number = _measured(text)
+    if number is None:
+        return [_plain(text)], unit
+    if number.unit or not unit:
+        return [text if number.unit else _plain(text)], number.unit or unit
+    return [f"{text} {unit}"], unit
+
+
+def _plain(text: str) -> object:
+    """A number, truth or quoted text as TOML has it; all else is text."""
+    try:
+        value: object = tomllib.loads(f"value = {text}")["value"]
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return text
+    return value if isinstance(value, bool | int | float | str) else text
+
+
+def _of_range(path: str, word: str, unit: str) -> tuple[list[object], str]:
+    """Values of a range, evenly from its one end to the other."""
+    ends, colon, count = word.rpartition(":")
+    first, _dots, last = (ends if colon else word).partition("..")
+    one, other = _measured(first.strip()), _measured(last.strip())
+    n_values = int(count.strip()) if _WORD.fullmatch(count.strip()) else DEFAULT_POINTS if not colon else 0
+    allowed = _("must be FROM..TO:N, with a unit, such as 130..160 mm:31")
+    if one is None or other is None or n_values < 1:
+        raise _refused(path, word.strip(), allowed)
+    own = other.unit or unit
+    if one.unit and one.unit != own:
+        raise _refused(path, word.strip(), _("must have one unit for both ends"), _("write it once, behind the second"))
+    if n_values < 2 or one.number == other.number:
+        repair = _("write at least 2 values, and ends that differ")
+        raise _refused(path, word.strip(), _("is no range"), repair)
+    if n_values > MOST_POINTS:
+        raise _refused(path, word.strip(), _("has more values than any sweep may have"))
+    step = (other.number - one.number) / (n_values - 1)
+    texts = (_number_text(one.number + step * place) for place in range(n_values))
+    return [f"{text} {own}" if own else float(text) for text in texts], own
+
+
+def _number_text(number: Fraction) -> str:
+    """A number as one would type it."""
+    text = repr(rounded(number))
+    return text.removesuffix(".0")
+
+
+def _measured(text: str) -> Measured | None:
+    """A number with its unit, or None of what is none."""
+    try:
+        return measured(text)
+    except (ZeroDivisionError, OverflowError):
+        return None
+
+
+def _refused(path: str, given: str, allowed: Words, repair: Words | None = None) -> InputError:
+    return InputError([Problem(path, short(given), allowed, repair)])

@@ -1,0 +1,241 @@
+"""What a sweep varies: values at paths of the machine file, and which of them are numbers."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import product
+from math import prod
+from typing import Any, TypeGuard, cast
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.one_line import one_line, short
+from cranktrain.paths import path_text, quantity_path
+from cranktrain.quantities import nearest
+from cranktrain.quantities.number import measured
+from cranktrain.record import record
+from cranktrain.study.sweep.typed import values_typed
+
+_NAMED = 6
+"""Paths that a sentence names."""
+
+
+@record
+class Varied:
+    """Values of one place of the file.
+
+    Attributes
+    ----------
+    path : str
+    name : str
+        Of the dimension along which they stand.
+    values : tuple of object
+        As `Machine.with_` takes them.
+    numbers : Array or None, shape (value,)
+        Their numbers, in `unit`; None of words, lists and tables.
+    unit : str
+        As it was typed; empty of what has none.
+    """
+
+    path: str
+    name: str
+    values: tuple[object, ...]
+    numbers: Array | None
+    unit: str
+
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """Its values as they are shown."""
+        return tuple(dict.fromkeys(one_line(str(value)) for value in self.values))
+
+
+@record
+class SweptDesigns:
+    """Which designs there are.
+
+    Attributes
+    ----------
+    varied : tuple of Varied
+        What differs among them.
+    is_listed : bool
+        Whether each of `varied` has a value for each design; else there is one for each combination, of which the last
+        one's values change first.
+    """
+
+    varied: tuple[Varied, ...]
+    is_listed: bool = False
+
+    @property
+    def dimensions(self) -> tuple[Varied, ...]:
+        """Along what facts of them stand."""
+        if not self.is_listed:
+            return self.varied
+        numbers = np.arange(1.0, len(self) + 1)
+        return (Varied("", "case", tuple(map(str, range(1, len(self) + 1))), numbers, ""),)
+
+    @property
+    def rows(self) -> Iterator[dict[str, object]]:
+        """Values of each design, by path."""
+        each = (one.values for one in self.varied)
+        combinations = zip(*each, strict=True) if self.is_listed else product(*each)
+        for values in combinations:
+            named = zip(self.varied, values, strict=True)
+            yield {one.path: value for one, value in named if value is not None}
+
+    def __len__(self) -> int:
+        return len(self.varied[0].values) if self.is_listed else prod(len(one.values) for one in self.varied)
+
+
+def listed_designs(machine: Machine, cases: Sequence[Mapping[str, object]]) -> SweptDesigns:
+    """Take designs one by one: values by path, as of `varied_by`; what one does not name stays as the file has it."""
+    refuse([] if cases else [Problem("cases", None, _("has no design"))])
+    given = list(dict.fromkeys(name for case in cases for name in case))
+    problems: list[Problem] = []
+    paths: list[str] = []
+    for name in given:
+        try:
+            paths.append(path_meant(machine, name))
+        except InputError as error:
+            problems += error.problems
+    refuse(problems)
+    columns = [tuple(_as_given(case.get(name)) for case in cases) for name in given]
+    each = zip(paths, names_of(paths), columns, strict=True)
+    return SweptDesigns(tuple(varied(path, name, values) for path, name, values in each), is_listed=True)
+
+
+def combined_designs(machine: Machine, vary: Mapping[str, object]) -> SweptDesigns:
+    """Take what is to be varied.
+
+    Parameters
+    ----------
+    machine : Machine
+    vary : mapping of str
+        By path, or by the last name of a path where one value of the file alone is called so: text as `values_typed`
+        reads it, or values one by one.
+
+    Returns
+    -------
+    SweptDesigns
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong.
+    """
+    found: list[tuple[str, tuple[object, ...]]] = []
+    problems: list[Problem] = []
+    for given, values in vary.items():
+        try:
+            path = path_meant(machine, given)
+            own = values_typed(path, values) if isinstance(values, str) else _each(path, values)
+        except InputError as error:
+            problems += error.problems
+            continue
+        twice = [text for text, count in _counts(own) if count > 1]
+        problems += [Problem(path, short(text), _("stands twice among its values")) for text in twice]
+        problems += [Problem(path, None, _("is varied twice"))] if path in [one for one, _own in found] else []
+        found.append((path, own))
+    refuse(problems or ([] if found else [Problem("vary", None, _("is missing: name what is to be varied"))]))
+    names = names_of([path for path, _own in found])
+    return SweptDesigns(tuple(varied(path, name, values) for (path, values), name in zip(found, names, strict=True)))
+
+
+def varied(path: str, name: str, values: tuple[object, ...]) -> Varied:
+    """Say what values are: numbers of one unit, or words."""
+    each = [_measured(value) for value in values]
+    # One that a design does not name is none of them.
+    units = {unit for _number, unit in filter(None, each)}
+    if None in each or len(units) != 1:
+        return Varied(path, name, values, None, "")
+    numbers = np.array([number for number, _unit in filter(None, each)])
+    return Varied(path, name, values, numbers, units.pop())
+
+
+def names_of(paths: Sequence[str]) -> list[str]:
+    """Short names of paths: their last words, as far as these differ."""
+    last = [_word(path_text(quantity_path(path)[-1:])) for path in paths]
+    return [
+        name if last.count(name) == 1 else _word(path_text(quantity_path(path)))
+        for path, name in zip(paths, last, strict=True)
+    ]
+
+
+def _word(path: str) -> str:
+    """A path as one word."""
+    return "".join(letter if letter.isalnum() else "_" for letter in path).strip("_").replace("__", "_")
+
+
+def path_meant(machine: Machine, given: str) -> str:
+    """Path that a name means: itself, or the only one of the file that ends in it.
+
+    Raises
+    ------
+    InputError
+        Where several paths end so, or none does.
+    """
+    parts = quantity_path(given)
+    if len(parts) > 1 or given in machine.declared:
+        return path_text(parts)
+    ends = [path for path in _paths(machine.declared) if quantity_path(path)[-1:] == parts]
+    if len(ends) == 1:
+        return ends[0]
+    if not ends:
+        last = {str(quantity_path(path)[-1]) for path in _paths(machine.declared)}
+        meant = nearest(given, sorted(last))
+        repair = _("did you mean {name}?", name=meant) if meant else _("write its path, as bank.R.mechanism.rod_length")
+        raise InputError([Problem(given, None, _("is no key of this machine's file"), repair)])
+    named = ", ".join(ends[:_NAMED]) + (", …" if len(ends) > _NAMED else "")
+    allowed = _("stands {n} times in this file", n=len(ends))
+    raise InputError([Problem(given, None, allowed, _("write one of: {paths}", paths=named))])
+
+
+def _paths(data: object, above: tuple[str | int, ...] = ()) -> Iterator[str]:
+    """Paths of all values of some tables."""
+    if isinstance(data, Mapping) and "value" not in data:
+        for key, inner in cast("Mapping[str, object]", data).items():
+            yield from _paths(inner, (*above, key))
+    else:
+        yield path_text(above)
+
+
+def _each(path: str, values: object) -> tuple[object, ...]:
+    """Values one by one."""
+    if not _are_several(values):
+        allowed = _("must be values, one by one, or a text such as 130..160 mm:31")
+        raise InputError([Problem(path, short(str(values)), allowed)])
+    found = tuple(_as_given(value) for value in values)
+    refuse([] if found else [Problem(path, None, _("must have at least one value"))])
+    return found
+
+
+def _are_several(values: object) -> TypeGuard[Iterable[object]]:
+    """Whether there are values one by one."""
+    return isinstance(values, Iterable) and not isinstance(values, Mapping)
+
+
+def _as_given(value: object) -> object:
+    """A number of NumPy's as one of Python's."""
+    return cast("Any", value).item() if isinstance(value, np.generic) else value
+
+
+def _counts(values: Sequence[object]) -> list[tuple[str, int]]:
+    """How often each value stands among some."""
+    counts: dict[str, int] = {}
+    for value in values:
+        counts[repr(value)] = counts.get(repr(value), 0) + 1
+    return list(counts.items())
+
+
+def _measured(value: object) -> tuple[float, str] | None:
+    """A number with its unit; None of what is none."""
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return float(value), ""
+    if not isinstance(value, str):
+        return None
+    try:
+        found = measured(value)
+    except (ZeroDivisionError, OverflowError):
+        return None
+    return None if found is None else (float(found.number), found.unit)

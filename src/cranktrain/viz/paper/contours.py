@@ -1,0 +1,70 @@
+"""A map: lines of equal value over two numbers, and hatched where there is none."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.one_line import visible
+from cranktrain.panels.shapes import Map, peak
+from cranktrain.saying.scales import Scale, scale_for
+from cranktrain.viz.paper.page import Axes
+from cranktrain.viz.paper.style import GRID, HEADING, INK, MUTED, TEXT
+
+_LINES = 9
+"""About as many lines of equal value."""
+_TAIL = 10.0
+"""Percent of all values on either side, which have lines as far beyond the others as these lie apart."""
+_TONES = ("#f4f5f5", "#9aa0a6")
+"""Of what is least and of what is most: light enough for lines and their numbers, in grey as in colour."""
+
+
+def draw_map(axes: Axes, shown: Map) -> None:
+    """Draw lines of equal value with their numbers over tones of grey; where there is no value it is hatched."""
+    from matplotlib.colors import LinearSegmentedColormap
+
+    unit = shown.unit
+    scale = scale_for(unit, peak(shown.values)) if isinstance(unit, str) else Scale(str(unit), factor=1.0)
+    values = np.ma.masked_invalid(np.asarray(scale.of(shown.values)))
+    axes.grid(color=GRID, linewidth=0.5)
+    axes.set_axisbelow(True)
+    if np.ma.count(values) and values.max() > values.min():
+        levels = _levels(values)
+        tones = LinearSegmentedColormap.from_list("tones", _TONES)
+        axes.contourf(shown.across, shown.up, values, levels, cmap=tones, extend="both", corner_mask=False, zorder=1)
+        lines = axes.contour(shown.across, shown.up, values, levels, colors=INK, linewidths=0.8, zorder=2)
+        axes.clabel(lines, fontsize=TEXT, inline=True, inline_spacing=3)
+    _hatch_missing(axes, shown)
+    for mark in shown.marks:
+        axes.plot(mark.across, mark.value, "o", ms=5, mfc="white", mec=INK, zorder=4)
+    axes.set_xlim(float(np.min(shown.across)), float(np.max(shown.across)))
+    axes.set_ylim(float(np.min(shown.up)), float(np.max(shown.up)))
+    axes.set_ylabel(visible(f"{shown.upward}, {shown.up_unit}".removesuffix(", ")), parse_math=False)
+    title = visible(f"{shown.title}, {scale.label}".removesuffix(", "))
+    axes.set_title(title, loc="left", fontsize=HEADING, parse_math=False)
+
+
+def _levels(values: np.ma.MaskedArray) -> NDArray[np.float64]:
+    """Values that have a line: of what grows beyond all others, as near locking, not all that it reaches."""
+    from matplotlib.ticker import MaxNLocator
+
+    known = values.compressed()
+    least, low, high, most = (float(np.percentile(known, share)) for share in (0.0, _TAIL, 100.0 - _TAIL, 100.0))
+    middle = high - low
+    least, most = max(least, low - middle), min(most, high + middle)
+    return np.asarray(MaxNLocator(_LINES).tick_values(least, most))
+
+
+def _hatch_missing(axes: Axes, shown: Map) -> None:
+    """Hatch the cells of which a corner is a design that has no value."""
+    from matplotlib.collections import PatchCollection
+    from matplotlib.patches import Rectangle
+
+    missing = np.isnan(shown.values)
+    missing = missing[1:, 1:] | missing[1:, :-1] | missing[:-1, 1:] | missing[:-1, :-1]
+    widths, heights = np.diff(shown.across), np.diff(shown.up)
+    cells = [
+        Rectangle((shown.across[column], shown.up[row]), widths[column], heights[row])
+        for row, column in np.argwhere(missing).tolist()
+    ]
+    axes.add_collection(
+        PatchCollection(cells, facecolor="none", edgecolor=MUTED, linewidth=0.0, hatch="////", zorder=3)
+    )
