@@ -46,8 +46,7 @@ def dataset_of(run: Run) -> "xarray.Dataset":
     }
     used = {dimension for dimensions, *_rest in variables.values() for dimension in dimensions}
     coordinates: dict[str, Any] = {name: _coordinate(name, words) for name, words in run.labels.items() if name in used}
-    if run.axis is not None:
-        name, unit, symbol, places = run.axis
+    for name, unit, symbol, places in run.numbered:
         coordinates[name] = (name, places, {"units": unit, "symbol": symbol})
     return Dataset(variables, coordinates, dict(run.attributes()))
 

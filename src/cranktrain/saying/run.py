@@ -77,6 +77,11 @@ class Run:
         return None
 
     @property
+    def numbered(self) -> Iterable[Axis]:
+        """Dimensions whose members are numbers with a unit: the axis, and what a run has besides."""
+        return () if self.axis is None else (self.axis,)
+
+    @property
     def n_designs(self) -> int | None:
         """How many designs its arrays have along a leading dimension; None where they have no such dimension."""
         return None

@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
 from functools import partial
 from itertools import islice
 from multiprocessing import get_context
 from time import perf_counter
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.how_far import say_how_far
 from cranktrain.language import Words, _
 from cranktrain.machine import Machine
@@ -19,6 +20,8 @@ from cranktrain.study.sweep.wanted import facts_wanted
 _TRIED = 4
 """SweptDesigns by which it is found how long one takes."""
 _BLOCK = 64
+_MOST = 10_000_000
+"""Designs at once."""
 _LONG = 60.0
 """From when on somebody has to say that it is meant. [s]"""
 _WORTH = 6.0
@@ -50,11 +53,14 @@ def swept(
     Raises
     ------
     InputError
-        With everything that is wrong with what is asked; a single design that cannot be is none of it.
+        With everything that is wrong with what is asked; a design that cannot be is none of it, unless all are such.
     """
     designs = combined_designs(machine, vary) if isinstance(vary, Mapping) else listed_designs(machine, vary)
     names = facts_wanted(machine, wanted)
     n_designs, rows = len(designs), designs.rows
+    if n_designs > _MOST:
+        allowed = _("is {n} designs, and may be {most}", n=n_designs, most=_MOST)
+        raise InputError([Problem("vary", None, allowed, _("ask for fewer values"))])
     parts = [facts_of_rows(machine, list(islice(rows, min(_TRIED, n_designs))), names)]
     # The first one loads what the others have then.
     since = perf_counter()
@@ -65,7 +71,11 @@ def swept(
     if not is_meant and n_left * each / processes > _LONG:
         raise InputError([_long(n_designs, n_left * each / processes)])
     parts += _in_blocks(machine, rows, names, n_left, processes if n_left * each > _WORTH else 1)
-    return Sweep(machine, designs, joined_rows(parts))
+    found = joined_rows(parts)
+    if found.refused and None not in found.refused:
+        # What is wrong with all of them is wrong with what was asked.
+        refuse(replace(problem, repair=None) for problem in found.refused[:1] if problem is not None)
+    return Sweep(machine, designs, found)
 
 
 def _long(n_designs: int, seconds: float) -> Problem:

@@ -82,9 +82,14 @@ class Sweep(Run):
         """The first of the numbers that are varied."""
         if self._over is None:
             return None
-        own = self.along[self._over]
-        assert own.numbers is not None  # of the axis
-        return Axis(own.name, own.unit, "", own.numbers)
+        return next(axis for axis in self.numbered if axis.name == self.along[self._over or 0].name)
+
+    @property
+    def numbered(self) -> Iterator[Axis]:
+        """All numbers that are varied."""
+        for one in self.along:
+            if one.numbers is not None:
+                yield Axis(one.name, one.unit, "", one.numbers)
 
     @property
     def catalogue(self) -> Mapping[str, Entry]:
@@ -184,7 +189,7 @@ class Sweep(Run):
         """How many designs cannot be, and why; how many do not hold a check."""
         n_designs = len(self.found.refused)
         for problems in grouped((problem.path, problem) for problem in self.refused.values()).values():
-            first = str(problems[0])
+            first = str(replace(problems[0], repair=None))  # of a single run
             if len(problems) == 1:
                 yield _("1 of {all} designs cannot be: {why}", all=n_designs, why=first)
             else:
@@ -204,7 +209,7 @@ class Sweep(Run):
 
     def sections(self) -> Iterator[PagePart]:
         """The facts in columns, at as many values as a screen has lines; and what cannot be."""
-        columns = [column for name in self.catalogue for column in self._columns(name)]
+        columns = [*self._given(), *(column for name in self.catalogue for column in self._columns(name))]
         yield from section(_("Facts"), [Grid(columns, self._line_heads, title=self._lines_of, names_quantities=True)])
         refusals = list(self._refusals())
         more = len(refusals) - _MOST_SENTENCES
@@ -234,8 +239,11 @@ class Sweep(Run):
         Each with what people call it: nothing where all are alike.
         """
         entry, titles = self.found.entries[name], Titled(self.found.labels)
-        each = itertools.product(*(map(str, titles[dimension]) for dimension in entry.dimensions))
-        members = [" ".join(words) for words in each]
+        named = [tuple(map(str, titles[dimension])) for dimension in entry.dimensions]
+        members = [
+            " ".join(words) for words in itertools.product(*(each if len(each) > 1 else ("",) for each in named))
+        ]
+        members = [words.strip() for words in members]
         values = self.found.values[name].reshape(-1, len(members)).T
         size = np.fmax.reduce(np.abs(values), axis=None, initial=0.0) or 1.0
         alike = places_of_equal(np.round(own / size, _FIGURES).tobytes() for own in values)
@@ -247,6 +255,12 @@ class Sweep(Run):
             for first, *more in alike.values()
         ]
 
+    def _given(self) -> Iterator[Column]:
+        """Values of designs that are listed, as they were typed."""
+        if self.designs.is_listed:
+            for one in self.designs.varied:
+                yield Column(said_name(one.name), [one.texts[line] for line in self._lines.tolist()])
+
     def _columns(self, name: str) -> Iterator[Column]:
         """One fact over the lines: a column for each combination of the rest."""
         entry, over = self.found.entries[name], self._over or 0
@@ -254,7 +268,7 @@ class Sweep(Run):
         others: list[tuple[str, ...]] = list(itertools.product(*(one.texts for one in beside)))
         shown = np.unique(np.linspace(0, len(others) - 1, _MOST_OTHERS).round().astype(np.intp))
         for place in shown.tolist():
-            said = others[place]
+            said: tuple[str, ...] = others[place]
             for whose, values in self.apart(name):
                 own = np.moveaxis(values, over, 0)[self._lines].reshape(self._lines.size, -1)[:, place]
                 words: list[str] = [entry.symbol or str(said_name(name)), whose, *said]

@@ -12,7 +12,8 @@ from cranktrain.quantities.number import Measured, measured, rounded
 
 DEFAULT_POINTS = 21
 """Of a range that does not say how many."""
-MOST_POINTS = 1_000_000_000
+MOST_POINTS = 1_000_000
+"""Of one range."""
 _WORD = re.compile(r"\d{1,10}")
 
 

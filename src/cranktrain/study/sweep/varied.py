@@ -48,7 +48,7 @@ class Varied:
     @property
     def texts(self) -> tuple[str, ...]:
         """Its values as they are shown."""
-        return tuple(dict.fromkeys(one_line(str(value)) for value in self.values))
+        return tuple(one_line(_shown(value)) for value in self.values)
 
 
 @record
@@ -86,6 +86,13 @@ class SweptDesigns:
 
     def __len__(self) -> int:
         return len(self.varied[0].values) if self.is_listed else prod(len(one.values) for one in self.varied)
+
+
+def _shown(value: object) -> str:
+    """A value in words: of a list its items; of a design that does not name it nothing."""
+    if isinstance(value, list | tuple):
+        return ", ".join(map(str, cast("Sequence[object]", value)))
+    return "" if value is None else str(value)
 
 
 def listed_designs(machine: Machine, cases: Sequence[Mapping[str, object]]) -> SweptDesigns:

@@ -1,0 +1,115 @@
+"""`sweep`: facts over values of the file, and mistakes of who asks for them."""
+
+import csv
+import tomllib
+
+import pytest
+from PIL import Image
+from tests.sentences import ENDS_IN, NO_FILE
+
+SMALL = (
+    "# a pump\n"
+    '[shaft.main]\nspeed = "1500 rpm"\n'
+    '[mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "136 mm" # of steel\n'
+)
+RODS = ("--vary", "rod_length=30..150 mm:5", "--wanted", "stroke,mean_piston_speed")
+
+
+@pytest.fixture
+def pump(written):
+    written(SMALL, "pump.toml")
+    return "pump.toml"
+
+
+def test_a_line_for_each_value(typed, pump):
+    answer = typed("sweep", pump, *RODS)
+    assert (answer.status, answer.errors) == (0, "")
+    lines = [line.split() for line in answer.output.splitlines()]
+    assert ["30", "mm", "–", "–"] in lines  # the rod is shorter than the crank
+    assert ["60", "mm", "80.00", "4.000"] in lines  # 2 S n
+    assert "1 of 5 designs cannot be: mechanism.rod_length = 30 mm" in answer.output
+    assert max(map(len, answer.output.splitlines())) <= 80
+
+
+def test_the_best_design_is_written_with_its_comments(typed, pump, tmp_path):
+    answer = typed("sweep", pump, *RODS, "--least", "closing_margin", "--save", "best.toml")
+    assert answer.status == 0
+    text = (tmp_path / "best.toml").read_text(encoding="utf-8")
+    assert tomllib.loads(text)["mechanism"]["rod_length"] == "60 mm"
+    assert text.startswith("# a pump\n")
+    assert "Least closing margin" in answer.output
+    assert "at mechanism.rod_length = 60 mm" in answer.output
+
+
+def test_files(typed, pump, tmp_path):
+    assert typed("sweep", pump, *RODS, "--vary", "speed=1000, 2000 rpm", "-o", "rods.csv").status == 0
+    lines = [line for line in (tmp_path / "rods.csv").read_text(encoding="utf-8").splitlines() if line[0] != "#"]
+    rows = list(csv.DictReader(lines))
+    assert [float(row["rod_length [mm]"]) for row in rows] == [30, 60, 90, 120, 150]
+    assert float(rows[1]["mean_piston_speed(2000 rpm 1) [m/s]"]) == pytest.approx(16 / 3, rel=1e-14)
+    for name in ("rods.xlsx", "rods.json", "rods.nc"):
+        assert typed("sweep", pump, *RODS, "-o", name).status == 0
+        assert (tmp_path / name).stat().st_size > 500
+
+
+@pytest.mark.parametrize("vary", [(), ("--vary", "speed=1000, 2000 rpm"), ("--vary", "speed=1000..2000 rpm:8")])
+def test_pictures(typed, pump, tmp_path, vary):
+    """A curve, a family, a map."""
+    over = ("--vary", "rod_length=30..150 mm:9", "--wanted", "largest_piston_speed")
+    assert typed("sweep", pump, *over, *vary, "-o", "rods.png").status == 0
+    with Image.open(tmp_path / "rods.png") as image:
+        assert min(image.size) > 300
+
+
+def test_designs_of_a_list(typed, pump, written):
+    written("rod_length [mm];speed\n120;3000 rpm\n# two more\n;750 rpm\n10;\n", "cases.csv")
+    answer = typed("sweep", pump, "--cases", "cases.csv", "--wanted", "mean_piston_speed")
+    lines = [line.split() for line in answer.output.splitlines()]
+    assert ["1", "120", "mm", "3000", "rpm", "8.000"] in lines
+    assert ["2", "750", "rpm", "2.000"] in lines
+    assert "1 of 3 designs cannot be" in answer.output
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["pump.toml"], "needs either --vary PATH=VALUES or --cases FILE"),
+        (["pump.toml", "--vary", "rod_length"], "must be PATH=VALUES"),
+        (["pump.toml", "--vary", "rod_lenght=1..2 mm"], "did you mean rod_length?"),
+        (["pump.toml", "--vary", "rod_length=1 kg, 2 kg"], "kg measures a mass"),
+        (["pump.toml", "--vary", "rod_length=1..2 mm"], "the links cannot close"),
+        (["pump.toml", "--vary", "rod_length=60..2 km:1"], "at least 2 values"),
+        (["pump.toml", *RODS, "--vary", "rod_length=1 mm"], "is varied twice"),
+        (["pump.toml", "--vary", "rod_length=60..70 mm", "--wanted", "piston_velocity"], "is a curve"),
+        (["pump.toml", "--vary", "rod_length=60..70 mm", "--wanted", "strok"], "did you mean stroke?"),
+        (["pump.toml", "--vary", "rod_length=60..70 mm", "--wanted", "gas_pressure"], "needs"),
+        (["pump.toml", *RODS, "--least", "strok"], "did you mean stroke?"),
+        (["pump.toml", *RODS, "--least", "stroke", "--most", "stroke"], "does not go with --least"),
+        (["pump.toml", *RODS, "--save", "best.toml"], "needs --least FACT or --most FACT"),
+        (["pump.toml", *RODS, "--processes", "0"], "must be a whole number from 1"),
+        (["pump.toml", *RODS, "-o", "rods.txt"], ENDS_IN),
+        (["pum.toml", *RODS], NO_FILE),
+        (["pump.toml", "--cases", "none.csv"], NO_FILE),
+        (["pump.toml", "--vary", "rod_length=60..70 mm:1000", "--vary", "speed=1..2 rpm:90000"], "may be 10000000"),
+        (
+            ["pump.toml", "--vary", "rotation=clockwise, anticlockwise", "--wanted", "stroke", "-o", "x.png"],
+            "needs a number that is varied",
+        ),
+    ],
+)
+def test_mistakes(typed, pump, tmp_path, arguments, said):
+    answer = typed("sweep", *arguments)
+    assert answer.status == 2
+    assert said in answer.errors
+    assert answer.output == ""
+    assert [path.name for path in tmp_path.iterdir()] == [pump]
+
+
+def test_what_takes_long_has_to_be_meant(typed, pump, monkeypatch):
+    from cranktrain.study.sweep import computed
+
+    monkeypatch.setattr(computed, "_LONG", 0.0)
+    answer = typed("sweep", pump, *RODS, "--vary", "speed=1..9 rpm:9")
+    assert answer.status == 2
+    assert "is 45 designs, which take some" in answer.errors
+    assert typed("sweep", pump, *RODS, "--vary", "speed=1..9 rpm:9", "--yes").status == 0

@@ -1,0 +1,100 @@
+"""Values of a sweep as they are typed, and which places of the file they are of."""
+
+import numpy as np
+import pytest
+from tests.machines import slider
+
+import cranktrain as ct
+from cranktrain.study.sweep.typed import values_typed
+from cranktrain.study.sweep.varied import combined_designs, names_of, path_meant
+
+MACHINE = ct.Machine(mechanism=slider(), shaft={"main": {"speed": "1500 rpm"}})
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("130..136 mm:4", ("130 mm", "132 mm", "134 mm", "136 mm")),
+        ("130 mm..136 mm:3", ("130 mm", "133 mm", "136 mm")),
+        ("0.1..0.3:3", (0.1, 0.2, 0.3)),
+        ("1..0 m:2", ("1 m", "0 m")),
+        ("-2..2 deg:3", ("-2 deg", "0 deg", "2 deg")),
+        ("1000, 1500 rpm", ("1000 rpm", "1500 rpm")),
+        ("1 in, 30, 40 mm", ("1 in", "30 mm", "40 mm")),
+        ("1 1/2 in, 2 in", ("1 1/2 in", "2 in")),
+        ("cage, shunt", ("cage", "shunt")),
+        ("4, 6", (4, 6)),
+        ("true, false", (True, False)),
+        ('["0 deg", "90 deg"]', ("0 deg", "90 deg")),
+        ('[["0 deg", "90 deg"], ["0 deg", "180 deg"]]', (["0 deg", "90 deg"], ["0 deg", "180 deg"])),
+        ("80, 100..120 mm:3", ("80 mm", "100 mm", "110 mm", "120 mm")),
+    ],
+)
+def test_values(text, values):
+    assert values_typed("path", text) == values
+
+
+def test_a_range_is_even_to_the_last_bit():
+    """Its values are the nearest doubles of the exact fractions: 0.1 + k · 0.2/3 in decimals."""
+    from fractions import Fraction
+
+    exact = [float(Fraction(1, 10) + Fraction(1, 5) * k / 7) for k in range(8)]
+    assert values_typed("path", "0.1..0.3:8") == tuple(exact)
+
+
+def test_a_range_without_a_count_has_21_values():
+    assert len(values_typed("path", "100..200 mm")) == 21
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "must be values with commas between"),
+        ("1,,2", "must be values with commas between"),
+        ("130..mm:3", "must be FROM..TO:N"),
+        ("..160 mm:3", "must be FROM..TO:N"),
+        ("130..160 mm:x", "must be FROM..TO:N"),
+        ("130..160 mm:1", "at least 2 values"),
+        ("130..130 mm:4", "ends that differ"),
+        ("130 in..160 mm:4", "must have one unit"),
+        ("130..160 mm:99999999999", "must be FROM..TO:N"),
+        ("130..160 mm:9999999", "more values than any sweep"),
+        ("[1, 2", "must be a list of TOML"),
+        ("[]", "must be a list of TOML"),
+    ],
+)
+def test_what_is_no_values(text, said):
+    with pytest.raises(ct.InputError) as caught:
+        values_typed("path", text)
+    assert said in str(caught.value.problems[0])
+
+
+def test_the_last_name_is_enough_where_it_is_one():
+    assert path_meant(MACHINE, "rod_length") == "mechanism.rod_length"
+    assert path_meant(MACHINE, "mechanism.offset") == "mechanism.offset"
+    with pytest.raises(ct.InputError, match=r"stands 2 times in this file; write one of: bank.L.masses.rod.big_end"):
+        path_meant(ct.load("3d12"), "big_end")
+    with pytest.raises(ct.InputError, match="did you mean rod_length"):
+        path_meant(MACHINE, "rod_lenght")
+
+
+def test_names_of_dimensions():
+    paths = ["bank.L.mechanism.rod_length", "shaft.main.speed", 'cylinder."1.crank".clearance']
+    assert names_of(paths) == ["rod_length", "speed", "clearance"]
+    two = ["bank.L.mechanism.rod_length", "bank.R.mechanism.rod_length", "shaft.main.throws[2]"]
+    assert names_of(two) == ["bank_L_mechanism_rod_length", "bank_R_mechanism_rod_length", "2"]
+
+
+def test_all_that_is_wrong_is_told_at_once():
+    vary = {"rod_lenght": "1 mm", "shaft.main.speed": "1..1 rpm:3", "mechanism.offset": "1 mm, 1 mm"}
+    with pytest.raises(ct.InputError) as caught:
+        combined_designs(MACHINE, vary)
+    assert len(caught.value.problems) == 3
+    assert "stands twice" in str(caught.value.problems[2])
+
+
+def test_rows_of_a_grid_and_of_a_list():
+    grid = combined_designs(MACHINE, {"rod_length": np.array([0.13, 0.14]), "speed": ["1000 rpm", "2000 rpm"]})
+    rows = list(grid.rows)
+    assert len(grid) == len(rows) == 4
+    assert rows[1] == {"mechanism.rod_length": 0.13, "shaft.main.speed": "2000 rpm"}

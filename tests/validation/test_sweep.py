@@ -1,0 +1,122 @@
+"""A sweep against each design alone, and against closed forms of a central slider-crank."""
+
+import numpy as np
+import pytest
+from tests.machines import slider
+
+import cranktrain as ct
+
+MACHINE = ct.Machine(mechanism=slider(crank_radius="40 mm", rod_length="136 mm"), shaft={"main": {"speed": "1500 rpm"}})
+OMEGA = 1500 * np.pi / 30
+FACTS = ["largest_piston_acceleration", "largest_side_force", "largest_torque", "fluctuation", "wanted_flywheel"]
+
+
+def test_closed_forms_over_a_rod_and_a_speed():
+    """Rω²(1 + λ) at the top, 2S n, and what a rod shorter than its crank cannot be."""
+    wanted = ["largest_piston_acceleration", "mean_piston_speed"]
+    found = ct.sweep(MACHINE, {"rod_length": "30..150 mm:13", "speed": "1000, 1500 rpm"}, wanted)
+    rods = found.axis.values / 1e3
+    assert (found.axis.name, found.axis.unit) == ("rod_length", "mm")
+    assert found.labels["speed"] == ("1000 rpm", "1500 rpm")
+    exact = 0.04 * (np.array([[1000.0], [1500.0]]) * np.pi / 30) ** 2 * (1 + 0.04 / rods)
+    closes = rods > 0.04
+    assert found.largest_piston_acceleration.shape == (2, 1, 13)
+    np.testing.assert_allclose(found.largest_piston_acceleration[:, 0, closes], exact[:, closes], rtol=1e-12)
+    assert np.all(np.isnan(found.largest_piston_acceleration[:, 0, ~closes]))
+    np.testing.assert_allclose(found.mean_piston_speed[1, 0, closes], 4.0, rtol=1e-14)
+    assert sorted(found.refused) == [0, 1, 2, 3]
+    assert all("mechanism" in problem.path for problem in found.refused.values())
+
+
+@pytest.mark.parametrize(
+    ("name", "vary"),
+    [
+        ("vaz_21213", {"bank.line.mechanism.rod_length": "115..170 mm:6"}),
+        ("3d12", {"shaft.main.speed": "900..1700 rpm:3", "bank.R.masses.piston.mass": "3, 4 kg"}),
+        ("burning_cylinder", {"mechanism.rod_length": "0.2..0.3 m:70"}),
+        ("shaper", {"shaft.main.speed": "20..60 rpm:3"}),
+    ],
+)
+def test_every_design_is_as_it_is_alone(name, vary):
+    """More than one block, two numbers, words for dimensions."""
+    machine = ct.load(name)
+    wanted = [fact for fact in FACTS if fact in ct.run(machine).catalogue]
+    found = ct.sweep(machine, vary, wanted)
+    assert found.refused == {}
+    rows = list(found.designs.rows)
+    for place in {0, 1, len(rows) // 2, len(rows) - 1}:
+        alone = ct.run(machine, set=rows[place], quantities=wanted)
+        for fact in wanted:
+            np.testing.assert_array_equal(found.found.values[fact][place], getattr(alone, fact), err_msg=fact)
+
+
+def test_words_and_numbers_together():
+    """Motors of other kinds have other rows; a fact is NaN where a design has none of it."""
+    tilting = ct.load("tilting_table")
+    found = ct.sweep(tilting, {"drive.motor.kind": "cage, nonsense", "drive.stage[0].ratio": [40, 42.0]}, "cycle_time")
+    assert found.shape == (2, 2)
+    alone = ct.run(tilting, set={"drive.stage[0].ratio": 42.0}).cycle_time
+    assert found.cycle_time[0, 1] == alone
+    assert np.all(np.isnan(found.cycle_time[1]))
+    assert "cage" in str(found.refused[2])
+
+
+def test_throws_of_an_in_line_five():
+    """The first order's couple, by the vectors of its throws: 1-2-4-5-3 leaves a tenth of that of throws in a row."""
+    orders = ((0, 144, 216, 288, 72), (0, 72, 144, 216, 288))
+    throws = [[f"{angle} deg" for angle in angles] for angles in orders]
+    five = ct.Machine(
+        shaft={"main": {"speed": "1500 rpm", "throws": throws[0], "spacing": "100 mm"}},
+        bank={"line": {"mechanism": slider(crank_radius="40 mm", rod_length="140 mm")}},
+        masses={"piston": {"mass": "1 kg"}},
+    )
+    found = ct.sweep(five, {"shaft.main.throws": throws}, "shaking_couple_largest")
+    assert found.axis is None
+    arms = (np.arange(5) - 2) * 0.1
+    exact = [abs(np.sum(arms * np.exp(1j * np.radians(order)))) * 0.04 * OMEGA**2 for order in orders]
+    first = found.found.labels["order"].index("1")
+    np.testing.assert_allclose(found.shaking_couple_largest[:, 0, first], exact, rtol=1e-12)
+    assert "0 deg, 144 deg, 216 deg, 288 deg, 72 deg" in str(found)
+
+
+def test_a_list_of_cases():
+    cases = [{"rod_length": "120 mm"}, {"speed": "3000 rpm"}, {"rod_length": "20 mm"}]
+    found = ct.sweep(MACHINE, cases, "mean_piston_speed")
+    assert (found.axis.name, list(found.axis.values)) == ("case", [1, 2, 3])
+    np.testing.assert_allclose(found.mean_piston_speed[0], [4.0, 8.0, np.nan], rtol=1e-14)
+
+
+def test_the_best_design():
+    found = ct.sweep("vaz_21213", {"rod_length": "120..170 mm:51"}, "largest_side_force")
+    best = found.best(least="largest_side_force")
+    force = found.largest_side_force.max(axis=0)
+    assert best.bank["line"].mechanism[0].rod_length.text == f"{120 + int(np.flatnonzero(force == force.min())[0])} mm"
+    assert found.values_at(found.place_of_best(most="largest_side_force")) == {
+        "bank.line.mechanism.rod_length": "120 mm"
+    }
+    with pytest.raises(ct.InputError, match="did you mean largest_side_force"):
+        found.best(least="largest_side_forc")
+
+
+def test_processes_give_the_same_bytes():
+    vary = {"rod_length": "100..150 mm:150"}
+    from cranktrain.study.sweep import computed, swept
+
+    one = swept(MACHINE, vary, ["largest_piston_acceleration"], processes=1)
+    monkey = pytest.MonkeyPatch()
+    with monkey.context() as patched:
+        patched.setattr(computed, "_WORTH", 0.0)
+        two = swept(MACHINE, vary, ["largest_piston_acceleration"], processes=2)
+    assert one.largest_piston_acceleration.tobytes() == two.largest_piston_acceleration.tobytes()
+
+
+def test_files_and_frames_have_the_axis():
+    found = ct.sweep(MACHINE, {"rod_length": "100..150 mm:6", "speed": "1000, 1500 rpm"}, "mean_piston_speed")
+    dataset = found.dataset
+    assert dataset.mean_piston_speed.dims == ("speed", "piston", "rod_length")
+    np.testing.assert_array_equal(dataset.rod_length, [100, 110, 120, 130, 140, 150])
+    np.testing.assert_array_equal(dataset.speed, [1000, 1500])
+    assert dataset.speed.attrs["units"] == "rpm"
+    assert dataset.rod_length.attrs["units"] == "mm"
+    frame = found.curves("mean_piston_speed")
+    assert list(frame.index) == [100, 110, 120, 130, 140, 150]
