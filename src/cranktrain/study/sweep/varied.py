@@ -183,7 +183,7 @@ def path_meant(machine: Machine, given: str) -> str:
         Where several paths end so, or none does.
     """
     parts = quantity_path(given)
-    if len(parts) > 1 or given in machine.declared:
+    if len(parts) > 1 or given in machine.declared or given in type(machine).model_fields:
         return path_text(parts)
     ends = [path for path in _paths(machine.declared) if quantity_path(path)[-1:] == parts]
     if len(ends) == 1:
