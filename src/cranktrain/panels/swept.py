@@ -12,6 +12,7 @@ from cranktrain.panels.shapes import Curve, Map, Panel
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import spelled
 from cranktrain.study.sweep import Sweep
+from cranktrain.study.sweep.varied import Varied
 
 _MOST_CURVES = 6
 """Of a family: with more values of a second number there is a map."""
@@ -57,11 +58,16 @@ def _curves(sweep: Sweep, name: str) -> list[Panel]:
     curves: list[Curve] = []
     for whose, values in sweep.apart(name):
         own = np.moveaxis(values, over, -1)
-        others = itertools.product(*(one.texts for one in beside))
+        others = itertools.product(*map(_called, beside))
         for said, curve in zip(others, own.reshape(-1, own.shape[-1]), strict=True):
             words = ", ".join(filter(None, (whose, *said)))
             curves.append(Curve(curve, role_at(len(curves)), letter_of(entry), name=words))
     return [Panel(_title(entry), entry.shown, axis.values, tuple(curves[: 2 * _MOST_CURVES]), across_unit=axis.unit)]
+
+
+def _called(one: Varied) -> tuple[str, ...]:
+    """What values are called in a key: plain numbers by what they are, too."""
+    return one.texts if one.unit or one.numbers is None else tuple(f"{spelled(one.name)} {text}" for text in one.texts)
 
 
 def _maps(sweep: Sweep, name: str) -> list[Map]:
