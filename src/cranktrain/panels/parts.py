@@ -42,15 +42,15 @@ class CurveCard:
 class Polars:
     """Polar diagrams side by side, all to one scale, over the words for that.
 
-    `height` is in parts of the column's, `least` in mm; without a height they fill what the column has left. There are
-    as many in a row as let them be largest, or `n_columns`.
+    `height` is in parts of the column's, `least` in mm; without a height they fill what the column has left. Groups of
+    `n_beside` stay beside each other, on as many sheets one below the other as let them be told apart.
     """
 
     diagrams: tuple[PolarDiagram, ...]
     height: float | None = None
     least: float = 0.0
     notes: Words = ""
-    n_columns: int | None = None
+    n_beside: int | None = None
 
 
 @record

@@ -36,6 +36,9 @@ _ABOVE, _CLEARANCE = 0.45, 0.02
 _SHARED = 1e-9
 """Pins that are never farther apart, in parts of all that is drawn, are one."""
 
+FEW_MEMBERS = 2
+"""Up to so many mechanisms, the links are drawn in the dead positions too."""
+
 _STAR = 3
 """So many slaves on one master make its big end a disc."""
 
@@ -174,6 +177,11 @@ class Scene:
     def is_star(self) -> bool:
         """Whether so many slaves hang on the master that its big end is a disc."""
         return len(self.slaves) >= _STAR
+
+    @property
+    def is_of_few(self) -> bool:
+        """Whether its mechanisms are so few that their links are drawn in the dead positions too."""
+        return len(self.members) <= FEW_MEMBERS
 
     @cached_property
     def size(self) -> float:

@@ -1,8 +1,9 @@
 """Writing pictures: whole or not at all, and the same bytes for the same picture."""
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from io import BytesIO
+from math import sqrt
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
@@ -34,7 +35,7 @@ def save(figure: "Figure | Callable[[], Figure]", path: "str | os.PathLike[str]"
     figure : Figure, or a callable that draws one
         A callable is called only once the file is known to be possible.
     path : str or path-like
-        Ends in .png (150 dots to the inch), .svg or .pdf.
+        Ends in .png (150 dots to the inch), .svg or .pdf, which has a page for each of several sheets.
     force : bool
         Replace a file that is there.
 
@@ -83,5 +84,28 @@ def _pieces(figure: "Figure | Callable[[], Figure]", suffix: str) -> Iterator[by
     drawn: Any = figure() if callable(figure) else figure
     with drawing_settings():
         content = BytesIO()
-        drawn.savefig(content, format=suffix[1:], dpi=DOTS_PER_INCH, metadata=_UNDATED[suffix])
+        sheets = _sheets_of(drawn) if suffix == ".pdf" else []
+        if len(sheets) > 1:
+            _save_pages(drawn, sheets, content)
+        else:
+            drawn.savefig(content, format=suffix[1:], dpi=DOTS_PER_INCH, metadata=_UNDATED[suffix])
         yield content.getvalue()
+
+
+def _sheets_of(figure: Any) -> list[Any]:
+    """Bounds of the sheets that lie one below the other in a figure: each √2 times as wide as it is high. [inch]"""
+    from matplotlib.transforms import Bbox
+
+    width, height = figure.get_size_inches().tolist()
+    n_sheets = max(round(height * sqrt(2.0) / width), 1)
+    tops = [height * (1.0 - number / n_sheets) for number in range(n_sheets)]
+    return [Bbox([[0.0, top - height / n_sheets], [width, top]]) for top in tops]
+
+
+def _save_pages(figure: Any, sheets: Sequence[Any], content: BytesIO) -> None:
+    """Write a figure as a PDF with a page for each sheet, so that a printer prints it to its scale."""
+    from matplotlib.backends.backend_pdf import PdfPages
+
+    with PdfPages(content, metadata=_UNDATED[".pdf"]) as pages:
+        for sheet in sheets:
+            figure.savefig(pages, format="pdf", bbox_inches=sheet)

@@ -10,8 +10,9 @@ from cranktrain.panels.design import OneDesign
 from cranktrain.panels.sheets.crankshaft.panels import bearing_diagrams
 from cranktrain.plans.pin_loads import pin_loads
 from cranktrain.saying.scales import scale_for
-from cranktrain.viz.paper.polar import PolarRings, ring_numbers
-from cranktrain.viz.paper.sketch import label_outline
+from cranktrain.viz.paper.rings import PolarRings, ring_numbers
+from cranktrain.viz.paper.sketch import dots, label_outline
+from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.plans.pin_polar import polar_sketch
 
 mpl.use("Agg")
@@ -83,6 +84,45 @@ def test_sheets_of_polar_diagrams_are_readable(results, name, size):
 def test_the_largest_load_is_ringed_where_the_curve_is_largest_beside_a_jump():
     loads = pin_loads(ct.load("vaz_21213"))
     unit = scale_for("N", loads.largest)
-    sketch = polar_sketch(loads, (loads.on_pin, loads.on_pin_without), 400.0, unit)
+    sketch = polar_sketch(loads, (loads.on_pin, loads.on_pin_without), PolarRings(5.0, unit, 400.0))
     (ring,) = [circle for circle in sketch.circles if circle.radius > 1.0]
     assert 400.0 * np.hypot(*ring.centre) == pytest.approx(loads.largest, rel=1e-3)
+
+
+def curves_on(axes, result):
+    """Curves over the cycle, shape (2, n), not rings. [mm]"""
+    n_points = result.crank_angle.size + 1
+    lines = [line for line in axes.lines if line.get_color() != MUTED]
+    return [line.get_xydata().T for line in lines if len(line.get_xdata()) == n_points]
+
+
+@pytest.mark.parametrize("name", MACHINES)
+def test_no_number_lies_over_a_curve(results, name):
+    """Of marks and rings: the box of each on the paper, against the curves as they are drawn there."""
+    for draw in (ct.viz.sheet_crankshaft, ct.viz.sheet_crankpins):
+        figure = draw(results[name])
+        (axes,) = figure.axes
+        points = np.concatenate([dots(curve) for curve in curves_on(axes, results[name])], axis=1)
+        for text in axes.texts:
+            if text.get_bbox_patch() is None:
+                continue  # a heading, a note, a number of a table
+            (left, low), (right, high) = axes.transData.inverted().transform(text.get_window_extent())
+            covered = (points[0] > left) & (points[0] < right) & (points[1] > low) & (points[1] < high)
+            assert not np.any(covered), f"{text.get_text()} in {figure}"
+
+
+def marks_on(result, method):
+    """How many degrees apart marks are, by the larger side of their diagram on paper [mm]."""
+    (axes,) = ct.viz.sheet_crankshaft(result, method=method).axes
+    circles = [np.array(one.center) for one in axes.patches if getattr(one, "radius", 1.0) < 0.6]
+    for curve in curves_on(axes, result):
+        n = sum(np.min(np.hypot(*(curve - circle[:, np.newaxis]))) < 1e-3 for circle in circles)
+        yield float(np.max(np.ptp(curve, axis=1))), round(result.crank_angle[1] * result.crank_angle.size) / n
+
+
+def test_marks_are_thinned_to_what_a_diagram_has_room_for(results):
+    found = [one for name in ("3d12", "vaz_21213") for one in marks_on(results[name], "all")]
+    assert {step for _size, step in found} <= {30.0, 60.0, 90.0}
+    assert len({step for _size, step in found}) > 1
+    by_size = [step for _size, step in sorted(found)]
+    assert by_size == sorted(by_size, reverse=True)  # the larger, the closer

@@ -1,5 +1,7 @@
 """Sheets of main bearings and of wear by methods that are named: one diagram for each, to one scale."""
 
+import re
+
 import matplotlib as mpl
 import numpy as np
 import pytest
@@ -9,6 +11,7 @@ import cranktrain as ct
 from cranktrain.panels.parts import Polars, Table, WearCircles
 from cranktrain.panels.sheets.crankshaft.bearings import sheet_crankshaft
 from cranktrain.panels.sheets.wear.sheet import sheet_wear
+from cranktrain.viz.paper.style import INK
 
 mpl.use("Agg")
 METHODS = ("frame_elastic", "frame_rigid", "five_moment", "three_moment", "split")
@@ -31,11 +34,11 @@ def test_each_bearing_has_a_diagram_for_each_method(result, asked, names):
     polars = part_of(sheet_crankshaft(result, method=asked), Polars)
     bearings = result.labels["bearing"]
     assert len(polars.diagrams) == len(bearings) * len(names)
-    assert polars.n_columns == (len(bearings) if len(names) > 1 else None)
+    assert polars.n_beside == (len(names) if len(names) > 1 else None)
     diagrams = iter(polars.diagrams)
-    for name in names:
-        place = METHODS.index(name)
-        for bearing in range(len(bearings)):
+    for bearing in range(len(bearings)):
+        for name in names:
+            place = METHODS.index(name)
             one = next(diagrams)
             (curve,) = one.curves
             size = np.hypot(result.main_bearing_load_x[place, bearing], result.main_bearing_load_y[place, bearing])
@@ -92,3 +95,44 @@ def test_a_machine_without_main_bearings_has_no_method():
 def test_they_are_readable(result, asked, size):
     for draw in (ct.viz.sheet_crankshaft, ct.viz.sheet_wear):
         assert_words_are_readable(draw(result, method=asked, size=size))
+
+
+def drawn_polars(figure):
+    """Extent of each method's curve on paper, beside its title, in the order in which they are drawn. [mm]"""
+    (axes,) = figure.axes
+    return [
+        np.ptp(line.get_xydata(), axis=0)
+        for line in axes.lines
+        if line.get_color() == INK and len(line.get_xdata()) > 361
+    ]
+
+
+def sheets_of(figure):
+    width, height = figure.get_size_inches()
+    return height / (width / np.sqrt(2))
+
+
+@pytest.mark.parametrize(("name", "n_sheets"), [("vaz_21213", 2), ("3d12", 3), ("kamaz_740", 2)])
+def test_methods_side_by_side_are_told_apart_on_as_many_sheets_as_that_takes(name, n_sheets):
+    figure = ct.viz.sheet_crankshaft(ct.run(name), method="all")
+    assert sheets_of(figure) == pytest.approx(n_sheets, rel=1e-3)
+    assert max(map(np.max, drawn_polars(figure))) >= 0.75 * 40.0  # of 40 mm that there is room for, rounded to a scale
+    assert_words_are_readable(figure)
+
+
+def test_no_diagram_lies_over_the_cut_between_two_sheets():
+    (axes,) = ct.viz.sheet_crankshaft(ct.run("3d12"), method="all").axes
+    heights = np.concatenate([line.get_ydata() for line in axes.lines])
+    heights = heights[np.isfinite(heights)]
+    for cut in (0.0, -210.0):
+        assert np.min(np.abs(heights - cut)) > 5.0
+
+
+def test_a_pdf_has_a_page_of_the_paper_for_each_sheet(tmp_path):
+    figure = ct.viz.sheet_crankshaft(ct.run("vaz_21213"), method="all")
+    for number in range(2):
+        ct.viz.save(figure, tmp_path / f"{number}.pdf")
+    first, second = ((tmp_path / f"{number}.pdf").read_bytes() for number in range(2))
+    assert first == second
+    pages = re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", first)
+    assert [[float(side) / 72 * 25.4 for side in page] for page in pages] == [pytest.approx([297.0, 210.0])] * 2

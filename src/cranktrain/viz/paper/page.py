@@ -72,7 +72,10 @@ def drawing_settings() -> Generator[None]:
 
 
 class Page:
-    """A sheet of paper, lying; lengths on it are in millimetres from its lower left corner."""
+    """A sheet of paper, lying; lengths on it are in millimetres from its lower left corner.
+
+    Of several sheets, one below the other in one picture, they are from the corner of the first.
+    """
 
     def __init__(self, width: float, height: float) -> None:
         from matplotlib import figure
@@ -87,6 +90,16 @@ class Page:
         self.paper.set_axis_off()
         # Everything on the paper is clipped to it, and the library would make this transform anew for each line.
         self.paper.patch.get_transform = partial(_itself, self.paper.patch.get_transform())
+
+    def lengthen(self, n_sheets: int) -> None:
+        """Take so many sheets, one below the other."""
+        self.figure.set_size_inches(self.width / _INCH, n_sheets * self.height / _INCH)
+        self.paper.set(ylim=((1 - n_sheets) * self.height, self.height))
+
+    def sheet(self, number: int, first: Box) -> Box:
+        """Give the room on a sheet, from 0: on the first a given one; below, without head, to its margin. [mm]"""
+        height = self.height - MARGIN - first.bottom if number else first.height
+        return first._replace(bottom=first.bottom - number * self.height, height=height)
 
     def place_of(self, axes: Axes, points: Array) -> Array:
         """Where points of axes lie on the sheet, shape (2, n). [mm]"""

@@ -1,49 +1,49 @@
 """Polar diagrams on paper: loads of bearings and pins side by side to one scale, with rings and the largest load."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Sequence
+from itertools import islice
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.language import said as _
 from cranktrain.motion import Array
-from cranktrain.numerics.ties import largest_of, smallest_of
+from cranktrain.numerics.ties import largest_of
 from cranktrain.panels.parts import Polars
 from cranktrain.panels.shapes import PolarDiagram
 from cranktrain.plans.positions import fitting
 from cranktrain.plans.stroke_lines import unit
 from cranktrain.plans.vectors import angle_of, pair
-from cranktrain.saying.scales import Scale, scale_for
-from cranktrain.saying.wording import plain
-from cranktrain.viz.paper.page import Box, Page, rounded_down
+from cranktrain.saying.scales import scale_for
+from cranktrain.saying.wording import either_of, plain
+from cranktrain.viz.paper.page import Box, Page
+from cranktrain.viz.paper.rings import RING_SCALES, PolarRings, ring_numbers, ring_step
 from cranktrain.viz.paper.sketch import Circle, Label, Sketch, Wish, dots, label_outline, placed_labels
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED
 
-_STEPS = (1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
-"""Scale factors within a power of ten: close, as diagrams are read by their rings."""
 _BESIDE, _HEAD = 3.5, 7.0
 """Room about a diagram, and over it for its title. [mm]"""
 _WORDS = 4.2
 """Of a line of words below the diagrams. [mm]"""
-_RINGS = 3.0
-"""How many rings there are at least."""
-_MARK, _RINGED = 0.55, 0.9
-"""Radii of a mark of the crank angle, and of the ring about the largest load. [mm]"""
-_NUMBERED = ((70.0, 60.0), (40.0, 90.0), (0.0, 180.0))
+_MARK, _SMALL_MARK, _RINGED = 0.55, 0.4, 0.9
+"""Radii of a mark of the crank angle, of one in a small diagram, and of the ring about the largest load. [mm]"""
+_MARKED = ((36.0, 30), (22.0, 60), (0.0, 90))
+"""From which size of a diagram of one turn on [mm], and each how many degrees of the crank, marks stand."""
+_NUMBERED = ((70.0, 60), (40.0, 90), (0.0, 180))
 """From which size of a diagram on [mm], and each how many degrees of one turn, marks have their crank angles."""
 _SMALL, _THIN = 30.0, 0.7
 """A smaller diagram [mm] has small marks, thin curves [pt], and of numbers its largest load's and the rings'."""
 _NAME, _NAMED = 2.0, 4.2
 """Below a diagram for the crank angle of its largest load; how far from this that stands. [mm]"""
-_DIRECTIONS = np.deg2rad(np.arange(-90.0, 270.0, 15.0))
-"""In which numbers of rings may stand. [rad]"""
-_MISSING = 12.0
-"""What a ring without a number costs, in points hidden."""
 _BESIDE_LARGEST = 15.0
 """A mark so near to the largest load has no number of its own. [deg]"""
-_SEEN = 20
-"""Degrees of a ring that are worth drawing."""
-_ROUND = np.linspace(0.0, 2 * np.pi, 361)
+_EDGE = 3.0
+"""How far axes and rings go beyond the curves. [mm]"""
+_LEGIBLE = 40.0
+"""Size of the largest diagram from which methods side by side are told apart. [mm]"""
+_LETTER = 2.0
+"""Width of a letter of a title. [mm]"""
 
 
 class MethodPen(NamedTuple):
@@ -83,178 +83,177 @@ def line_of_method(place: int | None) -> dict[str, object]:
     return {"color": pen.colour, "linewidth": pen.width, "linestyle": line, "zorder": pen.layer}
 
 
-def cells(box: Box, n: int, aspect: float = 1.0, n_columns: int | None = None) -> list[Box]:
-    """Rooms for n pictures, row by row, of as many columns as make pictures of an aspect largest, unless given."""
+def cells(box: Box, n: int, aspect: float = 1.0) -> list[Box]:
+    """Rooms for n pictures, row by row, of as many columns as make pictures of an aspect largest."""
 
     def size(n_columns: int) -> float:
         n_rows = -(-n // n_columns)
         return min(box.width / n_columns / aspect, box.height / n_rows)
 
-    n_columns = n_columns or largest_of(range(1, n + 1), size)
-    n_rows = -(-n // n_columns)
-    width, height = box.width / n_columns, box.height / n_rows
-    return [
-        Box(
-            box.left + (place % n_columns) * width,
-            box.bottom + (n_rows - 1 - place // n_columns) * height,
-            width,
-            height,
-        )
-        for place in range(n)
-    ]
+    n_columns = largest_of(range(1, n + 1), size)
+    return _in_rows([box], n, n_columns, box.height / -(-n // n_columns))
+
+
+def _in_rows(sheets: Sequence[Box], n: int, n_columns: int, height: float) -> list[Box]:
+    """Rooms for n pictures in rows of a height, from the top of the first sheet on. [mm]"""
+    width = sheets[0].width / n_columns
+    rooms = (
+        Box(sheet.left + column * width, sheet.bottom + sheet.height - (row + 1) * height, width, height)
+        for sheet in sheets
+        for row in range(_n_rows(sheet, height))
+        for column in range(n_columns)
+    )
+    return list(islice(rooms, n))
+
+
+def _n_rows(sheet: Box, height: float) -> int:
+    """How many rows of a height a sheet has room for."""
+    return int(sheet.height / height * (1 + 1e-9))
+
+
+class _Extent(NamedTuple):
+    """Of all diagrams of a sheet: the widest and the highest [N], and letters of the longest title."""
+
+    width: float
+    height: float
+    n_letters: int
+
+    def room_in(self, room: Box) -> tuple[float, float]:
+        """What a room leaves for a diagram. [mm]"""
+        around = 2 * (_BESIDE + 1.0)
+        return room.width - around, room.height - _HEAD - around + _BESIDE - _NAME
+
+    def size_in(self, room: Box) -> float:
+        """The larger side of the largest diagram in a room [mm], 0 where a title is wider."""
+        if self.n_letters * _LETTER > room.width:
+            return 0.0
+        sides = zip(self.room_in(room), (self.width, self.height), strict=True)
+        return max(self.width, self.height) * min(side / load for side, load in sides if load > 0.0)
+
+
+def _in_groups(page: Page, box: Box, n: int, n_beside: int, extent: _Extent) -> list[Box]:
+    """Rooms for n pictures, rows of whole groups of them; on as many sheets as make the largest legible."""
+    n_groups = n // n_beside
+    sheets: list[Box] = []
+    rooms: list[Box] = []
+    while len(sheets) < n_groups and not (rooms and extent.size_in(rooms[0]) >= _LEGIBLE):
+        sheets.append(page.sheet(len(sheets), box))
+        rows = [(k, _row_height(sheets, -(-n_groups // k))) for k in range(1, n_groups + 1)]
+        tried = [_in_rows(sheets, n, k * n_beside, height) for k, height in rows]
+        rooms = largest_of(tried, lambda some: extent.size_in(some[0]))
+    page.lengthen(len(sheets))
+    return rooms
+
+
+def _row_height(sheets: Sequence[Box], n_rows: int) -> float:
+    """The largest height of rows of which some sheets together have room for so many. [mm]"""
+    heights = (sheet.height / n for sheet in sheets for n in range(1, n_rows + 1))
+    return max(one for one in heights if sum(_n_rows(sheet, one) for sheet in sheets) >= n_rows)
 
 
 def draw_polars(page: Page, polars: Polars, box: Box) -> None:
-    """Draw diagrams side by side, all to one scale, over the words for that."""
+    """Draw diagrams side by side, all to one scale, over the words for that; groups on as many sheets as they take."""
     diagrams = polars.diagrams
     outlines = [np.concatenate([*(curve.points for curve in one.curves), np.zeros((2, 1))], axis=1) for one in diagrams]
-    unit = scale_for("N", max(float(np.max(np.hypot(*outline))) for outline in outlines))
+    largest = max(float(np.max(np.hypot(*outline))) for outline in outlines)
+    unit = scale_for("N", largest)
+    step = ring_step(largest, unit)
     words = _(
-        "1 mm is {force} {unit}; rings each {step} {unit}; marks each 30° of the crank; ringed, bold: the largest load"
+        "1 mm is {force} {unit}; rings each {step} {unit}; marks each {marks} of the crank; ringed, bold: largest load"
     )
-    n_lines = len(page.wrapped(words, box.width)) + bool(polars.notes)
-    above = box._replace(bottom=box.bottom + _WORDS * n_lines + 2.0, height=box.height - _WORDS * n_lines - 2.0)
-    width, height = np.max([np.ptp(outline, axis=1) for outline in outlines], axis=0)
-    rooms = cells(above, len(diagrams), float(width / height) if height else 1.0, polars.n_columns)
-    below = _NAME if polars.n_columns is None else _WORDS
-    room = (rooms[0].width - 2 * _BESIDE - 2.0, rooms[0].height - _HEAD - _BESIDE - 2.0 - below)
-    scale = fitting(outlines, room, _STEPS, unit.one)
-    step = ring_step(outlines, unit)
+    foot = _WORDS * (len(page.wrapped(words, box.width)) + bool(polars.notes)) + 2.0
+    above = box._replace(bottom=box.bottom + foot, height=box.height - foot)
+    width, height = np.max([np.ptp(outline, axis=1) for outline in outlines], axis=0).tolist()
+    extent = _Extent(width, height, max(len(str(one.title)) for one in diagrams))
+    if polars.n_beside is None:
+        rooms = cells(above, len(diagrams), width / height if height else 1.0)
+    else:
+        rooms = _in_groups(page, above, len(diagrams), polars.n_beside, extent)
+    scale = fitting(outlines, extent.room_in(rooms[0]), RING_SCALES, unit.one)
     rings = PolarRings(step, unit, scale)
-    for one, outline, cell in zip(diagrams, outlines, rooms, strict=True):
+    marked = [
         _draw(page, one, outline / scale, cell, rings)
-    said = words.format(force=plain(float(unit.of(scale))), step=plain(step), unit=unit.label)
+        for one, outline, cell in zip(diagrams, outlines, rooms, strict=True)
+    ]
+    said = words.format(
+        force=plain(float(unit.of(scale))), step=plain(step), unit=unit.label, marks=_marks_words(marked)
+    )
     whole = f"{polars.notes}; {said}." if polars.notes else f"{said}."
-    page.notes(box.left, above.bottom - 4.0, page.wrapped(whole, box.width))
+    page.notes(box.left, rooms[-1].bottom - 4.0, page.wrapped(whole, box.width))
 
 
-def ring_step(outlines: Sequence[Array], unit: Scale) -> float:
-    """Load from ring to ring in a unit, a round one of which the largest load has three or more."""
-    most = max(float(np.max(np.hypot(*outline))) for outline in outlines)
-    return rounded_down(float(unit.of(most)) / _RINGS) if most > 0 else 1.0
+def _marks_words(steps: Iterable[int]) -> str:
+    """Degrees of the crank from mark to mark: of the largest diagrams, and of smaller ones if these differ."""
+    first, *others = sorted(set(steps))
+    if not others:
+        return f"{first}°"
+    return _("{angle}°, in smaller diagrams {angles},", angle=first, angles=either_of([f"{one}°" for one in others]))
 
 
-class PolarRings(NamedTuple):
-    """Rings of all diagrams: load from one to the next in its unit, and newtons in one millimetre."""
-
-    step: float
-    unit: Scale
-    scale: float
-
-    @property
-    def apart(self) -> float:
-        """From one to the next on paper. [mm]"""
-        return self.step * self.unit.one / self.scale
-
-    def words(self, number: int, *, has_unit: bool) -> str:
-        """What stands at a ring: its load, on the outermost with the unit."""
-        load = plain(number * self.step)
-        return f"{load} {self.unit.label}" if has_unit else load
-
-
-def _draw(page: Page, one: PolarDiagram, outline: Array, cell: Box, rings: PolarRings) -> None:
-    """Draw one diagram in the middle of its room: cross, rings, curves, marks, the largest load. [mm]"""
-    ring = rings.apart
+def _draw(page: Page, one: PolarDiagram, outline: Array, cell: Box, rings: PolarRings) -> int:
+    """Draw one diagram in the middle of its room: cross, rings, curves, marks, the largest load; give `_mark_step`."""
     low, high = np.min(outline, axis=1), np.max(outline, axis=1)
     page.heading(cell.left + 1.0, cell.bottom + cell.height - 4.0, str(one.title))
     middle = np.array([cell.left + cell.width / 2, cell.bottom + (cell.height - _HEAD) / 2])
     pole = middle - (low + high) / 2
-    edge_low, edge_high = low - 3.0, high + 3.0
-    for axis in (0, 1):
-        ends = np.tile(pole[:, np.newaxis], 2)
-        ends[axis] = pole[axis] + np.array([edge_low[axis], edge_high[axis]])
-        page.paper.plot(*ends, color=MUTED, linewidth=0.45, zorder=1)
-    for number in range(1, int(np.max(np.hypot(*outline)) / ring) + 2):
-        points = number * ring * np.stack([np.cos(_ROUND), np.sin(_ROUND)])
-        inside = np.all((points >= edge_low[:, np.newaxis]) & (points <= edge_high[:, np.newaxis]), axis=0)
-        if np.count_nonzero(inside) < _SEEN:
-            continue
-        shown = np.where(inside, pole[:, np.newaxis] + points, np.nan)
+    edges = low - _EDGE, high + _EDGE
+    for axis in _axes(edges):
+        page.paper.plot(*(pole[:, np.newaxis] + axis), color=MUTED, linewidth=0.45, zorder=1)
+    for ring in rings.drawn(edges):
+        shown = pole[:, np.newaxis] + ring
         page.paper.plot(*shown, color=MUTED, linewidth=0.5, linestyle=(0, (1.0, 2.2)), zorder=1)
-    thin = {"linewidth": _THIN} if float(np.max(edge_high - edge_low)) < _SMALL else {}
+    size = float(np.max(high - low))
+    thin = {"linewidth": _THIN} if size < _SMALL else {}
     for curve in one.curves:
         page.paper.plot(*(pole[:, np.newaxis] + curve.points / rings.scale), **(line_of_method(curve.place) | thin))
-    page.draw(_marked(one, (edge_low, edge_high), rings), pair(pole))
+    # Marks of two turns share the room, an area, that those of one have.
+    step = _least_of(_MARKED, size / sqrt(one.cycle / 360.0))
+    page.draw(_marked(one, edges, size, step, rings), pair(pole))
+    return step
 
 
-def _marked(one: PolarDiagram, edges: tuple[Array, Array], rings: PolarRings) -> Sketch:
+def _axes(edges: tuple[Array, Array]) -> list[Array]:
+    """The cross through the pole, each line of shape (2, 2). [mm]"""
+    (left, low), (right, high) = (edge.tolist() for edge in edges)
+    return [np.array([[left, right], [0.0, 0.0]]), np.array([[0.0, 0.0], [low, high]])]
+
+
+def _least_of(table: Sequence[tuple[float, int]], size: float) -> int:
+    """What a table has for the size of a diagram. [mm]"""
+    return next(degrees for least, degrees in table if size >= least)
+
+
+def _marked(one: PolarDiagram, edges: tuple[Array, Array], size: float, step: int, rings: PolarRings) -> Sketch:
     """Marks of the crank angle with numbers of some, numbers of the rings, the largest load ringed. [mm]"""
-    sketch, low, high = Sketch(1.0), *edges
-    largest, marks = one.largest / rings.scale, one.marks / rings.scale
-    size = float(np.max(high - low))
+    sketch = Sketch(1.0)
+    largest = one.largest / rings.scale
     is_small = size < _SMALL
-    mark = 0.5 * _MARK if is_small else _MARK
-    sketch.add(Circle(place, mark, "LINKS", "thin" if is_small else "rod", 8, "paper") for place in marks.T)
+    is_marked = one.marked % step == 0.0
+    marks, marked = one.marks[:, is_marked] / rings.scale, one.marked[is_marked].tolist()
+    radius = _SMALL_MARK if is_small else _MARK
+    sketch.add(Circle(place, radius, "LINKS", "thin" if is_small else "rod", 8, "paper") for place in marks.T)
     wishes: list[Wish] = []
     if np.isfinite(one.largest_at):
         sketch.add([Circle(largest, _RINGED, "LINKS", "outline", 7)])
         wishes.append(Wish(largest, f"{round(one.largest_at) % one.cycle:.0f}°", angle_of(largest), "name"))
-    curves = [curve.points / rings.scale for curve in one.curves]
-    kept_free = [dots(curve) for curve in curves]
-    if np.isfinite(one.largest_at):
-        name = Label(largest + _NAMED * unit(angle_of(largest)), "000°")
-        kept_free += 2 * [dots(label_outline(name, 1.0))]
-    numbers = ring_numbers(np.concatenate(kept_free, axis=1), edges, rings)
-    sketch.add(numbers)
-    every = next(step for least, step in _NUMBERED if size >= least) * round(one.cycle / 360.0)
+    every = _least_of(_NUMBERED, size) * round(one.cycle / 360.0)
     wishes += [
         Wish(place, f"{angle:g}°", angle_of(place), "number")
-        for place, angle in zip(marks.T, one.marked.tolist(), strict=True)
+        for place, angle in zip(marks.T, marked, strict=True)
         if not is_small
         and angle % every == 0.0
         and abs((angle - one.largest_at + 180.0) % one.cycle - 180.0) > _BESIDE_LARGEST
     ]
-    axes = [np.array([[low[0], high[0]], [0.0, 0.0]]), np.array([[0.0, 0.0], [low[1], high[1]]])]
+    curves = [curve.points / rings.scale for curve in one.curves]
+    numbers = ring_numbers(_kept_free(curves, wishes), edges, rings)
+    sketch.add(numbers)
     if wishes:
-        lines = curves if is_small else [*curves, *axes]
-        sketch.add(placed_labels(wishes, lines, 1.0, sketch.circles, numbers))
+        sketch.add(placed_labels(wishes, _axes(edges), 1.0, sketch.circles, numbers, curves))
     return sketch
 
 
-def ring_numbers(curves: Array, edges: tuple[Array, Array], rings: PolarRings) -> list[Label]:
-    """Numbers on the rings, outward in the direction in which they hide least of the curves; the last has the unit.
-
-    Parameters
-    ----------
-    curves : Array, shape (2, n)
-        Points of the curves. [mm]
-    edges : tuple of Array
-        Lower left and upper right corner of what is drawn. [mm]
-    rings : PolarRings
-    """
-    found = [list(_numbers_along(unit(direction), edges, rings)) for direction in _DIRECTIONS]
-    most = max(map(len, found))
-
-    def hidden(numbers: Sequence[Label]) -> float:
-        boxes = [label_outline(number, 1.0) for number in numbers]
-        covered = [
-            np.count_nonzero(
-                np.all(
-                    (curves > np.min(box, axis=1, keepdims=True)) & (curves < np.max(box, axis=1, keepdims=True)),
-                    axis=0,
-                )
-            )
-            for box in boxes
-        ]
-        return float(sum(covered)) + _MISSING * (most - len(numbers))
-
-    return smallest_of(found, hidden)
-
-
-def _numbers_along(way: Array, edges: tuple[Array, Array], rings: PolarRings) -> Iterator[Label]:
-    """Numbers on the rings in one direction, the outermost within the edges first, those that it leaves room for."""
-    low, high = edges
-    whole = min(float((high if part > 0 else low)[axis] / part) for axis, part in enumerate(way) if abs(part) > 1e-9)
-    n = int(whole / rings.apart)
-    kept: list[Array] = []
-    for number in range(n, 0, -1):
-        label = Label(number * rings.apart * way, rings.words(number, has_unit=number == n), "number")
-        box = label_outline(label, 1.0)
-        if not any(_overlap(box, other) for other in kept):
-            kept.append(box)
-            yield label
-
-
-def _overlap(one: Array, other: Array) -> bool:
-    """Whether two boxes, shape (2, n), lie over each other."""
-    return bool(np.all((np.min(one, axis=1) < np.max(other, axis=1)) & (np.min(other, axis=1) < np.max(one, axis=1))))
+def _kept_free(curves: Sequence[Array], wishes: Sequence[Wish]) -> Array:
+    """Points that numbers of rings leave free: the curves, and where the largest load's angle would stand. [mm]"""
+    names = [wish for wish in wishes if wish.manner == "name"]
+    boxes = [label_outline(Label(one.point + _NAMED * unit(one.towards), "000°"), 1.0) for one in names]
+    return np.concatenate([*map(dots, curves), *map(dots, boxes)], axis=1)

@@ -49,8 +49,11 @@ _NOT_ITS_OWN = 40.0
 """What it costs to stand nearer to another label's point."""
 
 
-_OVER_MARK = 60.0
-"""What it costs to lie over a mark."""
+_WHITE = 0.5
+"""How far the white behind a label goes beyond its box. [mm of paper]"""
+
+_OVER_MARK, _OVER_CURVE = 60.0, 200.0
+"""What it costs to lie over a mark, and over a point of a curve that is to be seen whole."""
 
 
 class Line(NamedTuple):
@@ -134,6 +137,7 @@ def placed_labels(
     scale: float,
     marks: Sequence[Circle] = (),
     others: Sequence[Label] = (),
+    curves: Iterable[Array] = (),
 ) -> Iterator[Label]:
     """Place labels one by one, each at the free place that is best for it; a number without any is left out.
 
@@ -148,12 +152,15 @@ def placed_labels(
         Which a number may not lie over, as it may over lines.
     others : sequence of Label
         That have their places already.
+    curves : iterable of arrays, shape (2, n)
+        Polylines to keep clear of that a number may not lie over either. [mm of the sketch]
 
     Yields
     ------
     Label
     """
-    obstacles = np.concatenate([dots(line / scale) for line in lines], axis=1)
+    obstacles = _dots_of(lines, scale)
+    on_curves = _dots_of(curves, scale)
     points = np.reshape([wish.point for wish in wishes], (-1, 2)).T / scale
     corners = [label_outline(label._replace(position=label.position / scale), 1.0) for label in others]
     taken: list[Array] = [np.stack([np.min(box, axis=1), np.max(box, axis=1)]) for box in corners]
@@ -162,14 +169,16 @@ def placed_labels(
         point = wish.point[:, np.newaxis] / scale
         places = point + _ways(size, _REACHES[: _NEAR if wish.manner == "number" else None])
         boxes = _boxes(places, size)
+        over = _n_inside(_beyond(boxes), on_curves)
         under = _n_under(boxes, taken)
         cost = (
             _cost(places - point, wish, under, _n_inside(boxes, obstacles))
+            + _OVER_CURVE * over
             + _OVER_MARK * sum(_is_over(boxes, mark, scale) for mark in marks)
             + _NOT_ITS_OWN * _is_nearer_to_another(places, point, points)
         )
         best = first_smallest(cost)
-        if wish.manner == "number" and under[best]:
+        if wish.manner == "number" and (under[best] or over[best]):
             continue
         taken.append(boxes[..., best])
         yield Label(places[:, best] * scale, wish.text, wish.manner)
@@ -242,6 +251,22 @@ def _n_inside(boxes: Array, dots: Array) -> Array:
     (left, low), (right, high) = boxes[..., np.newaxis]
     x, y = dots[:, near]
     return np.count_nonzero((x > left) & (x < right) & (y > low) & (y < high), axis=1)
+
+
+def hides(box: Array, points: Array) -> bool:
+    """Whether a label's outline, shape (2, 5), with the white about it lies over one of some points. [mm of paper]"""
+    corners = np.stack([np.min(box, axis=1), np.max(box, axis=1)])[..., np.newaxis]
+    return bool(_n_inside(_beyond(corners), points)[0])
+
+
+def _beyond(boxes: Array) -> Array:
+    """Corners of labels with the white about them, shape (2, 2, n)."""
+    return boxes + np.array([-_WHITE, _WHITE])[:, np.newaxis, np.newaxis]
+
+
+def _dots_of(lines: Iterable[Array], scale: float) -> Array:
+    """Points along polylines. [mm of paper]"""
+    return np.concatenate([np.zeros((2, 0)), *(dots(line / scale) for line in lines)], axis=1)
 
 
 def dots(line: Array) -> Array:

@@ -16,8 +16,9 @@ from cranktrain.plans.vectors import angle_of
 from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.saying.wording import plain
 from cranktrain.viz.figures import aligned, figure, with_unit
-from cranktrain.viz.paper.page import Box, Figure, drawing_settings, rounded_down
-from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, placed_labels
+from cranktrain.viz.paper.page import Box, Figure, drawing_settings
+from cranktrain.viz.paper.rings import RING_SCALES, PolarRings, ring_numbers, ring_step
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, dots, placed_labels
 from cranktrain.viz.paper.style import INK
 from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_beside, write_scales
 
@@ -28,15 +29,11 @@ _TABLE = 62.0
 """Width of the table. [mm]"""
 
 _COLUMNS = (0.42, 0.71, 1.0)
-_STEPS = (1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
-"""Scale factors within a power of ten: close, as the diagram is read by its rings."""
 
-_RINGS, _BEYOND = 3.0, 5.0
-"""How many rings there are at least, and how far axes go beyond the curves. [mm]"""
+_BEYOND = 5.0
+"""How far axes go beyond the curves. [mm]"""
 
 _NEXT = 1e-6
-
-_ROUND = np.linspace(0.0, 2 * np.pi, 721)
 
 
 @drawing_settings()
@@ -98,10 +95,11 @@ def plan_polar(
         page.heading(cell.left, top - 4.0, head)
         page.notes(cell.left, top - 8.5, axes)
         outline = np.concatenate([*pair, np.zeros((2, 1))], axis=1)
-        scale = fitting([outline], (width - 26.0, box.height - 42.0), _STEPS, unit.one)
-        rings = _("rings each {step} {unit}", step=plain(ring_step(pair[0], unit)), unit=unit.label)
-        page.text(cell.left, top - 17.2, f"{scale_of('F', scale, unit)}, {rings}")
-        centre(page, polar_sketch(loads, pair, scale, unit), cell._replace(height=cell.height - 19.0))
+        scale = fitting([outline], (width - 26.0, box.height - 42.0), RING_SCALES, unit.one)
+        rings = PolarRings(ring_step(float(np.nanmax(np.hypot(*pair[0]))), unit), unit, scale)
+        said = _("rings each {step} {unit}", step=plain(rings.step), unit=unit.label)
+        page.text(cell.left, top - 17.2, f"{scale_of('F', scale, unit)}, {said}")
+        centre(page, polar_sketch(loads, pair, rings), cell._replace(height=cell.height - 19.0))
     start = box.left + 2 * width + 4.0
     write_beside(page, box, start, _table(loads, chosen, unit), _notes(loads, unit), shares=_COLUMNS)
     page.sample(box.left, box.left + 8.0, box.bottom + 0.5, color=INK, lw=1.0)
@@ -113,19 +111,16 @@ def plan_polar(
     return page.figure
 
 
-def polar_sketch(loads: CrankpinLoad, pair: tuple[Array, Array], scale: float, unit: Scale) -> Sketch:
-    """One diagram in drawing millimetres: axes, rings in a unit, both loads, marks of the angle, the largest load."""
-    full, without = (np.append(part, part[:, :1], axis=1) / scale for part in pair)
+def polar_sketch(loads: CrankpinLoad, pair: tuple[Array, Array], rings: PolarRings) -> Sketch:
+    """One diagram in drawing millimetres: axes, rings, both loads, marks of the angle, the largest load."""
+    full, without = (np.append(part, part[:, :1], axis=1) / rings.scale for part in pair)
     every = np.concatenate([full, without, np.zeros((2, 1))], axis=1)
     low, high = np.nanmin(every, axis=1) - _BEYOND, np.nanmax(every, axis=1) + _BEYOND
     sketch = Sketch(1.0)
     axes = [np.array([[low[0], high[0]], [0.0, 0.0]]), np.array([[0.0, 0.0], [low[1], high[1]]])]
     sketch.add(Line(axis, "LINKS", "thin", 1) for axis in axes)
     sketch.add([Line(without, "LINKS", "part", 3), Line(full, "LINKS", "vector", 4)])
-    step = ring_step(pair[0], unit) * unit.one / scale
-    radii = step * np.arange(1, int(max(np.max(np.abs(low)), np.max(high)) / step) + 1)
-    rings = [_ring(radius, low, high) for radius in radii.tolist()]
-    sketch.add(Line(ring, "LINKS", "dotted", 1) for ring in rings if np.any(np.isfinite(ring)))
+    sketch.add(Line(ring, "LINKS", "dotted", 1) for ring in rings.drawn((low, high)))
     marked = np.nonzero(loads.angle % _MARKS == 0)[0]
     sketch.add(Circle(full[:, i], 0.6, "LINKS", "outline", 6, "paper") for i in marked)
     # Beside a jump the curve's points are on either side of it.
@@ -133,29 +128,13 @@ def polar_sketch(loads: CrankpinLoad, pair: tuple[Array, Array], scale: float, u
     beside = np.abs(closed - loads.largest_at) <= closed[1] * (1 + _NEXT)
     largest = full[:, first_largest(np.where(beside, np.hypot(*full), -1.0))]
     sketch.add([Circle(largest, 1.8, "LINKS", "outline", 7)])
-    longer = -1.0 if -low[1] >= high[1] else 1.0
-    wishes = [
-        Wish(np.array([0.0, longer * radius]), plain(float(unit.of(radius * scale))), -0.2, "number")
-        for radius in radii.tolist()
-        if radius < max(-low[1], high[1]) - 2.0
-    ]
+    numbers = ring_numbers(np.concatenate([dots(full), dots(without)], axis=1), (low, high), rings)
+    sketch.add(numbers)
     middle = np.nanmean(full, axis=1)
     named = marked[loads.angle[marked] % (_MARKS * round(loads.cycle / 360.0)) == 0]
-    wishes += [Wish(full[:, i], f"{loads.angle[i]:g}°", angle_of(full[:, i] - middle), "number") for i in named]
-    sketch.add(placed_labels(wishes, [full, *axes], 1.0, sketch.circles))
+    wishes = [Wish(full[:, i], f"{loads.angle[i]:g}°", angle_of(full[:, i] - middle), "number") for i in named]
+    sketch.add(placed_labels(wishes, axes, 1.0, sketch.circles, numbers, (full, without)))
     return sketch
-
-
-def ring_step(load: Array, unit: Scale) -> float:
-    """Load from ring to ring in a unit, a round one of which the largest load has three or more."""
-    return rounded_down(float(unit.of(np.nanmax(np.hypot(*load)))) / _RINGS)
-
-
-def _ring(radius: float, low: Array, high: Array) -> Array:
-    """Circle about the pole, NaN outside what is drawn, shape (2, n). [mm]"""
-    points = radius * np.stack([np.cos(_ROUND), np.sin(_ROUND)])
-    inside = np.all((points >= low[:, np.newaxis]) & (points <= high[:, np.newaxis]), axis=0)
-    return np.where(inside, points, np.nan)
 
 
 def _table(loads: CrankpinLoad, angles: Array, unit: Scale) -> Iterator[tuple[str, ...]]:

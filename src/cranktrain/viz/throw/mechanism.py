@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.mechanisms.drawing import DrawnLink
 from cranktrain.motion import Array
 from cranktrain.panels.throw_member import DrawnMechanism
-from cranktrain.panels.throw_scene import BIG_EYE, SMALL_EYE, Scene
+from cranktrain.panels.throw_scene import BIG_EYE, FEW_MEMBERS, SMALL_EYE, Scene
 from cranktrain.plans.stroke_lines import Along, guide_line
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Circle, Fill, Line, Sketch
@@ -27,9 +27,6 @@ from cranktrain.viz.throw.cylinders import common_cylinder, crosshead_parts, cyl
 
 _COARSE = 5
 """Of a point's curve so manyth a point says where there is no room for a figure of the ring. [deg]"""
-
-_FEW = 2
-"""Up to so many mechanisms, the links are drawn in the dead positions too."""
 
 _CRANK_PIN, _SMALL_PIN, _JOURNAL = 0.24, 0.12, 0.32
 """Radii in parts of the crank radius."""
@@ -65,7 +62,7 @@ def mechanism_sketch(
     Sketch
     """
     sketch = Sketch(scale)
-    for member in scene.members[: _FEW if scene.is_star else None]:
+    for member in scene.members[: FEW_MEMBERS if scene.is_star else None]:
         sketch.add(_path(scene, member))
     cylinders = [cylinder(scene, member, scale) for member in scene.singles]
     cylinders += [common_cylinder(scene, pair, scale) for pair in scene.pairs]
@@ -107,7 +104,7 @@ def _dead_positions(scene: Scene, member: DrawnMechanism, angles: Sequence[float
     """Links at the dead positions, thin; where mechanisms are many, only how far the crowns reach."""
     for angle in angles:
         pins = scene.pins(member, angle)
-        if len(scene.members) <= _FEW:
+        if scene.is_of_few:
             chains = _chains(member, pins)
             yield from (Line(chain, "LINKS", "thin", 3) for chain in chains)
             for point in np.concatenate(chains, axis=1).T:
@@ -253,7 +250,7 @@ def _slave_rod(scene: Scene, pins: dict[str, Array]) -> Iterator[Line | Circle]:
 def _lines_of_links(scene: Scene, angle: float, dead: Sequence[Sequence[float]]) -> list[tuple[Array, float]]:
     """Lines from pin to pin with half the width of what is drawn there [mm]: links, and if few are drawn dead ones."""
     drawn = [(member, angle, 0.3 * scene.crank_radius) for member in scene.members]
-    if len(scene.members) <= _FEW:
+    if scene.is_of_few:
         drawn += [(member, one, 0.0) for member, angles in zip(scene.members, dead, strict=False) for one in angles]
     lines = [(line, half) for member, at, half in drawn for line in _chains(member, scene.pins(member, at))]
     curves = [member.turn_pins[name][:, ::_COARSE] for member in scene.members for name in member.turn.points]

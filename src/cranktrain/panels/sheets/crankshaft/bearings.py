@@ -38,8 +38,8 @@ def sheet_crankshaft(result: Result, *, design: int = 0, method: str | None = No
     design : int
         Which of the result's machines.
     method : str, optional
-        By which method alone, `frame_elastic`; several with commas between, or `all`, side by side to one scale. Every
-        method in one diagram unless given.
+        By which method alone, `frame_elastic`; several with commas between, or `all`, side by side to one scale, on as
+        many sheets one below the other as that takes. Every method in one diagram unless given.
 
     Returns
     -------
@@ -64,8 +64,8 @@ def sheet_crankshaft(result: Result, *, design: int = 0, method: str | None = No
         title = _(
             "{title} by: {method}", title=title, method=title_of(shown.result.labels["bearing_method"][places[0]])
         )
-    n_columns = len(shown.result.labels["bearing"]) if len(places) > 1 else None
-    diagrams = Polars(diagrams_by_method(shown, places), notes=words, n_columns=n_columns)
+    n_beside = len(places) if len(places) > 1 else None
+    diagrams = Polars(diagrams_by_method(shown, places), notes=words, n_beside=n_beside)
     # Beside many small diagrams there is no room for numbers: those stand on the sheet of all methods.
     parts = (diagrams, _table(shown)) if len(places) == 1 else (diagrams,)
     return sheet_of(result, design, title, SheetColumn(1.0, parts))

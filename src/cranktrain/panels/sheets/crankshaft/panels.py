@@ -64,7 +64,7 @@ def chosen_methods(shown: OneDesign, method: str | None) -> tuple[int, ...]:
 
 
 def diagrams_by_method(shown: OneDesign, places: Sequence[int]) -> tuple[PolarDiagram, ...]:
-    """Loads of every main bearing by one method after the other, each by itself; places along `bearing_method`."""
+    """Loads of one main bearing after the other, by each method by itself; places along `bearing_method`."""
     methods, bearings = (shown.result.labels[name] for name in ("bearing_method", "bearing"))
     x, y = (shown(f"main_bearing_load_{axis}") for axis in "xy")
     at = shown("largest_bearing_load_at")
@@ -76,8 +76,8 @@ def diagrams_by_method(shown: OneDesign, places: Sequence[int]) -> tuple[PolarDi
             [(None, x[place, bearing], y[place, bearing])],
             float(at[place, bearing]),
         )
-        for place in places
         for bearing, name in enumerate(bearings)
+        for place in places
     )
 
 

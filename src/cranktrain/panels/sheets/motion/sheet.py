@@ -77,10 +77,10 @@ def _throws(
         at = scene.closing_angle(at)
     names = [[(member.place.name, member.place.cylinder) for member in scene.members] for scene in scenes]
     dead = tuple(tuple(tuple(mark.angle for mark in found if mark.name in own) for own in each) for each in names)
-    return DrawnThrows(scenes, at, dead, tuple(_notes(scenes, at)), scale)
+    return DrawnThrows(scenes, at, dead, tuple(_notes(scenes, at, dead)), scale)
 
 
-def _notes(scenes: Sequence[Scene], angle: float) -> Iterator[Words]:
+def _notes(scenes: Sequence[Scene], angle: float, dead: Sequence[Sequence[Sequence[float]]]) -> Iterator[Words]:
     """Say what is drawn, at which crank angle, and what of it is to scale."""
     members = [member for scene in scenes for member in scene.members]
     sliders = [slider for scene in scenes for slider in scene.sliders]
@@ -98,8 +98,19 @@ def _notes(scenes: Sequence[Scene], angle: float) -> Iterator[Words]:
     pistons = [member for member in sliders if member.place.kind.output.has_chambers]
     if pistons and all(member.bore is not None for member in pistons):
         shapes = _("pins and bores to scale, other shapes schematic")
+    if not any(_has_thin(scene, own) for scene, own in zip(scenes, dead, strict=True)):
+        yield shapes
+        return
     thin = _("thin: volumetric dead centres") if any(scene.pairs for scene in scenes) else _("thin: dead positions")
     yield Listed((shapes, thin), "; ")
+
+
+def _has_thin(scene: Scene, dead: Sequence[Sequence[float]]) -> bool:
+    """Whether of a throw anything is drawn thin in the dead positions of its members."""
+    return any(
+        bool(angles) and (scene.is_of_few or member.output is not None)
+        for member, angles in zip(scene.members, dead, strict=True)
+    )
 
 
 def _drawn_words(scenes: Sequence[Scene], angle: float) -> Words:
