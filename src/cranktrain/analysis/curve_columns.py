@@ -84,7 +84,7 @@ class CurvesAtAngle:
     """Curves of one machine at one crank angle, as facts: of rivals that which is meant."""
 
     def __init__(self, result: Result, place: int, names: Collection[str]) -> None:
-        self._result, self._place = result, place
+        self._result, self._place, self.cycle = result, place, result.cycle
         self.catalogue = {
             name: replace(entry, dimensions=tuple(filter(_is_beside, entry.dimensions)))
             for name, entry in result.catalogue.items()

@@ -141,7 +141,7 @@ class Result(Run):
         """Crank angles of the grid, shape (crank_angle,). [deg]"""
         n_angles = self.grid.shown.size
         # Degrees are counted, as their steps are rounder than those of radians.
-        return _read_only(np.arange(n_angles) * round(shown(self.grid.cycle, "deg")) / n_angles)
+        return _read_only(np.arange(n_angles) * self.cycle / n_angles)
 
     def __getattr__(self, name: str) -> Array:
         """Give a quantity by name, in the unit of its entry."""
@@ -265,7 +265,7 @@ class Result(Run):
         found: dict[str, object] = {name: self.get(kind) for name, kind in needs.types.items()}
         if any(outcome is None and name not in needs.optional for name, outcome in found.items()):
             return ()
-        return function(Telling(self.labels, self.titles, design), **found)
+        return function(Telling(self.labels, self.titles, design, self.cycle), **found)
 
     def answer_rows(self) -> Iterator[tuple[Words, list[AnswerLine]]]:
         """Lines of the answer, of several designs those of the first."""
@@ -302,6 +302,11 @@ class Result(Run):
     def axis(self) -> Axis:
         """Crank angles, which its curves are over."""
         return Axis("crank_angle", "deg", "φ", self.crank_angle)
+
+    @property
+    def cycle(self) -> float:
+        """At which crank angle all begins again. [deg]"""
+        return float(round(shown(self.grid.cycle, "deg")))
 
     @property
     def n_designs(self) -> int | None:

@@ -10,7 +10,7 @@ from cranktrain.analysis.result import Result
 from cranktrain.analysis.stages import Missing
 from cranktrain.language import Words, _
 from cranktrain.numerics.ties import first_largest, largest_of
-from cranktrain.saying.amounts import LoneFigure
+from cranktrain.saying.amounts import LoneFigure, in_cycle
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.run import Axis, Run
 from cranktrain.saying.sections import Answer, FactTables, Failure, PagePart, Part, Rows, ShownSection, section
@@ -113,6 +113,7 @@ def _refined(run: Run, entry: Entry, place: Place) -> tuple[float, str, int] | N
     found: list[tuple[float, str, int]] = []
     for extreme in (one for one in run.catalogue.values() if one.of == entry.name):
         values, angles = (np.ravel(getattr(run, name)[place]) for name in (extreme.name, extreme.at))
+        angles = in_cycle(angles, run.cycle, "position")
         sizes = np.nan_to_num(np.abs(values), nan=-1.0)
         member = first_largest(sizes)
         if sizes[member] >= 0:

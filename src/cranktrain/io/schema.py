@@ -168,7 +168,8 @@ def _quantity_name(quantity: Quantity) -> str:
         "to": quantity.at_most,
     }
     range_ = "".join(f"-{word}-{limit:g}" for word, limit in limits.items() if limit is not None)
-    return quantity.dimension.name.lower().replace("_", "-") + range_
+    of_vibration = "-of-vibration" if quantity.is_of_vibration else ""
+    return quantity.dimension.name.lower().replace("_", "-") + of_vibration + range_
 
 
 def _default(field: FieldInfo) -> object:

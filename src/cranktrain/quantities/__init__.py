@@ -50,6 +50,7 @@ from cranktrain.quantities.fields import (
     Temperature,
     TurnedAngle,
     Velocity,
+    VibrationFrequency,
 )
 from cranktrain.quantities.given import Given, Quantity, Status, unit_of
 from cranktrain.quantities.reading import read
@@ -98,6 +99,7 @@ __all__ = [
     "TurnedAngle",
     "UnitChoice",
     "Velocity",
+    "VibrationFrequency",
     "asked_unit",
     "chosen_unit",
     "counted_from",

@@ -252,7 +252,12 @@ class Dimension(Enum):
     FREQUENCY = (
         N_("a frequency"),
         "50 Hz",
-        (_unit("Hz", "Гц"), _unit("kHz", "кГц", si=1000), _unit("1/h", "1/ч", si=Fraction(1, 3600))),
+        (
+            _unit("Hz", "Гц"),
+            _unit("kHz", "кГц", si=1000),
+            _unit("1/min", "1/мин", si=Fraction(1, 60)),
+            _unit("1/h", "1/ч", si=Fraction(1, 3600)),
+        ),
     )
     CURRENT = (N_("an electric current"), "15 A", (_unit("A", "А"), _unit("kA", "кА", si=1000)))
     VOLTAGE = (N_("a voltage"), "400 V", (_unit("V", "В"), _unit("kV", "кВ", si=1000)))

@@ -38,6 +38,7 @@ PositivePower: TypeAlias = Annotated[Given, Quantity(Dimension.POWER, above=0.0)
 PositiveTime: TypeAlias = Annotated[Given, Quantity(Dimension.TIME, above=0.0)]
 NonNegativeTime: TypeAlias = Annotated[Given, Quantity(Dimension.TIME, at_least=0.0)]
 PositiveFrequency: TypeAlias = Annotated[Given, Quantity(Dimension.FREQUENCY, above=0.0)]
+VibrationFrequency: TypeAlias = Annotated[Given, Quantity(Dimension.FREQUENCY, above=0.0, is_of_vibration=True)]
 PositiveVoltage: TypeAlias = Annotated[Given, Quantity(Dimension.VOLTAGE, above=0.0)]
 PositiveCurrent: TypeAlias = Annotated[Given, Quantity(Dimension.CURRENT, above=0.0)]
 PositiveResistance: TypeAlias = Annotated[Given, Quantity(Dimension.RESISTANCE, above=0.0)]

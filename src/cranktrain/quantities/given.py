@@ -15,9 +15,9 @@ from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array, single
 from cranktrain.one_line import short
 from cranktrain.quantities.conversion import shown
-from cranktrain.quantities.dimensions import Dimension, expected, spellings
+from cranktrain.quantities.dimensions import TURN, Dimension, expected, is_unit, plain, spellings, unit_names
 from cranktrain.quantities.examples import EXAMPLES
-from cranktrain.quantities.number import PATTERN
+from cranktrain.quantities.number import PATTERN, measured, rounded
 from cranktrain.quantities.reading import Reading, reading
 from cranktrain.quantities.refusal import QuantityError, unknown_key, unlisted, written
 
@@ -68,6 +68,9 @@ class Given:
 class Quantity:
     """Annotation of a `Given` field: its dimension, the range that is allowed, in SI; a direction counts no turns.
 
+    The frequency of a vibration may be given as its angular frequency too, in the units of a speed of rotation, one
+    oscillation for a turn.
+
     An example is of use where that of the dimension says little and `EXAMPLES` has none for the key.
 
     `Annotated[Given, Quantity(Dimension.LENGTH, above=0.0)]` takes "180 mm", a table
@@ -80,12 +83,13 @@ class Quantity:
     below: float | None = None
     at_most: float | None = None
     is_direction: bool = False
+    is_of_vibration: bool = False
     example: str | None = None
 
     @property
     def expected(self) -> Words:
         """What is allowed, with an example that suits."""
-        return expected(self.dimension, self.example)
+        return self._with_turns(expected(self.dimension, self.example))
 
     def of_field(self, name: str | None) -> "Quantity":
         """Give it the example that suits a key of the machine file."""
@@ -135,7 +139,19 @@ class Quantity:
 
     def _reading(self, data: object) -> Reading:
         """Read it; what is refused is told with the example."""
-        return reading(data, self.dimension, is_direction=self.is_direction, example=self.example)
+        if self.is_of_vibration and isinstance(data, str) and (read := _read_in_turns(data)) is not None:
+            return read
+        try:
+            return reading(data, self.dimension, is_direction=self.is_direction, example=self.example)
+        except QuantityError as error:
+            (problem,) = error.problems
+            raise QuantityError(problem.given, self._with_turns(problem.allowed), problem.repair) from None
+
+    def _with_turns(self, allowed: Words) -> Words:
+        """Say of a vibration in which units its angular frequency may be given."""
+        if not self.is_of_vibration:
+            return allowed
+        return _("{allowed}, or in {units}", allowed=allowed, units=", ".join(unit_names(Dimension.SPEED)))
 
     def _limits(self) -> Iterator[tuple[float, Callable[[float, float], bool], str]]:
         """Limits that are set, what must hold between a value and each, and how to say so."""
@@ -163,7 +179,9 @@ class Quantity:
         """Describe text with its unit, or a table that also says where the number is from, as a JSON schema."""
         example = [self.example or self.dimension.example]
         least = max((limit for limit in (self.above, self.at_least) if limit is not None), default=-1.0)
-        text = {"type": "string", "pattern": pattern(self.dimension, is_signed=least < 0), "examples": example}
+        read_in = (self.dimension, Dimension.SPEED) if self.is_of_vibration else (self.dimension,)
+        patterns = "|".join(pattern(dimension, is_signed=least < 0) for dimension in read_in)
+        text = {"type": "string", "pattern": patterns, "examples": example}
         value = text if self.dimension.needs_unit else text | {"type": ["number", "string"]}
         table = {
             "type": "object",
@@ -180,6 +198,16 @@ class Quantity:
         sentence = "; ".join([str(self.expected), *limits])
         # not anyOf: a slip would then be one of every alternative
         return {"description": sentence, "if": {"type": "object"}, "then": table, "else": value, "examples": example}
+
+
+def _read_in_turns(text: str) -> Reading | None:
+    """Read an angular frequency as turns in a second; None where it is none."""
+    parts = measured(text)
+    if parts is None or not is_unit(parts.unit, Dimension.SPEED):
+        return None
+    read = reading(text, Dimension.SPEED)
+    unit, _form = spellings(Dimension.SPEED)[plain(parts.unit)]
+    return read._replace(si=rounded(unit.scale * parts.number / TURN))
 
 
 def unit_of(given: Given, dimension: Dimension) -> str:

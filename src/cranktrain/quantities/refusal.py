@@ -7,6 +7,8 @@ from cranktrain.language import Words, _
 
 _LONGEST_WORD = 100
 """Characters; what is longer was meant to be no word of ours."""
+_SLIP, _AS_LIKE = 0.85, 0.05
+"""Likeness, of which 1 is the same, from which a word is another's slip of the pen; and by how much less is as like."""
 
 
 class QuantityError(InputError):
@@ -30,14 +32,22 @@ def written(given: object) -> str | None:
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:
-    """Find the known word that differs in letter case only, or else is most like it; None where none is like it."""
+    """Find the known word that differs in letter case only, or else is most like it.
+
+    None where none is like it, and where another is nearly as like: which of them is meant nobody knows.
+    """
     import difflib  # only needed after a mistake
 
     if len(word) > _LONGEST_WORD:
         return None
-    words = list(known)
+    words = list(dict.fromkeys(known))
     same = [candidate for candidate in words if candidate.casefold() == word.casefold()]
-    return next(iter(same or difflib.get_close_matches(word, words, n=1)), None)
+    if same:
+        return same[0]
+    like = difflib.get_close_matches(word, words, n=2)
+    likeness = [difflib.SequenceMatcher(None, one, word).ratio() for one in like]
+    is_doubtful = len(like) > 1 and likeness[0] < _SLIP and likeness[0] - likeness[1] < _AS_LIKE
+    return like[0] if like and not is_doubtful else None
 
 
 NOWHERE: Mapping[str, str] = {}

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from math import floor, log10
-from typing import NamedTuple, TypeAlias
+from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -31,6 +31,31 @@ _PLACES = {"deg", "position"}
 
 _FEW_FIGURES = {"error": 2}
 """Of errors, that say how far off something is."""
+
+
+def in_cycle(angles: Array, cycle: float, unit: Literal["deg", "position"]) -> Array:
+    """Crank angles as they are said: one that would be said to be the end of the cycle is its beginning.
+
+    Parameters
+    ----------
+    angles : Array, any shape
+        [deg]
+    cycle : float
+        Where it begins again, infinity where it does not. [deg]
+    unit : "deg" or "position"
+        With whose digits they are said.
+
+    Returns
+    -------
+    Array, the same shape
+        [deg]
+
+    Examples
+    --------
+    >>> in_cycle(np.array([359.97, 359.94, 12.0]), 360.0, "position").tolist()
+    [0.0, 359.94, 12.0]
+    """
+    return np.where(np.round(angles, _DECIMALS[unit]) == cycle, 0.0, angles)
 
 
 class Written(NamedTuple):

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import field
 from functools import cache
+from math import inf
 from string import Formatter
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from cranktrain.language import Message, Words, _
 from cranktrain.motion import Array
 from cranktrain.record import record
-from cranktrain.saying.amounts import VALUES, Amount, Extent, measured_in
+from cranktrain.saying.amounts import VALUES, Amount, Extent, in_cycle, measured_in
 from cranktrain.saying.catalogue import Entry, entries, values
 from cranktrain.saying.wording import Names
 
@@ -101,15 +102,21 @@ class Telling:
     titles : mapping of str to sequence of Words
         What people call them.
     design : int
+    cycle : float
+        Crank angle at which all begins again. [deg]
     """
 
     labels: Names
     titles: Mapping[str, Sequence[Words]]
     design: int
+    cycle: float = inf
 
     def values(self, found: object, quantity: str) -> Array:
-        """Give what a result holds of a quantity, in SI, along its dimensions."""
-        return np.asarray(values(found, entry_called(type(found), quantity))[self.design], dtype=float)
+        """Give what a result holds of a quantity, in SI, along its dimensions; crank angles as they are said."""
+        entry = entry_called(type(found), quantity)
+        every = np.asarray(values(found, entry)[self.design], dtype=float)
+        is_start = entry.is_place and in_cycle(np.degrees(every), self.cycle, "position") == 0.0
+        return np.where(is_start, 0.0, every)
 
     def row(
         self,

@@ -82,6 +82,11 @@ class Run:
         return () if self.axis is None else (self.axis,)
 
     @property
+    def cycle(self) -> float:
+        """At which crank angle all begins again; infinity where it does not. [deg]"""
+        return np.inf
+
+    @property
     def n_designs(self) -> int | None:
         """How many designs its arrays have along a leading dimension; None where they have no such dimension."""
         return None

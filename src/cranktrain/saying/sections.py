@@ -140,6 +140,11 @@ class HasFacts(Protocol):
         """What there is, by name."""
         ...
 
+    @property
+    def cycle(self) -> float:
+        """At which crank angle all begins again; infinity where it does not. [deg]"""
+        ...
+
     def titles_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
         """What people call the members along each dimension of a quantity."""
         ...

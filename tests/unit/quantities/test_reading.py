@@ -119,7 +119,12 @@ MULTIPLICATIVE = {
         Fraction(60): ("min", "мин"),
         Fraction(3600): ("h", "ч"),
     },
-    D.FREQUENCY: {Fraction(1): ("Hz", "Гц"), Fraction(1000): ("kHz", "кГц"), Fraction(1, 3600): ("1/h", "1/ч")},
+    D.FREQUENCY: {
+        Fraction(1): ("Hz", "Гц"),
+        Fraction(1000): ("kHz", "кГц"),
+        Fraction(1, 60): ("1/min", "1/мин"),
+        Fraction(1, 3600): ("1/h", "1/ч"),
+    },
     D.CURRENT: {Fraction(1): ("A", "А"), Fraction(1000): ("kA", "кА")},
     D.VOLTAGE: {Fraction(1): ("V", "В"), Fraction(1000): ("kV", "кВ")},
     D.RESISTANCE: {Fraction(1): ("Ω", "ohm", "Ом"), Fraction(1, 1000): ("mΩ", "mohm", "мОм")},

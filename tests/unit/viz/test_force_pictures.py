@@ -34,6 +34,7 @@ from cranktrain.viz import (
     sheet,
     sheet_forces,
 )
+from cranktrain.viz.paper.rings import PolarRings
 from cranktrain.viz.paper.sketch import label_outline
 from cranktrain.viz.plans.force_rooms import force_polygon_sketch
 from cranktrain.viz.plans.pin_polar import polar_sketch
@@ -245,7 +246,7 @@ def test_drawn_lever_balances_about_its_pole():
 
 def test_polar_curves_are_to_scale():
     loads = pin_loads(WEIGHED["vaz_21213"])
-    sketch = polar_sketch(loads, (loads.on_pin, loads.on_pin_without), 400.0, KILONEWTON)
+    sketch = polar_sketch(loads, (loads.on_pin, loads.on_pin_without), PolarRings(5.0, KILONEWTON, 400.0))
     (full,) = (line.points for line in sketch.lines if line.habit == "vector")
     assert full[:, :-1] * 400.0 == pytest.approx(loads.on_pin)
     assert full[:, -1] == pytest.approx(full[:, 0])
@@ -258,7 +259,8 @@ def test_no_angle_stands_over_a_mark(name):
     """Neither over the ring of the largest load."""
     loads = pin_loads(ct.load(name))
     for pair in ((loads.on_pin, loads.on_pin_without), (loads.in_rod, loads.in_rod_without)):
-        sketch = polar_sketch(loads, pair, 2000.0 if name == "10d100" else 400.0, KILONEWTON)
+        rings = PolarRings(20.0, KILONEWTON, 2000.0) if name == "10d100" else PolarRings(5.0, KILONEWTON, 400.0)
+        sketch = polar_sketch(loads, pair, rings)
         ring = max(sketch.circles, key=lambda circle: circle.radius)
         for label in sketch.labels:
             box = label_outline(label, 1.0)

@@ -69,7 +69,7 @@ def test_wear_is_that_of_the_method(result):
     ]
 
 
-@pytest.mark.parametrize("asked", ["splitt", "", ",", "all,split", "elastic", "clearance", "split shaft"])
+@pytest.mark.parametrize("asked", ["splitt", "", ",", "elastic", "clearance", "split shaft"])
 @pytest.mark.parametrize("draw", [sheet_crankshaft, sheet_wear])
 def test_what_is_no_method_is_refused_with_those_that_there_are(result, draw, asked):
     with pytest.raises(ct.InputError) as refused:
@@ -78,6 +78,19 @@ def test_what_is_no_method_is_refused_with_those_that_there_are(result, draw, as
         "must be one of: frame_elastic, frame_rigid, five_moment, three_moment, split, all" in str(one)
         for one in refused.value.problems
     )
+
+
+@pytest.mark.parametrize("asked", ["all,split", "split, ALL", "all,splitt", "split,all,five_moment"])
+@pytest.mark.parametrize("draw", [sheet_crankshaft, sheet_wear])
+def test_all_stands_by_itself(result, draw, asked):
+    with pytest.raises(ct.InputError) as refused:
+        draw(result, method=asked)
+    (problem,) = map(str, refused.value.problems)
+    assert problem.endswith(
+        "must be `all` by itself, which is every method, or without it: "
+        "frame_elastic, frame_rigid, five_moment, three_moment, split"
+    )
+    assert "write" not in problem
 
 
 def test_a_machine_without_main_bearings_has_no_method():

@@ -17,7 +17,7 @@ from cranktrain.language import said as _
 from cranktrain.layout.question import ResultDimension
 from cranktrain.motion import Array
 from cranktrain.record import record
-from cranktrain.saying.amounts import Figures, figures
+from cranktrain.saying.amounts import Figures, figures, in_cycle
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.sections import Column, Grid, HasFacts
 from cranktrain.saying.wording import ABSENT, ranged
@@ -106,8 +106,14 @@ def _row(result: HasFacts, name: str) -> FactRow:
     """Write a fact with at most one dimension; one member needs no name."""
     entry = result.catalogue[name]
     members = tuple(label for titles in result.titles_of(entry).values() for label in titles)
-    shown = figures(np.atleast_1d(getattr(result, name)), entry.shown)
+    shown = figures(np.atleast_1d(_values(result, entry)), entry.shown)
     return FactRow(entry, shown.unit, dict(zip(members if len(members) > 1 else ("",), shown.texts, strict=True)))
+
+
+def _values(result: HasFacts, entry: Entry) -> Array:
+    """What a result holds of a fact; crank angles as they are said."""
+    values: Array = getattr(result, entry.name)
+    return in_cycle(values, result.cycle, "deg") if entry.is_place else values
 
 
 def _families(rows: Sequence[FactRow]) -> list[_Family]:
@@ -180,7 +186,7 @@ def _lines(rows: Sequence[FactRow], members: Sequence[str], outer: str = "") -> 
 def _deep(result: HasFacts, entries: Sequence[Entry], width: int) -> Iterator[str | Text]:
     """Facts with more dimensions, as of each piston by each method: a line for each method and group of pistons."""
     *outer, members = result.titles_of(entries[0]).values()
-    shown = [_of_members(getattr(result, entry.name), entry) for entry in entries]
+    shown = [_of_members(_values(result, entry), entry) for entry in entries]
     lines: list[_Line] = []
     rows: list[FactRow] = []
     for i, names in enumerate(itertools.product(*outer)):

@@ -14,10 +14,10 @@ from cranktrain.paths import path_text
 from cranktrain.quantities import (
     Given,
     NonNegativeInertia,
-    PositiveFrequency,
     PositiveInertia,
     PositiveRatio,
     PositiveTorsionalStiffness,
+    VibrationFrequency,
     nearest,
 )
 from cranktrain.questions.torsion.shafts import ShaftPieceSpec
@@ -71,7 +71,7 @@ class TorsionSpec(Spec, frozen=True):
         default={},
         description=N_("Discs beside the throws, by name, in the order in which they stand along the shaft."),
     )
-    holzer_at: OneOrMany[PositiveFrequency] | None = Field(
+    holzer_at: OneOrMany[VibrationFrequency] | None = Field(
         default=None,
         description=N_("Frequency at which Holzer's table is asked for beside the natural ones, or a list of some."),
     )

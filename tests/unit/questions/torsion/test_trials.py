@@ -159,6 +159,8 @@ def test_nobody_who_does_not_ask_has_any():
         ("-5 Hz", "must be"),
         ("120", "must be a frequency"),
         ("120 mm", "measures a length"),
+        ("120 mm", "or in rpm, rad/s"),
+        ("0 rad/s", "must be more than 0 rad/s"),
         ([], ""),
     ],
     ids=str,
@@ -168,3 +170,11 @@ def test_refused(given, wanted):
         racing_four(holzer_at=given)
     assert "torsion.holzer_at" in str(found.value)
     assert wanted in str(found.value)
+
+
+@pytest.mark.parametrize(
+    "given", ["120 Hz", "7200 rpm", "7200 1/min", "7200 об/мин", "0.12 kHz", "753.9822368615503 rad/s"]
+)
+def test_a_frequency_may_be_given_as_an_angular_one(given):
+    """7200 oscillations in a minute are 120 in a second, 240 π rad in a second."""
+    assert ct.run(racing_four(given)).trial_frequency == pytest.approx(240 * np.pi, rel=2e-15)

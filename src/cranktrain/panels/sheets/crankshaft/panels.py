@@ -48,7 +48,7 @@ def chosen_methods(shown: OneDesign, method: str | None) -> tuple[int, ...]:
     Raises
     ------
     InputError
-        If a name is none of a method by which the result has loads.
+        If a name is none of a method by which the result has loads, or stands beside `all`.
     """
     if method is None:
         return ()
@@ -59,6 +59,9 @@ def chosen_methods(shown: OneDesign, method: str | None) -> tuple[int, ...]:
     names = dict.fromkeys(name.strip().casefold() for name in method.split(","))
     if list(names) == [ALL]:
         return tuple(range(len(known)))
+    if ALL in names:
+        allowed = _("must be `all` by itself, which is every method, or without it: {methods}")
+        raise InputError([Problem("method", method, allowed.format(methods=", ".join(known)))])
     refuse(unlisted("method", name, (*known, ALL)) for name in names if name not in known)
     return tuple(known.index(name) for name in names)
 

@@ -12,7 +12,7 @@ from cranktrain.panels.design import OneDesign
 from cranktrain.panels.parts import Notes, Polars, Sheet, SheetColumn, Table, TableColumn, sheet_of
 from cranktrain.panels.shapes import peak
 from cranktrain.panels.sheets.crankshaft.panels import AlikePins, alike_pins, crank_pin_diagrams
-from cranktrain.saying.amounts import UnitLabel
+from cranktrain.saying.amounts import UnitLabel, in_cycle
 
 _MOST = 6
 """Pins that have drawings: of more, those that bear most."""
@@ -62,7 +62,7 @@ def _table(shown: OneDesign, pins: Sequence[AlikePins]) -> Table:
     columns = [
         TableColumn(_("rod of"), [pin.names for pin in pins]),
         TableColumn(_("largest, {unit}", unit=UnitLabel("N", most)), largest, "N", most),
-        TableColumn(_("at φ, °"), at, decimals=1),
+        TableColumn(_("at φ, °"), in_cycle(at, shown.result.cycle, "position"), decimals=1),
         TableColumn(_("mean, {unit}", unit=UnitLabel("N", most)), mean, "N", most),
         TableColumn(_("largest : mean"), largest / mean, decimals=2),
     ]
