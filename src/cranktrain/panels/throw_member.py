@@ -13,6 +13,7 @@ from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Point
 from cranktrain.panels.crosshead import CrossheadDrawing, crosshead_of
 from cranktrain.panels.ram import RamDrawing, ram_of, upward
+from cranktrain.plans.placement import output_of
 from cranktrain.plans.stroke_lines import Along, guide_line, unit
 from cranktrain.questions.cylinders.declared import SIDES, cylinders_of
 from cranktrain.record import record
@@ -169,12 +170,6 @@ class CylinderSizes:
             piston_rod=None if rod is None else per_metre * rod,
             is_bare=place.name in self.bare,
         )
-
-
-def output_of(machine: Machine, place: PlacedMechanism) -> OutputPart:
-    """Say what the last part of a mechanism is: where the file has no cylinders, what could work in one is a ram."""
-    output = place.kind.output
-    return output if machine.cylinder.model_fields_set or output.bare is None else output.bare
 
 
 def is_ram(output: OutputPart) -> bool:

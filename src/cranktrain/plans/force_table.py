@@ -7,11 +7,12 @@ from numpy.typing import NDArray
 
 from cranktrain.analysis import Result, run
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.acting import refuse_absent, refuse_idle
+from cranktrain.plans.placement import name_of_output
 from cranktrain.quantities import Dimension, shown, unlisted
 from cranktrain.quantities.dimensions import plain, spellings
 from cranktrain.questions.cylinders.declared import cylinders_of
@@ -52,6 +53,8 @@ class ForceTable:
     Attributes
     ----------
     piston : str
+    called : Words
+        What it is and its name: piston 1L, ram 1.
     angle : Array, shape (n,)
         Crank angle as the machine shows it. [deg]
     unit : str
@@ -66,6 +69,7 @@ class ForceTable:
     """
 
     piston: str
+    called: Words
     angle: Array
     unit: str
     area: float | None
@@ -123,7 +127,8 @@ def force_table(machine: Machine, *, step: float = 30.0, unit: str = "N", piston
     columns = [_column(symbol, name, per_unit * curve, kept) for symbol, curve in curves.items()]
     turning = "T_i" if sort == "slave" else "T"
     columns.append(_column(turning.replace("T", "M"), torque, arm * curves[turning], kept))
-    return ForceTable(place.name, result.crank_angle[kept], name, area, tuple(columns), sort)
+    called = name_of_output(machine, place)
+    return ForceTable(place.name, called, result.crank_angle[kept], name, area, tuple(columns), sort)
 
 
 def _by_method(result: Result, quantity: str, piston: str) -> Array:

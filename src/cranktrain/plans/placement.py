@@ -15,6 +15,7 @@ from cranktrain.layout.specs import MAIN
 from cranktrain.layout.standing import shaft_centres
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing, Guide
+from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Coefficient, Point, single
 from cranktrain.numerics import turn_grid
 from cranktrain.plans.link_points import with_points
@@ -111,6 +112,17 @@ def _bore(machine: Machine, place: PlacedMechanism, motion: Array) -> float:
     """Bore of a piston's cylinder; where the file has none, 0.6 of the stroke. [m]"""
     bore = cylinders_of(machine.cylinder, [place])[0].bore
     return 0.6 * float(np.ptp(motion[np.isfinite(motion)])) if bore is None else bore.si
+
+
+def output_of(machine: Machine, place: PlacedMechanism) -> OutputPart:
+    """Say what the last part of a mechanism is: where the file has no cylinders, what could work in one is a ram."""
+    output = place.kind.output
+    return output if machine.cylinder.model_fields_set or output.bare is None else output.bare
+
+
+def name_of_output(machine: Machine, place: PlacedMechanism) -> Words:
+    """Name the last part of a mechanism as what it is: piston 1L, ram 1, valve 2."""
+    return _(output_of(machine, place).called, name=place.name)
 
 
 def place_called(machine: Machine, name: str | None) -> PlacedMechanism:

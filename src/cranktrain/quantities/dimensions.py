@@ -5,7 +5,7 @@ Numbers are read as fractions, so that a value is rounded once. Gauge pressures 
 
 import re
 import unicodedata
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from enum import Enum
 from fractions import Fraction
 from functools import cache
@@ -283,13 +283,16 @@ def unit_names(dimension: Dimension) -> tuple[str, ...]:
     return tuple(unit.name for unit in dimension.units)
 
 
-def expected(dimension: Dimension, example: str | None = None) -> Words:
-    """Say what is allowed: "must be a length in mm, cm, m, in, ft, such as 90 mm"; with the dimension's own example."""
+def expected(dimension: Dimension, example: str | None = None, others: Iterable[str] = ()) -> Words:
+    """Say what is allowed: "must be a length in mm, cm, m, in, ft, such as 90 mm"; with the dimension's own example.
+
+    others: units of another dimension that are taken too.
+    """
     words = _("must be {noun} in {units}, such as {example}")
     if not dimension.needs_unit:
         words = _("must be {noun} or in {units}, such as {example}")
     return words.format(
-        noun=_(dimension.noun), units=", ".join(unit_names(dimension)), example=example or dimension.example
+        noun=_(dimension.noun), units=", ".join([*unit_names(dimension), *others]), example=example or dimension.example
     )
 
 

@@ -89,7 +89,12 @@ class Quantity:
     @property
     def expected(self) -> Words:
         """What is allowed, with an example that suits."""
-        return self._with_turns(expected(self.dimension, self.example))
+        return expected(self.dimension, self.example, self._other_units)
+
+    @property
+    def _other_units(self) -> tuple[str, ...]:
+        """Units of an angular frequency, if it may be given as one."""
+        return tuple(unit_names(Dimension.SPEED)) if self.is_of_vibration else ()
 
     def of_field(self, name: str | None) -> "Quantity":
         """Give it the example that suits a key of the machine file."""
@@ -144,14 +149,12 @@ class Quantity:
         try:
             return reading(data, self.dimension, is_direction=self.is_direction, example=self.example)
         except QuantityError as error:
+            if not self.is_of_vibration:
+                raise
             (problem,) = error.problems
-            raise QuantityError(problem.given, self._with_turns(problem.allowed), problem.repair) from None
-
-    def _with_turns(self, allowed: Words) -> Words:
-        """Say of a vibration in which units its angular frequency may be given."""
-        if not self.is_of_vibration:
-            return allowed
-        return _("{allowed}, or in {units}", allowed=allowed, units=", ".join(unit_names(Dimension.SPEED)))
+            units = ", ".join(self._other_units)
+            allowed = _("{allowed}, or in {units}", allowed=problem.allowed, units=units)
+            raise QuantityError(problem.given, allowed, problem.repair) from None
 
     def _limits(self) -> Iterator[tuple[float, Callable[[float, float], bool], str]]:
         """Limits that are set, what must hold between a value and each, and how to say so."""

@@ -190,15 +190,18 @@ def _counts(spec: TorsionSpec, n_throws: int) -> Iterator[Problem]:
     """Find lists that are as long as neither throws nor gaps are."""
     n_gaps = n_throws - 1
     n_given = 0 if spec.stiffness is None else len(spec.stiffness)
+    no_gap = _("is for the gaps between throws; this crankshaft has one throw")
     if n_given and n_gaps == 0:
-        yield Problem("torsion.stiffness", None, _("is for the gaps between throws; this crankshaft has one throw"))
+        yield Problem("torsion.stiffness", None, no_gap)
     elif n_given not in (0, 1, n_gaps):
         allowed = _("must be one value, or one for each gap between throws: {gaps}", gaps=n_gaps)
         yield Problem("torsion.stiffness", _("a list of {n}", n=n_given), allowed)
     numbers = [str(gap) for gap in range(1, n_throws)]
     for name, gap in spec.gap.items():
-        if name not in numbers:
-            allowed = _("must be the number of a throw before another: {numbers}", numbers=", ".join(numbers) or "–")
+        if not numbers:
+            yield Problem(f"torsion.gap.{name}", None, no_gap)
+        elif name not in numbers:
+            allowed = _("must be the number of a throw before another: {numbers}", numbers=", ".join(numbers))
             yield Problem(f"torsion.gap.{name}", None, allowed)
         elif not gap.is_elastic:
             yield Problem(f"torsion.gap.{name}.stiffness", None, _("is missing; give it, or length and diameter"))

@@ -92,7 +92,9 @@ class TorsionSpec(Spec, frozen=True):
         yield from self._neighbours()
         if self.free_end is not None and (self.free_end not in self.disc or not self.disc[self.free_end].is_elastic):
             elastic = [name for name, disc in self.disc.items() if disc.is_elastic]
-            allowed = _("must be the name of a disc with a stiffness: {discs}", discs=", ".join(elastic) or "–")
+            allowed = _("must be the name of a disc with a stiffness: {discs}", discs=", ".join(elastic))
+            if not elastic:
+                allowed = _("must be left out: no disc has a stiffness, and throw 1 is the free end")
             yield Problem("free_end", self.free_end, allowed)
 
     def _neighbours(self) -> Iterator[Problem]:
@@ -101,9 +103,11 @@ class TorsionSpec(Spec, frozen=True):
             if isinstance(disc.beside, str) and disc.beside not in self.disc:
                 others = [other for other in self.disc if other != name]
                 allowed = _("must be the number of a throw, or the name of another disc: {discs}")
+                if not others:
+                    allowed = _("must be the number of a throw; there is no other disc")
                 meant = nearest(disc.beside, others)
                 repair = _('write "{text}"', text=meant) if meant else None
-                yield Problem(path, f'"{disc.beside}"', allowed.format(discs=", ".join(others) or "–"), repair)
+                yield Problem(path, f'"{disc.beside}"', allowed.format(discs=", ".join(others)), repair)
             elif self._leads_to_itself(name):
                 allowed = _("must lead to a throw; these discs stand in a ring, beside one another alone")
                 yield Problem(path, f'"{disc.beside}"', allowed)

@@ -32,7 +32,7 @@ def force_sections(table: ForceTable, *, whole: str | None) -> Iterator[ShownSec
     whole : str or None
         The command for forces and errors at every angle, where only by how much they are off at most is to be given.
     """
-    heading = _("Forces of piston {piston} by the reactions in the joints", piston=table.piston)
+    heading = _("Forces of {piston} by the reactions in the joints", piston=table.called)
     if table.area is not None:
         heading = _("{heading}, over its area of {area:.2f} cm²", heading=heading, area=1e4 * table.area)
     yield _section(heading, table, [_forces(one, one.exact) for one in table.columns])

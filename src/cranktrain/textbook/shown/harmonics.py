@@ -41,7 +41,7 @@ def harmonic_sections(ratios: Mapping[Words, float]) -> Iterator[ShownSection]:
     for whose, ratio in ratios.items():
         yield from _harmonics(whose, ratio)
     explained = _(
-        "α is the angle of the piston's own crank, or of the valve's eccentric, from the top. The series of the texts "
+        "α is the angle of the slider's own crank or eccentric, from the top. The series of the texts "
         "go to the seventh power of λ, of the torque to the sixth; their two harmonics are cos α + λ cos 2α, and the "
         "torque is that of these. Δ is what a form is off. Orders that are not listed are zero, but for exact ones "
         "beyond the last."

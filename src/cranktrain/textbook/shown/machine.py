@@ -57,7 +57,7 @@ def _errors(rows: Sequence[FormErrors]) -> Iterator[Part]:
         cells = [(one.equations, *map(percent, one.errors), Listed((one.of, one.words), ": ")) for one in rows]
         yield Rows([("", "%", "%", "%", ""), *cells], ("", "Δx", "Δv", "Δj", ""), right=(1, 2, 3))
         yield ""
-        yield _("Δx in parts of the stroke, Δv and Δj of their exact peaks; of several pistons the largest.")
+        yield _("Δx in parts of the stroke, Δv and Δj of their exact peaks; of several members the largest.")
 
 
 def how_to_go_on(

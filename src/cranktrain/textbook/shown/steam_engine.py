@@ -4,9 +4,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.language import Words, _
+from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.plans.constructions import construction
+from cranktrain.plans.placement import name_of_output
 from cranktrain.saying.sections import Column, Grid, PagePart, ShownSection
 from cranktrain.saying.wording import number
 from cranktrain.textbook.alike import AlikePistons, alike
@@ -54,7 +55,8 @@ def _from_crank_side(page: MachinePage, pistons: Sequence[AlikePistons]) -> Iter
     errors = stated_error_grid(statement for one in pistons for statement in crank_side_statements(one))
     yield ShownSection(_("(333), (336), (337) from the crank-side dead centre [steam-engine]"), (about, errors))
     for one in pistons if page.with_table else ():
-        heading = _("S, v/ω and j/ω² of {piston} from the crank-side dead centre", piston=_called(one.first))
+        piston = name_of_output(page.machine, one.first)
+        heading = _("S, v/ω and j/ω² of {piston} from the crank-side dead centre", piston=piston)
         curves = crank_side_curves(one, np.deg2rad(ROUND_ANGLES))
         yield curve_section(heading, ROUND_ANGLES, ((curve.equation, curve) for curve in curves))
     found = [statement for one in pistons for statement in difference_statements(one)]
@@ -92,13 +94,9 @@ def _backwards(page: MachinePage, first: PlacedMechanism) -> ShownSection:
     read = construction(page.machine, "brix_backward", _PARTS, mechanism=first.name)
     angles = {"brix": read.angle, _(EXACT): read.exact_angle, "Δφ": read.angle - read.exact_angle}
     columns = [Column(head, values.tolist(), "deg") for head, values in angles.items()]
-    heading = _("φ of {piston} by the displacement S, on the way to the shaft", piston=_called(first))
+    piston = name_of_output(page.machine, first)
+    heading = _("φ of {piston} by the displacement S, on the way to the shaft", piston=piston)
     return ShownSection(heading, (Grid(columns, [number(value, "mm") for value in read.displacement.tolist()]),))
-
-
-def _called(place: PlacedMechanism) -> Words:
-    """Name a mechanism's slider: a piston, or the valve that an eccentric drives."""
-    return _(place.kind.output.called, name=place.name)
 
 
 OF_MACHINE = TextOfMachine(

@@ -143,3 +143,15 @@ def test_gaps_refused(table, wanted):
     with pytest.raises(ct.InputError) as found:
         ct.run(in_line(**table))
     assert f"torsion.{wanted}" in str(found.value)
+
+
+def test_one_throw_has_no_gap():
+    disc = {"inertia": "2 kg·m²", "beside": 1, "stiffness": "1 MN·m/rad"}
+    with pytest.raises(ct.InputError) as refused:
+        single = ct.Machine(
+            shaft={"main": {"speed": "600 rpm"}},
+            mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "200 mm"},
+            torsion={"throw_inertia": "1 kg·m²", "disc": {"wheel": disc}, "gap": {"1": {"stiffness": "1 MN·m/rad"}}},
+        )
+        ct.run(single)
+    assert "torsion.gap.1: is for the gaps between throws; this crankshaft has one throw" in str(refused.value)

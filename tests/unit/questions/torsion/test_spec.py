@@ -24,7 +24,7 @@ SOFT, STIFF = "1 kN·m/rad", "1 MN·m/rad"
 @pytest.mark.parametrize(
     ("table", "path", "words"),
     [
-        ({"disc": {"a": disc("b")}}, "disc.a.beside", "the number of a throw, or the name of another disc: –"),
+        ({"disc": {"a": disc("b")}}, "disc.a.beside", "the number of a throw; there is no other disc"),
         ({"disc": {"wheel": disc(1), "a": disc("weel")}}, "disc.a.beside", 'write "wheel"'),
         ({"disc": {"a": disc("a")}}, "disc.a.beside", "stand in a ring"),
         ({"disc": {"a": disc("b"), "b": disc("c"), "c": disc("a")}}, "disc.b.beside", "stand in a ring"),
@@ -34,7 +34,11 @@ SOFT, STIFF = "1 kN·m/rad", "1 MN·m/rad"
         ({"disc": {"a": disc(1, "0 N·m/rad")}}, "disc.a.stiffness", "more than 0"),
         ({"disc": {"a": disc(1, "5 N/mm")}}, "disc.a.stiffness", "torsional stiffness in"),
         ({"disc": {"a": disc(1) | {"inertia": "0 kg·m²"}}}, "disc.a.inertia", "more than 0"),
-        ({"disc": {"a": disc(1)}, "free_end": "a"}, "free_end", "a disc with a stiffness: –"),
+        (
+            {"disc": {"a": disc(1)}, "free_end": "a"},
+            "free_end",
+            "must be left out: no disc has a stiffness",
+        ),
         ({"disc": {"a": disc(1, SOFT)}, "free_end": "b"}, "free_end", "a disc with a stiffness: a"),
         ({"throw_inertia": "-1 kg·m²"}, "throw_inertia[0]", "at least 0"),
     ],

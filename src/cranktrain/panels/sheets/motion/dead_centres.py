@@ -11,9 +11,9 @@ from cranktrain.panels.design import OneDesign
 from cranktrain.panels.parts import Ruler, RulerMark
 from cranktrain.panels.ram import upward
 from cranktrain.panels.sheets.motion.panels import FEW, drawn_forms, drawn_names, opposed_names
-from cranktrain.panels.throw_member import is_ram, output_of
+from cranktrain.panels.throw_member import is_ram
 from cranktrain.plans.drawn_throws import drawn_places
-from cranktrain.plans.placement import placed
+from cranktrain.plans.placement import output_of, placed
 from cranktrain.plans.stroke_lines import unit
 from cranktrain.saying.wording import first_that_holds
 

@@ -16,8 +16,8 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics.ties import largest_of
 from cranktrain.panels.design import OneDesign
 from cranktrain.panels.shapes import Curve, Panel, Role
-from cranktrain.panels.throw_member import output_of
 from cranktrain.plans.drawn_throws import drawn_places
+from cranktrain.plans.placement import name_of_output, output_of
 from cranktrain.plans.turning import turning
 
 _LETTERS = "svj"
@@ -213,7 +213,9 @@ def _error_panel(turn: _Turn, piston: str, form: int) -> Panel:
     peaks = np.nanmax(np.abs(exact), axis=1, keepdims=True)
     errors = 100.0 * (turn.motion("textbook", form, member) - exact) / peaks
     curves = tuple(Curve(error, "error", letter, letter) for error, letter in zip(errors, _LETTERS, strict=True))
-    title = _("Textbook error, piston {piston}", piston=piston)
+    machine = turn.shown.result.machines[turn.shown.design]
+    place = next(place for place in machine.places if place.name == piston)
+    title = _("Textbook error, {piston}", piston=name_of_output(machine, place))
     return Panel(title, _("% of own maximum"), turn.angle, curves)
 
 
