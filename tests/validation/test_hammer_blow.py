@@ -62,6 +62,24 @@ def test_overbalance_by_levers(rotation, planes):
     np.testing.assert_allclose(result.hammer_blow_at, expected, atol=1e-9)
 
 
+@pytest.mark.parametrize("planes", ['planes = ["250 mm", "1750 mm"]', ""])
+@pytest.mark.parametrize(("right", "left"), [(450.0, 1950.0), (-300.0, 900.0), (0.0, 3100.0), (2300.0, 2900.0)])
+def test_wheels_anywhere_along_the_axle(planes, right, left):
+    """Each wheel bears what has a lever about the other rail, wherever both stand to the middle of the throws.
+
+    The throws' planes, 0 and 2000 mm, are a right angle apart; weights in planes of their own press as on the throws.
+    """
+    text = LOCOMOTIVE.format(
+        rotation="clockwise", more="", balance=SOLVED.replace('planes = ["250 mm", "1750 mm"]', planes)
+    )
+    wheels = text.rpartition("[balance.wheel.right]")
+    moved = wheels[2].replace('z = "250 mm"', f'z = "{right} mm"').replace('z = "1750 mm"', f'z = "{left} mm"')
+    result = ct.run(ct.Machine(**tomllib.loads(f"{wheels[0]}{wheels[1]}{moved}")))
+    over, apart = 0.5 * 300 * 0.33 * OMEGA**2, left - right
+    levers = np.array([[left - 0.0, left - 2000.0], [0.0 - right, 2000.0 - right]]) / apart
+    np.testing.assert_allclose(result.hammer_blow, over * np.hypot(*levers.T), rtol=1e-12)
+
+
 def test_weights_that_take_what_rotates_alone_leave_no_blow():
     result = run(balance='counterweights = "rotating"')
     np.testing.assert_array_equal(result.hammer_blow, [0.0, 0.0])

@@ -92,7 +92,9 @@ def _closing_problem(
     if own[0].end - own[0].start >= TURN:
         allowed = _("the links can close at no crank angle (short by {short}); {advice}")
     elif short < _SEEN:
-        allowed = _("the links lie in one line at crank angle {angles}, and the crank cannot pass; {advice}")
+        allowed = _(
+            "the links lie in one line at crank angle {angles}, and nothing says which way they go on; {advice}"
+        )
     else:
         allowed = _("the links cannot close at crank angles {angles} (short by {short}); {advice}")
     given: Given | None = getattr(place.spec, field, None)

@@ -172,11 +172,23 @@ def problem_of(**machine):
 def test_change_point_is_refused():
     problem = problem_of(mechanism=slider(rod_length="50 mm"))
     assert str(problem.allowed) == (
-        "the links lie in one line at crank angle 90.00 deg and 270.00 deg, and the crank cannot pass; "
+        "the links lie in one line at crank angle 90.00 deg and 270.00 deg, and no side says how they go on; "
         "rod_length must be more than crank_radius + |offset| = 50 mm"
     )
     problem = problem_of(mechanism=ROCKER | {"rod_length": "220 mm"})
     assert "in one line at crank angle 180.00 deg" in str(problem.allowed)
+
+
+@pytest.mark.parametrize("rod", ["300 mm", "250 mm"])
+def test_a_kite_that_comes_back_after_two_turns_is_refused_for_that(rod):
+    """Crank and ground alike: with the pin on the pivot rod and rocker must be alike, and turn half as fast as it."""
+    kite = {"crank_radius": "100 mm", "ground_length": "100 mm", "rocker_length": "300 mm", "rod_length": rod}
+    problem = problem_of(mechanism={"kind": "crank_rocker"} | kite)
+    allowed = str(problem.allowed)
+    assert "the crank turns all round only where rod_length = rocker_length" in allowed
+    assert "come back after two turns of it" in allowed
+    assert "cannot pass" not in allowed
+    assert "at crank angle 0.00 deg" in allowed or "(short by 50.00 mm)" in allowed
 
 
 def test_crank_angles_of_a_problem_are_those_shown():

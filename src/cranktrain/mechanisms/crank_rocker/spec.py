@@ -88,6 +88,11 @@ def crank_rocker_advice(geometry: CrankRocker) -> Words:
         return _("rod_length must be {least}, for a parallelogram", least=precise(float(geometry.ground_length)))
     if least >= most and geometry.rocker_length == geometry.ground_length:
         return _("rod_length must be {least}, for a kite", least=precise(float(geometry.crank_radius)))
+    if geometry.crank_radius == geometry.ground_length:
+        return _(
+            "with ground_length = crank_radius the crank turns all round only where rod_length = rocker_length, and "
+            "the links come back after two turns of it, not one (Galloway's linkage); this version knows no such period"
+        )
     if least >= most:
         return _("no rod_length lets the crank turn: the crank or the ground must be the shortest link")
     return _("rod_length must lie between {least} and {most}", least=precise(float(least)), most=precise(float(most)))
