@@ -28,7 +28,6 @@ FOR_MOTION_OR_FORCES = "is for the motion or its forces: ask for it without harm
 GAP_IN_DIAGRAM = "has no samples between 99° and 140°, a gap of 41°"
 GAP_OVER_CREST = "has no samples between 339° and 380°, a gap of 41°"
 GIF_OF_ONE_TURN = "must be left out: a .gif shows one turn"
-GOES_ON = "goes on over two turns"
 HOLDS_NOTHING = "must hold weight, counterweights, shafts or wheel, or be left out"
 IS_A_FOLDER = "is a folder, not a machine file"
 IS_IT_THE_EXAMPLE = "; is it the example 3d12?"

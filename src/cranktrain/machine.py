@@ -30,6 +30,7 @@ from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPist
 from cranktrain.layout.unit_tables import unit_problems
 from cranktrain.mechanisms import KINDS, AnyMechanism
 from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import path_text, with_values
 from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
@@ -350,9 +351,9 @@ class Machine(Spec, frozen=True):
 
     @property
     def cycle(self) -> float:
-        """Crank angle after which all repeats: a turn, or two, as cylinders say, or else loads and pulls. [rad]"""
-        pulls = () if self.crankshaft is None or self.gas is not None else self.crankshaft.pulls
-        return self.cylinder.cycle_length or cycle_of({} if self.gas is not None else self.loads, pulls)
+        """Crank angle after which all repeats: a turn, or two of cylinders, loads, pulls or the speed. [rad]"""
+        pulls = () if self.crankshaft is None else self.crankshaft.pulls
+        return max(self.cylinder.cycle_length or TURN, cycle_of(self.loads, pulls), self.main_shaft.speed_cycle)
 
     @cached_property
     def table_problems(self) -> tuple[Problem, ...]:

@@ -6,10 +6,8 @@ from cranktrain.columns import in_columns
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 from cranktrain.layout.design import Designs
-from cranktrain.layout.load_laws import is_over_two_turns
 from cranktrain.layout.load_tables import OF_LISTS, LoadSpec, LoadTables, with_lists
 from cranktrain.number_table import held_text
-from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import Given
 from cranktrain.spec import SpecType
 
@@ -28,44 +26,37 @@ def tables_together(designs: Designs) -> LoadTables:
     Raises
     ------
     InputError
-        Where nobody has read a file; where files of designs say other things than sizes over the same; where one goes
-        on over two turns, and the cycle is one.
+        Where nobody has read a file; where files of designs say other things than sizes over the same.
     """
     found: dict[str, dict[str, LoadSpec]] = {}
     for path, named in designs.together.loads.items():
         for name, spec in named.items():
             each = [design.loads[path][name] for design in designs.each]
-            refuse(_problems(each, f"{path}.{name}", designs.crank_angle.cycle))
+            refuse(_problems(each, f"{path}.{name}"))
             is_read = spec.file is not None and len(each) > 1
             found.setdefault(path, {})[name] = in_columns(as_long(each, OF_LISTS)) if is_read else spec
     return found
 
 
-def _problems(each: Sequence[LoadSpec], path: str, cycle: float) -> Iterator[Problem]:
-    """Find files that nobody has read, that say other things in other designs, and angles over more turns than one."""
+def _problems(each: Sequence[LoadSpec], path: str) -> Iterator[Problem]:
+    """Find files that nobody has read, or that say other things in other designs."""
     for spec in each:
         is_read = spec.file is None or spec.text is not None
         if is_read and spec.file is not None and _holds(spec) != _holds(each[0]):
             allowed = _("must hold the same in all designs: forces or torques, over the same")
             yield Problem(f"{path}.file", spec.file, allowed)
-        yield from over_problems(spec.crank_angles, spec.file, spec.text, path=path, cycle=cycle)
+        yield from unread_problems(spec.file, spec.text, path=path)
         if not is_read:
             return
 
 
-def over_problems(
-    angles: Sequence[Given] | None, file: str | None, text: str | None, *, path: str, cycle: float
-) -> Iterator[Problem]:
-    """Find a file that nobody has read, and crank angles over more turns than the cycle. [rad]"""
+def unread_problems(file: str | None, text: str | None, *, path: str) -> Iterator[Problem]:
+    """Find a file that nobody has read."""
     if file is not None:
         try:
             held_text(file, text)
         except InputError as error:
             yield from (Problem(f"{path}.file", one.given, one.allowed) for one in error.problems)
-            return
-    if angles is not None and cycle < 1.5 * TURN and is_over_two_turns(angles[0].si, angles[-1].si):
-        where = "crank_angles" if file is None else "file"
-        yield Problem(f"{path}.{where}", file, _("goes on over two turns, and the cycle of this machine is one"))
 
 
 def _holds(spec: LoadSpec) -> tuple[bool, str | None]:

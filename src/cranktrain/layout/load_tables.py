@@ -363,7 +363,7 @@ class OverAngles(Protocol):
 
 
 def cycle_of(loads: LoadTables, pulls: Iterable[OverAngles]) -> float:
-    """Cycle of a machine of which only its loads and pulls say it: two turns where one of them has more than one."""
+    """Crank angle after which loads and pulls repeat: two turns where one of them reaches farther than one. [rad]"""
     over = [one.crank_angles for one in (*(load for named in loads.values() for load in named.values()), *pulls)]
     is_longer = any(one is not None and is_over_two_turns(one[0].si, one[-1].si) for one in over)
     return 2 * TURN if is_longer else TURN

@@ -13,6 +13,7 @@ from cranktrain.layout.listed import OneOrMany
 from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
 from cranktrain.mechanisms.spec import LISTS
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import (
     Angle,
     AngularAcceleration,
@@ -104,6 +105,11 @@ class ShaftSpec(Spec, frozen=True):
     def turns_unevenly(self) -> bool:
         """Whether there is more to say of how it turns than one speed."""
         return self.acceleration is not None or self.speed_curve is not None or self.makes_motion
+
+    @property
+    def speed_cycle(self) -> float:
+        """Crank angle after which the speed repeats: a turn, or two where the file of its curve says so. [rad]"""
+        return TURN if self.speed_curve is None else self.speed_curve.cycle
 
     @property
     def makes_motion(self) -> bool:

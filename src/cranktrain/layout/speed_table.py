@@ -6,11 +6,12 @@ from typing import ClassVar
 import numpy as np
 from pydantic import Field
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.cycle_table import CycleFileSpec, Words, given_curve
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.knotted import knotted_curve, spline_through
 from cranktrain.numerics.periodic import PeriodicCurve, curves_by_design
 from cranktrain.numerics.polyline import Polyline
@@ -41,6 +42,11 @@ class SpeedCurveSpec(CycleFileSpec, frozen=True):
     speed_unit: str | None = Field(
         default=None, description=N_("Unit of the speeds, where the header does not say it.")
     )
+
+    @property
+    def cycle(self) -> float:
+        """Crank angle after which it repeats: a turn, or two; a turn where nobody has read the file. [rad]"""
+        return TURN if self.text is None else given_curve(self).period
 
     def _curve_problems(self, curve: Polyline) -> Iterator[Problem]:
         """Find too few points, speeds that are none, and a curve through them that falls to 0."""
@@ -77,19 +83,11 @@ def tabled_speed(specs: Sequence[SpeedCurveSpec], n_points: int, cycle: float, *
     -------
     SpeedCurve
 
-    Raises
-    ------
-    InputError
-        Where a file goes on over two turns, and the cycle is one.
-
     Notes
     -----
     ω² is the periodic cubic spline through the file's, wherever its angles are. docs/theory/evenness, eq. (17.19).
     """
     files = [given_curve(spec) for spec in specs]
-    if any(speeds.period > cycle * 1.5 for speeds in files):
-        allowed = _("goes on over two turns, and the cycle of this machine is one")
-        raise InputError([Problem("shaft.main.speed_curve.file", None, allowed)])
     squares = [_square(speeds, n_points, cycle) for speeds in files]
     together = curves_by_design(squares)
     square = together._replace(samples=np.stack([one.samples for one in squares]))

@@ -1,8 +1,7 @@
-"""Loads over two turns on machines whose cylinders tell no cycle: two equal turns are one, and closed forms."""
+"""Loads and speeds over two turns, beside gas too: two equal turns are one, and closed forms."""
 
 import numpy as np
 import pytest
-from tests.sentences import GOES_ON
 from tests.validation.test_crankshaft_arrangements import SECTIONS
 
 import cranktrain as ct
@@ -36,7 +35,11 @@ def facts_of(result):
 
 
 @pytest.mark.parametrize(
-    "name", ["", "jaw_crusher", "eccentric_press", "shears", "pumping_unit_c57", "toggle_press", "shaper"]
+    "name",
+    [
+        *("", "jaw_crusher", "eccentric_press", "shears", "pumping_unit_c57", "toggle_press", "shaper"),
+        *("gas_compressor", "mill_engine", "two_throw_compressor", "40d", "deltic"),
+    ],
 )
 def test_two_equal_turns_are_one(name):
     """All facts, but for what is of a whole cycle, twice as much in two turns."""
@@ -101,11 +104,61 @@ def test_bearings_over_two_turns():
     np.testing.assert_allclose(found.mean_bearing_load, [300.0, 100.0], rtol=1e-9)
 
 
-def test_a_cycle_that_cylinders_or_gas_tell():
-    with pytest.raises(ct.InputError, match=rf"load\.feed\.crank_angles: {GOES_ON}"):
-        ct.run(alone(TWO, cylinder={"cycle": "two-stroke"}))
-    with pytest.raises(ct.InputError, match=rf"load\.feed\.crank_angles: {GOES_ON}"):
-        ct.run("gas_compressor", set={"load.feed": {**FEED, **TWO}})
+@pytest.mark.parametrize("name", ["gas_compressor", "mill_engine"])
+def test_gas_of_one_turn_beside_a_load_of_two(name):
+    """The torque of the machine without the load, twice, and the triangle; of the gas's orders between none is there.
+
+    The triangle's harmonic of order ½ is H/2 (sin ¼π / ¼π)², its half width being a half turn.
+    """
+    without = ct.run(name)
+    found = ct.run(name, set={"load.feed": {**FEED, **PULSE, "on": "crank"}})
+    assert found.crank_angle.size == 720
+    triangle = np.interp(np.arange(720.0), [0, 360, 540, 720], [0, 0, 80, 0])
+    gas = np.tile(without.driving_torque, 2)
+    np.testing.assert_allclose(found.driving_torque, gas + triangle, rtol=0, atol=2e-12 * np.max(np.abs(gas)))
+    half = 80 / 2 * (np.sin(np.pi / 4) / (np.pi / 4)) ** 2
+    amplitude = found.dataset.torque_order_amplitude.sel(order="0.5")
+    np.testing.assert_allclose(amplitude, half, rtol=1e-10)
+    np.testing.assert_allclose(found.indicated_work, without.indicated_work, rtol=1e-13)
+    assert found.indicated_power == pytest.approx(without.indicated_power, rel=1e-13)
+    assert found.mean_driving_torque == pytest.approx(without.mean_driving_torque + 20.0, rel=1e-12)
+    assert all(check.passed for check in found.checks)
+
+
+def test_cylinders_of_one_turn_have_no_orders_between():
+    """Their star has no sum there, whatever the load of two turns has."""
+    whole = ct.run("40d")
+    found = ct.run("40d", set={"load.feed": {**FEED, **PULSE}})
+    sums = found.dataset.phase_star_sum
+    np.testing.assert_array_equal(sums[0::2], 0.0)
+    np.testing.assert_allclose(sums[1::2], whole.phase_star_sum, rtol=0, atol=1e-12)
+
+
+def test_a_speed_of_two_equal_turns():
+    """Without cylinders, and beside the gas of one turn."""
+    once = [(0, 1000), (90, 1040), (210, 980)]
+    rows = [(turn * 360 + angle, speed) for turn in (0, 1) for angle, speed in once]
+    one, two = (
+        "\n".join(["angle [deg];speed [rpm]", *(f"{angle};{speed}" for angle, speed in [*some, (end, 1000)])])
+        for some, end in ((once, 360), (rows, 720))
+    )
+    for name in ("shaper", "gas_compressor"):
+        each = [
+            ct.run(name, set={"shaft.main.speed_curve": {"file": "speed.csv", "text": text}}) for text in (one, two)
+        ]
+        short, long = each
+        assert [run.crank_angle.size for run in each] == [360, 720]
+        same = np.tile(short.driving_torque, 2)
+        np.testing.assert_allclose(long.driving_torque, same, rtol=0, atol=2e-12 * np.max(np.abs(same)))
+        for fact in ("largest_torque", "smallest_torque", "mean_driving_torque"):
+            assert getattr(long, fact) == pytest.approx(getattr(short, fact), rel=1e-11)
+
+
+def test_a_start_beside_gas_of_one_turn():
+    """A run over the time has nothing of a cycle."""
+    once, twice = (ct.start("compressor_start", set={"load.feed": {**FEED, **load}}) for load in (ONE, TWO))
+    assert twice.start_duration == pytest.approx(once.start_duration, rel=1e-6)
+    assert twice.motor_work[-1] == pytest.approx(once.motor_work[-1], rel=1e-6)
 
 
 def test_no_load_is_over_more():

@@ -64,13 +64,13 @@ def _made_of(machine: Machine) -> str:
 
 
 def _cycle(result: Result) -> str:
-    """Say how many strokes a cycle has, where anything fires; or that it has two turns, as its loads go on over two."""
+    """Say how many strokes a cycle has, where anything fires; and that loads or the speed have one of two turns."""
     words = {"two-stroke": _("two-stroke"), "four-stroke": _("four-stroke")}
     machine = result.machines[0]
     given = machine.cylinder.cycle
-    if given is None and machine.cycle > TURN:
-        return _("two turns a cycle")
-    return "" if given is None or result.get(Firing) is None else words[given]
+    strokes = "" if given is None or result.get(Firing) is None else words[given]
+    is_longer = machine.cycle > (machine.cylinder.cycle_length or TURN)
+    return _BETWEEN.join(filter(None, (strokes, _("two turns a cycle") if is_longer else "")))
 
 
 def _speeds(shaft: ShaftSpec) -> Iterator[str]:

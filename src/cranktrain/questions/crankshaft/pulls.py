@@ -12,7 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
 from cranktrain.layout.listed import OneOrMany
 from cranktrain.layout.load_card import LoadCard, load_card
-from cranktrain.layout.load_designs import as_long, over_problems
+from cranktrain.layout.load_designs import as_long, unread_problems
 from cranktrain.layout.load_laws import ByAngle, BySpeed, LoadState
 from cranktrain.layout.load_tables import count_problems, order_problems, with_lists
 from cranktrain.motion import ONE, ZERO, Array
@@ -144,19 +144,18 @@ def pulls_of(designs: Designs, each: Sequence[Mapping[str, PullSpec]], path: str
     Raises
     ------
     InputError
-        Where nobody has read a file, or where one goes on over two turns, and the cycle is one.
+        Where nobody has read a file.
 
     Notes
     -----
     Directions count from Y in the normal sense of rotation. docs/theory/crankshaft, section Gears and pulls.
     """
     sense = 1.0 if designs.together.orientation.is_clockwise else -1.0
-    cycle = designs.crank_angle.cycle
     pulls: list[PullSpec] = []
     for name in each[0]:
         own = [table[name].listed for table in each]
         for one in own:
-            refuse(over_problems(one.crank_angles, one.file, one.text, path=f"{path}.{name}", cycle=cycle))
+            refuse(unread_problems(one.file, one.text, path=f"{path}.{name}"))
         pulls.append(in_columns(as_long(own, _LISTS)))
     direction = designs.by_design([pull.direction.array for pull in pulls])
     return Pulls(

@@ -5,7 +5,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.language import N_, Words, _
+from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredDrive
+from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.loads.load_work import LoadWork
@@ -34,19 +36,20 @@ def unlikely_drive(
     motor: DeclaredMotor | None,
     work: LoadWork | None,
     gas: GasPressures | None,
+    crank_angle: CrankAngle,
 ) -> UnlikelyDrive:
     """Flag what is unlikely, as far as it is known."""
     found = [] if drive is None else list(flagged(_STAGE_EFFICIENCY, drive.forward))
     if motor is not None and work is not None:
-        found += _driving(work, gas)
+        found += _driving(work, None if gas is None else gas.work_over(crank_angle))
     return UnlikelyDrive(unlikely=tuple(found))
 
 
-def _driving(work: LoadWork, gas: GasPressures | None) -> Iterator[Words]:
+def _driving(work: LoadWork, of_gas: Array | None) -> Iterator[Words]:
     """Flag loads that do work over a cycle, where nothing else but a motor takes it."""
     own = np.sum(work.load_work, axis=1)
     gross = np.sum(np.abs(work.load_work), axis=1)
-    by_gas = 0.0 if gas is None else np.sum(gas.indicated_work, axis=1)
+    by_gas = 0.0 if of_gas is None else np.sum(of_gas, axis=1)
     # What fires drives the motor as it should.
     is_driven = (own > _DRIVES * gross) & (own + by_gas > _DRIVES * gross) & (by_gas <= 0)
     if np.any(is_driven):

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.fluids import Kink
+from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.gas.chambers import GasInChambers
@@ -22,7 +23,8 @@ class GasEvents:
     Attributes
     ----------
     angle : Array, shape (design, chamber, event)
-        φ of each chamber's dead centres, kinks and ends of pieces of a measured card in a cycle; NaN for none. [rad]
+        φ of each chamber's dead centres, kinks and ends of pieces of a measured card in a cycle of the machine, which
+        may be two of the gas; NaN for none. [rad]
     least : Coefficient, shape (design, distinct, 1)
         Volume of the gas's distinct chambers at their firing. [m³, m³/rad, m³/rad²]
     named : mapping of str to Array, shape (design, chamber)
@@ -34,24 +36,16 @@ class GasEvents:
     named: Mapping[str, Array]
 
 
-def gas_events(gas: GasInChambers, travel: CylinderTravel) -> GasEvents:
+def gas_events(gas: GasInChambers, travel: CylinderTravel, crank_angle: CrankAngle) -> GasEvents:
     """Find dead centres and kinks of all chambers; docs/theory/forces, eq. (13.40)."""
     firing, opposite = gas.dead_centres(travel)
     turns = 2 * np.pi * np.arange(round(gas.cycle / (2 * np.pi)))
     least = _volume_at(gas, firing[:, gas.distinct, np.newaxis], gas.distinct)
     kinks = _kinks(gas, firing, least)
+    once = [firing[..., np.newaxis] + turns, opposite[..., np.newaxis] + turns, kinks, gas.firing + _breaks(gas)]
+    cycles = gas.cycle * np.arange(round(crank_angle.cycle / gas.cycle))
     return GasEvents(
-        np.concatenate(
-            [
-                firing[..., np.newaxis] + turns,
-                opposite[..., np.newaxis] + turns,
-                kinks,
-                gas.firing + _breaks(gas),
-            ],
-            axis=-1,
-        ),
-        least,
-        _named(gas, kinks),
+        np.concatenate([angle + cycle for cycle in cycles for angle in once], axis=-1), least, _named(gas, kinks)
     )
 
 

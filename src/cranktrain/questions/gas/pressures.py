@@ -1,6 +1,7 @@
 """Pressure of the gas over the cycle, its force on every piston, and, whatever the grid, its work and its peak."""
 
 from collections.abc import Iterator
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,7 +42,7 @@ _PEAK_PRESSURE = Limit(
 
 @record
 class GasPressures(Flagged):
-    """Pressure of the gas, and what it does."""
+    """Pressure of the gas, and what it does; cycle is that of the gas. [rad]"""
 
     gas_pressure: Array = quantity(
         "p", "Pa", _CURVE, N_("Absolute pressure in the chamber"), _THEORY, "14.4, 14.12, 14.16, 14.22"
@@ -101,6 +102,11 @@ class GasPressures(Flagged):
         _THEORY,
         "14.24",
     )
+    cycle: float = field(kw_only=True)
+
+    def work_over(self, crank_angle: CrankAngle) -> Array:
+        """Work of the gas over a cycle of the machine, one of its own or two, shape (design, chamber). [J]"""
+        return self.indicated_work * round(crank_angle.cycle / self.cycle)
 
 
 def gas_pressures(
@@ -126,6 +132,7 @@ def gas_pressures(
 
     crest, rise = _largest(gas, events, firing, crank_angle, curves)
     return GasPressures(
+        cycle=gas.cycle,
         gas_pressure=pressure,
         gas_pressure_slope=slope,
         gas_force=gas.force(pressure),

@@ -10,6 +10,7 @@ from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.ties import first_largest
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.rod_load.declared import DeclaredRodLoads
@@ -24,6 +25,8 @@ from cranktrain.saying.checks import Flagged
 from cranktrain.saying.wording import number, ranged
 
 _FACT = ("rod_load_place", "piston")
+_SAME = 1e-9
+"""Roots that differ by less stand at one place of their turns. [rad]"""
 
 
 class _Arcs(NamedTuple):
@@ -131,8 +134,28 @@ def _flags(names: Sequence[str], is_lacking: NDArray[np.bool_], declared: Declar
         )
 
 
+def _repeats(of: SignChanges) -> bool:
+    """Whether the second turn of two is like the first."""
+    n_turn, odd = divmod(of.angle.size, 2)
+    if odd:
+        return False
+    late = of.angle[n_turn:] - of.angle[:n_turn] - TURN
+    return bool(np.all(np.abs(late) < _SAME) and np.all(of.sign[n_turn:] == of.sign[: of.sign.size - n_turn]))
+
+
+def _first_half(of: SignChanges) -> SignChanges:
+    """The first turn of two that are alike; what nowhere changes its sign has one sign in both."""
+    n_turn = of.angle.size // 2
+    return of._replace(angle=of.angle[:n_turn], sign=of.sign[:n_turn]) if n_turn else of
+
+
 def _arcs(of: SignChanges, cycle: float, zero: float) -> _Arcs:
-    """Arcs between roots; angles as they are shown. Where the load is nothing on a way, that is of neither."""
+    """Arcs between roots; angles as they are shown. Where the load is nothing on a way, that is of neither.
+
+    Of a load that is the same in both turns of a cycle, for whatever else the machine has two, one turn counts.
+    """
+    if cycle > TURN and _repeats(of):
+        of, cycle = _first_half(of), TURN
     if not of.angle.size:
         whole = (cycle, 0.0) if of.sign[0] > 0 else (0.0, cycle)
         return _Arcs(*whole, *whole)

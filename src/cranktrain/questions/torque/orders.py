@@ -3,7 +3,6 @@
 from dataclasses import field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
@@ -12,7 +11,7 @@ from cranktrain.numerics.harmonics import from_vectors
 from cranktrain.numerics.ties import falling
 from cranktrain.questions.cylinders.firing import Cycle, Firing
 from cranktrain.questions.torque.sources import TorqueSources
-from cranktrain.questions.torque.stars import phase_stars
+from cranktrain.questions.torque.stars import PhaseStars, stars_of_cycle
 from cranktrain.questions.torque.torques import ShaftTorques
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_HARMONICS as _THEORY
@@ -70,10 +69,10 @@ class PhaseStarSums(StageResult):
     phase_star_sum: Array = quantity(
         "S_k", "1", _ORDER, N_("Sum of the cylinders' phase vectors of the order, by nominal firing"), _THEORY, "15.14"
     )
-    is_major: NDArray[np.bool_] = field(kw_only=True)
+    stars: PhaseStars = field(kw_only=True)
 
 
-def phase_star_sums(firing: Firing, cycle: Cycle) -> PhaseStarSums:
+def phase_star_sums(firing: Firing, cycle: Cycle, crank_angle: CrankAngle) -> PhaseStarSums:
     """Stars of the phase vectors of all cylinders; docs/theory/harmonics-and-orders, eq. (15.14)."""
-    stars = phase_stars(orders(cycle.length), firing.firing_angle)
-    return PhaseStarSums(stars.length, is_major=stars.is_major, labels=order_labels(cycle.length))
+    stars = stars_of_cycle(firing.firing_angle, cycle.length, crank_angle.cycle)
+    return PhaseStarSums(stars.length, stars=stars, labels=order_labels(crank_angle.cycle))

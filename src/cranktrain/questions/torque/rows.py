@@ -41,7 +41,7 @@ def torque_rows(
 def major_rows(of: Telling, stars: PhaseStarSums) -> Iterator[AnswerLine]:
     """Orders in which all cylinders add up, where not all do."""
     names = of.labels["order"]
-    major = [name for name, is_major in zip(names, stars.is_major[of.design], strict=True) if is_major]
+    major = [name for name, is_major in zip(names, stars.stars.is_major[of.design], strict=True) if is_major]
     if major and len(major) < len(names):
         named = ", ".join([*major[:_NAMED], *["…"] * (len(major) > _NAMED)])
         yield worded(_("major orders"), named, quantity="phase_star_sum")

@@ -280,13 +280,13 @@ def _of_chambers(
         volume, _slope, curvature = (float(part[design, gas.among_distinct[design, first], 0]) for part in events.least)
         away = float(np.sqrt(2 * volume / curvature))
         widest = min(_WIDEST, max(_REACH * away, _NARROWEST)) if away > 0 else _WIDEST
-        cut = subintervals(events.angle[design, first] - start, widest, gas.cycle)
+        cut = subintervals(events.angle[design, first] - start, widest, crank_angle.cycle)
         motion = gas.volume_of(design, first, cut.angle + start)
         for _halving in range(_HALVINGS):
             if widest <= _NARROWEST or shows(cut, motion.first):
                 break
             widest /= 2
-            cut = subintervals(events.angle[design, first] - start, widest, gas.cycle)
+            cut = subintervals(events.angle[design, first] - start, widest, crank_angle.cycle)
             motion = gas.volume_of(design, first, cut.angle + start)
         pressure = gas.pressure_of(design, first, cut.angle, motion)
         by_chamber = [np.flatnonzero(gas.chambers.areas[design, :, place]) for place in places.tolist()]

@@ -5,8 +5,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.layout.crank_angle import orders
 from cranktrain.motion import Array
-from cranktrain.numerics.harmonics import ComplexArray, Harmonics, from_vectors, phasor
+from cranktrain.numerics.harmonics import TURN, ComplexArray, Harmonics, from_vectors, phasor
 
 _ALIGNED = 1e-9
 """Vectors whose sum falls short of their lengths' by less, in parts of it, all point one way."""
@@ -72,6 +73,33 @@ def phase_stars(order: Array, firing_angle: Array, weight: Array | None = None) 
     summed = np.sum(vectors, axis=-1)
     total = np.where(np.abs(summed) <= _ROUNDING * most, 0.0, summed)
     return PhaseStars(order, vectors, total, np.abs(total) >= (1 - _ALIGNED) * most)
+
+
+def stars_of_cycle(firing_angle: Array, cycle: float, of_machine: float, weight: Array | None = None) -> PhaseStars:
+    """Stars of all orders of a machine, whose cycle may be two of its cylinders.
+
+    Parameters
+    ----------
+    firing_angle, weight
+        As of `phase_stars`.
+    cycle : float
+        Of the cylinders. [rad]
+    of_machine : float
+        Cycle of the machine, one or two of these. [rad]
+
+    Returns
+    -------
+    PhaseStars
+        Without vectors between the cylinders' own orders, where their torque has none.
+    """
+    order = orders(of_machine)
+    found = phase_stars(order, firing_angle, weight)
+    is_own = np.mod(order * round(cycle / TURN), 1.0) == 0.0
+    return found._replace(
+        vectors=np.where(is_own[:, np.newaxis], found.vectors, 0.0),
+        total=np.where(is_own, found.total, 0.0),
+        is_major=found.is_major & is_own,
+    )
 
 
 def shaft_harmonics(cylinder: Harmonics, firing_angle: Array) -> Harmonics:

@@ -56,7 +56,7 @@ def load_balance(
         return LoadBalance()
     works = loads.load_work[:, : loads.n_on_links]
     if pressures is not None:
-        works = np.concatenate([works, pressures.indicated_work], axis=-1)
+        works = np.concatenate([works, pressures.work_over(crank_angle)], axis=-1)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of loads and gas")
     residual, reasons = loaded.judged(_apart(works, loaded, solved, times_arms, sources, crank_angle))
     return LoadBalance(checks=(Check("load_work", sentence, residual, _LIMIT, reasons),))
@@ -106,10 +106,10 @@ def work_balance(
     -----
     docs/theory/forces, eq. (13.40).
     """
-    works = pressures.indicated_work
-    total = np.sum(works, axis=-1)
+    total = np.sum(pressures.indicated_work, axis=-1)
     if loaded.jumps:
         return WorkBalance(total)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas")
+    works = pressures.work_over(crank_angle)
     residual, reasons = loaded.judged(_apart(works, loaded, solved, times_arms, sources, crank_angle))
     return WorkBalance(total, checks=(Check("work", sentence, residual, _LIMIT, reasons),))

@@ -14,7 +14,7 @@ from cranktrain.numerics.ties import ALIKE
 from cranktrain.questions.cylinders.firing import Cycle, Firing
 from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.forces.carriers import Carriers
-from cranktrain.questions.torque.stars import phase_stars
+from cranktrain.questions.torque.stars import stars_of_cycle
 from cranktrain.questions.torsion.modes import TorsionalModes
 from cranktrain.questions.torsion.parts import DeclaredTrain
 from cranktrain.record import record
@@ -105,6 +105,7 @@ def mode_vector_sums(
     modes: TorsionalModes,
     firing: Firing,
     cycle: Cycle,
+    crank_angle: CrankAngle,
     cylinders: CylinderPistons,
     carriers: Carriers,
     shafts: Shafts,
@@ -116,5 +117,6 @@ def mode_vector_sums(
     docs/theory/torsion, eq. (23.10).
     """
     on_disc = declared.throws[shafts.throw[carriers.driven[cylinders.leading]]]
-    stars = phase_stars(orders(cycle.length), firing.firing_angle[:, np.newaxis], modes.mode_shape[..., on_disc])
-    return ModeVectorSums(stars.length, labels=order_labels(cycle.length))
+    angle, length = firing.firing_angle[:, np.newaxis], cycle.length
+    stars = stars_of_cycle(angle, length, crank_angle.cycle, modes.mode_shape[..., on_disc])
+    return ModeVectorSums(stars.length, labels=order_labels(crank_angle.cycle))

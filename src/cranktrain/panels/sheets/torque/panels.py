@@ -4,13 +4,12 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import orders
-from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.ties import falling
 from cranktrain.panels.design import OneDesign, closed
 from cranktrain.panels.parts import Stars
 from cranktrain.panels.shapes import Bars, Curve, Panel, Rays, peak
-from cranktrain.questions.torque.stars import phase_stars
+from cranktrain.questions.torque.orders import PhaseStarSums
 from cranktrain.saying.amounts import BareAmount, UnitLabel
 
 STARS = 3
@@ -41,8 +40,8 @@ def order_bars(shown: OneDesign) -> Bars:
     order = orders(shown.result.grid.cycle)
     amplitude = np.nan_to_num(shown("torque_order_amplitude"))
     largest = np.max(np.abs(shown("mechanism_torque")))
-    has_stars = shown.has("phase_star_sum")
-    is_major = phase_stars(order, _firing(shown)).is_major if has_stars else np.zeros(order.shape, dtype=np.bool_)
+    sums = shown.result.get(PhaseStarSums)
+    is_major = np.zeros(order.shape, dtype=np.bool_) if sums is None else sums.stars.is_major[shown.design]
     amplitude = np.where(amplitude > _NOTHING * largest, amplitude, 0.0)
     title = _(
         "Amplitude of the torque's orders, {unit}, over the order", unit=UnitLabel("N*m", float(np.max(amplitude)))
@@ -64,24 +63,21 @@ def largest_stars(shown: OneDesign, bars: Bars) -> Stars | None:
 
     Up is the phase of the first to fire; phases that lag turn clockwise.
     """
-    if not shown.has("phase_star_sum") or len(shown("firing_angle")) < 2:
+    sums = shown.result.get(PhaseStarSums)
+    if sums is None or len(shown("firing_angle")) < 2:
         return None
-    largest = np.array(falling(bars.high)[:STARS], dtype=np.intp)
-    order = bars.across[largest[bars.high[largest] > 0.0]]
-    if not order.size:
+    stars, names = sums.stars, shown.result.labels["cylinder"]
+    vectors, length = stars.vectors[shown.design], stars.length[shown.design]
+    largest = [i for i in falling(bars.high)[:STARS] if bars.high[i] > 0.0 and np.any(vectors[i])]
+    if not largest:
         return None
-    stars, names = phase_stars(order, _firing(shown)), shown.result.labels["cylinder"]
     rays = (
         Rays(
-            _("{order:g}: sum {sum:.2f} of {n}", order=one, sum=length, n=len(names)),
-            TURN / 4 + np.angle(star),
-            np.abs(star),
+            _("{order:g}: sum {sum:.2f} of {n}", order=float(stars.order[i]), sum=float(length[i]), n=len(names)),
+            TURN / 4 + np.angle(vectors[i]),
+            np.abs(vectors[i]),
             names,
         )
-        for one, length, star in zip(stars.order.tolist(), stars.length.tolist(), stars.vectors, strict=True)
+        for i in largest
     )
     return Stars(_("Phase stars of the largest orders, by nominal firing"), tuple(rays))
-
-
-def _firing(shown: OneDesign) -> Array:
-    return np.deg2rad(shown("firing_angle"))
