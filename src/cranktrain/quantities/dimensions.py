@@ -196,6 +196,16 @@ class Dimension(Enum):
             _unit("lbf·in/rad", "in·lbf/rad", "фунт-сила·дюйм/рад", si=_POUND_FORCE * _INCH),
         ),
     )
+    BENDING_STIFFNESS = (
+        N_("a bending stiffness EI"),
+        "2.5 MN·m²",
+        (
+            _unit("MN·m²", "МН·м²", si=10**6),
+            _unit("kN·m²", "кН·м²", si=1000),
+            _unit("Pa·m⁴", "Па·м⁴"),  # N·m² is a flywheel moment's
+            _unit("lbf·in²", "фунт-сила·дюйм²", si=_POUND_FORCE * _INCH**2),
+        ),
+    )
     ENERGY = (
         N_("an energy"),
         "1200 J",

@@ -170,6 +170,7 @@ EXAMPLES = {
     "small_end": "0.5 kg",
     "smoothing": "3 deg",
     "spacing": "120 mm",
+    "span_bending_stiffness": "2.5 MN·m²",
     "speeds": "1500 rpm",
     "stagger": "20 mm",
     "standard_pressure": "101.325 kPa",

@@ -31,6 +31,7 @@ FlywheelMoment: TypeAlias = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT)
 PositiveEnergy: TypeAlias = Annotated[Given, Quantity(Dimension.ENERGY, above=0.0)]
 HeatTransfer: TypeAlias = Annotated[Given, Quantity(Dimension.HEAT_TRANSFER, at_least=0.0)]
 PositiveDensity: TypeAlias = Annotated[Given, Quantity(Dimension.DENSITY, above=0.0)]
+PositiveBendingStiffness: TypeAlias = Annotated[Given, Quantity(Dimension.BENDING_STIFFNESS, above=0.0)]
 PositiveTorsionalStiffness: TypeAlias = Annotated[Given, Quantity(Dimension.TORSIONAL_STIFFNESS, above=0.0)]
 PositiveMolarMass: TypeAlias = Annotated[Given, Quantity(Dimension.MOLAR_MASS, above=0.0)]
 Temperature: TypeAlias = Annotated[Given, Quantity(Dimension.TEMPERATURE, above=0.0)]

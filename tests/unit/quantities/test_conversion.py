@@ -31,6 +31,7 @@ DIMENSIONALITY = {
     Dimension.POWER: {M: 1, L: 2, T: -3},
     Dimension.STIFFNESS: {M: 1, T: -2},
     Dimension.TORSIONAL_STIFFNESS: {M: 1, L: 2, T: -2},
+    Dimension.BENDING_STIFFNESS: {M: 1, L: 3, T: -2},
     Dimension.DENSITY: {M: 1, L: -3},
     Dimension.ENERGY: {M: 1, L: 2, T: -2},
     Dimension.HEAT_TRANSFER: {M: 1, T: -3, "[temperature]": -1},

@@ -102,6 +102,7 @@ def test_limits_that_are_included(text: str) -> None:
         ("PositiveInertia", "5 kg·m²", "0 kg·m²"),
         ("NonNegativeInertia", "0 kg·m²", "-5 kg·m²"),
         ("FlywheelMoment", "5 N·m²", "5 N·m"),
+        ("PositiveBendingStiffness", "5 kN·m²", "0 kN·m²"),
         ("PositiveTorsionalStiffness", "5 kN·m/rad", "0 kN·m/rad"),
         ("Ratio", -5, "5 mm"),
         ("PositiveRatio", "5/2", 0),

@@ -87,6 +87,12 @@ MULTIPLICATIVE = {
         75 * Fraction("9.80665"): ("PS", "л.с.", "л. с.", "лс"),
     },
     D.STIFFNESS: {Fraction(1000): ("N/mm", "Н/мм"), Fraction(1): ("N/m", "Н/м")},
+    D.BENDING_STIFFNESS: {
+        Fraction(10**6): ("MN·m²", "MN*m^2", "МН·м²"),
+        Fraction(1000): ("kN·m²", "kN*m2", "кН·м²"),
+        Fraction(1): ("Pa·m⁴", "Pa*m4", "Па·м⁴"),
+        LBF * INCH**2: ("lbf·in²", "lbf*in^2", "фунт-сила·дюйм²"),
+    },
     D.TORSIONAL_STIFFNESS: {
         Fraction(10**6): ("MN·m/rad", "MN*m/rad", "MNm/rad", "МН·м/рад"),
         Fraction(1000): ("kN·m/rad", "kN*m/rad", "kNm/rad", "кН·м/рад"),

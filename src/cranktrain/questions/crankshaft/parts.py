@@ -15,7 +15,7 @@ from cranktrain.questions.crankshaft.metal.pieces_of_throws import WEB_RULES, We
 from cranktrain.questions.crankshaft.metal.sections import Material
 from cranktrain.questions.crankshaft.metal.shaft import turned_compliance
 from cranktrain.questions.crankshaft.pulls import Pulls, pulls_of
-from cranktrain.questions.crankshaft.shaft_line import LineBearing, ShaftLine, ShaftLines
+from cranktrain.questions.crankshaft.shaft_line import LineBearing, ShaftLine, ShaftLines, each_of
 from cranktrain.questions.crankshaft.spec import STEEL, CrankshaftTable, GearSpec
 from cranktrain.record import record
 
@@ -80,6 +80,8 @@ class DeclaredCrankshaft:
         Which bearing takes axial forces.
     pulls : Pulls
     material : Material, shape (design,)
+    span_bending : Array, shape (design, bearing − 1), or None
+        EI of each span as a straight beam, where the file gives it. [N·m²]
     density : Array, shape (design,)
         [kg/m³]
     web_height : Array, shape (design, 1)
@@ -115,6 +117,7 @@ class DeclaredCrankshaft:
     material: Material
     density: Array
     web_height: Array
+    span_bending: Array | None
     is_elastic: bool
     has_clearance: bool
 
@@ -158,6 +161,12 @@ def declared_crankshafts(designs: Designs) -> DeclaredCrankshafts | None:
         if table is not None and (line := lines.line(name)) is not None
     ]
     return DeclaredCrankshafts(tuple(found)) if found else None
+
+
+def _spans(designs: Designs, table: CrankshaftTable, n: int) -> Array | None:
+    """EI of spans where the table gives it, shape (design, span). [N·m²]"""
+    given = table.span_bending_stiffness
+    return None if given is None else designs.by_design(each_of(given, n))
 
 
 def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable, line: ShaftLine) -> DeclaredCrankshaft:
@@ -209,6 +218,7 @@ def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable, 
         material=_material(designs, table),
         density=by_design([(table.density or STEEL[2]).array])[:, 0],
         web_height=by_design([_or_nan(table.web_height)]),
+        span_bending=_spans(designs, table, len(bearings) - 1),
         is_elastic=any(bearing.table.stiffness for bearing in bearings),
         has_clearance=any(bearing.table.clearance for bearing in bearings),
     )

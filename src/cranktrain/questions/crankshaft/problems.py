@@ -132,6 +132,10 @@ class _OneShaft:
                 allowed = _("is missing; only bearings of journals have a place of their own: {names}")
                 yield self.problem(f"bearing.{name}.z", None, allowed.format(names=", ".join(own)))
         names = [*own, *(name for name in table.bearing if name not in own)]
+        given = table.span_bending_stiffness
+        if given is not None and len(given) not in (1, len(names) - 1):
+            allowed = _("must be one value, or one for each span between neighbouring bearings: {n}", n=len(names) - 1)
+            yield self.problem("span_bending_stiffness", _("a list of {n}", n=len(given)), allowed)
         if len(names) < 2:
             allowed = _("must be two or more, or the shaft floats; name one more in [crankshaft.bearing.NAME]")
             yield self.problem("bearings", ", ".join(names) or None, allowed)

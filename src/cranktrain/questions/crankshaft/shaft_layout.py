@@ -212,7 +212,8 @@ def _crankshaft(declared: DeclaredCrankshaft, throws: ThrowGeometry) -> tuple[Cr
         StraightSpans(*np.full((2, n_designs, n_spans), np.inf)),
     )
     ends = end_slopes(plain)
-    straight = StraightSpans(straight_bending(plain, ends), plain.straight.shear)
+    bending = straight_bending(plain, ends) if declared.span_bending is None else declared.span_bending
+    straight = StraightSpans(bending, plain.straight.shear)
     return plain._replace(straight=straight), ends, cut.first
 
 

@@ -150,7 +150,7 @@ def shaft_line(table: CrankshaftTable, pins: Sequence[LinePin]) -> ShaftLine:
     """Put a table in which all is there, and lists are as long as they must be, to the pins."""
     n = len(pins)
     has = np.array([table.journals is None or number in table.journals for number in range(1, n + 2)])
-    lengths = _each(table.pin_length, n)
+    lengths = each_of(table.pin_length, n)
     thickness, width = _webs(table.web_thickness, n), _webs(table.web_width, n)
     ends = [(pin.z - length / 2, pin.z + length / 2) for pin, length in zip(pins, lengths, strict=True)]
     planes = [(begin - first / 2, end + last / 2) for (begin, end), (first, last) in zip(ends, thickness, strict=True)]
@@ -160,15 +160,15 @@ def shaft_line(table: CrankshaftTable, pins: Sequence[LinePin]) -> ShaftLine:
         planes[before] = (planes[before][0], (begin + end) / 2)
         thickness[before + 1] = (end - begin, thickness[before + 1][1])
         planes[before + 1] = ((begin + end) / 2, planes[before + 1][1])
-    bores = _each(table.journal_bore or _NO_BORE, n + 1)
+    bores = each_of(table.journal_bore or _NO_BORE, n + 1)
     return ShaftLine(
         tuple(pins),
         has,
         _bearings(table, pins, has),
-        _each(table.journal_diameter, n + 1),
+        each_of(table.journal_diameter, n + 1),
         bores,
-        _each(table.pin_diameter, n),
-        _each(table.pin_bore or _NO_BORE, n),
+        each_of(table.pin_diameter, n),
+        each_of(table.pin_bore or _NO_BORE, n),
         lengths,
         tuple(thickness),
         tuple(width),
@@ -235,12 +235,13 @@ def _first(value: Array) -> float:
     return float(np.ravel(value)[0])
 
 
-def _each(given: Sequence[Given] | None, n: int) -> tuple[Array, ...]:
+def each_of(given: Sequence[Given] | None, n: int) -> tuple[Array, ...]:
+    """Give as many numbers as there are, of one value for all or one for each."""
     values = [value.array for value in given or ()]
     return tuple(values * n if len(values) == 1 else values)
 
 
 def _webs(given: Sequence[Given] | None, n_pins: int) -> list[Ends]:
     """Both webs of every pin: one value for all, one for each pin, or one for each web."""
-    values = _each(given, n_pins) if len(given or ()) in (1, n_pins) else _each(given, 2 * n_pins)
+    values = each_of(given, n_pins) if len(given or ()) in (1, n_pins) else each_of(given, 2 * n_pins)
     return list(zip(values[::2], values[1::2], strict=True)) if len(values) > n_pins else [(web, web) for web in values]

@@ -17,6 +17,7 @@ from cranktrain.quantities import (
     Given,
     Length,
     NonNegativeLength,
+    PositiveBendingStiffness,
     PositiveDensity,
     PositiveLength,
     PositivePressure,
@@ -172,6 +173,13 @@ class CrankshaftTable(Spec, frozen=True):
     )
     shoulder: Mapping[Name, ShoulderSpec] = Field(
         default={}, description=N_("Shoulders of journals by name: where their diameter changes.")
+    )
+    span_bending_stiffness: OneOrMany[PositiveBendingStiffness] | None = Field(
+        default=None,
+        description=N_(
+            "EI of the straight beam from each bearing to the next, for three and five moments: one for all, or one for"
+            " each; by the shaft's sections unless given."
+        ),
     )
     young_modulus: PositivePressure | None = Field(
         default=None, description=N_("Young's modulus of the shaft; that of steel unless given.")

@@ -137,6 +137,16 @@ def pumping_unit(declared: DeclaredPumping, loaded: LoadedMachine) -> PumpingUni
     return PumpingUnit(loaded, well, weights, beside, bottom, top, moment, phase)
 
 
+def is_crank_weightless(loaded: LoadedMachine) -> bool:
+    """Whether the crank has a body out of balance, and the file no gravity by which that weighs something."""
+    kind, made = loaded.mechanisms.batches[0].kind, loaded.masses.batches[0]
+    if CRANK not in kind.dynamics.moving:
+        return False
+    body, gravity = made.bodies[kind.dynamics.moving.index(CRANK)], made.gravity
+    unbalance = body.mass * np.hypot(body.along, body.across)
+    return bool(np.any((unbalance > 0.0) & (np.hypot(gravity.x, gravity.y) == 0.0)))
+
+
 def _body_of_crank(loaded: LoadedMachine, mechanism: int) -> LinkLoad | None:
     """Weight of the body of the crank as a load at its centroid; None where it has none, or stands in balance."""
     kind, made = loaded.mechanisms.batches[0].kind, loaded.masses.batches[0]

@@ -13,7 +13,7 @@ from cranktrain.numerics import Extreme
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.pumping.acting import ActingOnUnit, PumpingUnit, pumping_unit
+from cranktrain.questions.pumping.acting import ActingOnUnit, PumpingUnit, is_crank_weightless, pumping_unit
 from cranktrain.questions.pumping.balanced import BalancedUnit, balanced
 from cranktrain.questions.pumping.declared import DeclaredPumping
 from cranktrain.questions.pumping.turn_pieces import highest, turn_pieces
@@ -233,7 +233,7 @@ def gearbox_torque(
             labels={"stroke_position": tuple(f"{position:g}" for position in np.round(_POSITIONS, 2).tolist())},
             checks=tuple(_checks(unit, work)),
         )
-    return replace(found, flags=tuple(_flags(found, declared)))
+    return replace(found, flags=tuple(_flags(found, declared, is_weightless=is_crank_weightless(loaded))))
 
 
 def _facts(unit: PumpingUnit, design: int, events: Array) -> _Facts:
@@ -283,7 +283,7 @@ def _checks(unit: PumpingUnit, work: Array) -> Iterator[Check]:
         yield Check("card_area", sentence, np.abs(work - area) / scale, _EXACT_LIMIT)
 
 
-def _flags(found: GearboxTorque, declared: DeclaredPumping) -> Iterator[Words]:
+def _flags(found: GearboxTorque, declared: DeclaredPumping, *, is_weightless: bool) -> Iterator[Words]:
     """Flag ratings exceeded, torque that drives the gearbox, weights too heavy or light, and masses left out."""
     if np.any(found.torque_share > 1.0):
         share = number(float(np.nanmax(found.torque_share)), "%")
@@ -303,6 +303,12 @@ def _flags(found: GearboxTorque, declared: DeclaredPumping) -> Iterator[Words]:
         yield _("The counterbalance is too light: the peak of the upstroke is the larger one.")
     if np.any(np.isfinite(found.counterbalance_moment) & (apart < -_APART)):
         yield _("The counterbalance is too heavy: the peak of the downstroke is the larger one.")
+    if is_weightless:
+        said = _(
+            "The crank's body weighs nothing without gravity = true: gearbox_torque has nothing of it, and the"
+            " counterbalance is that of loads alone."
+        )
+        yield said
     if declared.has_masses:
         said = _(
             "The gearbox torque is that of loads and the weight of the crank's body alone; weight of other masses, and"

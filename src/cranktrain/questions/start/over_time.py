@@ -2,7 +2,6 @@
 
 from cranktrain.layout.drive.declared import DeclaredStroke
 from cranktrain.layout.question import Stage
-from cranktrain.questions.gas.declared import DeclaredGas
 from cranktrain.questions.start.asked import MovingParts
 from cranktrain.questions.start.facts import start_facts, stroke_facts
 from cranktrain.questions.start.parts import are_strokes_wanted
@@ -16,17 +15,12 @@ def is_no_stroke(stroke: DeclaredStroke | None) -> bool:
     return stroke is None
 
 
-def compresses(gas: DeclaredGas, stroke: DeclaredStroke | None) -> bool:
-    """Whether there are chambers that remember their gas, in a run from rest."""
-    return stroke is None and any(table.fluid.name == "compressor" for table in gas.tables)
-
-
 STAGES = (
     Stage(MovingParts),
     Stage(start_case, applies=is_no_stroke),
     Stage(start_run, applies=is_no_stroke),
     Stage(start_curves),
-    Stage(start_pressures, applies=compresses),
+    Stage(start_pressures),
     Stage(start_events),
     Stage(start_facts),
     Stage(stroke_facts, applies=are_strokes_wanted),

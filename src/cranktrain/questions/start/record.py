@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.language import N_, Words, _
+from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
+from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TRANSIENTS as _THEORY
 from cranktrain.saying.catalogue import quantity
@@ -61,10 +63,10 @@ class GasOverTime(NamedTuple):
 
 @record
 class StartPressures(StageResult):
-    """Pressures of a compressor over time."""
+    """Pressures over time."""
 
     gas_pressure: Array = quantity(
-        "p", "Pa", ("chamber", "time"), N_("Absolute pressure in each chamber of a compressor"), _REDUCED, "31.5"
+        "p", "Pa", ("chamber", "time"), N_("Absolute pressure in each chamber"), _REDUCED, "31.5"
     )
 
 
@@ -156,10 +158,14 @@ def start_curves(run: StartRun) -> StartCurves:
     return run.curves
 
 
-def start_pressures(run: StartRun) -> StartPressures:
-    """Give the pressures at the times that were asked for."""
-    assert run.gas is not None  # a run from rest has them
-    return StartPressures(labels={"chamber": run.gas.names}, gas_pressure=run.gas.whole[:, run.gas.asked])
+def start_pressures(run: StartRun, gas: GasInChambers, crank_angle: CrankAngle) -> StartPressures:
+    """Pressures at the times that were asked for: a compressor's as its chambers remember, others by the crank angle."""
+    names = gas.chambers.names
+    angle = run.curves.crank_angle_turned + crank_angle.zero
+    pressure = gas.pressure(angle, gas.volume(angle))[0]
+    if run.gas is not None:
+        pressure[[names.index(name) for name in run.gas.names]] = run.gas.whole[:, run.gas.asked]
+    return StartPressures(labels={"chamber": names}, gas_pressure=pressure)
 
 
 def start_events(run: StartRun) -> StartEvents:
