@@ -159,7 +159,7 @@ def start_curves(run: StartRun) -> StartCurves:
 
 
 def start_pressures(run: StartRun, gas: GasInChambers, crank_angle: CrankAngle) -> StartPressures:
-    """Pressures at the times that were asked for: a compressor's as its chambers remember, others by the crank angle."""
+    """Pressures at times that were asked for: a compressor's as chambers remember, of other gas by the crank angle."""
     names = gas.chambers.names
     angle = run.curves.crank_angle_turned + crank_angle.zero
     pressure = gas.pressure(angle, gas.volume(angle))[0]

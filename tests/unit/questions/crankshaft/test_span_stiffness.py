@@ -1,4 +1,4 @@
-"""EI of straight spans as numbers: that of the sections again, three moments in closed form, and lists that do not fit."""
+"""EI of straight spans as numbers: that of the sections again, three moments in closed form, lists that do not fit."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,7 @@ from tests.validation.test_crankshaft_arrangements import SECTIONS, machine
 import cranktrain as ct
 from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import every_stage
+from cranktrain.analysis.stages import every_stage, lacking
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayouts
 
 ELASTIC = {"bearing_stiffness": "5e5 N/mm"}
@@ -16,7 +16,8 @@ YOUNG, DIAMETER = 206e9, 0.07
 
 def by_sections(declared):
     """EI of the spans of the machine's only crankshaft."""
-    found = run_stages(parts_of([declared], step=np.radians(1.0)), every_stage())
+    parts = parts_of([declared], step=np.radians(1.0))
+    found = run_stages(every_stage(), parts, lacking(every_stage(), parts))
     (layout,) = found[ShaftLayouts].each
     return layout.shaft.straight.bending[0].tolist()
 

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from tests.sentences import CRANK_WEIGHTLESS
+from tests.told import texts_of
 
 import cranktrain as ct
 from cranktrain.io.machine_file import read_machine
@@ -88,3 +90,10 @@ def test_two_weights_ahead_and_behind_add_as_vectors():
 def test_a_force_alone_is_not_sought_beside_a_body():
     with pytest.raises(ct.InputError, match="is not all of the counterbalance"):
         counterbalance(read_machine("pumping_unit_c57").machine.with_({"masses.crank": BODY, "gravity": True}))
+
+
+@pytest.mark.parametrize("changes", [{}, {"gravity": True}, {"masses": {"crank": BODY | {"along": "0 in"}}}])
+def test_a_body_without_gravity_is_told(changes):
+    """Not where it has weight, nor where it stands in balance."""
+    flags = texts_of(ct.run(ct.Machine(**tables(**({"masses": {"crank": BODY}} | changes)))).flags)
+    assert any(CRANK_WEIGHTLESS in flag for flag in flags) == (not changes)

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from tests.sentences import NOT_POSITIVE
+from tests.sentences import GAS_PRESSURE_UNUSED, NOT_POSITIVE
+from tests.told import texts_of
 
 import cranktrain as ct
 
@@ -105,3 +106,35 @@ def test_it_is_for_a_compressor():
     )
     with pytest.raises(ct.InputError, match="is for chambers of a compressor"):
         ct.start(machine)
+    assert GAS_PRESSURE_UNUSED in texts_of(ct.run(machine).flags)
+    assert GAS_PRESSURE_UNUSED not in texts_of(ct.run(compressor(gas_pressure="6 bar")).flags)
+
+
+def test_an_engine_has_its_gas_by_the_crank_angle():
+    """An Otto cycle of two strokes: p₁ (V₁/V)^n₁ before the top, ψ p₁ ε^n₁ (V_c/V)^n₂ behind it."""
+    begin, compression, expansion, heat = 1e5, 1.32, 1.25, 3.0
+    machine = ct.Machine(
+        mechanism={"kind": "slider_crank", "stroke": "80 mm", "rod_length": "160 mm"},
+        masses={"piston": {"mass": "1 kg"}},
+        cylinder={"bore": "80 mm", "clearance": CLEARANCE, "cycle": "two-stroke", "firing_order": "1"},
+        gas={
+            "kind": "otto",
+            "start_pressure": "1 bar",
+            "compression_exponent": compression,
+            "expansion_exponent": expansion,
+            "pressure_ratio": heat,
+        },
+        shaft={"main": {"speed": "1000 rpm"}},
+        drive={
+            "part": {"wheel": {"on": "motor", "inertia": "2 kg*m^2"}},
+            "start": {"angle": "40 deg", "speed": "100 rpm", "duration": "0.5 s"},
+        },
+    )
+    found = ct.start(machine)
+    turned = found.crank_angle_turned
+    room, smallest, largest = volume(turned), volume(0.0), volume(np.pi)
+    rising = begin * (largest / room) ** compression
+    falling = heat * begin * (largest / smallest) ** compression * (smallest / room) ** expansion
+    is_falling = np.mod(turned, 2 * np.pi) < np.pi
+    assert is_falling.any() and not is_falling.all() and found.gas_pressure.shape == (1, found.time.size)
+    assert_allclose(found.gas_pressure[0], np.where(is_falling, falling, rising), rtol=1e-12)
