@@ -4,6 +4,7 @@ from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import islice
+from typing import Any, NoReturn
 
 from cranktrain.language import Words, _
 from cranktrain.one_line import one_line, short
@@ -110,3 +111,48 @@ def problems_as(said: Callable[[Problem], Problem]) -> Generator[None]:
         yield
     except InputError as error:
         raise InputError(map(said, error.problems)) from None
+
+
+class UnreadError(LookupError):
+    """Raised where a rule asks for what cannot be read: it is not judged."""
+
+
+def _refuse_use(*_used: object, **_named: object) -> NoReturn:
+    raise UnreadError
+
+
+def _unread(*_used: object, **_named: object) -> Any:
+    return UNREAD
+
+
+class _Unread(type):
+    """A class of which nobody can ask what a spec's says, such as its fields."""
+
+    __getattr__ = _refuse_use
+
+
+class Unread(metaclass=_Unread):
+    """Stands where a file has something that cannot be read: what is made of it is unknown, who looks cannot judge."""
+
+    __call__ = __array_ufunc__ = __neg__ = __abs__ = __eq__ = __ne__ = __lt__ = __le__ = __gt__ = __ge__ = _unread
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = _unread
+    __pow__ = __rpow__ = __mod__ = __rmod__ = _unread
+    __bool__ = __len__ = __iter__ = __contains__ = __getitem__ = __hash__ = _refuse_use
+    __str__ = __repr__ = __format__ = __int__ = __float__ = __index__ = __array__ = _refuse_use
+
+    def __getattr__(self, name: str) -> Any:
+        """Give what it has, which cannot be read either; nothing that Python itself asks for."""
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return UNREAD
+
+
+UNREAD: Any = Unread()
+
+
+def judged(found: Iterable[Problem]) -> Iterator[Problem]:
+    """Give what a rule finds until it asks for what cannot be read; others beside it go on."""
+    try:
+        yield from found
+    except UnreadError:
+        return

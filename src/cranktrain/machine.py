@@ -11,7 +11,7 @@ from pydantic import Field, ValidationError
 
 from cranktrain.all_questions import QUESTIONS, CrankshaftSpec, DriveSpec, GearSpec, PumpingSpec, RodSpec, TorsionSpec
 from cranktrain.allowed import ELSEWHERE, Name
-from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.errors import InputError, Problem, judged, refuse
 from cranktrain.faces import face
 from cranktrain.kept import read_like
 from cranktrain.language import N_, _
@@ -252,7 +252,7 @@ class Machine(Spec, frozen=True):
         if n_mechanisms > MOST_MECHANISMS:
             allowed = _("gives {n} mechanisms; a machine may have at most {limit}")
             yield Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS))
-        yield from shaft_problems(self.shaft, self.banks)
+        yield from judged(shaft_problems(self.shaft, self.banks))
         yield from unit_problems(self.units)
 
     @property

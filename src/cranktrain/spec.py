@@ -18,7 +18,7 @@ from pydantic_core import ErrorDetails, core_schema
 from cranktrain.allowed import ALLOWED, OTHERWISE
 from cranktrain.brief import BriefSignature, brief_fields
 from cranktrain.declared_types import alternative_of, bare, inner_of, key_of, parts_of, quantity_of, table_of, words_of
-from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.errors import InputError, Problem, judged, refuse
 from cranktrain.grouping import grouped
 from cranktrain.language import Words, _
 from cranktrain.paths import path_text, value_at
@@ -36,6 +36,7 @@ class Spec(BaseModel, frozen=True, metaclass=SpecClass):
 
     unlisted: ClassVar[frozenset[str]] = frozenset(
         {
+            "as_fields",
             "coming_from",
             "elsewhere",
             "kinds_elsewhere",
@@ -85,7 +86,11 @@ class Spec(BaseModel, frozen=True, metaclass=SpecClass):
 
     @model_validator(mode="before")
     @classmethod
-    def _lists_as_tuples(cls, data: object) -> object:
+    def _read_as_fields(cls, data: object) -> object:
+        return cls.as_fields(data)
+
+    @classmethod
+    def as_fields(cls, data: object) -> object:
         """Take TOML's lists for the tuples of a frozen spec, which a strict one would refuse."""
         return with_tuples(data)
 
@@ -223,8 +228,7 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
     cause = context.get("error")
     if isinstance(cause, InputError):
         for problem in cause.problems:
-            stood = _as_written(value_at(detail["input"], problem.path)) if problem.given is None else problem.given
-            yield replace(problem, path=_joined(where.path, problem.path), given=stood)
+            yield _placed(problem, where.path, detail["input"])
     elif kind == "extra_forbidden" and where.table is not None:
         known = [key_of(name, field) for name, field in where.table.model_fields.items()]
         elsewhere = where.table.elsewhere if issubclass(where.table, Spec) else NOWHERE
@@ -245,6 +249,22 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
         yield Problem(where.path, given, said, _as_table(detail, where))
     else:  # a validator's own PydanticCustomError
         yield Problem(where.path, given, detail["msg"])
+
+
+def problems_within(spec: Spec, path: str, data: object) -> Iterator[Problem]:
+    """Find what the fields of a spec, read at least half from what stands at a path, show together to be wrong."""
+    yield from (_placed(problem, path, data) for problem in judged(_own_problems(spec)))
+
+
+def _own_problems(spec: Spec) -> Iterator[Problem]:
+    """Ask a spec when its answer is wanted."""
+    yield from spec._problems()  # pyright: ignore[reportPrivateUsage]
+
+
+def _placed(problem: Problem, path: str, data: object) -> Problem:
+    """Put a problem of a spec at its path in the file, with what stands there."""
+    given = _as_written(value_at(data, problem.path)) if problem.given is None else problem.given
+    return replace(problem, path=_joined(path, problem.path), given=given)
 
 
 def _as_table(detail: ErrorDetails, where: _Location) -> Words | None:

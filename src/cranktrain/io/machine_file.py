@@ -143,13 +143,17 @@ def _checked(data: Mapping[str, object], folder: Path, origin: Origin, *, partia
     try:
         where = TypedFile(read, folder.absolute(), origin.typed.text, origin.typed.data)
         machine = Machine(**cast("dict[str, Any]", filled)).coming_from(where)
-        found = (*found, *machine_problems(machine, partial=partial))
-        if not found:
+        wrong = machine_problems(machine, partial=partial)
+        if not found and not wrong:
             return machine
+        is_half, known = bool(machine.arranged[1]), wrong
     except InputError as error:
+        is_half, known = True, tuple(error.problems)
+    found = (*found, *known)
+    if is_half:
         from cranktrain.io.half_read import problems_of_the_rest  # most files are right
 
-        found = (*found, *error.problems, *problems_of_the_rest(filled, error.problems, partial=partial))
+        found = (*found, *problems_of_the_rest(filled, known, partial=partial))
     problems = tuple(map(origin.placed, found))
     if origin.paths and not any(problem.position == origin.position for problem in problems):
         allowed = _("was set for this run; the file alone may be right")

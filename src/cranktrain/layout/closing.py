@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from cranktrain.errors import Problem
+from cranktrain.errors import UNREAD, Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import Said, Words, _
 from cranktrain.layout.design import Design
@@ -21,7 +21,8 @@ _SEEN = 5e-6
 
 def open_places(design: Design) -> Mapping[int, tuple[OpenRange, ...]]:
     """Angles of their own cranks over which mechanisms cannot close, by their places; none of one that always does."""
-    alike = grouped(((place.path, place.geometry), i) for i, place in enumerate(design.places))
+    known = [(i, place) for i, place in enumerate(design.places) if place.geometry is not UNREAD]
+    alike = grouped(((place.path, place.geometry), i) for i, place in known)
     with np.errstate(all="ignore"):
         found = {
             tuple(own): open_ranges(design.places[own[0]].kind, design.places[own[0]].geometry)

@@ -7,7 +7,7 @@ from typing import ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
 
-from cranktrain.errors import Problem
+from cranktrain.errors import Problem, judged
 from cranktrain.language import N_, Listed, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadState
@@ -256,26 +256,32 @@ def load_problems(design: Design) -> Iterator[Problem]:
     """Find loads on what is not there, torques on what does not turn, and forces of no direction."""
     for path, named in design.loads.items():
         own = [place for place in design.places if path in table_paths(place, LOAD)]
-        parts = dict.fromkeys(part_name(name) for place in own for name in place.kind.dynamics.moving)
         for name, spec in named.items():
-            where = f"{path}.{name}"
-            if is_on_shaft(path, spec, design.shafts):
-                continue
-            followed = next((place for place in own if spec.on in place.spec.points), None)
-            if spec.on not in parts and followed is None:
-                yield _no_part(where, spec, parts, own, design.shafts if path == LOAD else ())
-                continue
-            if spec.on not in parts:
-                beside = _("is for a link; on a point a force acts, and the point says where")
-                given = [key for key in ("torque", "radius", *AT_POINT) if getattr(spec, key) is not None]
-                yield from (Problem(f"{where}.{key}", None, beside) for key in given)
-                if given:
-                    continue
-            if spec.is_balanced:
-                yield Problem(f"{where}.scale", spec.scale, _("is for a torque on a shaft, such as main"))
-                continue
-            yield from (replace(one, path=f"{where}.{one.path}".rstrip(".")) for one in spec.resisting_problems())
-            yield from (spec.in_file(problem, where) for problem in _way_problems(where, spec, own))
+            if not is_on_shaft(path, spec, design.shafts):
+                shafts = design.shafts if path == LOAD else ()
+                yield from judged(_problems_of(f"{path}.{name}", spec, own, shafts))
+
+
+def _problems_of(
+    where: str, spec: LoadSpec, own: Sequence[PlacedMechanism], shafts: Collection[str]
+) -> Iterator[Problem]:
+    """Find what is wrong with one load on mechanisms."""
+    parts = dict.fromkeys(part_name(name) for place in own for name in place.kind.dynamics.moving)
+    followed = next((place for place in own if spec.on in place.spec.points), None)
+    if spec.on not in parts and followed is None:
+        yield _no_part(where, spec, parts, own, shafts)
+        return
+    if spec.on not in parts:
+        beside = _("is for a link; on a point a force acts, and the point says where")
+        given = [key for key in ("torque", "radius", *AT_POINT) if getattr(spec, key) is not None]
+        yield from (Problem(f"{where}.{key}", None, beside) for key in given)
+        if given:
+            return
+    if spec.is_balanced:
+        yield Problem(f"{where}.scale", spec.scale, _("is for a torque on a shaft, such as main"))
+        return
+    yield from (replace(one, path=f"{where}.{one.path}".rstrip(".")) for one in spec.resisting_problems())
+    yield from (spec.in_file(problem, where) for problem in _way_problems(where, spec, own))
 
 
 def _no_part(

@@ -3,8 +3,6 @@
 from collections.abc import Mapping
 from typing import Any, ClassVar, cast
 
-from pydantic import model_validator
-
 from cranktrain.spec import Spec
 
 _OTHERS = "overrides"
@@ -15,10 +13,10 @@ class OverriddenSpec(Spec, frozen=True):
 
     others: ClassVar = _OTHERS
 
-    @model_validator(mode="before")
     @classmethod
-    def _tables_are_overrides(cls, data: object) -> object:
+    def as_fields(cls, data: object) -> object:
         """Take `[cylinder.R]` and `[cylinder.2L]` as what bank R and piston 2L have of their own."""
+        data = super().as_fields(data)
         if not isinstance(data, Mapping):
             return data
         table = cast(Mapping[str, Any], data)

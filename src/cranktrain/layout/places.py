@@ -5,7 +5,7 @@ from itertools import product
 
 import numpy as np
 
-from cranktrain.errors import Problem
+from cranktrain.errors import UNREAD, Problem, UnreadError
 from cranktrain.language import _
 from cranktrain.layout.gearing import first_axis, lead_problems, opposed_angle, shaft_phases
 from cranktrain.layout.specs import BankSpec, OpposedPistonSpec, ShaftSpec, throws_of
@@ -170,7 +170,10 @@ class _Metal:
         hangs = () if master is None else (id(master.spec), np.asarray(slot.file_axis - master.file_axis).tobytes())
         key = (id(slot.spec), hangs, is_mirrored)
         if key not in self._geometries:
-            geometry = self._found(slot, master)
+            try:
+                geometry = self._found(slot, master)
+            except UnreadError:  # it has its place all the same
+                return UNREAD
             self._geometries[key] = mirrored(geometry) if is_mirrored else geometry
         return self._geometries[key]
 
@@ -251,7 +254,7 @@ def _mechanisms(bank: BankSpec, end: str) -> list[tuple[MechanismSpec, Array, di
     lists = [
         field
         for field in type(first).model_fields
-        if any(getattr(other, field, None) != getattr(first, field) for other in bank.mechanism)
+        if any(getattr(other, field, None) != getattr(first, field) for other in bank.mechanism[1:])
     ]
     return [
         (mechanism, angle.array, dict.fromkeys(lists, f"[{k}]"))

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
-from cranktrain.errors import Problem
+from cranktrain.errors import Problem, judged
 from cranktrain.language import _
 from cranktrain.layout.crank_bodies import pin_problems
 from cranktrain.layout.design import Design
@@ -29,8 +29,8 @@ def shaft_problems(shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec
 
 def layout_problems(design: Design) -> Iterator[Problem]:
     """Find mechanisms and shafts that do not fit one another, and what is wrong with a motion that is wanted."""
-    yield from pin_problems(design.places)
-    yield from standing_problems(design.shafts, design.places, design.orientation)
+    yield from judged(pin_problems(design.places))
+    yield from judged(standing_problems(design.shafts, design.places, design.orientation))
     if design.shafts[MAIN].motion is not None:
         from cranktrain.layout.wish.declared import wish_problems  # for machines that have one
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, cast
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from cranktrain.allowed import Name
 from cranktrain.errors import Problem, refuse
@@ -231,10 +231,10 @@ class BankSpec(Spec, frozen=True):
             len(throws_of(side, shafts)) for side in self.sides.values() if side.shaft in shafts
         )
 
-    @model_validator(mode="before")
     @classmethod
-    def _one_mechanism_for_each_angle(cls, data: object) -> object:
+    def as_fields(cls, data: object) -> object:
         """Give each angle its own table: a field of the mechanism that is a list gives one item to each."""
+        data = super().as_fields(data)
         if not isinstance(data, Mapping):
             return data
         table = cast(Mapping[str, Any], data)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from cranktrain.errors import Problem
+from cranktrain.errors import Problem, judged
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import ANY_NAME, Parts, Question, ResultDimension, Stage, TableFile, Use, table
@@ -34,7 +34,7 @@ from cranktrain.questions.crankshaft.spec import CrankshaftSpec, GearSpec
 def _problems(design: Design) -> Iterator[Problem]:
     spec = design.table(CrankshaftSpec)
     if spec is not None:
-        yield from crankshaft_problems(spec, design)
+        yield from judged(crankshaft_problems(spec, design))
     yield from gear_problems(design.tables.get("gear", {}), design)
 
 

@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from cranktrain.errors import Problem
+from cranktrain.errors import Problem, judged
 from cranktrain.language import Words, _
 from cranktrain.layout.design import Design
 from cranktrain.layout.shafts import throw_positions
@@ -32,13 +32,13 @@ def crankshaft_problems(spec: CrankshaftSpec, design: Design) -> Iterator[Proble
     for name in spec.overrides:
         if name not in design.shafts:
             yield Problem(f"crankshaft.{name}", None, one_of(design.shafts))
-    yield from _spacing_of_some(design)
+    yield from judged(_spacing_of_some(design))
     tables = dict(design.once(ShaftLines).tables)
     if not any(tables.values()) and not spec.overrides:
         tables[MAIN] = spec
     for name, table in tables.items():
         if table is not None:
-            yield from _OneShaft(spec, design, name, table).problems()
+            yield from judged(_OneShaft(spec, design, name, table).problems())
 
 
 def _spacing_of_some(design: Design) -> Iterator[Problem]:

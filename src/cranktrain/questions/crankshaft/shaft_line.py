@@ -90,7 +90,7 @@ def table_of(spec: CrankshaftSpec, shaft: str) -> CrankshaftTable | None:
     """What the file says of one shaft: its own table over that of all; None where it says no section of it."""
     of_shaft = spec.overrides.get(shaft, CrankshaftTable())
     given = {name: _either(getattr(of_shaft, name), getattr(spec, name)) for name in CrankshaftTable.model_fields}
-    if shaft not in spec.overrides and not any(given[name] for name in NEEDED):
+    if shaft not in spec.overrides and all(given[name] is None for name in NEEDED):
         return None
     return CrankshaftTable.model_construct(**given)
 

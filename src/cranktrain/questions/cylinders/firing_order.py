@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.errors import Problem
+from cranktrain.errors import Problem, UnreadError
 from cranktrain.language import Listed, Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
@@ -67,8 +67,8 @@ def firing_order_of(
     """
     names = [place.cylinder for place in leading]
     problems = tuple(_number_problems(common, names))
-    length = common.cycle_length
-    if common.firing_angles is not None and length is not None and not problems:
+    given = common.firing_angles is not None and not problems
+    if given and (length := common.cycle_length) is not None:
         return given_firing(common, leading, length, zero=zero, astern=astern)
     if common.firing_order is None or problems:
         own = _own_order(common, leading) if not problems else None
@@ -142,10 +142,17 @@ def _order_problems(asked: _Asked, order: Sequence[str], names: Sequence[str]) -
     allowed = _(
         "must name each cylinder once ({cylinders}); {wrong}", cylinders=", ".join(names), wrong=Listed(wrong, "; ")
     )
-    if not asked.common.numbers and _are_makers_numbers(order, names):
-        line = numbers_line(order, asked.leading, _tops(asked.leading), asked.common.cycle_length)
-        return (Problem("cylinder.firing_order", asked.common.firing_order, allowed, line),)
-    return (Problem("cylinder.firing_order", asked.common.firing_order, allowed, asked.repair(order)),)
+    return (Problem("cylinder.firing_order", asked.common.firing_order, allowed, _likely(asked, order, names)),)
+
+
+def _likely(asked: _Asked, order: Sequence[str], names: Sequence[str]) -> Words | None:
+    """Say what is likely meant; nothing where that cannot be told of what can be read."""
+    try:
+        if not asked.common.numbers and _are_makers_numbers(order, names):
+            return numbers_line(order, asked.leading, _tops(asked.leading), asked.common.cycle_length)
+        return asked.repair(order)
+    except UnreadError:
+        return None
 
 
 def _missing_throws(asked: _Asked, order: Sequence[str]) -> Problem:

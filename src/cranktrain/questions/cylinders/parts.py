@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.errors import Problem
+from cranktrain.errors import Problem, judged
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts
 from cranktrain.motion import Array
@@ -42,9 +42,13 @@ def _table(design: Design) -> CylindersSpec:
     return design.table(CylindersSpec) or CylindersSpec()
 
 
+def _size_problems(design: Design) -> Iterator[Problem]:
+    yield from cylinder_problems(_table(design), design.pistons, design.once(cylinders))
+
+
 def problems(design: Design) -> Iterator[Problem]:
     """Find what does not fit the pistons."""
-    yield from cylinder_problems(_table(design), design.pistons, design.once(cylinders))
+    yield from judged(_size_problems(design))
     if design.pistons:
         yield from design.once(firing_order)[1]
 

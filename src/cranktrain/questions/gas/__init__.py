@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from cranktrain.errors import Problem
+from cranktrain.errors import Problem, judged
 from cranktrain.fluids import FluidSpec, fluid_of
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
@@ -19,7 +19,7 @@ PRESSING = (declared.DeclaredGas, Chambers, CompressionRatios, Cycle, FiringOrde
 
 
 def _problems(design: Design) -> Iterator[Problem]:
-    yield from declared.gas_problems(design)
+    yield from judged(declared.gas_problems(design))
     cylinder = design.table(CylindersSpec)
     if cylinder is not None and (tables := declared.gas_tables(design)) and not any(map(_fires, tables.values())):
         allowed = _("is for cylinders that fire; here every turn is one cycle")

@@ -6,7 +6,7 @@ from typing import Any, ClassVar, NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.errors import Problem
+from cranktrain.errors import Problem, judged
 from cranktrain.fluids import KINDS, AnyFluid, FluidSpec, fluid_of, table_path
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, Words, _
@@ -109,6 +109,14 @@ def gas_problems(design: Design) -> Iterator[Problem]:
     if not design.once(cylinders):
         yield Problem(_GAS, None, _("is not for this machine, which has no pistons"))
         return
+    yield from judged(_fillings(design, tables))
+    by_kind = grouped((spec.kind, (path, spec)) for path, spec in tables.items())
+    for name in filter(by_kind.__contains__, KINDS.names):
+        yield from judged(KINDS.named(name).problems(dict(by_kind[name])))
+
+
+def _fillings(design: Design, tables: Mapping[str, FluidSpec]) -> Iterator[Problem]:
+    """Find tables that fill nothing, and chambers that nothing fills."""
     known = list(dict.fromkeys(name for names in _names(design) for name in names))
     used = filled_by(design)
     for path in tables:
@@ -121,6 +129,3 @@ def gas_problems(design: Design) -> Iterator[Problem]:
     if without and len(without) < len(used):
         allowed = _("has no table for {chambers}, while others have one", chambers=", ".join(without))
         yield Problem(_GAS, None, allowed)
-    by_kind = grouped((spec.kind, (path, spec)) for path, spec in tables.items())
-    for name in filter(by_kind.__contains__, KINDS.names):
-        yield from KINDS.named(name).problems(dict(by_kind[name]))

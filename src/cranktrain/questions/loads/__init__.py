@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from cranktrain.errors import Problem
+from cranktrain.errors import Problem, judged
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.load_designs import tables_together
@@ -14,8 +14,8 @@ from cranktrain.questions.loads import load_work, rows, unlikely
 
 
 def _problems(design: Design) -> Iterator[Problem]:
-    yield from load_problems(design)
-    yield from shaft_load_problems(design)
+    yield from judged(load_problems(design))
+    yield from judged(shaft_load_problems(design))
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:

@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.errors import Problem
+from cranktrain.errors import Problem, judged
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design
@@ -166,13 +166,26 @@ def _ratio(spec: TorsionSpec, name: Node) -> Array:
 
 def torsion_problems(spec: TorsionSpec, design: Design) -> Iterator[Problem]:
     """Find what does not fit the crankshaft, what nothing weighs, and machines whose trains are of another kind."""
-    n_throws, places = len(design.shafts[MAIN].throws), design.places
-    if len(design.shafts) > 1 or any(place.name != place.cylinder for place in places):
+    other_trains = list(judged(_other_trains(design)))
+    if other_trains:
+        yield from other_trains
+        return
+    n_throws = len(design.shafts[MAIN].throws)
+    yield from judged(_counts(spec, n_throws))
+    yield from judged(_sizes(spec, n_throws, design))
+    yield from judged(_discs(spec, n_throws))
+    yield from judged(_weightless(spec, n_throws, design))
+
+
+def _other_trains(design: Design) -> Iterator[Problem]:
+    """Find machines whose trains are of another kind."""
+    if len(design.shafts) > 1 or any(place.name != place.cylinder for place in design.places):
         allowed = _("is for a machine with one crankshaft and one piston in a cylinder; this version knows no other")
         yield Problem("torsion", None, allowed)
-        return
-    yield from _counts(spec, n_throws)
-    yield from _sizes(spec, n_throws, design)
+
+
+def _discs(spec: TorsionSpec, n_throws: int) -> Iterator[Problem]:
+    """Find discs beside no throw, and one throw with nothing to twist against."""
     allowed = _("must be one of the throws of the shaft `main`, 1 to {n}", n=n_throws)
     for name, disc in spec.disc.items():
         if isinstance(disc.beside, int) and disc.beside > n_throws:
@@ -180,7 +193,11 @@ def torsion_problems(spec: TorsionSpec, design: Design) -> Iterator[Problem]:
     if n_throws == 1 and not any(disc.is_elastic for disc in spec.disc.values()):
         allowed = _("must hold a disc with a stiffness, or there is nothing that one throw could twist against")
         yield Problem("torsion.disc", None, allowed)
-    carrying = {place.throw for place in places} if design.weighed.bodies else set[int]()
+
+
+def _weightless(spec: TorsionSpec, n_throws: int, design: Design) -> Iterator[Problem]:
+    """Find throws of which nothing says what they weigh."""
+    carrying = {place.throw for place in design.places} if design.weighed.bodies else set[int]()
     if spec.throw_inertia is None and (bare := sorted(set(range(n_throws)) - carrying)):
         allowed = _("is missing; in [masses] there is nothing on throw {throws}")
         yield Problem("torsion.throw_inertia", None, allowed.format(throws=", ".join(str(throw + 1) for throw in bare)))
