@@ -1,8 +1,9 @@
-"""All keys of the machine file in tables, from the schema that editors complete by: `{machine-file}`."""
+"""All keys of the machine file in tables, from the schema that editors complete by, and an index."""
 
 import math
 import re
 from collections.abc import Iterator, Mapping
+from functools import cache
 from typing import Any, NamedTuple
 
 from docutils import nodes
@@ -15,18 +16,51 @@ _HEADS = ("key", "what it is", "value", "unless given")
 _SIGNS = {"above": ">", "from": "≥", "below": "<", "to": "≤"}
 _LIMIT = re.compile(rf"-({'|'.join(_SIGNS)})-(-?\d[\d.]*(?:e-?\d+)?)")
 _NAME = "NAME"
+TOP = "top"
 _IN_BANK = "InBank"
 
 Schema = Mapping[str, Any]
 
 
 class Fields(SphinxDirective):
-    """A head for each key at the top of the file, and a table for each of its tables."""
+    """What may stand under one key at the top of the file, its tables; of `top`, all keys there without a table."""
+
+    required_arguments = 1
 
     def run(self) -> list[nodes.Node]:
         """Give what the page would say in Markdown."""
         self.env.note_reread()
-        return self.parse_text_to_nodes("\n".join(page_lines()), allow_section_headings=True)
+        return self.parse_text_to_nodes("\n".join(told_tables()[self.arguments[0]].lines), allow_section_headings=True)
+
+
+class Index(SphinxDirective):
+    """Where every table stands, and every key."""
+
+    def run(self) -> list[nodes.Node]:
+        """Give what the page would say in Markdown."""
+        self.env.note_reread()
+        return self.parse_text_to_nodes("\n".join(index_lines()), allow_section_headings=True)
+
+
+class Listed(NamedTuple):
+    """A table as the index has it: its head in the file, the label of its section, its keys."""
+
+    head: str
+    label: str
+    keys: tuple[str, ...]
+
+    @property
+    def link(self) -> str:
+        """Link to its section."""
+        head = self.head.replace("[", r"\[").replace("]", r"\]")
+        return f"[{head}](#{self.label})"
+
+
+class Told(NamedTuple):
+    """What a page says of one key at the top of the file, line by line, and the tables there."""
+
+    lines: list[str]
+    tables: list[Listed]
 
 
 class _Table(NamedTuple):
@@ -45,20 +79,40 @@ class _Value(NamedTuple):
     tables: tuple[_Table, ...] = ()
 
 
-def page_lines() -> Iterator[str]:
-    """Give the tables in Markdown, line by line."""
+@cache
+def told_tables() -> Mapping[str, Told]:
+    """Give the tables in Markdown, by the keys at the top of the file; those that are no table stand under `top`."""
     whole = machine_schema()
     reader = _Reader(whole["$defs"])
     values = {key: reader.value(schema, key) for key, schema in whole["properties"].items()}
     for value in values.values():
         reader.told |= {table.schema["title"]: table.path for table in value.tables if "title" in table.schema}
     alone = {key: schema for key, schema in whole["properties"].items() if not values[key].tables}
-    yield from ("## At the top of the file", "", *reader.rows(_Table("", {"properties": alone})), "")
+    at_top = Listed("the top of the file", _label(TOP), tuple(alone))
+    found = {TOP: Told([f"({at_top.label})=", *reader.rows(_Table("", {"properties": alone}))], [at_top])}
     for key, schema in whole["properties"].items():
-        if key not in alone:
-            yield from (f"## {key}", "", schema["description"], "")
-            for table in values[key].tables:
-                yield from reader.section(table)
+        reader.listed = []
+        lines = [schema["description"], ""]
+        for table in values[key].tables:
+            lines += reader.section(table)
+        found[key] = Told(lines, reader.listed)
+    return found
+
+
+def index_lines() -> Iterator[str]:
+    """Give all tables in their order, and then all keys in that of letters, each with the tables that have it."""
+    tables = [table for told in told_tables().values() for table in told.tables]
+    yield from ("## All tables", "", _line(("table", "keys")), "|---|---|")
+    for table in tables:
+        yield _line((table.link, ", ".join(f"`{key}`" for key in table.keys)))
+    yield from ("", "## All keys", "", _line(("key", "stands in")), "|---|---|")
+    for key in sorted({key for table in tables for key in table.keys}, key=str.lower):
+        yield _line((f"`{key}`", ", ".join(table.link for table in tables if key in table.keys)))
+
+
+def _label(name: str) -> str:
+    """Label of a table's section, for links."""
+    return "table-" + re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
 
 
 class _Reader:
@@ -68,6 +122,7 @@ class _Reader:
         self.definitions = definitions
         self.told: dict[str, str] = {}
         self.shown: set[str] = set()
+        self.listed: list[Listed] = []
 
     def section(self, table: _Table) -> Iterator[str]:
         """A table of the file, and then those below it."""
@@ -76,7 +131,9 @@ class _Reader:
             return
         self.shown.add(name)
         head = f"[[{table.path}]]" if table.is_listed else f"[{table.path}]"
-        yield from (f"### {head}{table.kind}", "", table.schema.get("description", ""), "", *self.rows(table), "")
+        title, label = f"{head}{table.kind}", _label(name + table.kind)
+        self.listed.append(Listed(title, label, tuple(table.schema["properties"])))
+        yield from (f"({label})=", f"### {title}", "", table.schema.get("description", ""), "", *self.rows(table), "")
         for below in self.below(table):
             yield from self.section(below)
 
@@ -200,4 +257,5 @@ def _line(cells: tuple[str, ...]) -> str:
 def setup(app: Sphinx) -> dict[str, bool]:
     """Join Sphinx."""
     app.add_directive("machine-file", Fields)
+    app.add_directive("machine-file-index", Index)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

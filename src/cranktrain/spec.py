@@ -258,7 +258,10 @@ def problems_within(spec: Spec, path: str, data: object) -> Iterator[Problem]:
 
 def _own_problems(spec: Spec) -> Iterator[Problem]:
     """Ask a spec when its answer is wanted."""
-    yield from spec._problems()  # pyright: ignore[reportPrivateUsage]
+    try:
+        yield from spec._problems()  # pyright: ignore[reportPrivateUsage]
+    except InputError as error:
+        yield from error.problems
 
 
 def _placed(problem: Problem, path: str, data: object) -> Problem:

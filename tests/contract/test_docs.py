@@ -111,7 +111,7 @@ def test_formulas_are_for_browsers(site):
 
 def test_all_keys_of_the_machine_file_stand_in_the_tables(site):
     """By the schema: every table once, with its sentence and every key of it."""
-    html = (site / "machine-file.html").read_text(encoding="utf-8")
+    html = "".join(page.read_text(encoding="utf-8") for page in sorted((site / "machine-file").glob("*.html")))
     schema = machine_schema()
     tables = {name: made for name, made in schema["$defs"].items() if "properties" in made and "InBank" not in name}
     headed = {key for key in schema["properties"] if f'<section id="{key.replace("_", "-")}">' in html}
@@ -120,6 +120,18 @@ def test_all_keys_of_the_machine_file_stand_in_the_tables(site):
     said = re.sub(r"<[^>]*>|\s+", "", unescape(html)).replace("\N{RIGHT SINGLE QUOTATION MARK}", "'")
     plain = {name: re.sub(r"[`\s]", "", made["description"]) for name, made in tables.items()}
     assert [name for name, sentence in plain.items() if sentence not in said] == []
+
+
+def test_the_index_of_the_machine_file_has_every_key_and_leads_to_its_tables(site):
+    index = (site / "machine-file.html").read_text(encoding="utf-8")
+    links = set(re.findall(r'href="machine-file/([\w-]+\.html)#(table-[\w-]+)"', index))
+    pages = {page.name: page.read_text(encoding="utf-8") for page in (site / "machine-file").glob("*.html")}
+    assert [link for link in links if f'id="{link[1]}"' not in pages[link[0]]] == []
+    schema = machine_schema()
+    tables = [made for name, made in schema["$defs"].items() if "properties" in made and "InBank" not in name]
+    headed = {key for html in pages.values() for key in re.findall(r'<section id="([\w-]+)">', html)}
+    keys = {key for table in (schema, *tables) for key in table["properties"] if key.replace("_", "-") not in headed}
+    assert {key for key in keys if f'<span class="pre">{key}</span>' not in index} == set()
 
 
 def test_all_results_stand_in_the_table(site):

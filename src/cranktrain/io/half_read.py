@@ -8,7 +8,7 @@ import numpy as np
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.declared_types import bare, table_of
-from cranktrain.errors import UNREAD, Problem, UnreadError, judged
+from cranktrain.errors import UNREAD, InputError, Problem, UnreadError, judged
 from cranktrain.io.half_spec import HalfReader, without
 from cranktrain.layout.as_in_file import as_in_file
 from cranktrain.layout.closing import closing_problems
@@ -84,7 +84,10 @@ def problems_of_the_rest(
 
 def _of_rule(rule: Callable[[Design], Iterable[Problem]], design: Design) -> Iterator[Problem]:
     """Ask a rule when its answer is wanted."""
-    yield from rule(design)
+    try:
+        yield from rule(design)
+    except InputError as error:
+        yield from error.problems
 
 
 def _new(found: Iterable[Problem], known: tuple[Problem, ...]) -> Iterator[Problem]:

@@ -18,11 +18,11 @@ from cranktrain.quantities import (
     PositiveLength,
     PositiveMass,
     Quantity,
+    ShareFromZeroToOne,
 )
 from cranktrain.spec import Spec
 
 Friction = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
-Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0, example="0.4")]
 NonNegativeMass = Annotated[Given, Quantity(Dimension.MASS, at_least=0.0)]
 NonNegativeMoment = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT, at_least=0.0)]
 PositiveAcceleration = Annotated[Given, Quantity(Dimension.ACCELERATION, above=0.0)]
@@ -62,7 +62,7 @@ class BodySpec(Spec, frozen=True):
     )
     big_end: PositiveMass | None = Field(default=None, description=N_("Mass at the rod's first pin, as weighed."))
     small_end: PositiveMass | None = Field(default=None, description=N_("Mass at the rod's second pin, as weighed."))
-    pin_share: Share | None = Field(
+    pin_share: ShareFromZeroToOne | None = Field(
         default=None,
         description=N_(
             "Of a crank: which part of its mass turns at its pin, in whose middle it acts on the crankshaft; the rest"

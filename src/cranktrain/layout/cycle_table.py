@@ -2,13 +2,14 @@
 
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
-from typing import Annotated, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import InputError, Position, Problem, first_of, refuse
 from cranktrain.language import N_, _
+from cranktrain.layout.listed import OF_FILE, FileColumns, FileText
 from cranktrain.motion import Array
 from cranktrain.number_table import NumberTable, held_text, read_table
 from cranktrain.numerics.harmonics import TURN
@@ -43,16 +44,14 @@ class CycleFileSpec(Spec, frozen=True):
     Whoever loads a machine file also reads the file that `file` names, and puts what it holds into `text`.
     """
 
-    of_file: ClassVar[frozenset[str]] = frozenset({"file", "text", "columns"})
+    of_file: ClassVar = OF_FILE
     words: ClassVar[Words]
 
     file: str = Field(
         min_length=1, description=N_("File with the values over the crank angle, relative to the machine file.")
     )
-    text: str | None = Field(
-        default=None, description=N_("What the file holds, where it is not to be read; `file` is then only its name.")
-    )
-    columns: tuple[Annotated[int, Field(ge=1)], ...] | None = Field(
+    text: FileText = None
+    columns: FileColumns = Field(
         default=None,
         min_length=2,
         max_length=2,

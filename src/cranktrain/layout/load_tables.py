@@ -9,7 +9,7 @@ from pydantic import BaseModel, Field
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
-from cranktrain.layout.listed import OneOrMany
+from cranktrain.layout.listed import OF_FILE, FileColumns, FileText, OneOrMany
 from cranktrain.layout.load_card import LoadCard, load_card
 from cranktrain.layout.load_heads import Sort
 from cranktrain.layout.load_laws import is_over_two_turns
@@ -54,7 +54,7 @@ class LoadSpec(Spec, frozen=True):
     its own, as a weight or a spring. Beside `at_speed` the size goes with a power of the speed: exponent 1 is viscous.
     """
 
-    of_file: ClassVar[frozenset[str]] = frozenset({"file", "text", "columns"})
+    of_file: ClassVar = OF_FILE
 
     on: str = Field(
         min_length=1,
@@ -136,10 +136,8 @@ class LoadSpec(Spec, frozen=True):
             " file; units stand in its heads."
         ),
     )
-    text: str | None = Field(
-        default=None, description=N_("What the file holds, where it is not to be read; `file` is then only its name.")
-    )
-    columns: tuple[Annotated[int, Field(ge=1)], ...] | None = Field(
+    text: FileText = None
+    columns: FileColumns = Field(
         default=None,
         min_length=2,
         max_length=3,

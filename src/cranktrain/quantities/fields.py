@@ -10,6 +10,11 @@ from cranktrain.quantities.given import Given, Quantity
 
 Ratio: TypeAlias = Annotated[Given, Quantity(Dimension.RATIO)]
 PositiveRatio: TypeAlias = Annotated[Given, Quantity(Dimension.RATIO, above=0.0)]
+ShareBetween: TypeAlias = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, below=1.0)]
+ShareFromZero: TypeAlias = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
+ShareToOne: TypeAlias = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)]
+ShareFromZeroToOne: TypeAlias = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0)]
+PositiveForce: TypeAlias = Annotated[Given, Quantity(Dimension.FORCE, above=0.0)]
 Length: TypeAlias = Annotated[Given, Quantity(Dimension.LENGTH)]
 PositiveLength: TypeAlias = Annotated[Given, Quantity(Dimension.LENGTH, above=0.0)]
 NonNegativeLength: TypeAlias = Annotated[Given, Quantity(Dimension.LENGTH, at_least=0.0)]

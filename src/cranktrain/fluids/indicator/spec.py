@@ -16,6 +16,7 @@ from cranktrain.fluids.indicator.diagram import Interpolation
 from cranktrain.fluids.indicator.placing import Sense
 from cranktrain.fluids.indicator.reading import AXES, STANDARD_ATMOSPHERE, Axis, Columns, Trace, read_trace
 from cranktrain.language import N_, _
+from cranktrain.layout.listed import FileColumns, FileText
 from cranktrain.number_table import held_text
 from cranktrain.quantities import Dimension, Given, PositivePressure, Quantity, TurnedAngle, is_unit, one_of, unit_names
 from cranktrain.spec import Spec
@@ -63,10 +64,8 @@ class IndicatorSpec(FluidSpec, frozen=True):
 
     kind: Literal["indicator"] = Field(description=N_("Kind of gas model."))
     file: str = Field(min_length=1, description=N_("File with the diagram, relative to the machine file."))
-    text: str | None = Field(
-        default=None, description=N_("What the file holds, where it is not to be read; `file` is then only its name.")
-    )
-    columns: tuple[Annotated[int, Field(ge=1)], ...] | None = Field(
+    text: FileText = None
+    columns: FileColumns = Field(
         default=None,
         min_length=2,
         max_length=2,

@@ -16,12 +16,12 @@ from cranktrain.quantities import (
     PositiveTime,
     PositiveTorque,
     Quantity,
+    ShareBetween,
+    ShareFromZero,
+    ShareToOne,
 )
 from cranktrain.spec import Spec
 
-Share = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, below=1.0)]
-Part = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)]
-FromZero = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
 PerHour = Annotated[Given, Quantity(Dimension.FREQUENCY, above=0.0, example="30 1/h")]
 _SHARE = Given(0.4, "40 %")
 
@@ -32,7 +32,7 @@ class DutySpec(Spec, frozen=True):
     kind: Literal["S1", "S3", "S6"] = Field(
         default="S1", description=N_("Running on (S1), with pauses at rest (S3), or without load in their place (S6).")
     )
-    duty_factor: Share | None = Field(
+    duty_factor: ShareBetween | None = Field(
         default=None, description=N_("Share of a period under load, of S3 and S6; 40 % unless given.")
     )
     cycle_time: PositiveTime | None = Field(
@@ -41,11 +41,11 @@ class DutySpec(Spec, frozen=True):
     thermal_time_constant: PositiveTime = Field(
         default=Given(1800.0, "30 min"), description=N_("In which the motor warms up at speed, as one body.")
     )
-    pause_cooling: Part | None = Field(
+    pause_cooling: ShareToOne | None = Field(
         default=None,
         description=N_("How well it cools at rest, in parts of how well at speed, of S3; 0.5 unless given."),
     )
-    constant_losses: FromZero = Field(
+    constant_losses: ShareFromZero = Field(
         default=Given(0.0, "0"),
         description=N_("Share of its losses at rated load that do not hang on the load, of S3 and S6."),
     )
@@ -59,13 +59,13 @@ class DutySpec(Spec, frozen=True):
     unloaded_starts: PerHour | None = Field(
         default=None, description=N_("How often the motor alone may start, of its maker; starts_per_hour needs it.")
     )
-    start_load_factor: Part = Field(
+    start_load_factor: ShareToOne = Field(
         default=Given(1.0, "1"), description=N_("What the load leaves of these starts, besides its inertia.")
     )
     allowed_start_time: PositiveTime | None = Field(
         default=None, description=N_("How long a start may take; any time unless given.")
     )
-    lowest_voltage: Part = Field(
+    lowest_voltage: ShareToOne = Field(
         default=Given(0.9, "0.9"),
         description=N_(
             "Of the rated one, at which it must still start and carry its peaks; torques go with its square."
@@ -111,7 +111,7 @@ class SizedFlywheelSpec(Spec, frozen=True):
     largest_torque: PositiveTorque | None = Field(
         default=None, description=N_("Of the motor, which it is not to exceed in steady running.")
     )
-    fluctuation: Share | None = Field(
+    fluctuation: ShareBetween | None = Field(
         default=None, description=N_("Coefficient of fluctuation of the crank's speed; instead of largest_torque.")
     )
 

@@ -20,16 +20,16 @@ from cranktrain.quantities import (
     Length,
     NonNegativeLength,
     PositiveDensity,
+    PositiveForce,
     PositiveLength,
     PositiveMass,
     Quantity,
+    ShareFromZeroToOne,
 )
 from cranktrain.spec import Spec
 
 _NONE = Given(0.0, "0 mm")
 Opening = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, at_most=2 * pi, example="120 deg")]
-PositiveForce = Annotated[Given, Quantity(Dimension.FORCE, above=0.0)]
-Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0)]
 Spot = tuple[Length, Length]
 Against: TypeAlias = Literal["force", "couple", "both"]
 Counterweights: TypeAlias = Literal["rotating", "least_force"]
@@ -198,7 +198,7 @@ class BalanceSpec(Spec, frozen=True):
             "Solved for: `rotating` takes all that rotates on each throw, `least_force` leaves the least largest force."
         ),
     )
-    share: Share | None = Field(
+    share: ShareFromZeroToOne | None = Field(
         default=None,
         description=N_("Share of what reciprocates that counterweights take besides all that rotates: 0 unless given."),
     )

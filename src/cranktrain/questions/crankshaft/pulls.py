@@ -1,7 +1,7 @@
 """Pulls on a crankshaft, constant or over the crank angle: of a belt, a generator, a wheel on its rail, a weight."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Annotated, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from pydantic import Field
@@ -10,7 +10,7 @@ from cranktrain.columns import in_columns
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
-from cranktrain.layout.listed import OneOrMany
+from cranktrain.layout.listed import OF_FILE, FileColumns, FileText, OneOrMany
 from cranktrain.layout.load_card import LoadCard, load_card
 from cranktrain.layout.load_designs import as_long, unread_problems
 from cranktrain.layout.load_laws import ByAngle, BySpeed, LoadState
@@ -25,7 +25,7 @@ _LISTS = ("force", "crank_angles")
 class PullSpec(Spec, frozen=True):
     """A force on the shaft, constant or over the crank angle: the pull of a belt, the weight of a flywheel."""
 
-    of_file: ClassVar[frozenset[str]] = frozenset({"file", "text", "columns"})
+    of_file: ClassVar = OF_FILE
 
     z: Length = Field(description=N_("Where it acts, from throw 1 toward the flywheel."))
     force: OneOrMany[Force] | None = Field(
@@ -40,10 +40,8 @@ class PullSpec(Spec, frozen=True):
         min_length=1,
         description=N_("File with its sizes over the crank angle, relative to the machine file; units stand in heads."),
     )
-    text: str | None = Field(
-        default=None, description=N_("What the file holds, where it is not to be read; `file` is then only its name.")
-    )
-    columns: tuple[Annotated[int, Field(ge=1)], ...] | None = Field(
+    text: FileText = None
+    columns: FileColumns = Field(
         default=None,
         min_length=2,
         max_length=2,

@@ -18,6 +18,7 @@ from cranktrain.quantities import (
     PositiveRatio,
     PositiveVelocity,
     Quantity,
+    ShareFromZero,
 )
 from cranktrain.questions.evenness.rim import RimDemand
 from cranktrain.questions.evenness.speed_over_cycle import Mean
@@ -26,7 +27,6 @@ from cranktrain.spec import Spec
 
 NonNegativeMoment = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT, at_least=0.0)]
 Coefficient = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, below=2.0)]
-Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
 
 
 class RimSpec(Spec, frozen=True):
@@ -36,7 +36,7 @@ class RimSpec(Spec, frozen=True):
     width_ratio: PositiveRatio = Field(
         default=Given(1.0, "1"), description=N_("Width of the rim along the shaft over the height of its section.")
     )
-    other_share: Share = Field(
+    other_share: ShareFromZero = Field(
         default=Given(0.0, "0"),
         description=N_("What arms, disc and hub bring of the flywheel's moment of inertia, as a share of it."),
     )

@@ -1,14 +1,10 @@
 """The table [pumping] of the machine file: which loads are the well's and the counterbalance's, and what is rated."""
 
-from typing import Annotated
-
 from pydantic import Field
 
 from cranktrain.language import N_
-from cranktrain.quantities import Dimension, Given, PositiveTorque, Quantity
+from cranktrain.quantities import PositiveForce, PositiveTorque
 from cranktrain.spec import Spec
-
-PositiveForce = Annotated[Given, Quantity(Dimension.FORCE, above=0.0)]
 
 
 class PumpingSpec(Spec, frozen=True):

@@ -8,27 +8,25 @@ from pydantic import Field
 from cranktrain.language import N_
 from cranktrain.layout.overridden import OverriddenSpec
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.quantities import Dimension, Given, PositiveMass, Quantity
+from cranktrain.quantities import Dimension, Given, PositiveForce, PositiveMass, Quantity, ShareFromZeroToOne
 from cranktrain.spec import Spec
 
-LimitForce = Annotated[Given, Quantity(Dimension.FORCE, above=0.0)]
 Arc = Annotated[Given, Quantity(Dimension.ANGLE, at_least=0.0, at_most=TURN / 2)]
-Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0)]
 
 
 class RodTable(Spec, frozen=True):
     """Rod loads of one bank or cylinder; what it does not give, the table above it gives."""
 
-    gas_compression: LimitForce | None = Field(
+    gas_compression: PositiveForce | None = Field(
         default=None, description=N_("The frame's limit of the gas load alone that presses the piston rod.")
     )
-    gas_tension: LimitForce | None = Field(
+    gas_tension: PositiveForce | None = Field(
         default=None, description=N_("The frame's limit of the gas load alone that pulls the piston rod.")
     )
-    compression: LimitForce | None = Field(
+    compression: PositiveForce | None = Field(
         default=None, description=N_("The frame's limit of the load of gas and inertia at the crosshead pin, pressing.")
     )
-    tension: LimitForce | None = Field(
+    tension: PositiveForce | None = Field(
         default=None, description=N_("The frame's limit of the load of gas and inertia at the crosshead pin, pulling.")
     )
     crosshead: PositiveMass | None = Field(
@@ -44,7 +42,7 @@ class RodSpec(RodTable, OverriddenSpec, frozen=True):
         default=Given(TURN / 24, "15 deg"),
         description=N_("Degrees that the load at the crosshead pin must be of either sense; 15° as by API 618."),
     )
-    least_share: Share = Field(
+    least_share: ShareFromZeroToOne = Field(
         default=Given(0.03, "3 %"),
         description=N_("What the smaller of both peaks must be of the larger; 3 % as by API 618."),
     )
