@@ -9,7 +9,7 @@ from pydantic import Field
 
 from cranktrain.errors import InputError, Position, Problem, first_of, refuse
 from cranktrain.language import N_, _
-from cranktrain.layout.listed import OF_FILE, FileColumns, FileText
+from cranktrain.listed import OF_FILE, FileColumns, FileText
 from cranktrain.motion import Array
 from cranktrain.number_table import NumberTable, held_text, read_table
 from cranktrain.numerics.harmonics import TURN

@@ -9,10 +9,10 @@ from pydantic import BaseModel, Field
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
-from cranktrain.layout.listed import OF_FILE, FileColumns, FileText, OneOrMany
 from cranktrain.layout.load_card import LoadCard, load_card
 from cranktrain.layout.load_heads import Sort
 from cranktrain.layout.load_laws import is_over_two_turns
+from cranktrain.listed import OF_FILE, FileColumns, FileText, OneOrMany
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import PathParts, item_at, replaced
 from cranktrain.quantities import (

@@ -9,8 +9,8 @@ from cranktrain.allowed import Name
 from cranktrain.errors import Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, GuideSpec
-from cranktrain.layout.listed import OneOrMany
 from cranktrain.layout.load_tables import LoadSpec
+from cranktrain.listed import OneOrMany
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.numerics.harmonics import TURN

@@ -16,7 +16,7 @@ from cranktrain.fluids.indicator.diagram import Interpolation
 from cranktrain.fluids.indicator.placing import Sense
 from cranktrain.fluids.indicator.reading import AXES, STANDARD_ATMOSPHERE, Axis, Columns, Trace, read_trace
 from cranktrain.language import N_, _
-from cranktrain.layout.listed import FileColumns, FileText
+from cranktrain.listed import FileColumns, FileText
 from cranktrain.number_table import held_text
 from cranktrain.quantities import Dimension, Given, PositivePressure, Quantity, TurnedAngle, is_unit, one_of, unit_names
 from cranktrain.spec import Spec

@@ -11,7 +11,7 @@ from cranktrain.allowed import Name
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER
-from cranktrain.layout.listed import OneOrMany
+from cranktrain.listed import OneOrMany
 from cranktrain.motion import Array
 from cranktrain.quantities import (
     Angle,

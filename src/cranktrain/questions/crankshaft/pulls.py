@@ -10,11 +10,11 @@ from cranktrain.columns import in_columns
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
-from cranktrain.layout.listed import OF_FILE, FileColumns, FileText, OneOrMany
 from cranktrain.layout.load_card import LoadCard, load_card
 from cranktrain.layout.load_designs import as_long, unread_problems
 from cranktrain.layout.load_laws import ByAngle, BySpeed, LoadState
 from cranktrain.layout.load_tables import count_problems, order_problems, with_lists
+from cranktrain.listed import OF_FILE, FileColumns, FileText, OneOrMany
 from cranktrain.motion import ONE, ZERO, Array
 from cranktrain.quantities import Angle, Force, Length
 from cranktrain.spec import Spec

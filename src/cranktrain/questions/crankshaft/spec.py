@@ -9,8 +9,8 @@ from pydantic import Field
 from cranktrain.allowed import Name
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
-from cranktrain.layout.listed import OneOrMany
 from cranktrain.layout.overridden import OverriddenSpec
+from cranktrain.listed import OneOrMany
 from cranktrain.quantities import (
     Angle,
     Dimension,

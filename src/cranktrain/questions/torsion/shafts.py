@@ -7,7 +7,7 @@ from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
-from cranktrain.layout.listed import OneOrMany
+from cranktrain.listed import OneOrMany
 from cranktrain.motion import ZERO, Array
 from cranktrain.quantities import Given, NonNegativeLength, PositiveLength, PositivePressure, PositiveTorsionalStiffness
 from cranktrain.saying.wording import precise

@@ -9,7 +9,7 @@ from pydantic import Field
 from cranktrain.allowed import Name
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
-from cranktrain.layout.listed import OneOrMany
+from cranktrain.listed import OneOrMany
 from cranktrain.paths import path_text
 from cranktrain.quantities import (
     Given,
