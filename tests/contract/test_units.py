@@ -54,6 +54,7 @@ OF_PINT = {
     "°C": "degC",
     "Hz": "turn/s",
     "kHz": "1000 turn/s",
+    "1/min": "turn/min",
     "1/h": "turn/h",
     "Ω": "ohm",
     "mΩ": "mohm",
