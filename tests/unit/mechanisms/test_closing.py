@@ -172,7 +172,7 @@ def problem_of(**machine):
 def test_change_point_is_refused():
     problem = problem_of(mechanism=slider(rod_length="50 mm"))
     assert str(problem.allowed) == (
-        "the links lie in one line at crank angle 90.00 deg and 270.00 deg, and no side says how they go on; "
+        "the links lie in one line at crank angle 90.00 deg and 270.00 deg, and nothing says which way they go on; "
         "rod_length must be more than crank_radius + |offset| = 50 mm"
     )
     problem = problem_of(mechanism=ROCKER | {"rod_length": "220 mm"})

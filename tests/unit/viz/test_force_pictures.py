@@ -251,7 +251,7 @@ def test_polar_curves_are_to_scale():
     assert full[:, :-1] * 400.0 == pytest.approx(loads.on_pin)
     assert full[:, -1] == pytest.approx(full[:, 0])
     words = [label.text for label in sketch.labels]
-    assert "0°" in words and "5" in words
+    assert "0°" in words and "10" in words
 
 
 @pytest.mark.parametrize("name", ["10d100", "vaz_21213"])

@@ -706,7 +706,7 @@ def test_thin_lines_are_explained_only_where_there_are_any(rocker, is_said):
     """A parallelogram's rocker turns all round with its crank: it has no dead positions."""
     four_bar = {"crank_radius": "100 mm", "rod_length": "300 mm", "rocker_length": rocker, "ground_length": "300 mm"}
     machine = ct.Machine(mechanism={"kind": "crank_rocker"} | four_bar, shaft={"main": {"speed": "60 rpm"}})
-    figure = ct.viz.sheet_machine(ct.run(machine))
+    figure = ct.viz.sheet(ct.run(machine))
     words = " ".join(text.get_text() for axes in figure.axes for text in axes.texts)
     assert ("thin" in words) is is_said
     assert "shapes schematic" in words
