@@ -20,6 +20,7 @@ from cranktrain.motors import DeclaredMotor
 from cranktrain.one_line import short
 from cranktrain.questions.start.asked import MovingParts, StartAsked
 from cranktrain.questions.start.facts import StartFacts, StrokeFacts
+from cranktrain.questions.start.load_forces import StartForces
 from cranktrain.questions.start.record import StartEvent, StartEvents, StartPressures, StartRun
 from cranktrain.questions.start.rows import start_rows
 from cranktrain.record import record
@@ -97,9 +98,9 @@ class Start(Run):
 
     @property
     def labels(self) -> Mapping[str, tuple[str, ...]]:
-        """Events by their names, and numbers where a name comes again; chambers by theirs."""
-        gas = self.given.get(StartPressures)
-        return {**self.given[StartEvents].labels, **({} if gas is None else gas.labels)}
+        """Events by their names, and numbers where a name comes again; chambers and loads by theirs."""
+        each = (self.given.get(kind) for kind in (StartEvents, StartPressures, StartForces))
+        return {name: members for held in each if held is not None for name, members in held.labels.items()}
 
     def attributes(self) -> Mapping[str, object]:
         """What a dataset says of it as a whole: the machine, and why it ended."""

@@ -4,6 +4,7 @@ from cranktrain.layout.drive.declared import DeclaredStroke
 from cranktrain.layout.question import Stage
 from cranktrain.questions.start.asked import MovingParts
 from cranktrain.questions.start.facts import start_facts, stroke_facts
+from cranktrain.questions.start.load_forces import have_forces, start_forces
 from cranktrain.questions.start.parts import are_strokes_wanted
 from cranktrain.questions.start.ready import start_case
 from cranktrain.questions.start.record import start_curves, start_events, start_pressures
@@ -21,6 +22,7 @@ STAGES = (
     Stage(start_run, applies=is_no_stroke),
     Stage(start_curves),
     Stage(start_pressures),
+    Stage(start_forces, applies=have_forces),
     Stage(start_events),
     Stage(start_facts),
     Stage(stroke_facts, applies=are_strokes_wanted),
