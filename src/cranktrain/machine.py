@@ -30,7 +30,6 @@ from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPist
 from cranktrain.layout.unit_tables import unit_problems
 from cranktrain.mechanisms import KINDS, AnyMechanism
 from cranktrain.motion import Array
-from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import path_text, with_values
 from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
@@ -353,7 +352,7 @@ class Machine(Spec, frozen=True):
     def cycle(self) -> float:
         """Crank angle after which all repeats: a turn, or two of cylinders, loads, pulls or the speed. [rad]"""
         pulls = () if self.crankshaft is None else self.crankshaft.pulls
-        return max(self.cylinder.cycle_length or TURN, cycle_of(self.loads, pulls), self.main_shaft.speed_cycle)
+        return max(self.cylinder.cycle_length or 0.0, cycle_of(self.loads, pulls), self.main_shaft.speed_cycle)
 
     @cached_property
     def table_problems(self) -> tuple[Problem, ...]:

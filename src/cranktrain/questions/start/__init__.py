@@ -9,7 +9,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage
-from cranktrain.questions.start.doubts import start_doubts
+from cranktrain.questions.start.flags import start_flags
 from cranktrain.questions.start.parts import declared_start
 
 
@@ -46,7 +46,7 @@ QUESTION = Question(
     "start",
     problems=_problems,
     parts=_parts,
-    stages=(Stage(start_doubts),),
+    stages=(Stage(start_flags),),
     over_time=_over_time,
     dimensions=(ResultDimension("time", N_("time"), is_number=True), ResultDimension("event", N_("event"))),
     title=N_("Drive"),

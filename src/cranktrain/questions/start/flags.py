@@ -10,13 +10,13 @@ from cranktrain.saying.checks import Flagged
 
 
 @record
-class StartDoubts(Flagged):
+class StartFlags(Flagged):
     """Keys of [drive.start] that nothing is made of."""
 
 
-def start_doubts(start: DeclaredStart, gas: DeclaredGas | None) -> StartDoubts:
+def start_flags(start: DeclaredStart, gas: DeclaredGas | None) -> StartFlags:
     """Flag a pressure at the beginning that no chamber can have."""
-    return StartDoubts(flags=tuple(_flags(start, gas)))
+    return StartFlags(flags=tuple(_flags(start, gas)))
 
 
 def _flags(start: DeclaredStart, gas: DeclaredGas | None) -> Iterator[Words]:
