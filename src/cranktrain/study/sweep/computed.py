@@ -18,7 +18,7 @@ from cranktrain.study.sweep.varied import combined_designs, listed_designs
 from cranktrain.study.sweep.wanted import facts_wanted
 
 _TRIED = 4
-"""SweptDesigns by which it is found how long one takes."""
+"""Designs by which it is found how long one takes."""
 _BLOCK = 64
 _MOST = 10_000_000
 """Designs at once."""

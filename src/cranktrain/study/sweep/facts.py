@@ -12,8 +12,8 @@ from cranktrain.grouping import places_of_equal
 from cranktrain.language import Words
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.motion import Array
-from cranktrain.quantities.number import measured
 from cranktrain.saying.catalogue import Entry
+from cranktrain.study.sweep.typed import quantity_typed
 
 
 class FactsOfRows(NamedTuple):
@@ -94,7 +94,7 @@ def _words_of(row: Mapping[str, object]) -> tuple[tuple[str, str], ...]:
 
 def _is_number(value: object) -> bool:
     """Whether a value is a quantity; whole numbers may be counts."""
-    return isinstance(value, float) or (isinstance(value, str) and measured(value) is not None)
+    return isinstance(value, float) or (isinstance(value, str) and quantity_typed(value) is not None)
 
 
 def _computed(
@@ -148,13 +148,18 @@ class _Gathered:
             self.labels[dimension] = tuple(dict.fromkeys((*self.labels.get(dimension, ()), *own)))
         for name, entry in entries.items():
             self.entries.setdefault(name, entry)
-        for name, entry in self.entries.items():
-            sizes = [len(self.labels[dimension]) for dimension in entry.dimensions]
-            whole = np.full((len(self.failing), *sizes), np.nan)
-            if name in self.values:
-                held = [[self.labels[one].index(label) for label in before[one]] for one in entry.dimensions]
-                whole[np.ix_(range(len(whole)), *held)] = self.values[name]
-            if name in values:
-                own = [[self.labels[one].index(label) for label in labels[one]] for one in entry.dimensions]
-                whole[np.ix_(places, *own)] = values[name]
-            self.values[name] = whole
+            if name not in self.values or any(before[one] != self.labels[one] for one in entry.dimensions):
+                self.values[name] = self._with_room(entry, before)
+            self.values[name][np.ix_(places, *self._places(entry, labels))] = values[name]
+
+    def _with_room(self, entry: Entry, before: Mapping[str, tuple[str, ...]]) -> Array:
+        """What is known of a fact, with room for all members that there are now."""
+        sizes = [len(self.labels[dimension]) for dimension in entry.dimensions]
+        whole = np.full((len(self.failing), *sizes), np.nan)
+        if entry.name in self.values:
+            whole[np.ix_(range(len(whole)), *self._places(entry, before))] = self.values[entry.name]
+        return whole
+
+    def _places(self, entry: Entry, labels: Mapping[str, tuple[str, ...]]) -> list[list[int]]:
+        """Where members of a fact stand among all, along each of its dimensions."""
+        return [[self.labels[one].index(label) for label in labels[one]] for one in entry.dimensions]

@@ -8,6 +8,7 @@ from fractions import Fraction
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import Words, _
 from cranktrain.one_line import short
+from cranktrain.quantities import Dimension, is_unit
 from cranktrain.quantities.number import Measured, measured, rounded
 
 DEFAULT_POINTS = 21
@@ -74,7 +75,7 @@ def _of_list(path: str, text: str) -> Sequence[object]:
 def _alone(word: str, unit: str) -> tuple[list[object], str]:
     """One value, and the unit that is said up to here, from behind."""
     text = word.strip()
-    number = _measured(text)
+    number = quantity_typed(text)
     if number is None:
         return [_plain(text)], unit
     if number.unit or not unit:
@@ -95,7 +96,7 @@ def _of_range(path: str, word: str, unit: str) -> tuple[list[object], str]:
     """Values of a range, evenly from its one end to the other."""
     ends, colon, count = word.rpartition(":")
     first, _dots, last = (ends if colon else word).partition("..")
-    one, other = _measured(first.strip()), _measured(last.strip())
+    one, other = quantity_typed(first), quantity_typed(last)
     n_values = int(count.strip()) if _WORD.fullmatch(count.strip()) else DEFAULT_POINTS if not colon else 0
     allowed = _("must be FROM..TO:N, with a unit, such as 130..160 mm:31")
     if one is None or other is None or n_values < 1:
@@ -119,12 +120,24 @@ def _number_text(number: Fraction) -> str:
     return text.removesuffix(".0")
 
 
-def _measured(text: str) -> Measured | None:
-    """A number with its unit, or None of what is none."""
+def quantity_typed(text: str) -> Measured | None:
+    """A number with its unit; None of what is none, as an order of firing.
+
+    Examples
+    --------
+    >>> quantity_typed("130 mm").unit, quantity_typed("1 3 4 2")
+    ('mm', None)
+    """
     try:
-        return measured(text)
+        found = measured(text.strip())
     except (ZeroDivisionError, OverflowError):
         return None
+    return found if found is not None and (not found.unit or _is_unit(found.unit)) else None
+
+
+def _is_unit(text: str) -> bool:
+    """Whether a text names a unit of anything."""
+    return any(is_unit(text, dimension) for dimension in Dimension)
 
 
 def _refused(path: str, given: str, allowed: Words, repair: Words | None = None) -> InputError:

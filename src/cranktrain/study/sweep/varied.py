@@ -14,9 +14,8 @@ from cranktrain.motion import Array
 from cranktrain.one_line import one_line, short
 from cranktrain.paths import path_text, quantity_path
 from cranktrain.quantities import nearest
-from cranktrain.quantities.number import measured
 from cranktrain.record import record
-from cranktrain.study.sweep.typed import values_typed
+from cranktrain.study.sweep.typed import quantity_typed, values_typed
 
 _NAMED = 6
 """Paths that a sentence names."""
@@ -241,8 +240,5 @@ def _measured(value: object) -> tuple[float, str] | None:
         return float(value), ""
     if not isinstance(value, str):
         return None
-    try:
-        found = measured(value)
-    except (ZeroDivisionError, OverflowError):
-        return None
+    found = quantity_typed(value)
     return None if found is None else (float(found.number), found.unit)
