@@ -129,6 +129,7 @@ def sweep(
     wanted: "str | Iterable[str] | None" = None,
     *,
     set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
+    over_time: bool = False,
     processes: int = 1,
 ) -> "Sweep":
     """Compute facts of a machine over values of its file.
@@ -145,6 +146,8 @@ def sweep(
         Names of facts; the headlines of the machine's questions unless given.
     set : mapping of str, optional
         Other values by path, of all designs.
+    over_time : bool
+        Whether they are facts of starts, as `start` runs each design, and not of the cycle.
     processes : int
         How many may work at once; from a script these need `if __name__ == "__main__":`.
 
@@ -171,7 +174,7 @@ def sweep(
 
     source = sources_of(machine, set, partial=False)[0][0]
     with problems_as(source.placed):
-        return swept(source.machine, vary, _names_in(wanted), processes=processes)
+        return swept(source.machine, vary, _names_in(wanted), over_time=over_time, processes=processes)
 
 
 def compare(

@@ -79,6 +79,20 @@ def test_throws_of_an_in_line_five():
     assert "0 deg, 144 deg, 216 deg, 288 deg, 72 deg" in str(found)
 
 
+def test_starts_are_as_they_are_alone():
+    """And of a gear that the motor cannot turn there is a start, too: it stalls."""
+    found = ct.sweep("tilting_table", {"drive.stage[0].ratio": "30, 40"}, over_time=True)
+    assert found.axis.name == "ratio"
+    for place, ratio in enumerate((30, 40)):
+        alone = ct.start("tilting_table", set={"drive.stage[0].ratio": ratio})
+        for fact in ("start_duration", "largest_motor_torque", "final_motor_heat"):
+            assert getattr(found, fact)[place] == getattr(alone, fact), fact
+    with pytest.raises(ct.InputError, match="is no result of its start"):
+        ct.sweep("tilting_table", {"drive.stage[0].ratio": "30, 40"}, "stroke", over_time=True)
+    with pytest.raises(ct.InputError, match="a start needs what drives the crank"):
+        ct.sweep(MACHINE, {"rod_length": "130, 140 mm"}, over_time=True)
+
+
 def test_a_list_of_cases():
     cases = [{"rod_length": "120 mm"}, {"speed": "3000 rpm"}, {"rod_length": "20 mm"}]
     found = ct.sweep(MACHINE, cases, "mean_piston_speed")

@@ -77,6 +77,7 @@ def add_sweep(app: typer.Typer) -> None:
             '  cranktrain sweep vaz_21213 --vary rod_length=110..170mm:31 --vary "speed=2000, 5400 rpm" -o rods.png\n'
             '  cranktrain sweep 3d12 --vary "shaft.main.speed=1000..2000 rpm:11" -o speeds.csv\n'
             "  cranktrain sweep mine.toml --cases designs.csv --wanted largest_torque -o designs.xlsx\n"
+            "  cranktrain sweep tilting_table --start --vary drive.stage[0].ratio=30..50:5\n"
             "  cranktrain sweep vaz_21213 --vary rod_length=110..170mm:61 --least largest_side_force --save best.toml"
         ),
     )
@@ -114,6 +115,9 @@ def add_sweep(app: typer.Typer) -> None:
         save: Annotated[
             str | None, typer.Option(metavar="FILE", help=N_("With --least or --most: write that design's file."))
         ] = None,
+        start: Annotated[
+            bool, typer.Option("--start", help=N_("Facts of each design's start, as [drive.start] says."))
+        ] = False,
         settings: Settings = None,
         output: Annotated[
             str | None,
@@ -143,6 +147,7 @@ def add_sweep(app: typer.Typer) -> None:
                 least=least,
                 most=most,
                 save=save,
+                over_time=start,
                 settings=tuple(settings or ()),
                 output=output,
                 processes=processes,

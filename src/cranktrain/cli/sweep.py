@@ -39,6 +39,7 @@ class SweepRequest(Asked):
     least: str | None = None
     most: str | None = None
     save: str | None = None
+    over_time: bool = False
     processes: str | None = None
     is_meant: bool = False
     decimal: str = "point"
@@ -116,7 +117,14 @@ def _computed(request: SweepRequest, file: MachineFile) -> Sweep:
 
     with problems_as(placed), says_how_far():
         vary = _varied(request) if request.cases is None else list(_cases(request.cases))
-        return swept(file.machine, vary, wanted, processes=processes, is_meant=request.is_meant)
+        return swept(
+            file.machine,
+            vary,
+            wanted,
+            over_time=request.over_time,
+            processes=processes,
+            is_meant=request.is_meant,
+        )
 
 
 def _varied(request: SweepRequest) -> Mapping[str, str]:

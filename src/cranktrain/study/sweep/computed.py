@@ -1,6 +1,6 @@
 """Designs of a sweep in blocks: how long they will take is said before they begin, and how far they are meanwhile."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import partial
@@ -33,6 +33,7 @@ def swept(
     vary: Mapping[str, object] | Sequence[Mapping[str, object]],
     wanted: Sequence[str] | None = None,
     *,
+    over_time: bool = False,
     processes: int = 1,
     is_meant: bool = True,
 ) -> Sweep:
@@ -44,7 +45,9 @@ def swept(
     vary : mapping of str, or sequence of such
         As `combined_designs` takes it; or the designs one by one, as `listed_designs` does.
     wanted : sequence of str, optional
-        Names of facts; the headlines of the machine's questions unless given.
+        Names of facts; the headlines of the machine's questions, or of a start, unless given.
+    over_time : bool
+        Whether they are of starts, as [drive.start] says, and not of the cycle.
     processes : int
         How many may work at once.
     is_meant : bool
@@ -56,21 +59,22 @@ def swept(
         With everything that is wrong with what is asked; a design that cannot be is none of it, unless all are such.
     """
     designs = combined_designs(machine, vary) if isinstance(vary, Mapping) else listed_designs(machine, vary)
-    names = facts_wanted(machine, wanted)
+    names = facts_wanted(machine, wanted, over_time=over_time)
+    compute = partial(facts_of_rows, machine, wanted=names, over_time=over_time)
     n_designs, rows = len(designs), designs.rows
     if n_designs > _MOST:
         allowed = _("is {n} designs, and may be {most}", n=n_designs, most=_MOST)
         raise InputError([Problem("vary", None, allowed, _("ask for fewer values"))])
-    parts = [facts_of_rows(machine, list(islice(rows, min(_TRIED, n_designs))), names)]
+    parts = [compute(list(islice(rows, min(_TRIED, n_designs))))]
     # The first one loads what the others have then.
     since = perf_counter()
     tried = list(islice(rows, min(_TRIED, n_designs - len(parts[0].refused))))
-    parts += [facts_of_rows(machine, tried, names)] if tried else []
+    parts += [compute(tried)] if tried else []
     each = (perf_counter() - since) / max(len(tried), 1)
     n_left = n_designs - sum(len(part.refused) for part in parts)
     if not is_meant and n_left * each / processes > _LONG:
         raise InputError([_long(n_designs, n_left * each / processes)])
-    parts += _in_blocks(machine, rows, names, n_left, processes if n_left * each > _WORTH else 1)
+    parts += _in_blocks(compute, rows, n_left, processes if n_left * each > _WORTH else 1)
     found = joined_rows(parts)
     if found.refused and None not in found.refused:
         # What is wrong with all of them is wrong with what was asked.
@@ -86,7 +90,10 @@ def _long(n_designs: int, seconds: float) -> Problem:
 
 
 def _in_blocks(
-    machine: Machine, rows: Iterator[Mapping[str, object]], names: Sequence[str], n_left: int, processes: int
+    compute: Callable[[Sequence[Mapping[str, object]]], FactsOfRows],
+    rows: Iterator[Mapping[str, object]],
+    n_left: int,
+    processes: int,
 ) -> Iterator[FactsOfRows]:
     """Facts block by block, in their order."""
     since, done = perf_counter(), 0
@@ -94,11 +101,11 @@ def _in_blocks(
     if processes == 1:
         for block in blocks:
             say_how_far(partial(_how_far, done, n_left, perf_counter() - since))
-            yield facts_of_rows(machine, block, names)
+            yield compute(block)
             done += len(block)
         return
     with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
-        for part in pool.map(partial(facts_of_rows, machine, wanted=names), blocks):
+        for part in pool.map(compute, blocks):
             yield part
             done += len(part.refused)
             say_how_far(partial(_how_far, done, n_left, perf_counter() - since))

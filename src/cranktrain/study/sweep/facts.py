@@ -13,6 +13,8 @@ from cranktrain.language import Words
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.run import Run
+from cranktrain.study.start import start
 from cranktrain.study.sweep.typed import quantity_typed
 
 
@@ -40,7 +42,9 @@ class FactsOfRows(NamedTuple):
     failing: tuple[Words, ...]
 
 
-def facts_of_rows(machine: Machine, rows: Sequence[Mapping[str, object]], wanted: Sequence[str]) -> FactsOfRows:
+def facts_of_rows(
+    machine: Machine, rows: Sequence[Mapping[str, object]], wanted: Sequence[str], *, over_time: bool = False
+) -> FactsOfRows:
     """Compute facts of designs, which differ from a machine in some values.
 
     Parameters
@@ -50,6 +54,8 @@ def facts_of_rows(machine: Machine, rows: Sequence[Mapping[str, object]], wanted
         The values of each, as `Machine.with_` takes them.
     wanted : sequence of str
         Names of facts.
+    over_time : bool
+        Whether they are of starts, and not of the cycle.
     """
     refused: list[Problem | None] = [None] * len(rows)
     machines: dict[int, Machine] = {}
@@ -61,7 +67,9 @@ def facts_of_rows(machine: Machine, rows: Sequence[Mapping[str, object]], wanted
     together = _Gathered(len(rows))
     for places in places_of_equal(_words_of(rows[place]) for place in machines).values():
         own = [list(machines)[place] for place in places]
-        for found, of in _computed(own, [machines[place] for place in own], wanted, refused):
+        designs = [machines[place] for place in own]
+        runs = _starts(own, designs, refused) if over_time else _cycles(own, designs, wanted, refused)
+        for found, of in runs:
             together.take(found, of, wanted)
     return FactsOfRows(together.entries, together.labels, together.values, tuple(refused), tuple(together.failing))
 
@@ -97,12 +105,25 @@ def _is_number(value: object) -> bool:
     return isinstance(value, float) or (isinstance(value, str) and quantity_typed(value) is not None)
 
 
-def _computed(
+def _starts(
+    places: Sequence[int], machines: Sequence[Machine], refused: list[Problem | None]
+) -> Iterator[tuple[Run, Sequence[int]]]:
+    """Starts of designs, one by one."""
+    for place, machine in zip(places, machines, strict=True):
+        try:
+            found = start(machine)
+        except InputError as error:
+            refused[place] = error.problems[0]
+        else:
+            yield found, [place]
+
+
+def _cycles(
     places: Sequence[int], machines: Sequence[Machine], wanted: Sequence[str], refused: list[Problem | None]
-) -> Iterator[tuple[Result, Sequence[int]]]:
+) -> Iterator[tuple[Run, Sequence[int]]]:
     """Results of designs that differ in numbers alone; one by one where the computation refuses some of them."""
-    for start in range(0, len(places), MOST_AT_ONCE):
-        own, block = places[start : start + MOST_AT_ONCE], machines[start : start + MOST_AT_ONCE]
+    for first in range(0, len(places), MOST_AT_ONCE):
+        own, block = places[first : first + MOST_AT_ONCE], machines[first : first + MOST_AT_ONCE]
         try:
             found = run(block, quantities=wanted)
             found.find_all()
@@ -111,7 +132,7 @@ def _computed(
                 refused[own[0]] = error.problems[0]
                 continue
             for one, design in zip(own, block, strict=True):
-                yield from _computed([one], [design], wanted, refused)
+                yield from _cycles([one], [design], wanted, refused)
             continue
         yield found, own
 
@@ -125,13 +146,16 @@ class _Gathered:
         self.values: dict[str, Array] = {}
         self.failing: list[Words] = [""] * n_rows
 
-    def take(self, result: Result, places: Sequence[int], wanted: Sequence[str]) -> None:
-        """Take what was asked for of a result of several designs."""
-        entries = {name: result.catalogue[name] for name in wanted if name in result.catalogue}
+    def take(self, run: Run, places: Sequence[int], wanted: Sequence[str]) -> None:
+        """Take what was asked for of a run of some designs."""
+        entries = {name: run.catalogue[name] for name in wanted if name in run.catalogue}
         used = {dimension for entry in entries.values() for dimension in entry.dimensions}
-        labels = {dimension: tuple(result.labels[dimension]) for dimension in sorted(used)}
-        self.add(entries, labels, {name: np.asarray(getattr(result, name)) for name in entries}, places)
-        for check in result.checks:
+        labels = {dimension: tuple(run.labels[dimension]) for dimension in sorted(used)}
+        values = {name: np.asarray(getattr(run, name)) for name in entries}
+        if run.n_designs is None:
+            values = {name: value[np.newaxis] for name, value in values.items()}
+        self.add(entries, labels, values, places)
+        for check in run.checks if isinstance(run, Result) else ():
             for place in np.flatnonzero(check.judged & ~check.passed).tolist():
                 self.failing[places[place]] = check.sentence
 

@@ -2,27 +2,32 @@
 
 from collections.abc import Sequence
 
-from cranktrain.analysis import run
+from cranktrain.analysis import Result, run
 from cranktrain.analysis.fact_values import headline_names
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import Listed, _
 from cranktrain.machine import Machine
 from cranktrain.quantities import nearest
+from cranktrain.saying.run import Run
+from cranktrain.study.start import start
 
 _SUGGESTED = 4
+_OF_START = ("start_duration", "largest_motor_torque", "effective_motor_torque", "final_motor_heat")
 
 
-def facts_wanted(machine: Machine, wanted: Sequence[str] | None) -> tuple[str, ...]:
-    """Names of facts that a sweep gives: those asked for, or the headlines of the machine's questions.
+def facts_wanted(machine: Machine, wanted: Sequence[str] | None, *, over_time: bool = False) -> tuple[str, ...]:
+    """Names of facts that a sweep gives: those asked for, or the headlines of the machine's questions, or of a start.
 
     Raises
     ------
     InputError
         With every name that is no fact of this machine.
     """
-    result = run(machine)
+    result: Run = start(machine) if over_time else run(machine)
     if wanted is None:
-        return tuple(name for name in headline_names([result]) if result.catalogue[name].is_fact)
+        named = headline_names([result]) if isinstance(result, Result) else _OF_START
+        return tuple(name for name in named if not result.is_curve(result.catalogue[name]))
+    absent = _("is no result of its start") if over_time else _("is no result of this machine")
     problems: list[Problem] = []
     for name in dict.fromkeys(wanted):
         entry = result.catalogue.get(name)
@@ -31,8 +36,15 @@ def facts_wanted(machine: Machine, wanted: Sequence[str] | None) -> tuple[str, .
         elif entry is None:
             meant = nearest(name, list(result.catalogue))
             repair = _("did you mean {name}?", name=meant) if meant else _("`cranktrain list results` names all")
-            problems.append(Problem("wanted", name, _("is no result of this machine"), repair))
-        elif not entry.is_fact:
+            problems.append(
+                Problem(
+                    "wanted",
+                    name,
+                    absent,
+                    repair,
+                )
+            )
+        elif result.is_curve(entry):
             facts = [fact for fact, held in result.catalogue.items() if held.of == name][:_SUGGESTED]
             repair = _("write {facts}", facts=", ".join(facts)) if facts else None
             problems.append(Problem("wanted", name, _("is a curve, and a sweep takes facts"), repair))
