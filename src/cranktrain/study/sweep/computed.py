@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import islice
 from multiprocessing import get_context
+from signal import SIG_IGN, SIGINT, signal
 from time import perf_counter
 
 from cranktrain.errors import InputError, Problem, refuse
@@ -74,12 +75,22 @@ def swept(
     n_left = n_designs - sum(len(part.refused) for part in parts)
     if not is_meant and n_left * each / processes > _LONG:
         raise InputError([_long(n_designs, n_left * each / processes)])
-    parts += _in_blocks(compute, rows, n_left, processes if n_left * each > _WORTH else 1)
+    try:
+        for part in _in_blocks(compute, rows, n_left, processes if n_left * each > _WORTH else 1):
+            parts.append(part)
+    except KeyboardInterrupt:  # what was computed so far is kept
+        parts.append(_stopped(n_designs - sum(len(part.refused) for part in parts)))
     found = joined_rows(parts)
     if found.refused and None not in found.refused:
         # What is wrong with all of them is wrong with what was asked.
         refuse(replace(problem, repair=None) for problem in found.refused[:1] if problem is not None)
     return Sweep(machine, designs, found)
+
+
+def _stopped(n_designs: int) -> FactsOfRows:
+    """Designs that were not computed."""
+    problem = Problem("", None, _("not computed, as the sweep was stopped"))
+    return FactsOfRows({}, {}, {}, (problem,) * n_designs, ("",) * n_designs)
 
 
 def _long(n_designs: int, seconds: float) -> Problem:
@@ -104,11 +115,16 @@ def _in_blocks(
             yield compute(block)
             done += len(block)
         return
-    with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
-        for part in pool.map(compute, blocks):
-            yield part
-            done += len(part.refused)
-            say_how_far(partial(_how_far, done, n_left, perf_counter() - since))
+    # Ctrl-C is for who waits: it reaches all processes of a terminal.
+    ignoring = partial(signal, SIGINT, SIG_IGN)
+    with ProcessPoolExecutor(processes, mp_context=get_context("spawn"), initializer=ignoring) as pool:
+        try:
+            for part in pool.map(compute, blocks):
+                yield part
+                done += len(part.refused)
+                say_how_far(partial(_how_far, done, n_left, perf_counter() - since))
+        finally:
+            pool.shutdown(cancel_futures=True)
 
 
 def _how_far(done: int, n_left: int, seconds: float) -> Words:
@@ -116,4 +132,5 @@ def _how_far(done: int, n_left: int, seconds: float) -> Words:
     if done == 0:
         return _("{done} of {all} designs", done=done, all=n_left)
     left = seconds / done * (n_left - done)
-    return _("{done} of {all} designs, {left:.0f} s left", done=done, all=n_left, left=left)
+    said = _("{done} of {all} designs, {left:.0f} s left   (Ctrl-C ends it)")
+    return said.format(done=done, all=n_left, left=left)

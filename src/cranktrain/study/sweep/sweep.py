@@ -192,6 +192,8 @@ class Sweep(Run):
             first = str(replace(problems[0], repair=None))  # of a single run
             if len(problems) == 1:
                 yield _("1 of {all} designs cannot be: {why}", all=n_designs, why=first)
+            elif not problems[0].path:
+                yield _("{n} of {all} designs: {why}", n=len(problems), all=n_designs, why=first)
             else:
                 said = _("{n} of {all} designs cannot be, one of them as {why}")
                 yield said.format(n=len(problems), all=n_designs, why=first)
