@@ -66,11 +66,25 @@ OWN = {
 _TABLE = re.compile(r"^\[\[?([\w.]+)\]?\]", re.MULTILINE)
 
 
+def without_marks(text: str) -> str:
+    """A file whose optional keys and tables have lost their comment marks."""
+    return re.sub(r"^# (?=\[|[\w.]+ = )", "", text, flags=re.MULTILINE)
+
+
+def tables_of(text: str) -> list[tuple[str, str]]:
+    """The tables of a file in their order, each by its name with what stands in it; first what stands before all."""
+    starts = [*_TABLE.finditer(text)]
+    ends = [*(one.start() for one in starts), len(text)]
+    return [("", text[: ends[0]])] + [
+        (one[1], text[one.start() : end]) for one, end in zip(starts, ends[1:], strict=True)
+    ]
+
+
 def smallest_files() -> dict[str, str]:
     """Machine files by name: of each kind every table of its starting file alone, and those above."""
     found = {}
     for kind in KINDS:
-        base, tables = _taken_apart(re.sub(r"^# (?=\[|\w+ = )", "", starting_file(kind, full=True), flags=re.MULTILINE))
+        base, tables = _taken_apart(without_marks(starting_file(kind, full=True)))
         plain = "\n".join(
             line for line in base.splitlines() if not line.startswith(("gravity", "crank_zero", "running"))
         )
@@ -86,12 +100,10 @@ def smallest_files() -> dict[str, str]:
 
 def _taken_apart(text: str) -> tuple[str, dict[str, str]]:
     """What every machine has, name, shaft and mechanism; and each other table with those below it, by its name."""
-    starts = [*_TABLE.finditer(text)]
-    base, tables = text[: starts[0].start()], {}
-    for match, behind in zip(starts, [*(one.start() for one in starts[1:]), len(text)], strict=False):
-        head = match[1].split(".")[0]
-        part = text[match.start() : behind]
-        if head in ("shaft", "mechanism", "bank"):
+    base, tables = "", {}
+    for name, part in tables_of(text):
+        head = name.split(".")[0]
+        if head in ("", "shaft", "mechanism", "bank"):
             base += part
         else:
             tables[head] = tables.get(head, "") + part

@@ -4,6 +4,7 @@ import tomllib
 
 import jsonschema
 import pytest
+from tests.smallest_files import without_marks
 
 from cranktrain.mechanisms import KINDS
 
@@ -61,11 +62,6 @@ def test_schema(typed, tmp_path):
         validator.validate(tomllib.loads(typed("new", kind.name).output))
 
 
-def without_marks(text):
-    """A file whose optional keys and tables have lost their comment marks."""
-    return re.sub(r"^# (?=\[|[\w.]+ = )", "", text, flags=re.MULTILINE)
-
-
 @pytest.mark.parametrize("kind", [kind.name for kind in KINDS])
 def test_full_file_runs_as_it_is_and_without_its_comment_marks(typed, written, kind):
     text = typed("new", kind, "--full").output
@@ -81,16 +77,24 @@ def test_full_file_runs_as_it_is_and_without_its_comment_marks(typed, written, k
     assert "NOT" not in answer.output
 
 
+BESIDE = {
+    r"\[pumping\]": r"\[load\.well\]",
+    r"\[drive\.(part\.\w+|clutch)\]": r"\[\[drive\.stage\]\]",
+    r"\[drive\.stroke\]": r"\[+drive\.(motor|stage|clutch|brake)\]",
+}
+"""What a table names or needs stands above it: the load of a pumping unit, a stage, all that makes a stroke."""
+
+
 @pytest.mark.parametrize("kind", [kind.name for kind in KINDS])
 def test_every_table_of_a_full_file_works_alone(typed, written, kind):
-    """But for a rim, whose flywheel the table above it wants, the two of torsion, which need each other, and a
-    pumping unit, which names its load."""
+    """But for a rim, whose flywheel the table above it wants, the two of torsion, which need each other, and what
+    names or needs others."""
     text = typed("new", kind, "--full").output
-    heads = re.findall(r"^# (\[.*?\])", text, flags=re.MULTILINE)
+    heads = re.findall(r"^# (\[+.*?\]+)", text, flags=re.MULTILINE)
     assert heads
     for head in heads:
         if head != "[evenness.rim]" and not head.startswith("[torsion"):
-            wanted = f"{re.escape(head)}|\\[load.well\\]" if head == "[pumping]" else re.escape(head)
+            wanted = "|".join([re.escape(head), *(others for one, others in BESIDE.items() if re.fullmatch(one, head))])
             one = re.sub(rf"^# (?:{wanted})(?:.*\n# .*)*", lambda found: without_marks(found[0]), text, flags=re.M)
             assert tomllib.loads(one) != tomllib.loads(text), head
             answer = typed("check", written(one).name)
