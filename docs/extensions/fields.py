@@ -92,9 +92,10 @@ def told_tables() -> Mapping[str, Told]:
     found = {TOP: Told([f"({at_top.label})=", *reader.rows(_Table("", {"properties": alone}))], [at_top])}
     for key, schema in whole["properties"].items():
         reader.listed = []
-        lines = [schema["description"], ""]
+        lines: list[str] = []
         for table in values[key].tables:
-            lines += reader.section(table)
+            # Sections stand before whatever else a directive gives: what is said of the key stands in the first.
+            lines += reader.section(table, "" if lines else schema["description"])
         found[key] = Told(lines, reader.listed)
     return found
 
@@ -124,8 +125,8 @@ class _Reader:
         self.shown: set[str] = set()
         self.listed: list[Listed] = []
 
-    def section(self, table: _Table) -> Iterator[str]:
-        """A table of the file, and then those below it."""
+    def section(self, table: _Table, about: str = "") -> Iterator[str]:
+        """A table of the file, with what is said of its key, and then those below it."""
         name = table.schema.get("title", table.path + table.kind)
         if self.told.setdefault(name, table.path) != table.path or name in self.shown:
             return
@@ -133,7 +134,9 @@ class _Reader:
         head = f"[[{table.path}]]" if table.is_listed else f"[{table.path}]"
         title, label = f"{head}{table.kind}", _label(name + table.kind)
         self.listed.append(Listed(title, label, tuple(table.schema["properties"])))
-        yield from (f"({label})=", f"### {title}", "", table.schema.get("description", ""), "", *self.rows(table), "")
+        said = (f"({label})=", about or table.schema.get("description", "") or title, "")
+        more = (table.schema.get("description", ""), "") if about else ()
+        yield from (f"### {title}", "", *said, *more, *self.rows(table), "")
         for below in self.below(table):
             yield from self.section(below)
 

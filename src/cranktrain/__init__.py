@@ -48,9 +48,9 @@ Results
 Part of it, and many designs
     >>> list(ct.run(pump, quantities="stroke").dataset)
     ['stroke']
-    >>> print(ct.run([pump, longer], quantities="largest_piston_speed").summary())
-    2 designs of a pump
-    largest piston speed: 1.942 m/s (design 2) to 1.953 m/s (design 1)
+    >>> ct.run([pump, longer], quantities="largest_piston_speed").largest_piston_speed.shape
+    (2, 1)
+    >>> curve = ct.sweep(pump, {"rod_length": "5..40 in:8"}, "largest_piston_speed").plot()  # NaN where it cannot turn
 
 Units and language
     What is shown has the units of the machine's file, or others that are asked for; arrays have those of the catalogue.

@@ -128,7 +128,11 @@ def _unread(*_used: object, **_named: object) -> Any:
 class _Unread(type):
     """A class of which nobody can ask what a spec's says, such as its fields."""
 
-    __getattr__ = _refuse_use
+    def __getattr__(cls, name: str) -> NoReturn:
+        """Refuse to say; of what Python itself asks for, that there is none."""
+        if name.startswith("__"):
+            raise AttributeError(name)
+        raise UnreadError
 
 
 class Unread(metaclass=_Unread):

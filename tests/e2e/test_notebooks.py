@@ -170,12 +170,18 @@ def test_radial(after):
 
 def test_sweep(after):
     known = after("tasks/sweep.md")
-    rods = known["rods"] / 1e3
-    fastest = 0.040 * (50 * math.pi) ** 2 * (1 + 0.040 / rods)
-    np.testing.assert_allclose(known["many"].largest_piston_acceleration[:, 0], fastest, rtol=1e-12)
-    offsets = np.repeat(known["offsets"] / 1e3, len(rods))
-    largest = np.arcsin((0.040 + np.abs(offsets)) / np.tile(rods, len(known["offsets"])))
-    np.testing.assert_allclose(np.abs(known["angles"]), largest, rtol=1e-12)
+    rods, found = np.arange(30, 241, 5) / 1e3, known["found"]
+    closes = rods > 0.040
+    fastest = 0.040 * (50 * math.pi) ** 2 * (1 + 0.040 / rods[closes])
+    np.testing.assert_allclose(found.largest_piston_acceleration[0, closes], fastest, rtol=1e-12)
+    assert np.all(np.isnan(found.largest_piston_acceleration[0, ~closes]))
+    largest = np.arcsin(0.040 / rods[closes])
+    np.testing.assert_allclose(np.abs(found.largest_pressure_angle[0, closes]), largest, rtol=1e-12)
+    # The first order's couple by the throws' vectors.
+    arms = (np.arange(5) - 2) * 0.1
+    for order, couple in zip(known["orders"], known["couples"], strict=True):
+        exact = abs(np.sum(arms * np.exp(1j * np.radians(order)))) * 0.040 * (50 * math.pi) ** 2
+        assert couple[0, 0] == pytest.approx(exact, rel=1e-12)
 
 
 def test_start(after):

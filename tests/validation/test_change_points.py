@@ -197,7 +197,7 @@ def test_a_parallelogram_that_passes_no_change_point_keeps_its_side():
 
 @pytest.mark.parametrize("lengths", [(100, 200, 400, 300), (300, 400, 200, 100), (100, 300.0001, 100, 300)])
 def test_other_equal_sums_and_near_ones_are_refused(lengths):
-    with pytest.raises(ct.InputError, match="cannot"):
+    with pytest.raises(ct.InputError, match="nothing says which way they go on"):
         ct.run(bar(*lengths))
 
 

@@ -46,7 +46,7 @@ def dataset_of(run: Run) -> "xarray.Dataset":
     }
     used = {dimension for dimensions, *_rest in variables.values() for dimension in dimensions}
     coordinates: dict[str, Any] = {name: _coordinate(name, words) for name, words in run.labels.items() if name in used}
-    for name, unit, symbol, places in run.numbered:
+    for name, unit, symbol, places in run.number_axes:
         coordinates[name] = (name, places, {"units": unit, "symbol": symbol})
     return Dataset(variables, coordinates, dict(run.attributes()))
 

@@ -77,7 +77,7 @@ class Run:
         return None
 
     @property
-    def numbered(self) -> Iterable[Axis]:
+    def number_axes(self) -> Iterable[Axis]:
         """Dimensions whose members are numbers with a unit: the axis, and what a run has besides."""
         return () if self.axis is None else (self.axis,)
 

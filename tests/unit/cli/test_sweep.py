@@ -5,7 +5,7 @@ import tomllib
 
 import pytest
 from PIL import Image
-from tests.sentences import ENDS_IN, NO_FILE
+from tests.sentences import ENDS_IN, NO_FILE, WHOLE_NUMBER
 
 SMALL = (
     "# a pump\n"
@@ -86,7 +86,7 @@ def test_designs_of_a_list(typed, pump, written):
         (["pump.toml", *RODS, "--least", "strok"], "did you mean stroke?"),
         (["pump.toml", *RODS, "--least", "stroke", "--most", "stroke"], "does not go with --least"),
         (["pump.toml", *RODS, "--save", "best.toml"], "needs --least FACT or --most FACT"),
-        (["pump.toml", *RODS, "--processes", "0"], "must be a whole number from 1"),
+        (["pump.toml", *RODS, "--processes", "0"], f"{WHOLE_NUMBER} from 1"),
         (["pump.toml", *RODS, "-o", "rods.txt"], ENDS_IN),
         (["pum.toml", *RODS], NO_FILE),
         (["pump.toml", "--cases", "none.csv"], NO_FILE),

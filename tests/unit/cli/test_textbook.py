@@ -142,7 +142,7 @@ def test_brix_backwards_beside_exact(typed, written):
     found = parts(typed("textbook", "machine.toml", "--full", "--table").output)
     distance, error, _place = errors(found["Brix's construction backwards: fig. 147 [steam-engine]"], "1")
     assert (distance, abs(error)) == (6.25, 0.32)
-    rows = {line.split()[0]: line.split()[2:] for line in found[_heading(found, "φ of piston 1")][2:]}
+    rows = {line.split()[0]: line.split()[2:] for line in found[_heading(found, "φ of ram 1")][2:]}
     middle = np.degrees(np.arccos(50 / (2 * 200)))  # triangle of 50, 200 and 200 mm
     assert rows["50.00"] == [f"{np.degrees(np.arctan2(1, 0.125)):.2f}", f"{middle:.2f}", "0.06"]
 

@@ -57,7 +57,7 @@ def test_minus_signs(typed, written):
     """R = 50, L = 200 mm: R(1 − cos φ ∓ (λ/2) sin²φ) and its derivatives by hand; from the crank side λ is −1/4."""
     written(CENTRAL)
     found = parts(typed("textbook", "machine.toml", "--full", "--table").output)
-    table = rows(found["S, v/ω and j/ω² of piston 1 from the crank-side dead centre"])
+    table = rows(found["S, v/ω and j/ω² of ram 1 from the crank-side dead centre"])
     assert list(table) == [f"{angle}°" for angle in range(0, 360, 30)]
     for label, values in table.items():
         phi = np.radians(float(label.rstrip("°")))

@@ -8,7 +8,6 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.analysis.dimensions import Titled
 from cranktrain.errors import InputError, Problem
@@ -82,10 +81,10 @@ class Sweep(Run):
         """The first of the numbers that are varied."""
         if self._over is None:
             return None
-        return next(axis for axis in self.numbered if axis.name == self.along[self._over or 0].name)
+        return next(axis for axis in self.number_axes if axis.name == self.along[self._over or 0].name)
 
     @property
-    def numbered(self) -> Iterator[Axis]:
+    def number_axes(self) -> Iterator[Axis]:
         """All numbers that are varied."""
         for one in self.along:
             if one.numbers is not None:
@@ -219,10 +218,10 @@ class Sweep(Run):
         yield from section(_("To be minded"), said)
 
     @cached_property
-    def _lines(self) -> NDArray[np.intp]:
+    def _lines(self) -> list[int]:
         """Which values of the axis, or else of what is varied first, have a line of their own."""
         n_values = self.shape[self._over or 0]
-        return np.unique(np.linspace(0, n_values - 1, _MOST_LINES).round().astype(np.intp))
+        return evenly(n_values, _MOST_LINES)
 
     @property
     def _lines_of(self) -> Words:
@@ -232,8 +231,8 @@ class Sweep(Run):
     def _line_heads(self) -> list[str]:
         own = self.along[self._over or 0]
         if own.numbers is None:
-            return [own.texts[line] for line in self._lines.tolist()]
-        return [f"{own.numbers[line]:.6g} {own.unit}".strip() for line in self._lines.tolist()]
+            return [own.texts[line] for line in self._lines]
+        return [f"{own.numbers[line]:.6g} {own.unit}".strip() for line in self._lines]
 
     def apart(self, name: str) -> list[tuple[str, Array]]:
         """Values of a fact by its members, arrays of `shape`; members that are alike in all designs stand once.
@@ -261,18 +260,17 @@ class Sweep(Run):
         """Values of designs that are listed, as they were typed."""
         if self.designs.is_listed:
             for one in self.designs.varied:
-                yield Column(said_name(one.name), [one.texts[line] for line in self._lines.tolist()])
+                yield Column(said_name(one.name), [one.texts[line] for line in self._lines])
 
     def _columns(self, name: str) -> Iterator[Column]:
         """One fact over the lines: a column for each combination of the rest."""
         entry, over = self.found.entries[name], self._over or 0
         beside = [one for place, one in enumerate(self.along) if place != over]
         others: list[tuple[str, ...]] = list(itertools.product(*(one.texts for one in beside)))
-        shown = np.unique(np.linspace(0, len(others) - 1, _MOST_OTHERS).round().astype(np.intp))
-        for place in shown.tolist():
-            said: tuple[str, ...] = others[place]
+        for place in evenly(len(others), _MOST_OTHERS):
+            said = others[place]
             for whose, values in self.apart(name):
-                own = np.moveaxis(values, over, 0)[self._lines].reshape(self._lines.size, -1)[:, place]
+                own = np.moveaxis(values, over, 0)[self._lines].reshape(len(self._lines), -1)[:, place]
                 words: list[str] = [entry.symbol or str(said_name(name)), whose, *said]
                 head = " ".join(filter(None, words))
                 yield Column(head, own.tolist(), entry.shown, "amounts", name)
@@ -307,3 +305,14 @@ class Sweep(Run):
     def __str__(self) -> str:
         """Write it as tables."""
         return self.page().lstrip("\n")
+
+
+def evenly(n: int, most: int) -> list[int]:
+    """Places among n, no more than `most` of them, evenly from the first to the last.
+
+    Examples
+    --------
+    >>> evenly(4, 9), evenly(11, 3)
+    ([0, 1, 2, 3], [0, 5, 10])
+    """
+    return list(dict.fromkeys(round(place * (n - 1) / max(min(n, most) - 1, 1)) for place in range(min(n, most))))

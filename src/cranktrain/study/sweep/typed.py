@@ -96,7 +96,7 @@ def _of_range(path: str, word: str, unit: str) -> tuple[list[object], str]:
     """Values of a range, evenly from its one end to the other."""
     ends, colon, count = word.rpartition(":")
     first, _dots, last = (ends if colon else word).partition("..")
-    one, other = quantity_typed(first), quantity_typed(last)
+    one, other = _measured(first), _measured(last)
     n_values = int(count.strip()) if _WORD.fullmatch(count.strip()) else DEFAULT_POINTS if not colon else 0
     allowed = _("must be FROM..TO:N, with a unit, such as 130..160 mm:31")
     if one is None or other is None or n_values < 1:
@@ -128,11 +128,16 @@ def quantity_typed(text: str) -> Measured | None:
     >>> quantity_typed("130 mm").unit, quantity_typed("1 3 4 2")
     ('mm', None)
     """
+    found = _measured(text)
+    return found if found is not None and (not found.unit or _is_unit(found.unit)) else None
+
+
+def _measured(text: str) -> Measured | None:
+    """A number and whatever stands behind it; None of what begins with none."""
     try:
-        found = measured(text.strip())
+        return measured(text.strip())
     except (ZeroDivisionError, OverflowError):
         return None
-    return found if found is not None and (not found.unit or _is_unit(found.unit)) else None
 
 
 def _is_unit(text: str) -> bool:
