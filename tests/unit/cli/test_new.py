@@ -40,7 +40,7 @@ NOT_FOR = {
     "slider_crank": {"pumping"},
     "slotted_lever": {"cylinder", "gas", "rod_load", "pumping"},
     "stephenson": {"cylinder", "gas", "crankshaft", "torsion", "rod_load", "pumping"},
-    "walschaerts": {"gas", "crankshaft", "rod_load", "pumping"},
+    "walschaerts": {"gas", "rod_load", "pumping"},
 }
 """Tables that no machine of a kind has, or none that is usual."""
 ASKED = {

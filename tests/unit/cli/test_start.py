@@ -80,9 +80,11 @@ def test_full_file_runs_as_it_is_and_without_its_comment_marks(typed, written, k
 BESIDE = {
     r"\[pumping\]": r"\[load\.well\]",
     r"\[drive\.(part\.\w+|clutch)\]": r"\[\[drive\.stage\]\]",
+    r"\[drive\.start\]": r"\[gas\]",
     r"\[drive\.stroke\]": r"\[+drive\.(motor|stage|clutch|brake)\]",
 }
-"""What a table names or needs stands above it: the load of a pumping unit, a stage, all that makes a stroke."""
+"""What a table names or needs stands above it: the load of a pumping unit, a stage, a compressor's gas, all that makes
+a stroke."""
 
 
 @pytest.mark.parametrize("kind", [kind.name for kind in KINDS])
