@@ -1,4 +1,4 @@
-"""The file of `new KIND --full` without its comment marks: each doubt of a run explained in it, and it starts."""
+"""The file of `new KIND --full` without its comment marks: each flag of a run explained in it, and it starts."""
 
 import re
 import tomllib
@@ -18,7 +18,7 @@ EXPLAINED = {
     "The net torque falls to": "the crank drives near its dead positions",
     "The gearbox torque is that of loads and the weight of the crank's body alone": "no other mass",
 }
-"""How a doubt begins that may be left, and what the comment says that stands beside the line behind it."""
+"""How a flag begins that may be left, and what the comment says that stands beside the line behind it."""
 
 every_kind = pytest.mark.parametrize("name", KINDS.names)
 
@@ -28,7 +28,7 @@ def full_file(name):
     return without_marks(starting_file(KINDS.named(name), full=True))
 
 
-def doubts(text):
+def marked(text):
     """What `run` marks by `!`."""
     return minded(ct.run(tomllib.loads(text)))
 
@@ -40,10 +40,10 @@ def without_tables(text, comment):
 
 
 @every_kind
-def test_every_doubt_is_explained_beside_its_line(name):
-    """Both ways: no doubt without a comment beside a key, no such comment without its doubt."""
+def test_every_flag_is_explained_beside_its_line(name):
+    """Both ways: no flag without a comment beside a key, no such comment without its flag."""
     text = full_file(name)
-    found = doubts(text)
+    found = marked(text)
     begun = {start for start in EXPLAINED for one in found if one.startswith(start)}
     assert [one for one in found if not one.startswith(tuple(EXPLAINED))] == []
     beside = {
@@ -53,12 +53,12 @@ def test_every_doubt_is_explained_beside_its_line(name):
 
 
 @every_kind
-def test_what_explains_a_doubt_stands_at_its_cause(name):
-    """Without the table in which the comment stands, the doubt is gone."""
+def test_what_explains_a_flag_stands_at_its_cause(name):
+    """Without the table in which the comment stands, the flag is gone."""
     text = full_file(name)
     for start, said in EXPLAINED.items():
         if said in text:
-            left = [one for one in doubts(without_tables(text, said)) if one.startswith(start)]
+            left = [one for one in marked(without_tables(text, said)) if one.startswith(start)]
             assert left == [], said
 
 
