@@ -1,8 +1,11 @@
 """The program as a person starts it: another process, a folder of its own."""
 
 import os
+import select
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -24,6 +27,25 @@ def environment(**more: str) -> dict[str, str]:
     left_out = ("COLUMNS", "FORCE_COLOR", "LANG", "LC_ALL", "NO_COLOR", "CRANKTRAIN_TRACEBACK")
     plain = {name: value for name, value in os.environ.items() if name not in left_out}
     return plain | {"PYTHONPATH": str(SOURCE), "PYTHONUTF8": "1", "LANGUAGE": "en"} | more
+
+
+def stopped(asked: tuple[str, ...], times: int) -> tuple[int, bytes]:
+    """Start the program at a terminal, and send it Ctrl-C when it has told that often: its status, and what it said."""
+    pty = pytest.importorskip("pty")
+    child, terminal = pty.fork()
+    if child == 0:
+        os.execve(sys.executable, [sys.executable, "-c", SOON, *asked], environment())
+    said, is_sent, since = b"", False, time.monotonic()
+    while time.monotonic() - since < 60:
+        try:
+            if select.select([terminal], [], [], 0.5)[0]:
+                said += os.read(terminal, 65536)
+        except OSError:
+            break
+        if not is_sent and said.count(b"Ctrl-C ends it") >= times:
+            os.kill(child, signal.SIGINT)
+            is_sent = True
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), said
 
 
 @pytest.fixture
