@@ -79,9 +79,20 @@ def test_throws_of_an_in_line_five():
     assert "0 deg, 144 deg, 216 deg, 288 deg, 72 deg" in str(found)
 
 
+def test_an_engine_that_cannot_be_has_no_numbers():
+    """Whatever is asked of it: a ratio that leaves no room is refused by `run`, too."""
+    wanted = ["compression_ratio", "stroke"]
+    found = ct.sweep("3d12", {"bank.R.mechanism.rod_length": "235.7, 290 mm"}, wanted)
+    assert "leaves no room" in str(found.refused[1].allowed)
+    assert np.all(np.isnan(found.compression_ratio[..., 1]))
+    assert np.all(found.compression_ratio[..., 0] > 1)
+
+
 def test_starts_are_as_they_are_alone():
-    """And of a gear that the motor cannot turn there is a start, too: it stalls."""
+    """And of a gear that the motor cannot turn there is a start, too: that it stalls is said."""
     found = ct.sweep("tilting_table", {"drive.stage[0].ratio": "30, 40"}, over_time=True)
+    stalled = ct.sweep("tilting_table", {"drive.stage[0].ratio": "10, 40"}, over_time=True)
+    assert "1 of 2 starts: it stands still" in str(stalled)
     assert found.axis.name == "ratio"
     for place, ratio in enumerate((30, 40)):
         alone = ct.start("tilting_table", set={"drive.stage[0].ratio": ratio})
@@ -96,8 +107,9 @@ def test_starts_are_as_they_are_alone():
 def test_a_list_of_cases():
     cases = [{"rod_length": "120 mm"}, {"speed": "3000 rpm"}, {"rod_length": "20 mm"}]
     found = ct.sweep(MACHINE, cases, "mean_piston_speed")
-    assert (found.axis.name, list(found.axis.values)) == ("case", [1, 2, 3])
-    np.testing.assert_allclose(found.mean_piston_speed[0], [4.0, 8.0, np.nan], rtol=1e-14)
+    assert found.axis is None
+    assert found.labels["case"] == ("1: rod_length 120 mm", "2: speed 3000 rpm", "3: rod_length 20 mm")
+    np.testing.assert_allclose(found.mean_piston_speed[:, 0], [4.0, 8.0, np.nan], rtol=1e-14)
 
 
 def test_the_best_design():
@@ -134,3 +146,18 @@ def test_files_and_frames_have_the_axis():
     assert dataset.rod_length.attrs["units"] == "mm"
     frame = found.curves("mean_piston_speed")
     assert list(frame.index) == [100, 110, 120, 130, 140, 150]
+
+
+@pytest.mark.parametrize(
+    ("name", "vary", "places", "unit"),
+    [
+        ("vaz_21213", {"speed": "1000..2000 rpm:3"}, [1000, 1500, 2000], "rpm"),
+        ("gas_compressor", {"clearance": "10..20 %:3"}, [10, 15, 20], "%"),
+        ("10d100", {"lead": "0..20 deg:3"}, [0, 10, 20], "deg"),
+    ],
+)
+def test_a_picture_is_over_what_was_typed(name, vary, places, unit):
+    found = ct.sweep(name, vary, "largest_piston_speed")
+    axes = found.plot().axes[0]
+    np.testing.assert_array_equal(axes.lines[-1].get_xdata(), places)
+    assert axes.get_xlabel().endswith(f", {unit}")

@@ -76,7 +76,9 @@ def show_sweep(request: SweepRequest) -> None:
 def _check(request: SweepRequest) -> None:
     """Refuse what does not go together."""
     problems: list[Problem] = []
-    if bool(request.vary) == (request.cases is not None):
+    if request.vary and request.cases is not None:
+        problems.append(Problem("--cases", request.cases, _("does not go with --vary"), _("keep one of the two")))
+    elif not request.vary and request.cases is None:
         allowed = _("needs either --vary PATH=VALUES or --cases FILE")
         repair = _('write --vary "mechanism.rod_length=130..160 mm:31"')
         problems.append(Problem("sweep", request.file, allowed, repair))
@@ -110,10 +112,13 @@ def _computed(request: SweepRequest, file: MachineFile) -> Sweep:
 
     def placed(problem: Problem) -> Problem:
         """Put what is wrong with what is asked to its option."""
-        options = {"wanted": "--wanted", "vary": "--vary"}
-        if problem.position is None and problem.path in options:
-            return replace(problem, path="", position=Position(options[problem.path]))
-        return problem if problem.position is not None else replace(problem, position=_VARY)
+        if problem.position is not None:
+            return problem
+        if problem.path == "wanted":
+            of = {request.least: "--least", request.most: "--most"}
+            return replace(problem, path="", position=Position(of.get(str(problem.given), "--wanted")))
+        path = "" if problem.path in ("vary", "cases") else problem.path
+        return replace(problem, path=path, position=_VARY if request.cases is None else Position(request.cases))
 
     with problems_as(placed), says_how_far():
         vary = _varied(request) if request.cases is None else list(_cases(request.cases))
@@ -148,6 +153,8 @@ def _cases(name: str) -> Iterator[dict[str, object]]:
             continue
         if paths is None:
             paths = [_headed(cell) for cell in line]
+            twice = [path for path, _unit in paths if [other for other, _other_unit in paths].count(path) > 1]
+            refuse(Problem(path, None, _("heads two columns"), position=Position(name, number)) for path in twice[:1])
             continue
         if len(line) > len(paths):
             allowed = _("has {n} values, and {heads} columns have a head", n=len(line), heads=len(paths))

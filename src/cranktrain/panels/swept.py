@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import Words, _
+from cranktrain.language import Listed, Words, _
 from cranktrain.motion import Array
 from cranktrain.panels.plotted import Plot, letter_of, role_at, unknown
 from cranktrain.panels.shapes import Curve, Map, Panel
@@ -16,6 +16,8 @@ from cranktrain.study.sweep.varied import Varied
 
 _MOST_CURVES = 6
 """Of a family: with more values of a second number there is a map."""
+_MOST_DRAWN, _MOST_PANELS = 12, 6
+"""Curves of one fact; facts that are drawn unless they are named."""
 
 
 def plot_of_sweep(sweep: Sweep, *quantities: str) -> Plot:
@@ -36,7 +38,7 @@ def plot_of_sweep(sweep: Sweep, *quantities: str) -> Plot:
     InputError
         Where there is no such fact, or nothing that is a number is varied.
     """
-    names = quantities or tuple(sweep.catalogue)
+    names = quantities or tuple(sweep.catalogue)[:_MOST_PANELS]
     wrong = [name for name in names if name not in sweep.catalogue]
     if wrong:
         raise InputError(unknown("plot", name, list(sweep.catalogue)) for name in wrong)
@@ -46,7 +48,8 @@ def plot_of_sweep(sweep: Sweep, *quantities: str) -> Plot:
     numbers = [place for place, one in enumerate(sweep.along) if one.numbers is not None]
     is_map = len(sweep.along) == len(numbers) == 2 and min(sweep.shape) > _MOST_CURVES
     panels = [one for name in names for one in (_maps if is_map else _curves)(sweep, name)]
-    return Plot(tuple(panels), sweep.subject, over=_(spelled(sweep.axis.name).capitalize()))
+    over = Listed(tuple(filter(None, (_(spelled(sweep.axis.name).capitalize()), sweep.axis.unit))), ", ")
+    return Plot(tuple(panels), sweep.subject, over=over)
 
 
 def _curves(sweep: Sweep, name: str) -> list[Panel]:
@@ -62,7 +65,11 @@ def _curves(sweep: Sweep, name: str) -> list[Panel]:
         for said, curve in zip(others, own.reshape(-1, own.shape[-1]), strict=True):
             words = ", ".join(filter(None, (whose, *said)))
             curves.append(Curve(curve, role_at(len(curves)), letter_of(entry), name=words))
-    return [Panel(_title(entry), entry.shown, axis.values, tuple(curves[: 2 * _MOST_CURVES]), across_unit=axis.unit)]
+    title = _title(entry)
+    if len(curves) > _MOST_DRAWN:
+        title = _("{fact}: {most} curves of {n}", fact=title, most=_MOST_DRAWN, n=len(curves))
+    # What it is over stands below in the unit that was typed.
+    return [Panel(title, entry.shown, axis.values, tuple(curves[:_MOST_DRAWN]), across_unit="")]
 
 
 def _called(one: Varied) -> tuple[str, ...]:

@@ -21,6 +21,8 @@ _WIDTH, _HEIGHT, _OF_MAP, _HEAD = 8.0, 2.1, 4.2, 0.7
 """Of a figure, of a panel, of a map, and of what stands above and below [in]."""
 
 _TURN = 360.0
+_ONE_VALUE = 1e-9
+"""Of its size: what a curve that is level differs by rounding."""
 _DOTS_PER_INCH = 110
 
 
@@ -93,6 +95,10 @@ def _draw_panel(axes: Axes, panel: Panel) -> None:
     for curve in panel.curves:
         axes.add_line(_drawn_line(curve, panel.across_of(curve)))
     axes.autoscale_view()
+    known = np.concatenate([curve.values[np.isfinite(curve.values)] for curve in panel.curves])
+    if known.size and np.ptp(known) <= _ONE_VALUE * np.max(np.abs(known)):
+        middle = float(np.mean(known))
+        axes.set_ylim(middle - 0.1 * abs(middle) - (middle == 0.0), middle + 0.1 * abs(middle) + (middle == 0.0))
     axes.set_xlim(float(panel.across[0]), end)
     if panel.across_unit == "°":
         axes.set_xticks(np.arange(0.0, end + 1.0, 30.0 if end <= _TURN else 60.0))
@@ -106,4 +112,6 @@ def _drawn_line(curve: Curve, across: Any) -> Any:
     from matplotlib.lines import Line2D
 
     label = visible(str(curve.name))
-    return Line2D(across, curve.values, label=label, zorder=PENS[curve.role].layer, **line_of(curve))
+    is_alone = np.count_nonzero(np.isfinite(curve.values)) == 1
+    marker = "o" if is_alone else ""
+    return Line2D(across, curve.values, label=label, marker=marker, zorder=PENS[curve.role].layer, **line_of(curve))

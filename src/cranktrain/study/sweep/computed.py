@@ -15,7 +15,7 @@ from cranktrain.language import Words, _
 from cranktrain.machine import Machine
 from cranktrain.study.sweep.facts import FactsOfRows, facts_of_rows, joined_rows
 from cranktrain.study.sweep.sweep import Sweep
-from cranktrain.study.sweep.varied import combined_designs, listed_designs
+from cranktrain.study.sweep.varied import SweptDesigns, combined_designs, listed_designs
 from cranktrain.study.sweep.wanted import facts_wanted
 
 _TRIED = 4
@@ -59,8 +59,7 @@ def swept(
     InputError
         With everything that is wrong with what is asked; a design that cannot be is none of it, unless all are such.
     """
-    designs = combined_designs(machine, vary) if isinstance(vary, Mapping) else listed_designs(machine, vary)
-    names = facts_wanted(machine, wanted, over_time=over_time)
+    designs, names = _asked(machine, vary, partial(facts_wanted, machine, wanted, over_time=over_time))
     compute = partial(facts_of_rows, machine, wanted=names, over_time=over_time)
     n_designs, rows = len(designs), designs.rows
     if n_designs > _MOST:
@@ -83,14 +82,41 @@ def swept(
     found = joined_rows(parts)
     if found.refused and None not in found.refused:
         # What is wrong with all of them is wrong with what was asked.
-        refuse(replace(problem, repair=None) for problem in found.refused[:1] if problem is not None)
+        refuse(_none_of(len(found.refused), problem) for problem in found.refused[:1] if problem is not None)
     return Sweep(machine, designs, found)
+
+
+def _asked(
+    machine: Machine,
+    vary: Mapping[str, object] | Sequence[Mapping[str, object]],
+    wanted: Callable[[], tuple[str, ...]],
+) -> tuple[SweptDesigns, tuple[str, ...]]:
+    """Which designs, and which facts; all that is wrong with either is told."""
+    try:
+        designs = combined_designs(machine, vary) if isinstance(vary, Mapping) else listed_designs(machine, vary)
+    except InputError as error:
+        problems = list(error.problems)
+        try:
+            wanted()
+        except InputError as other:
+            problems += other.problems
+        raise InputError(problems) from None
+    return designs, wanted()
+
+
+def _none_of(n_designs: int, first: Problem) -> Problem:
+    """Say that none of the designs can be, with what is wrong with the first."""
+    if n_designs == 1:
+        return replace(first, repair=None)
+    said = _("none of the {n} designs can be; the first: {why}", n=n_designs, why=str(replace(first, repair=None)))
+    return Problem("", None, said)
 
 
 def _stopped(n_designs: int) -> FactsOfRows:
     """Designs that were not computed."""
     problem = Problem("", None, _("not computed, as the sweep was stopped"))
-    return FactsOfRows({}, {}, {}, (problem,) * n_designs, ("",) * n_designs)
+    nothing: tuple[Words, ...] = ("",) * n_designs
+    return FactsOfRows({}, {}, {}, (problem,) * n_designs, nothing, nothing)
 
 
 def _long(n_designs: int, seconds: float) -> Problem:

@@ -14,7 +14,7 @@ from cranktrain.machine import Machine, machine_problems
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.run import Run
-from cranktrain.study.start import start
+from cranktrain.study.start import Start, start
 from cranktrain.study.sweep.typed import quantity_typed
 
 
@@ -33,6 +33,8 @@ class FactsOfRows(NamedTuple):
         What is wrong with a design, the first of it; None of one that was computed.
     failing : tuple of Words
         Which checks of a design do not hold; empty where all do.
+    ended : tuple of Words
+        Why the start of a design ended; empty of what is no start.
     """
 
     entries: Mapping[str, Entry]
@@ -40,6 +42,7 @@ class FactsOfRows(NamedTuple):
     values: Mapping[str, Array]
     refused: tuple[Problem | None, ...]
     failing: tuple[Words, ...]
+    ended: tuple[Words, ...]
 
 
 def facts_of_rows(
@@ -71,7 +74,7 @@ def facts_of_rows(
         runs = _starts(own, designs, refused) if over_time else _cycles(own, designs, wanted, refused)
         for found, of in runs:
             together.take(found, of, wanted)
-    return FactsOfRows(together.entries, together.labels, together.values, tuple(refused), tuple(together.failing))
+    return together.found(refused)
 
 
 def joined_rows(parts: Sequence[FactsOfRows]) -> FactsOfRows:
@@ -82,9 +85,9 @@ def joined_rows(parts: Sequence[FactsOfRows]) -> FactsOfRows:
         places = list(range(start, start + len(part.refused)))
         together.add(part.entries, part.labels, part.values, places)
         together.failing[start : start + len(places)] = part.failing
+        together.ended[start : start + len(places)] = part.ended
         start += len(places)
-    refused = tuple(problem for part in parts for problem in part.refused)
-    return FactsOfRows(together.entries, together.labels, together.values, refused, tuple(together.failing))
+    return together.found([problem for part in parts for problem in part.refused])
 
 
 def _checked(machine: Machine, row: Mapping[str, object]) -> Machine:
@@ -125,6 +128,7 @@ def _cycles(
     for first in range(0, len(places), MOST_AT_ONCE):
         own, block = places[first : first + MOST_AT_ONCE], machines[first : first + MOST_AT_ONCE]
         try:
+            run(block)  # which refuses what no quantity may show, and computes nothing else
             found = run(block, quantities=wanted)
             found.find_all()
         except InputError as error:
@@ -145,6 +149,12 @@ class _Gathered:
         self.labels: dict[str, tuple[str, ...]] = {}
         self.values: dict[str, Array] = {}
         self.failing: list[Words] = [""] * n_rows
+        self.ended: list[Words] = [""] * n_rows
+
+    def found(self, refused: Sequence[Problem | None]) -> FactsOfRows:
+        """Give all that is known."""
+        said = tuple(self.failing), tuple(self.ended)
+        return FactsOfRows(self.entries, self.labels, self.values, tuple(refused), *said)
 
     def take(self, run: Run, places: Sequence[int], wanted: Sequence[str]) -> None:
         """Take what was asked for of a run of some designs."""
@@ -155,6 +165,8 @@ class _Gathered:
         if run.n_designs is None:
             values = {name: value[np.newaxis] for name, value in values.items()}
         self.add(entries, labels, values, places)
+        if isinstance(run, Start):
+            self.ended[places[0]] = run.run.reason
         for check in run.checks if isinstance(run, Result) else ():
             for place in np.flatnonzero(check.judged & ~check.passed).tolist():
                 self.failing[places[place]] = check.sentence

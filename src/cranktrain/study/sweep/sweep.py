@@ -184,8 +184,17 @@ class Sweep(Run):
             yield "varied", _("{path}: {n} values", path=one.path, n=len(one.values))
         yield from (("refused", words) for words in self._refusals())
 
+    def attributes(self) -> Mapping[str, object]:
+        """What a dataset says of it as a whole: the machine, and what of it cannot be."""
+        return {"name": str(self.subject), "minded": list(map(str, self._refusals()))}
+
+    def before(self) -> Mapping[str, object]:
+        """What a .json has before its numbers: the machine, what is varied, and what of it cannot be."""
+        varied = [{"path": one.path, "values": list(one.values)} for one in self.designs.varied]
+        return {"machine": self.machine.name, "varied": varied, "minded": list(map(str, self._refusals()))}
+
     def _refusals(self) -> Iterator[Words]:
-        """How many designs cannot be, and why; how many do not hold a check."""
+        """How many designs cannot be, and why; how starts ended; how many do not hold a check."""
         n_designs = len(self.found.refused)
         for problems in grouped((problem.path, problem) for problem in self.refused.values()).values():
             first = str(replace(problems[0], repair=None))  # of a single run
@@ -196,6 +205,9 @@ class Sweep(Run):
             else:
                 said = _("{n} of {all} designs cannot be, one of them as {why}")
                 yield said.format(n=len(problems), all=n_designs, why=first)
+        ended = grouped((words, place) for place, words in enumerate(self.found.ended) if words)
+        for words, places in ended.items():
+            yield _("{n} of {all} starts: {why}", n=len(places), all=n_designs, why=words)
         for words, places in self.failing.items():
             yield _("{n} of {all} designs do not hold a check: {which}", n=len(places), all=n_designs, which=words)
 
@@ -229,10 +241,10 @@ class Sweep(Run):
 
     @property
     def _line_heads(self) -> list[str]:
+        if self.designs.is_listed:
+            return [str(line + 1) for line in self._lines]
         own = self.along[self._over or 0]
-        if own.numbers is None:
-            return [own.texts[line] for line in self._lines]
-        return [f"{own.numbers[line]:.6g} {own.unit}".strip() for line in self._lines]
+        return [own.texts[line] for line in self._lines]
 
     def apart(self, name: str) -> list[tuple[str, Array]]:
         """Values of a fact by its members, arrays of `shape`; members that are alike in all designs stand once.

@@ -99,7 +99,7 @@ def _of_range(path: str, word: str, unit: str) -> tuple[list[object], str]:
     one, other = _measured(first), _measured(last)
     n_values = int(count.strip()) if _WORD.fullmatch(count.strip()) else DEFAULT_POINTS if not colon else 0
     allowed = _("must be FROM..TO:N, with a unit, such as 130..160 mm:31")
-    if one is None or other is None or n_values < 1:
+    if one is None or other is None or n_values < 1 or "..." in word:
         raise _refused(path, word.strip(), allowed)
     own = other.unit or unit
     if one.unit and one.unit != own:

@@ -12,7 +12,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line, short
-from cranktrain.paths import path_text, quantity_path
+from cranktrain.paths import path_text, quantity_path, value_at
 from cranktrain.quantities import nearest
 from cranktrain.record import record
 from cranktrain.study.sweep.typed import quantity_typed, values_typed
@@ -47,6 +47,10 @@ class Varied:
     @property
     def texts(self) -> tuple[str, ...]:
         """Its values as they are shown."""
+        if self.numbers is not None:
+            short_texts = tuple(f"{number:.6g} {self.unit}".strip() for number in self.numbers.tolist())
+            if len({*short_texts}) == len(short_texts):
+                return short_texts
         return tuple(one_line(_shown(value)) for value in self.values)
 
 
@@ -71,8 +75,12 @@ class SweptDesigns:
         """Along what facts of them stand."""
         if not self.is_listed:
             return self.varied
-        numbers = np.arange(1.0, len(self) + 1)
-        return (Varied("", "case", tuple(map(str, range(1, len(self) + 1))), numbers, ""),)
+        each = zip(*(one.values for one in self.varied), strict=True)
+        named = [
+            ", ".join(f"{one.name} {_shown(value)}" for one, value in zip(self.varied, values, strict=True) if value)
+            for values in each
+        ]
+        return (Varied("", "case", tuple(f"{n}: {words}" for n, words in enumerate(named, start=1)), None, ""),)
 
     @property
     def rows(self) -> Iterator[dict[str, object]]:
@@ -138,6 +146,13 @@ def combined_designs(machine: Machine, vary: Mapping[str, object]) -> SweptDesig
             own = values_typed(path, values) if isinstance(values, str) else _each(path, values)
         except InputError as error:
             problems += error.problems
+            continue
+        if isinstance(value_at(machine.declared, path), list | tuple) and not all(
+            isinstance(value, list | tuple) for value in own
+        ):
+            allowed = _("is a list in the file, and so each of its values is one")
+            repair = _('write like [["0 deg", "90 deg"], ["0 deg", "180 deg"]]')
+            problems.append(Problem(path, None, allowed, repair))
             continue
         twice = [text for text, count in _counts(own) if count > 1]
         problems += [Problem(path, short(text), _("stands twice among its values")) for text in twice]

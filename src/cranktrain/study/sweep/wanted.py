@@ -34,7 +34,7 @@ def facts_wanted(machine: Machine, wanted: Sequence[str] | None, *, over_time: b
         if entry is None and (needs := result.needs_of(name)):
             problems.append(Problem("wanted", name, _("needs {needs}", needs=Listed(needs))))
         elif entry is None:
-            meant = nearest(name, list(result.catalogue))
+            meant = nearest(name, [fact for fact, held in result.catalogue.items() if not result.is_curve(held)])
             repair = _("did you mean {name}?", name=meant) if meant else _("`cranktrain list results` names all")
             problems.append(
                 Problem(

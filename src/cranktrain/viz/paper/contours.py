@@ -13,6 +13,8 @@ _LINES = 9
 """About as many lines of equal value."""
 _TAIL = 10.0
 """Percent of all values on either side, which have lines as far beyond the others as these lie apart."""
+_ONE_VALUE = 1e-9
+"""Of its size: what a quantity that is the same everywhere differs by rounding."""
 _TONES = ("#f4f5f5", "#9aa0a6")
 """Of what is least and of what is most: light enough for lines and their numbers, in grey as in colour."""
 
@@ -26,7 +28,10 @@ def draw_map(axes: Axes, shown: Map) -> None:
     values = np.ma.masked_invalid(np.asarray(scale.of(shown.values)))
     axes.grid(color=GRID, linewidth=0.5)
     axes.set_axisbelow(True)
-    if np.ma.count(values) and values.max() > values.min():
+    if np.ma.count(values) and np.ma.ptp(values) <= _ONE_VALUE * np.max(np.abs(values)):
+        said = visible(f"{float(values.mean()):.4g} {scale.label}".strip())
+        axes.text(0.5, 0.5, said, transform=axes.transAxes, ha="center", fontsize=HEADING, parse_math=False)
+    elif np.ma.count(values):
         levels = _levels(values)
         tones = LinearSegmentedColormap.from_list("tones", _TONES)
         axes.contourf(shown.across, shown.up, values, levels, cmap=tones, extend="both", corner_mask=False, zorder=1)
