@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from cranktrain.language import Words
 from cranktrain.motion import Array
+from cranktrain.numerics.ties import ALIKE
 from cranktrain.record import record
 from cranktrain.saying.scales import Scale, scale_for
 
@@ -30,6 +31,17 @@ _MARKS = 30.0
 def peak(values: Array) -> float:
     """Size of the largest value that is known."""
     return float(np.nanmax(np.abs(values), initial=0.0))
+
+
+def is_level(values: Array) -> bool:
+    """Whether all values that are known are one, but for rounding; so is one alone, and none is not."""
+    known = values[np.isfinite(values)]
+    return bool(known.size and np.ptp(known) <= ALIKE * peak(known))
+
+
+def scale_of(unit: Words, size: float) -> Scale:
+    """In which unit values are shown, of which the largest has a size: a message is its own unit."""
+    return scale_for(unit, size) if isinstance(unit, str) else Scale(str(unit), factor=1.0)
 
 
 @record
@@ -203,8 +215,7 @@ class Map:
 
 def as_shown(panel: Panel) -> Panel:
     """Give a panel with all in the units in which they are shown, and the labels of these."""
-    unit = panel.unit
-    up = scale_for(unit, panel.size) if isinstance(unit, str) else Scale(str(unit), factor=1.0)
+    up = scale_of(panel.unit, panel.size)
     furthest = max(peak(panel.across_of(curve)) for curve in panel.curves)
     along = scale_for(panel.across_unit, furthest)
 

@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.language import said as _
 from cranktrain.one_line import visible
 from cranktrain.panels.plotted import Plot
-from cranktrain.panels.shapes import Curve, Map, Panel, as_shown
+from cranktrain.panels.shapes import Curve, Map, Panel, as_shown, is_level
 from cranktrain.viz.paper.contours import draw_map
 from cranktrain.viz.paper.curves import PENS, comes_near_zero, line_of
 from cranktrain.viz.paper.page import Axes, Figure, drawing_settings
@@ -21,8 +21,6 @@ _WIDTH, _HEIGHT, _OF_MAP, _HEAD = 8.0, 2.1, 4.2, 0.7
 """Of a figure, of a panel, of a map, and of what stands above and below [in]."""
 
 _TURN = 360.0
-_ONE_VALUE = 1e-9
-"""Of its size: what a curve that is level differs by rounding."""
 _DOTS_PER_INCH = 110
 
 
@@ -95,9 +93,9 @@ def _draw_panel(axes: Axes, panel: Panel) -> None:
     for curve in panel.curves:
         axes.add_line(_drawn_line(curve, panel.across_of(curve)))
     axes.autoscale_view()
-    known = np.concatenate([curve.values[np.isfinite(curve.values)] for curve in panel.curves])
-    if known.size and np.ptp(known) <= _ONE_VALUE * np.max(np.abs(known)):
-        middle = float(np.mean(known))
+    values = np.concatenate([curve.values for curve in panel.curves])
+    if is_level(values):
+        middle = float(np.nanmean(values))
         axes.set_ylim(middle - 0.1 * abs(middle) - (middle == 0.0), middle + 0.1 * abs(middle) + (middle == 0.0))
     axes.set_xlim(float(panel.across[0]), end)
     if panel.across_unit == "°":

@@ -124,13 +124,22 @@ def breaks_at_speed(events: ForceEvents, speed: Speed, crank_angle: CrankAngle) 
 
 def with_rows(events: ForceEvents, laws: Sequence[Law], crank_angle: CrankAngle) -> ForceEvents:
     """Add the rows of laws of loads on shafts, which are events of the machine as a whole."""
-    rows = [_rows_by_angle(law, crank_angle) for law in laws if isinstance(law, ByAngle)]
-    if not rows:
+    return _with(events, [_rows_by_angle(law, crank_angle) for law in laws if isinstance(law, ByAngle)])
+
+
+def with_kinks(events: ForceEvents, angle: Array) -> ForceEvents:
+    """Add kinks at φ, shape (design, event), to the events of the machine as a whole. [rad]"""
+    return _with(events, [_beside_rows(angle)])
+
+
+def _with(events: ForceEvents, more: Sequence[_Found]) -> ForceEvents:
+    """Add what happens to the machine as a whole."""
+    if not more:
         return events
     return replace(
         events,
-        whole=np.concatenate([events.whole, *(each.angle for each in rows)], axis=-1),
-        misses=np.concatenate([events.misses, *(each.misses for each in rows)], axis=-1),
+        whole=np.concatenate([events.whole, *(each.angle for each in more)], axis=-1),
+        misses=np.concatenate([events.misses, *(each.misses for each in more)], axis=-1),
     )
 
 

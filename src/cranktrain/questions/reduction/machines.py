@@ -15,7 +15,7 @@ from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics.polyline import Polyline
 from cranktrain.questions.evenness.spec import GivenFlywheel
-from cranktrain.questions.forces.events import ForceEvents, friction_kinks, with_rows
+from cranktrain.questions.forces.events import ForceEvents, friction_kinks, with_kinks, with_rows
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.chambers import Filling, GasInChambers
 from cranktrain.questions.reduction.curve_pieces import curve_pieces
@@ -316,9 +316,4 @@ def _with_friction_at_rest(loaded: LoadedMachine, events: ForceEvents, crank_ang
     """Events of a machine, and where its friction has kinks while it hardly moves."""
     if not loaded.masses.has_friction:
         return events
-    kinks = friction_kinks(_at_rest(loaded), crank_angle)
-    return replace(
-        events,
-        whole=np.concatenate([events.whole, kinks], axis=-1),
-        misses=np.concatenate([events.misses, np.full(kinks.shape, np.inf)], axis=-1),
-    )
+    return with_kinks(events, friction_kinks(_at_rest(loaded), crank_angle))

@@ -79,9 +79,7 @@ class Sweep(Run):
     @property
     def axis(self) -> Axis | None:
         """The first of the numbers that are varied."""
-        if self._over is None:
-            return None
-        return next(axis for axis in self.number_axes if axis.name == self.along[self._over or 0].name)
+        return next(iter(self.number_axes), None)
 
     @property
     def number_axes(self) -> Iterator[Axis]:
@@ -174,7 +172,7 @@ class Sweep(Run):
 
     def worst_of(self, name: str, *, is_least_wanted: bool) -> Array:
         """Of each design the member of a fact that is farthest from what is wanted, shape (design,)."""
-        values = self.found.values[name].reshape(len(self.found.refused), -1)
+        values = self.found.values[name].reshape(len(self.designs), -1)
         return (np.fmax if is_least_wanted else np.fmin).reduce(values, axis=1)
 
     def about(self) -> Iterator[tuple[str, Words]]:
@@ -195,7 +193,7 @@ class Sweep(Run):
 
     def _refusals(self) -> Iterator[Words]:
         """How many designs cannot be, and why; how starts ended; how many do not hold a check."""
-        n_designs = len(self.found.refused)
+        n_designs = len(self.designs)
         for problems in grouped((problem.path, problem) for problem in self.refused.values()).values():
             first = str(replace(problems[0], repair=None))  # of a single run
             if len(problems) == 1:
@@ -310,7 +308,7 @@ class Sweep(Run):
     def __repr__(self) -> str:
         """Say in one line what it is."""
         n_refused = len(self.refused)
-        n_designs = len(self.found.refused)
+        n_designs = len(self.designs)
         about = _("<Sweep of {subject}: {n} designs, {refused} not computed>")
         return str(about.format(subject=self.subject, n=n_designs, refused=n_refused))
 

@@ -4,8 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.one_line import visible
-from cranktrain.panels.shapes import Map, peak
-from cranktrain.saying.scales import Scale, scale_for
+from cranktrain.panels.shapes import Map, is_level, peak, scale_of
 from cranktrain.viz.paper.page import Axes
 from cranktrain.viz.paper.style import GRID, HEADING, INK, MUTED, TEXT
 
@@ -13,8 +12,6 @@ _LINES = 9
 """About as many lines of equal value."""
 _TAIL = 10.0
 """Percent of all values on either side, which have lines as far beyond the others as these lie apart."""
-_ONE_VALUE = 1e-9
-"""Of its size: what a quantity that is the same everywhere differs by rounding."""
 _TONES = ("#f4f5f5", "#9aa0a6")
 """Of what is least and of what is most: light enough for lines and their numbers, in grey as in colour."""
 
@@ -23,12 +20,11 @@ def draw_map(axes: Axes, shown: Map) -> None:
     """Draw lines of equal value with their numbers over tones of grey; where there is no value it is hatched."""
     from matplotlib.colors import LinearSegmentedColormap
 
-    unit = shown.unit
-    scale = scale_for(unit, peak(shown.values)) if isinstance(unit, str) else Scale(str(unit), factor=1.0)
+    scale = scale_of(shown.unit, peak(shown.values))
     values = np.ma.masked_invalid(np.asarray(scale.of(shown.values)))
     axes.grid(color=GRID, linewidth=0.5)
     axes.set_axisbelow(True)
-    if np.ma.count(values) and np.ma.ptp(values) <= _ONE_VALUE * np.max(np.abs(values)):
+    if is_level(shown.values):
         said = visible(f"{float(values.mean()):.4g} {scale.label}".strip())
         axes.text(0.5, 0.5, said, transform=axes.transAxes, ha="center", fontsize=HEADING, parse_math=False)
     elif np.ma.count(values):

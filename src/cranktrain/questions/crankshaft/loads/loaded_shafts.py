@@ -228,8 +228,8 @@ def of_mechanisms(loaded: LoadedMachine, frames: Frames, shafts: Shafts, solved:
         at, of_pin = common(pin.x.value, pin.y.value), common(*_of_pin(pin, made, solved_batch.conditions.drive))
         of_webs = on_rod - on_crank - of_pin
         by_forces = frames.sense[batch.index, np.newaxis] * np.imag(np.conj(at) * (of_webs / 2 + of_pin - on_rod))
-        values = (at, -on_rod, of_webs, of_pin, -solved_batch.forces.driving_torque - by_forces)
-        for whole, part in zip(together, values, strict=False):
+        values = (at, -on_rod, of_webs, of_pin, -solved_batch.forces.driving_torque - by_forces, 0.0)
+        for whole, part in zip(together, values, strict=True):
             whole[:, batch.index] = part
     _hold_at_pins(together, frames, shafts, loaded.mechanisms)
     return together
@@ -242,7 +242,7 @@ def _hold_at_pins(acting: OfMechanisms, frames: Frames, shafts: Shafts, mechanis
         beside = (shafts.shaft == shafts.shaft[number]) & (shafts.throw == shafts.throw[number]) & have_pins
         if not np.any(beside):
             continue
-        at = acting.pin[:, number] = acting.pin[:, np.flatnonzero(beside)[0]]
+        at = acting.pin[:, np.flatnonzero(beside)[0]]
         acting.pin_torque[:, number] -= frames.sense[number] * np.imag(np.conj(at) * acting.on_pin[:, number])
 
 
