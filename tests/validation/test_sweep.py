@@ -161,3 +161,9 @@ def test_a_picture_is_over_what_was_typed(name, vary, places, unit):
     axes = found.plot().axes[0]
     np.testing.assert_array_equal(axes.lines[-1].get_xdata(), places)
     assert axes.get_xlabel().endswith(f", {unit}")
+
+
+def test_a_map_says_its_units_once():
+    found = ct.sweep(MACHINE, {"rod_length": "100..160 mm:7", "speed": "1000..2000 rpm:8"}, "largest_piston_speed")
+    axes = found.plot().axes[0]
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("Rod length, mm", "Speed, rpm")

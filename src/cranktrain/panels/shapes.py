@@ -193,10 +193,10 @@ class Map:
     title, unit : Words
         As of a `Panel`.
     across, up : Array, shape (n,), (m,)
-        The two numbers, in their units.
+        The two numbers, in their units; what they are over stands with the plot.
     values : Array, shape (m, n)
         NaN where there is none.
-    across_unit, up_unit : str
+    up_unit : str
     upward : Words
         What is written along the second.
     marks : tuple of Mark
@@ -207,7 +207,6 @@ class Map:
     across: Array
     up: Array
     values: Array
-    across_unit: str
     up_unit: str
     upward: Words
     marks: tuple[Mark, ...] = ()

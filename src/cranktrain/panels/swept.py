@@ -85,7 +85,7 @@ def _maps(sweep: Sweep, name: str) -> list[Map]:
         title: Words = _("{fact} ({of})", fact=_title(entry), of=whose) if whose else _title(entry)
         across, up = _numbers(first.numbers), _numbers(second.numbers)
         upward = _(spelled(second.name).capitalize())
-        maps.append(Map(title, entry.shown, across, up, values.T, first.unit, second.unit, upward))
+        maps.append(Map(title, entry.shown, across, up, values.T, second.unit, upward))
     return maps
 
 

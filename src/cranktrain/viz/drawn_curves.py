@@ -71,10 +71,8 @@ def drawn_plot(plot: Plot) -> Figure:
         if plot.keys:
             handles = [_drawn_line(curve, np.zeros(1)) for curve in plot.keys]
             _plain(figure.legend(handles=handles, loc="outside upper center", ncols=len(plot.keys), **_KEY))
-        over = (
-            _("Crank angle φ, °") if plot.over is None else f"{plot.over}, {panels[-1].across_unit}".removesuffix(", ")
-        )
-        rooms[-1].set_xlabel(over)
+        units = [panel.across_unit for panel in panels[-1:] if isinstance(panel, Panel) and panel.across_unit]
+        rooms[-1].set_xlabel(_("Crank angle φ, °") if plot.over is None else ", ".join([str(plot.over), *units]))
     return in_notebook(figure)
 
 
