@@ -60,6 +60,11 @@ class StageRun:
                 accept(outcome, labels)
             self._known[one.gives], self.labels = outcome, labels
 
+    def know(self, outcome: object) -> None:
+        """Take an outcome that was found otherwise, on which stages may go on."""
+        self._known[type(outcome)] = outcome
+        self.labels = {**self.labels, **getattr(outcome, "labels", {})}
+
     def __getitem__(self, kind: type) -> Any:
         """Give an outcome that was found."""
         return self._known[kind]

@@ -7,6 +7,7 @@ from typing import cast
 from cranktrain.columns import in_columns
 from cranktrain.errors import Problem, refuse
 from cranktrain.language import _
+from cranktrain.layout.design import Design
 from cranktrain.layout.parts import laid_out, layout_parts
 from cranktrain.layout.question import Parts
 from cranktrain.machine import Machine, machine_problems
@@ -30,9 +31,14 @@ def parts_of(machines: Sequence[Machine], *, step: float) -> Parts:
         By type: those of the layout, then those of every question; what the machines do not declare is left out.
     """
     together = machines[0] if len(machines) == 1 else in_columns(machines)
-    laid = laid_out([one.design for one in machines], together.design, cycle=together.cycle, step=step)
+    return parts_together(together, [one.design for one in machines], step=step)
+
+
+def parts_together(together: Machine, each: Sequence[Design], *, step: float) -> Parts:
+    """Lay out designs that stand together in the columns of one machine; of each what its own files say is taken."""
+    laid = laid_out(each, together.design, cycle=together.cycle, step=step)
     parts: Parts = {type(part): part for part in layout_parts(laid) if part is not None}
-    for question in machines[0].questions:
+    for question in together.questions:
         parts |= {type(part): part for part in question.parts(laid, parts) if part is not None}
     return parts
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from functools import cache
-from types import FunctionType
+from types import FunctionType, ModuleType
 from typing import ParamSpec, TypeVar, cast
 
 from cranktrain.motion import chosen
@@ -11,13 +11,20 @@ Parameters = ParamSpec("Parameters")
 Outcome = TypeVar("Outcome")
 
 
-def compiled(kernel: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
+def compiled(
+    kernel: Callable[Parameters, Outcome], *, faster: frozenset[str] = frozenset(), numpy: ModuleType | None = None
+) -> Callable[Parameters, Outcome]:
     """Compile a kernel and every kernel that it calls with Numba.
 
     Parameters
     ----------
     kernel : function
         Any kernel of `linkage`, `mechanisms` or `fluids`.
+    faster : frozenset of str
+        How sums and products may be put together otherwise than they are written, in the words of LLVM; as written
+        unless given, so that what comes out is what the kernel itself gives, to the last bit.
+    numpy : module, optional
+        What stands for NumPy in the kernels.
 
     Returns
     -------
@@ -31,25 +38,29 @@ def compiled(kernel: Callable[Parameters, Outcome]) -> Callable[Parameters, Outc
     ImportError
         Where Numba is not installed: `pip install 'cranktrain[fast]'`.
     """
-    return cast(Callable[Parameters, Outcome], _compiled(kernel))
+    return cast(Callable[Parameters, Outcome], _compiled(kernel, faster, numpy))
 
 
 @cache
-def _compiled(kernel: FunctionType) -> object:
+def _compiled(kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | None) -> object:
     """Compile a copy of the kernel whose globals hold compiled callees."""
     import numba
 
     teach_choices()
     callees = {
-        name: _compiled(called)
+        name: _compiled(called, faster, numpy)
         for name in kernel.__code__.co_names
         if isinstance(called := kernel.__globals__.get(name), FunctionType) and called is not chosen
     }
-    copy = FunctionType(kernel.__code__, {**kernel.__globals__, **callees}, kernel.__name__)
+    known = {**kernel.__globals__, **callees}
+    if numpy is not None and "np" in known:
+        known["np"] = numpy
+    copy = FunctionType(kernel.__code__, known, kernel.__name__)
     # As NumPy: what cannot close is NaN, not an exception. LLVM would not inline a large kernel into a loop by itself,
     # which costs a sixth of its time; a kernel's private parts it may weigh, or long kernels would take minutes.
     # Said in so many words, as else it would take after the function that calls it first.
-    return numba.njit(error_model="numpy", fastmath=False, forceinline=not kernel.__name__.startswith("_"))(copy)
+    inlined = not kernel.__name__.startswith("_")
+    return numba.njit(error_model="numpy", fastmath=set(faster) or False, forceinline=inlined)(copy)
 
 
 @cache

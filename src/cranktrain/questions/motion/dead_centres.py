@@ -165,17 +165,35 @@ def dead_centres(
 ) -> DeadCentres:
     """True dead centres of every piston, roots of s′; docs/theory/slider-crank, eqs. (2.6) to (2.8)."""
     different = turn.distinct
-    bottom, top = (Extreme(one.angle[0], one.value[0]) for one in turn.peaks)
-    stroke, position = (different.spread(one)[..., 0] for one in (top.value - bottom.value, top.value))
+    bottom, top = (
+        Extreme(different.spread(one.angle[0]), different.spread(one.value[0])) for one in turn.peaks
+    )
+    return dead_centres_at(top, bottom, pistons, crank_angle, cylinders)
+
+
+def dead_centres_at(
+    top: Extreme, bottom: Extreme, pistons: Pistons, crank_angle: CrankAngle, cylinders: InCylinders | None
+) -> DeadCentres:
+    """Tell dead centres by where pistons are farthest from the shaft and nearest to it.
+
+    Parameters
+    ----------
+    top, bottom : Extreme, shapes (design, piston, 1)
+        Angle of each piston's own crank from its axis, and distance of its pin from the shaft. [rad, m]
+    pistons : Pistons
+    crank_angle : CrankAngle
+    cylinders : InCylinders or None
+    """
+    stroke, position = (top.value - bottom.value)[..., 0], top.value[..., 0]
     return DeadCentres(
         outputs=outputs_of(pistons, cylinders),
         stroke=stroke,
-        top_dead_centre=crank_angle.counted(different.angle(top.angle))[..., 0],
-        bottom_dead_centre=crank_angle.counted(different.angle(bottom.angle))[..., 0],
-        top_shift=different.spread(around_zero(top.angle))[..., 0],
-        bottom_shift=different.spread(around_zero(bottom.angle - np.pi))[..., 0],
+        top_dead_centre=crank_angle.counted(top.angle + pistons.nominal_top)[..., 0],
+        bottom_dead_centre=crank_angle.counted(bottom.angle + pistons.nominal_top)[..., 0],
+        top_shift=around_zero(top.angle)[..., 0],
+        bottom_shift=around_zero(bottom.angle - np.pi)[..., 0],
         top_position=position,
-        bottom_position=different.spread(bottom.value)[..., 0],
-        stroke_time_ratio=different.spread(slower_over_faster(bottom.angle - top.angle))[..., 0],
+        bottom_position=bottom.value[..., 0],
+        stroke_time_ratio=slower_over_faster(bottom.angle - top.angle)[..., 0],
         unlikely=tuple(flagged(_DISTANCE, np.abs(position) / stroke, stroke / np.abs(position))),
     )

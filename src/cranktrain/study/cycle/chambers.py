@@ -1,0 +1,41 @@
+"""Events of chambers in the compiled cycle: where their volumes turn and kinks are, and on which branch a panel lies."""
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.study.cycle.given import Room
+
+TURN = 2 * np.pi
+
+
+
+def branch_at(angle: float, room: Room, design: int, chamber: int, cycle: float) -> tuple[float, float]:
+    """Sense and turn of a chamber at φ, by the strokes: as `chamber_state` finds them by the volume's slope."""
+    after = angle - room.least[design, chamber]
+    after -= cycle * np.floor(after / cycle)
+    opens = room.greatest[design, chamber] - room.least[design, chamber]
+    opens -= TURN * np.floor(opens / TURN)
+    within = after - TURN * np.floor(after / TURN)
+    sense = 1.0 if within < opens else -1.0
+    if cycle < 1.5 * TURN:
+        return sense, 1.0
+    # the working turn goes from the greatest volume before the least one to that after it
+    return sense, 1.0 if after < opens or after > TURN + opens else -1.0
+
+
+STEPS, SETTLED = 30, 1e-12
+"""Steps of Halley's method for a kink, and one after which there is no other. [rad]"""
+
+
+def nearer(away: float, sense: float, excess: float, rate: float, rate_slope: float) -> float:
+    """One step of Halley's method to where a volume has a kink, by how far that is from the dead centre. [rad]"""
+    move = excess / (rate - excess * rate_slope / (2.0 * rate))
+    return min(max(away - sense * move, away / 4.0), np.pi)
+
+
+def toward_end(sign: float, slope: float, bend: float, around: Array) -> float:
+    """One step to where a slider turns back, no farther than the points that were looked at are apart. [rad]"""
+    apart = around[0, 1] - around[0, 0]
+    if sign * bend < 0.0:
+        return min(max(-slope / bend, -apart), apart)
+    return np.copysign(apart / 2.0, sign * slope)

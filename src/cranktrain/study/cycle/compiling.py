@@ -1,0 +1,104 @@
+"""How a written cycle is compiled: kernels into its loops, long parts beside them, and all of it kept on disk.
+
+Kernels take a crank angle for its cosine and its sine alone. So an angle may be both of these, found once for all
+mechanisms; and the value of an angle that is found back from its sine and cosine is asked by no force, and is NaN.
+"""
+
+from collections.abc import Callable
+from functools import cache
+from types import ModuleType
+from typing import Any, NamedTuple, ParamSpec, TypeVar
+
+import numpy as np
+
+from cranktrain.linkage import compiled
+from cranktrain.motion import Array
+from cranktrain.transient.compiling import quick
+
+Parameters = ParamSpec("Parameters")
+Outcome = TypeVar("Outcome")
+
+FASTER = frozenset({"contract", "reassoc", "arcp", "nsz"})
+"""What sums and products may be made of; what is no number stays so."""
+
+
+class Direction(NamedTuple):
+    """An angle by its cosine and its sine."""
+
+    cos: Array
+    sin: Array
+
+
+def cosine(angle: Direction) -> Array:
+    """Cosine of an angle."""
+    return angle.cos if isinstance(angle, Direction) else np.cos(angle)
+
+
+def sine(angle: Direction) -> Array:
+    """Sine of an angle."""
+    return angle.sin if isinstance(angle, Direction) else np.sin(angle)
+
+
+def not_asked(_sine: Array, _cosine: Array) -> float:
+    """Value of an angle that nobody asks for."""
+    return np.nan
+
+
+def _cos_known(angle: Direction) -> Array:
+    return angle.cos
+
+
+def _sin_known(angle: Direction) -> Array:
+    return angle.sin
+
+
+def _cos(angle: Array) -> Array:
+    return np.cos(angle)
+
+
+def _sin(angle: Array) -> Array:
+    return np.sin(angle)
+
+
+@cache
+def plain_numpy() -> ModuleType:
+    """Give what stands for NumPy in the kernels."""
+    from numba.extending import overload
+
+    def of_direction(angle: object) -> bool:
+        return getattr(angle, "instance_class", None) is Direction
+
+    overload(cosine, strict=False)(lambda angle: _cos_known if of_direction(angle) else _cos)
+    overload(sine, strict=False)(lambda angle: _sin_known if of_direction(angle) else _sin)
+    overload(not_asked, strict=False)(lambda _sine, _cosine: not_asked)
+    module = ModuleType("plain_numpy")
+    vars(module).update({name: thing for name, thing in vars(np).items() if isinstance(thing, np.ufunc | float)})
+    vars(module).update(cos=cosine, sin=sine, arctan2=not_asked)
+    return module
+
+
+def kernel(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
+    """Compile a kernel, to stand in the loop that calls it."""
+    return compiled(function, faster=FASTER, numpy=plain_numpy())
+
+
+def called(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
+    """Compile a long loop, which is called."""
+    return quick(function)
+
+
+def part(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
+    """Compile a part of a written module, to stand where it is called."""
+    return _compiled(function, forceinline=True)
+
+
+def loop(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
+    """Compile the outermost loop of a written module, and keep what comes out beside its file."""
+    return _compiled(function, cache=True, nogil=True)
+
+
+def _compiled(function: Callable[Parameters, Outcome], **options: Any) -> Callable[Parameters, Outcome]:
+    import numba
+
+    made: Any = numba.njit(error_model="numpy", fastmath=set(FASTER), _nrt=False, **options)
+    return made(function)

@@ -1,0 +1,193 @@
+"""What the compiled cycle is given: numbers of all designs as arrays, and room to work in; nothing of specs or words."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.motion import Array
+
+Places = NDArray[np.intp]
+
+
+class OfKind(NamedTuple):
+    """Mechanisms of one kind.
+
+    Attributes
+    ----------
+    index, piston, master : array of int, shape (member,)
+        Which of the machine's mechanisms each is; which piston, −1 for none; on whose rod it hangs, −1 for the crank.
+    joint : array of int, shape (member, reaction)
+        Which of the machine's joints each reaction is; −1 for a share of its master's.
+    phase : Array, shape (design, member)
+        [rad]
+    geometry : Array, shape (design, member, number)
+        As the kind's kernels take them, in their order.
+    bodies : Array, shape (design, member, 4 · link)
+    gravity : Array, shape (design, member, 2)
+        In the mechanism's axes. [m/s²]
+    """
+
+    index: Places
+    piston: Places
+    master: Places
+    joint: Places
+    phase: Array
+    geometry: Array
+    bodies: Array
+    gravity: Array
+
+
+class OfFluid(NamedTuple):
+    """Chambers that hold one fluid: which, and what its pressure takes, shape (design, own chamber, number)."""
+
+    places: Places
+    numbers: Array
+
+
+class Room(NamedTuple):
+    """The working chambers.
+
+    Attributes
+    ----------
+    partner : array of int, shape (chamber, 2)
+        Pistons that work in each; of a single one, that again, with an area of 0.
+    area : Array, shape (design, chamber, 2)
+        Of these, signed. [m²]
+    start : Array, shape (design, chamber)
+        Volume with all pistons at their tops. [m³]
+    top : Array, shape (design, piston)
+        Distance of each piston pin from its shaft there. [m]
+    ambient, smallest, largest : Array, shape (design, chamber)
+        [Pa, m³, m³]
+    firing, least, greatest : Array, shape (design, chamber)
+        φ of nominal firing, of the least volume there and of the greatest. [rad]
+    kink : Array, shape (design, chamber, kink)
+        Volumes at which the pressure is not smooth; NaN for none. [m³]
+    sense, turn : Array, shape (kink,)
+        On which branch each is.
+    """
+
+    partner: Places
+    area: Array
+    start: Array
+    top: Array
+    ambient: Array
+    smallest: Array
+    largest: Array
+    firing: Array
+    least: Array
+    greatest: Array
+    kink: Array
+    sense: Array
+    turn: Array
+
+
+class Turning(NamedTuple):
+    """How it turns: speed, and φ where the shown angle is 0, shape (design,); and the cycle. [rad/s, rad]"""
+
+    speed: Array
+    zero: Array
+    cycle: float
+
+
+class Wanted(NamedTuple):
+    """What is asked of how evenly it runs.
+
+    Attributes
+    ----------
+    has_work : bool
+        Whether anything is.
+    inertia : Array, shape (design, 1), or (design, 0) where there is no flywheel
+        [kg·m²]
+    coefficient : Array, shape (design, 1), or (design, 0) where none is wanted
+    """
+
+    has_work: bool
+    inertia: Array
+    coefficient: Array
+
+
+class Work(NamedTuple):
+    """Room for the curves of one design at the points of its panels, and for what they are made of.
+
+    Attributes
+    ----------
+    cos, sin : Array, shape (point,)
+        Of the crank angle φ.
+    slider, slope : Array, shape (piston, point)
+        Distance of each pin from its shaft, and its derivative by the crank angle. [m, m/rad]
+    push : Array, shape (piston, point)
+        Force of the gas on each, toward its shaft. [N]
+    on_rod : Array, shape (3, mechanism, point)
+        What slaves do to each rod. [N, N, N·m]
+    pole, away : Array, shape (chamber,)
+        φ of the poles beside least volumes, and how far they are from the real axis. [rad]
+    torque, gross : Array, shape (point,)
+        Of the machine, and the sizes of what each mechanism has of it together. [N·m]
+    applied, inertia, integral, square : Array, shape (point,)
+        Torque without inertia, inertia, excess work, square of the speed. [N·m, kg·m², J, rad²/s²]
+    pressure, rise : Array, shape (chamber, point)
+        [Pa, Pa/rad]
+    joint_x, joint_y : Array, shape (joint, point)
+        [N]
+    rod : Array, shape (4, piston, point)
+        P, N, and S at the piston pin and at the other one. [N]
+    tops : Array, shape (4, 64)
+    speeds : Array, shape (5,)
+        As `Found.running` of one design. [rad/s, rad]
+    """
+
+    cos: Array
+    sin: Array
+    slider: Array
+    slope: Array
+    push: Array
+    on_rod: Array
+    pole: Array
+    away: Array
+    torque: Array
+    gross: Array
+    applied: Array
+    inertia: Array
+    integral: Array
+    square: Array
+    pressure: Array
+    rise: Array
+    joint_x: Array
+    joint_y: Array
+    rod: Array
+    tops: Array
+    speeds: Array
+
+
+class Found(NamedTuple):
+    """What is found of each design; NaN of what is not asked, or of a design that is left to `run`.
+
+    Attributes
+    ----------
+    is_known : array of bool, shape (design,)
+    torque : Array, shape (design, 5)
+        Largest, its angle, smallest, its angle, and the largest that all mechanisms have together. [N·m, rad]
+    pressure : Array, shape (design, chamber, 4)
+        Largest, its angle, steepest rise, its angle. [Pa, rad, Pa/rad, rad]
+    joint : Array, shape (design, joint, 2)
+        Largest force, its angle. [N, rad]
+    rod : Array, shape (design, piston, 6)
+        Largest P, N and S, each with its angle. [N, rad]
+    work : Array, shape (design,)
+        Largest excess work. [J]
+    flywheel : Array, shape (design, 6)
+        Flywheels by each method, and what fluctuation each gives. [kg·m², 1]
+    running : Array, shape (design, 5)
+        Largest speed, its angle, smallest, its angle, mean over the crank angle. [rad/s, rad]
+    """
+
+    is_known: NDArray[np.bool_]
+    torque: Array
+    pressure: Array
+    joint: Array
+    rod: Array
+    work: Array
+    flywheel: Array
+    running: Array

@@ -1,0 +1,208 @@
+"""Loops of a design that are the same for all machines: its panels, whether they show its curves, and its facts."""
+
+import numpy as np
+
+from cranktrain.study.cycle.given import Found, Room, Turning, Wanted, Work
+from cranktrain.study.cycle.nodes import Nodes
+from cranktrain.study.cycle.panels import Panels, cut, sorted_edges
+from cranktrain.study.cycle.running import exact_flywheel, fluctuation_of, integral_of, mean_of
+from cranktrain.study.cycle.tops import highest, largest_size, unresolved
+
+FINEST = 8.0
+"""By what panels are made narrower at most until they show all curves."""
+_RESOLVED = 1e-9
+"""Last orders of the curves' series, in parts of the curves."""
+_TURN = 2 * np.pi
+
+
+def own_edges(design: int, turning: Turning, room: Room, panels: Panels) -> int:
+    """List φ of the dead centres of chambers; give how many there are."""
+    n_edges, n_turns = 0, int(np.floor(turning.cycle / _TURN + 0.5))
+    for turn in range(n_turns):
+        for chamber in range(room.least.shape[1]):
+            panels.edge[n_edges] = room.least[design, chamber] + turn * _TURN
+            panels.edge[n_edges + 1] = room.greatest[design, chamber] + turn * _TURN
+            n_edges += 2
+    return n_edges
+
+
+def cut_cycle(n_edges: int, finer: float, turning: Turning, panels: Panels, work: Work, nodes: Nodes) -> int:
+    """Cut a design's cycle at its edges; give how many panels there are."""
+    kept = sorted_edges(panels.edge, n_edges, turning.cycle)
+    return cut(panels, kept, turning.cycle, work.pole, work.away, finer, nodes)
+
+
+def directions(panels: Panels, count: int, nodes: Nodes, work: Work) -> int:
+    """Find cosine and sine of φ at all points of the panels; give how many there are.
+
+    From the middle of each panel, by the series of cosine and sine: panels are no wider than these reach.
+    """
+    n_points = 0
+    for panel in range(count):
+        first, row, half = panels.first[panel], panels.size[panel], 0.5 * panels.width[panel]
+        middle = panels.start[panel] + half
+        cos_middle, sin_middle = np.cos(middle), np.sin(middle)
+        size = nodes.size[row]
+        for node in range(size):
+            x = half * nodes.place[row, node]
+            cos, sin = _cosine(x * x), x * _sine_share(x * x)
+            work.cos[first + node] = cos_middle * cos - sin_middle * sin
+            work.sin[first + node] = sin_middle * cos + cos_middle * sin
+        n_points = first + size
+    return n_points
+
+
+def shows(panels: Panels, count: int, nodes: Nodes, wanted: Wanted, work: Work) -> bool:
+    """Whether the panels show all curves that are asked for."""
+    if unresolved(work.torque, panels, count, nodes, _RESOLVED):
+        return False
+    for joint in range(work.joint_x.shape[0]):
+        if unresolved(work.joint_x[joint], panels, count, nodes, _RESOLVED):
+            return False
+        if unresolved(work.joint_y[joint], panels, count, nodes, _RESOLVED):
+            return False
+    for chamber in range(work.pressure.shape[0]):
+        if unresolved(work.pressure[chamber], panels, count, nodes, _RESOLVED):
+            return False
+    return True
+
+
+def tell(
+    design: int,
+    panels: Panels,
+    count: int,
+    nodes: Nodes,
+    turning: Turning,
+    wanted: Wanted,
+    work: Work,
+    found: Found,
+) -> None:
+    """Find the facts of a design by the curves at the points of its panels."""
+    zero, cycle, room = turning.zero[design], turning.cycle, work.tops
+    angle, value, _panel = highest(work.torque, 1.0, panels, count, nodes, zero, cycle, room)
+    found.torque[design, 0], found.torque[design, 1] = value, angle
+    angle, value, _panel = highest(work.torque, -1.0, panels, count, nodes, zero, cycle, room)
+    found.torque[design, 2], found.torque[design, 3] = value, angle
+    gross = 0.0
+    for point in range(panels.first[count - 1] + nodes.size[panels.size[count - 1]]):
+        gross = max(gross, work.gross[point])
+    found.torque[design, 4] = gross
+    for joint in range(work.joint_x.shape[0]):
+        angle, value = largest_size(
+            work.joint_x[joint], work.joint_y[joint], panels, count, nodes, zero, cycle, room
+        )
+        found.joint[design, joint, 0], found.joint[design, joint, 1] = value, angle
+    for chamber in range(work.pressure.shape[0]):
+        angle, value, _panel = highest(work.pressure[chamber], 1.0, panels, count, nodes, zero, cycle, room)
+        found.pressure[design, chamber, 0], found.pressure[design, chamber, 1] = value, angle
+        angle, value, _panel = highest(work.rise[chamber], 1.0, panels, count, nodes, zero, cycle, room)
+        found.pressure[design, chamber, 2], found.pressure[design, chamber, 3] = value, angle
+    for piston in range(work.rod.shape[1]):
+        for place in range(3):
+            value, angle = _either_way(work.rod[place, piston], panels, count, nodes, zero, cycle, room)
+            if place == 2:
+                other, where = _either_way(work.rod[3, piston], panels, count, nodes, zero, cycle, room)
+                if other > value * (1.0 + 1e-9) or (other > value * (1.0 - 1e-9) and where < angle):
+                    value, angle = max(value, other), where
+            found.rod[design, piston, 2 * place], found.rod[design, piston, 2 * place + 1] = value, angle
+    found.is_known[design] = True
+    if wanted.has_work:
+        found.is_known[design] = _tell_running(design, panels, count, nodes, turning, wanted, work, found)
+
+
+def _either_way(curve, panels, count, nodes, zero, cycle, room):
+    """Largest size of a curve, and where."""
+    up, most, _panel = highest(curve, 1.0, panels, count, nodes, zero, cycle, room)
+    down, least, _panel = highest(curve, -1.0, panels, count, nodes, zero, cycle, room)
+    alike = 1e-9 * max(most, -least)
+    if most > -least + alike:
+        return most, up
+    if -least > most + alike:
+        return -least, down
+    return max(most, -least), min(up, down)
+
+
+def _tell_running(
+    design: int,
+    panels: Panels,
+    count: int,
+    nodes: Nodes,
+    turning: Turning,
+    wanted: Wanted,
+    work: Work,
+    found: Found,
+) -> bool:
+    """Find how evenly a design runs; give whether all that was asked is known."""
+    zero, cycle, room, speed = turning.zero[design], turning.cycle, work.tops, turning.speed[design]
+    mean = mean_of(work.applied, panels, count, nodes, cycle)
+    integral_of(work.applied, mean, panels, count, nodes, work.integral)
+    _angle, most, _panel = highest(work.integral, 1.0, panels, count, nodes, zero, cycle, room)
+    _angle, least, _panel = highest(work.integral, -1.0, panels, count, nodes, zero, cycle, room)
+    found.work[design] = most - least
+    stored, inertia, square = work.integral, work.inertia, work.square
+    for flywheel in range(wanted.inertia.shape[1]):
+        if not fluctuation_of(
+            stored,
+            inertia,
+            wanted.inertia[design, flywheel],
+            speed,
+            panels,
+            count,
+            nodes,
+            cycle,
+            square,
+            room,
+            zero,
+            found.running[design],
+        ):
+            return False
+    for coefficient in range(wanted.coefficient.shape[1]):
+        delta = wanted.coefficient[design, coefficient]
+        sizes, given = found.flywheel[design], work.speeds
+        sizes[0] = exact_flywheel(stored, inertia, speed, delta, panels, count, nodes, cycle, square, room)
+        n_points = panels.first[count - 1] + nodes.size[panels.size[count - 1]]
+        for point in range(n_points):
+            square[point] = stored[point] - 0.5 * speed * speed * inertia[point]
+        _angle, upper, _panel = highest(square, 1.0, panels, count, nodes, zero, cycle, room)
+        _angle, lower, _panel = highest(square, -1.0, panels, count, nodes, zero, cycle, room)
+        sizes[1] = (upper - lower) / (delta * speed * speed)
+        sizes[2] = (most - least) / (delta * speed * speed)
+        for method in range(3):
+            if not sizes[method] == sizes[method] or not fluctuation_of(
+                stored, inertia, sizes[method], speed, panels, count, nodes, cycle, square, room, zero, given
+            ):
+                return False
+            sizes[3 + method] = (given[0] - given[2]) / speed
+    return True
+
+
+def _cosine(square: float) -> float:
+    """Cosine by the square of an angle up to 1.6 rad, to rounding: its series to the 22nd power."""
+    found = 1.0 - square * (1 / 462)
+    found = 1.0 - square * (1 / 380) * found
+    found = 1.0 - square * (1 / 306) * found
+    found = 1.0 - square * (1 / 240) * found
+    found = 1.0 - square * (1 / 182) * found
+    found = 1.0 - square * (1 / 132) * found
+    found = 1.0 - square * (1 / 90) * found
+    found = 1.0 - square * (1 / 56) * found
+    found = 1.0 - square * (1 / 30) * found
+    found = 1.0 - square * (1 / 12) * found
+    found = 1.0 - square * (1 / 2) * found
+    return found
+
+
+def _sine_share(square: float) -> float:
+    """Sine of an angle, over it, by its square, likewise: to the 23rd power."""
+    found = 1.0 - square * (1 / 506)
+    found = 1.0 - square * (1 / 420) * found
+    found = 1.0 - square * (1 / 342) * found
+    found = 1.0 - square * (1 / 272) * found
+    found = 1.0 - square * (1 / 210) * found
+    found = 1.0 - square * (1 / 156) * found
+    found = 1.0 - square * (1 / 110) * found
+    found = 1.0 - square * (1 / 72) * found
+    found = 1.0 - square * (1 / 42) * found
+    found = 1.0 - square * (1 / 20) * found
+    found = 1.0 - square * (1 / 6) * found
+    return found

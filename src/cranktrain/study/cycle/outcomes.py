@@ -1,0 +1,234 @@
+"""Results of stages by the facts of the compiled cycle, for those stages that look at a grid of crank angles."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import MISSING, fields
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+
+from cranktrain.analysis.outcomes import StageRun
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Mechanisms
+from cranktrain.layout.speed import Speed
+from cranktrain.motion import Array
+from cranktrain.numerics import Extreme, Peak, around_zero
+from cranktrain.questions.cylinders.firing import Firing
+from cranktrain.questions.cylinders.travel import CylinderTravel
+from cranktrain.questions.cylinders.volumes import ChamberVolumes, SweptVolumes
+from cranktrain.questions.evenness.flywheel import FlywheelSize, RimSize
+from cranktrain.questions.evenness.flywheel_inertia import METHODS
+from cranktrain.questions.evenness.running_speed import RunningSpeed
+from cranktrain.questions.evenness.shaft_work import ShaftWork
+from cranktrain.questions.forces.crank_pins import CrankPinLoads
+from cranktrain.questions.forces.joint_forces import JointForces, joint_label
+from cranktrain.questions.forces.largest_forces import LargestForces
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.peaks import without_rounding
+from cranktrain.questions.gas.chambers import GasInChambers
+from cranktrain.questions.gas.powers import BrakePowers, IndicatedPowers
+from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING, DeadCentres
+from cranktrain.questions.torque.torques import ShaftTorques
+from cranktrain.study.cycle.given import Found
+
+Outcome = TypeVar("Outcome")
+
+
+class Cycles(NamedTuple):
+    """Designs whose cycles were found: what the loop found, the parts and stages that it rests on, names of joints."""
+
+    found: Found
+    crank_angle: CrankAngle
+    speed: Speed
+    mechanisms: Mechanisms
+    stages: StageRun
+    joints: tuple[str, ...]
+
+
+def bare(kind: type[Outcome], **known: Any) -> Outcome:
+    """Make a result of which some fields alone are known; nobody asks for the others."""
+    unknown = {
+        one.name: None
+        for one in fields(kind)  # pyright: ignore[reportArgumentType] - every result is a record
+        if one.name not in known and one.default is MISSING and one.default_factory is MISSING
+    }
+    return kind(**known, **unknown)
+
+
+def _shaft_torques(cycles: Cycles) -> ShaftTorques:
+    found = cycles.found.torque
+    gross = found[:, 4]
+    largest, smallest = (Peak(found[:, i + 1], found[:, i], np.zeros(len(found))) for i in (0, 2))
+    work = np.zeros(len(found))
+    if _has(cycles.stages, GasPressures):
+        work = np.sum(cycles.stages[GasPressures].work_over(cycles.crank_angle), axis=-1)
+    return bare(
+        ShaftTorques,
+        mean_torque=work / cycles.crank_angle.cycle,
+        largest_torque=without_rounding(largest, gross),
+        smallest_torque=without_rounding(smallest, gross),
+    )
+
+
+def _has(stages: StageRun, kind: type) -> bool:
+    try:
+        return stages[kind] is not None
+    except KeyError:
+        return False
+
+
+def gas_pressures(cycles: Cycles) -> GasPressures:
+    """Work by each fluid's own formula, peaks by the loop; NaN where it was not asked for them."""
+    gas, found = cycles.stages[GasInChambers], cycles.found.pressure
+    travel, swept = cycles.stages[CylinderTravel], cycles.stages[SweptVolumes]
+    work = gas.by_chamber((one, one.fluid.work(one.ready, one.rooms)) for one in gas.fillings)
+    peaks = {}
+    if found.shape[1]:
+        firing, _opposite = gas.dead_centres(travel)
+        zero = cycles.crank_angle.zero[..., 0]
+        after = around_zero(found[..., 1] + zero - firing)
+        after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
+        rise_at = around_zero(found[..., 3] + zero - firing)
+        shown = [
+            cycles.crank_angle.counted((firing + one)[..., np.newaxis], gas.cycle)[..., 0] for one in (after, rise_at)
+        ]
+        peaks = {
+            "peak_pressure": Extreme(shown[0], found[..., 0]),
+            "peak_pressure_after": after,
+            "steepest_pressure_rise": Extreme(shown[1], found[..., 2]),
+        }
+    return bare(
+        GasPressures,
+        cycle=gas.cycle,
+        indicated_work=work,
+        indicated_mean_pressure=work / swept.swept_volume,
+        **peaks,
+    )
+
+
+def _joint_peaks(cycles: Cycles) -> Peak:
+    found = cycles.found.joint
+    peak = Peak(found[..., 1], found[..., 0], np.zeros(found.shape[:2]))
+    return without_rounding(peak, np.max(peak.value, axis=-1, keepdims=True))
+
+
+def _joint_forces(cycles: Cycles) -> JointForces:
+    return bare(JointForces, largest_joint_force=_joint_peaks(cycles), labels={"joint": cycles.joints})
+
+
+def _crank_pin_loads(cycles: Cycles) -> CrankPinLoads:
+    peaks = _joint_peaks(cycles)
+    names = cycles.mechanisms.names
+    largest = Extreme(*np.full((2, len(peaks.value), len(names)), np.nan))
+    for batch in cycles.mechanisms.batches:
+        joint = batch.kind.dynamics.joint("crank_pin")
+        if joint is not None:
+            reaction = batch.kind.dynamics.reactions[joint]
+            rows = [cycles.joints.index(joint_label(names[i], reaction)) for i in batch.index.tolist()]
+            for whole, part in zip(largest, peaks[:2], strict=True):
+                whole[:, batch.index] = part[:, rows]
+    return bare(CrankPinLoads, largest_crankpin_load=largest)
+
+
+def _largest_forces(cycles: Cycles) -> LargestForces:
+    value, at = (cycles.found.rod[..., place::2] for place in (0, 1))
+    gross = np.fmax.reduce(value, axis=(1, 2), keepdims=True)
+    peak = without_rounding(Peak(at, value, np.zeros(value.shape)), gross)
+    angle, size = (np.where(peak.value > 0, part, np.nan) for part in peak[:2])
+    piston, side, rod = (Extreme(angle[..., i], size[..., i]) for i in range(3))
+    return bare(LargestForces, largest_piston_force=piston, largest_side_force=side, largest_rod_force=rod)
+
+
+def _shaft_work(cycles: Cycles) -> ShaftWork:
+    return bare(ShaftWork, largest_excess_work=cycles.found.work)
+
+
+def _running_speed(cycles: Cycles) -> RunningSpeed:
+    most, most_at, least, least_at, over_angle = cycles.found.running.T
+    over_time = cycles.speed.value[:, 0, 0]
+    return bare(
+        RunningSpeed,
+        coefficient_of_fluctuation=(most - least) / over_time,
+        mean_speed_over_time=over_time,
+        mean_speed_over_angle=over_angle,
+        mean_speed_of_extremes=(most + least) / 2,
+        largest_crank_speed=Extreme(most_at, most),
+        smallest_crank_speed=Extreme(least_at, least),
+    )
+
+
+def _flywheel_size(cycles: Cycles) -> FlywheelSize:
+    inertia, fluctuation = cycles.found.flywheel[:, :3], cycles.found.flywheel[:, 3:]
+    return bare(
+        FlywheelSize,
+        flywheel_inertia=inertia,
+        wanted_flywheel_moment=4 * inertia,
+        flywheel_inertia_error=inertia / inertia[:, :1] - 1,
+        flywheel_fluctuation=fluctuation,
+        labels={"flywheel_method": METHODS},
+    )
+
+
+class FromLoop(NamedTuple):
+    """A result that the loop gives: what it is asked for, the names of the facts, and what makes the result of it."""
+
+    ask: str
+    names: frozenset[str]
+    made: Callable[[Cycles], Any]
+
+
+def _peaks(*names: str) -> frozenset[str]:
+    return frozenset((*names, *(f"{name}_at" for name in names)))
+
+
+ASKS: Mapping[type, FromLoop] = {
+    GasPressures: FromLoop(
+        "pressure",
+        _peaks("peak_pressure", "steepest_pressure_rise")
+        | {"indicated_work", "indicated_mean_pressure", "peak_pressure_after"},
+        gas_pressures,
+    ),
+    ShaftTorques: FromLoop("torque", _peaks("largest_torque", "smallest_torque") | {"mean_torque"}, _shaft_torques),
+    JointForces: FromLoop("joint", _peaks("largest_joint_force"), _joint_forces),
+    CrankPinLoads: FromLoop("joint", _peaks("largest_crankpin_load"), _crank_pin_loads),
+    LargestForces: FromLoop(
+        "rod", _peaks("largest_piston_force", "largest_side_force", "largest_rod_force"), _largest_forces
+    ),
+    ShaftWork: FromLoop("work", frozenset({"largest_excess_work"}), _shaft_work),
+    RunningSpeed: FromLoop(
+        "running",
+        _peaks("largest_crank_speed", "smallest_crank_speed")
+        | {"coefficient_of_fluctuation"}
+        | {"mean_speed_over_time", "mean_speed_over_angle", "mean_speed_of_extremes"},
+        _running_speed,
+    ),
+    FlywheelSize: FromLoop(
+        "flywheel",
+        frozenset(
+            {"flywheel_inertia", "wanted_flywheel_moment", "flywheel_inertia_error", "flywheel_fluctuation"}
+        ),
+        _flywheel_size,
+    ),
+}
+"""What stages give that look at a grid."""
+
+GRIDLESS: frozenset[type] = frozenset(
+    {
+        BrakePowers,
+        ChamberVolumes,
+        CylinderTravel,
+        DeadCentres,
+        Firing,
+        GasInChambers,
+        IndicatedPowers,
+        LoadedMachine,
+        RimSize,
+        SweptVolumes,
+    }
+)
+"""Results whose facts are found without a grid, of what stands here and in `ASKS`."""
+
+
+def made(cycles: Cycles, kinds: "Iterator[type]") -> dict[type, Any]:
+    """Results of some classes by what the loop found."""
+    return {kind: ASKS[kind].made(cycles) for kind in kinds}

@@ -1,0 +1,478 @@
+"""Source of the cycle of one design: a module of plain loops over the kernels of just those kinds that a machine has.
+
+What differs among machines of one structure, throws, orders, counts of cylinders, is an array of the loops and never
+stands in the source.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple, cast
+
+from cranktrain.fluids import AnyFluid, ChamberState
+from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity, Wrench, reduced_of
+from cranktrain.mechanisms.kind import AnyKind
+from cranktrain.questions.forces.piston_formulas import inertia_force, rod_forces
+from cranktrain.questions.forces.rod_masses import weighed_ends
+
+_INDENT = "    "
+
+
+class Shape(NamedTuple):
+    """How numbers are put into nested tuples: the class of each, and of what its fields are made; None of a number."""
+
+    made: type[tuple[object, ...]]
+    fields: "tuple[Shape | None, ...]"
+
+
+def shape_of(parts: tuple[object, ...]) -> Shape:
+    """Shape of nested tuples of arrays or numbers."""
+    fields = (shape_of(cast("tuple[object, ...]", part)) if isinstance(part, tuple) else None for part in parts)
+    return Shape(type(parts), tuple(fields))
+
+
+@dataclass(frozen=True)
+class KindSource:
+    """What of one kind of mechanism stands in the source.
+
+    Attributes
+    ----------
+    kind : Kind
+    geometry : Shape
+    n_links : int
+    has_slaves : bool
+        Whether others hang on its rods.
+    rod : bool
+        Whether pistons hang on its rods, whose forces are asked.
+    """
+
+    kind: AnyKind
+    geometry: Shape
+    n_links: int
+    has_slaves: bool
+    has_pistons: bool
+
+
+@dataclass(frozen=True)
+class Structure:
+    """What stands in the source: kinds, fluids, and what is asked of the loop.
+
+    Attributes
+    ----------
+    kinds : tuple of KindSource
+    fluids : tuple of (Fluid, Shape)
+    asks : frozenset of str
+        Of `torque`, `pressure`, `joint`, `rod`, `work`, `flywheel`, `running`.
+    """
+
+    kinds: tuple[KindSource, ...]
+    fluids: tuple[tuple[AnyFluid, Shape], ...]
+    asks: frozenset[str]
+
+    @property
+    def needs_inertia(self) -> bool:
+        """Whether it is asked how evenly the machine runs."""
+        return bool(self.asks & {"work", "flywheel", "running"})
+
+
+def kernels(structure: Structure) -> dict[str, Callable[..., Any]]:
+    """Kernels by the names that they have in the source."""
+    found: dict[str, Callable[..., Any]] = {}
+    for place, one in enumerate(structure.kinds):
+        dynamics = one.kind.dynamics
+        found |= {
+            f"motion_{place}": one.kind.motion,
+            f"load_{place}": dynamics.load,
+            f"forces_{place}": dynamics.forces,
+            f"links_{place}": dynamics.links,
+        }
+        if dynamics.on_master is not None:
+            found[f"on_master_{place}"] = dynamics.on_master
+    if structure.needs_inertia:
+        found["reduced"] = reduced_of
+    if "rod" in structure.asks:
+        found |= {"shares_of": weighed_ends, "along_rod": rod_forces, "inertia_of": inertia_force}
+    for place, (fluid, _shape) in enumerate(structure.fluids):
+        found[f"pressure_{place}"] = fluid.pressure
+        found[f"slope_{place}"] = fluid.slope
+    return found
+
+
+class _Imports:
+    """Names of the source by what they are imported from."""
+
+    def __init__(self) -> None:
+        self.known: dict[tuple[str, str], str] = {}
+
+    def name(self, thing: Any) -> str:
+        """Give a function's or class's name, imported once."""
+        module, own = thing.__module__, thing.__qualname__
+        taken = [name for (other, _own), name in self.known.items() if other != module]
+        name = own if own not in taken else f"{own}_{len(self.known)}"
+        return self.known.setdefault((module, own), name)
+
+    def lines(self) -> Iterator[str]:
+        """Import statements."""
+        for (module, own), name in sorted(self.known.items()):
+            yield f"from {module} import {own}" + ("" if own == name else f" as {name}")
+
+
+class Written(NamedTuple):
+    """Source of a module, and the functions of the package that it calls."""
+
+    source: str
+    calls: tuple[Callable[..., Any], ...]
+
+
+def written_cycle(structure: Structure) -> Written:
+    """Write the module whose function `cycle` fills `Found` for designs from `first` up to `last`."""
+    imports, called = _Imports(), kernels(structure)
+    body = [
+        *_kernels(called, _PARTS, imports),
+        *_volume(structure, imports),
+        *_fill(structure, imports),
+        *_cycle(structure),
+    ]
+    return _module(imports, body, called)
+
+
+def written_turning(kinds: Sequence[KindSource]) -> Written:
+    """Write the module whose function `turning_points` finds where pistons turn back."""
+    imports = _Imports()
+    called = {f"motion_{place}": one.kind.motion for place, one in enumerate(kinds) if one.has_pistons}
+    return _module(imports, [*_kernels(called, ("toward_end",), imports), *_turning(kinds, imports)], called)
+
+
+def _module(imports: _Imports, body: Sequence[str], called: Mapping[str, Callable[..., Any]]) -> Written:
+    """Put a module together."""
+    head = [
+        '"""Written for the structure of a machine; docs/scale."""',
+        "",
+        "import numpy as np",
+        "",
+        *imports.lines(),
+        "from cranktrain.study.cycle.chambers import SETTLED, STEPS, TURN, branch_at, nearer, toward_end",
+        "from cranktrain.study.cycle.compiling import Direction, called, kernel, loop, part",
+        "from cranktrain.study.cycle.loops import FINEST, cut_cycle, directions, own_edges, shows, tell",
+        "",
+    ]
+    return Written("\n".join([*head, *body, ""]), tuple(called.values()))
+
+
+_PARTS = ("branch_at", "nearer", "cut_cycle", "directions", "own_edges", "shows", "tell")
+"""What is the same for all machines, by its name in the source."""
+
+
+def _kernels(
+    called: Mapping[str, Callable[..., Any]], parts: Sequence[str], imports: _Imports
+) -> Iterator[str]:
+    """Compiled kernels by their names, and what else is called."""
+    for name, kernel in called.items():
+        yield f"{name} = kernel({imports.name(kernel)})"
+    for name in parts:
+        yield f"{name} = called({name})"
+    yield ""
+    yield ""
+
+
+def _arguments(structure: Structure) -> str:
+    kinds = ", ".join(f"k{place}" for place in range(len(structure.kinds)))
+    fluids = ", ".join(f"f{place}" for place in range(len(structure.fluids)))
+    return ", ".join(filter(None, (kinds, fluids)))
+
+
+def _counting() -> Iterator[int]:
+    place = 0
+    while True:
+        yield place
+        place += 1
+
+
+def _local(shape: Shape, imports: _Imports, array: str, name: str) -> tuple[list[str], str]:
+    """Lines that take a row of numbers out of its array, and the expression that makes nested tuples of them."""
+    number = _counting()
+    made = _made(shape, imports, number, name)
+    n_numbers = next(number)
+    return [f"{name}{place} = {array}[design, member, {place}]" for place in range(n_numbers)], made
+
+
+def _made(shape: Shape, imports: _Imports, number: Iterator[int], name: str) -> str:
+    """Expression that makes nested tuples from numbers that stand in names of their own."""
+    parts = [f"{name}{next(number)}" if one is None else _made(one, imports, number, name) for one in shape.fields]
+    return f"{imports.name(shape.made)}({', '.join(parts)})"
+
+
+def _member(place: int, one: KindSource, imports: _Imports) -> list[str]:
+    """Lines that take the geometry of a member, and how its crank stands, out of their arrays."""
+    lines, made = _local(one.geometry, imports, f"k{place}.geometry", "g")
+    return [
+        *lines,
+        f"size = {made}",
+        f"ahead = Direction(np.cos(k{place}.phase[design, member]), np.sin(k{place}.phase[design, member]))",
+    ]
+
+
+_CRANK = "Direction(cos * ahead.cos - sin * ahead.sin, sin * ahead.cos + cos * ahead.sin)"
+
+
+def _bodies(place: int, one: KindSource) -> list[str]:
+    """Lines that take the bodies of a member, its gravity and its conditions out of their arrays."""
+    lines = [f"b{number} = k{place}.bodies[design, member, {number}]" for number in range(4 * one.n_links)]
+    each = (f"Body({', '.join(f'b{4 * link + number}' for number in range(4))})" for link in range(one.n_links))
+    frictions = ", ".join(["Friction(0.0, 1.0, 0.0, 0.0)"] * len(one.kind.dynamics.sliding))
+    return [
+        *lines,
+        f"bodies = ({', '.join(each)},)",
+        f"gravity = Gravity(k{place}.gravity[design, member, 0], k{place}.gravity[design, member, 1])",
+        f"conditions = Conditions(Drive(speed, 0.0), gravity, ({frictions},))",
+    ]
+
+
+def _indented(lines: Iterable[str], depth: int) -> Iterator[str]:
+    return (f"{_INDENT * depth}{line}" for line in lines)
+
+
+def _volume(structure: Structure, imports: _Imports) -> Iterator[str]:
+    """Volume of one chamber with its derivatives."""
+    if not structure.fluids:
+        return
+    yield "@part"
+    yield f"def volume_at(design, chamber, angle, {_arguments(structure)}, room):"
+    yield "    value, first, second = room.start[design, chamber], 0.0, 0.0"
+    yield "    cos, sin = np.cos(angle), np.sin(angle)"
+    for place, one in enumerate(structure.kinds):
+        if not one.has_pistons:
+            continue
+        yield f"    for member in range(k{place}.index.size):"
+        yield "        for partner in range(2):"
+        yield f"            piston = k{place}.piston[member]"
+        yield "            if piston >= 0 and room.partner[chamber, partner] == piston:"
+        yield from _indented(_member(place, one, imports), 4)
+        yield f"                motion = motion_{place}({_CRANK}, size)"
+        yield "                area = room.area[design, chamber, partner]"
+        yield "                value += area * (room.top[design, piston] - motion.slider.value)"
+        yield "                first -= area * motion.slider.first"
+        yield "                second -= area * motion.slider.second"
+    yield "    return value, first, second"
+    yield ""
+    yield ""
+
+
+def _turning(kinds: Sequence[KindSource], imports: _Imports) -> Iterator[str]:
+    """Dead centres of all pistons: the best of some points of the turn, and Newton's method from there."""
+    arguments = ", ".join(f"k{place}" for place in range(len(kinds)))
+    yield "@loop"
+    yield f"def turning_points(first, last, {arguments}, around, found):"
+    yield "    for design in range(first, last):"
+    for place, one in enumerate(kinds):
+        if not one.has_pistons:
+            continue
+        motion = f"motion = motion_{place}({_CRANK}, size)"
+        yield f"        for member in range(k{place}.index.size):"
+        yield from _indented(_member(place, one, imports), 3)
+        yield "            for end in range(2):"
+        yield "                sign, best, angle = 1.0 - 2.0 * end, -np.inf, 0.0"
+        yield "                for point in range(around.shape[1]):"
+        yield "                    cos, sin = around[1, point], around[2, point]"
+        yield f"                    {motion}"
+        yield "                    if sign * motion.slider.value > best:"
+        yield "                        best, angle = sign * motion.slider.value, around[0, point]"
+        yield "                cos, sin = np.cos(angle), np.sin(angle)"
+        yield f"                {motion}"
+        yield "                for _step in range(STEPS):"
+        yield "                    move = toward_end(sign, motion.slider.first, motion.slider.second, around)"
+        yield "                    angle += move"
+        yield "                    cos, sin = np.cos(angle), np.sin(angle)"
+        yield f"                    {motion}"
+        yield "                    if abs(move) < SETTLED:"
+        yield f"                        found[design, k{place}.piston[member], end, 0] = angle"
+        yield f"                        found[design, k{place}.piston[member], end, 1] = motion.slider.value"
+        yield "                        break"
+
+
+def _fill(structure: Structure, imports: _Imports) -> Iterator[str]:
+    """Curves at all points of the panels: pistons first, then chambers, then forces, slaves' before their masters'."""
+    for thing in (Body, ChamberState, Conditions, Drive, Friction, Gravity, Wrench):
+        imports.name(thing)
+    yield "@part"
+    yield f"def fill(design, panels, count, n_points, nodes, speed, cycle_length, {_arguments(structure)}, room, work):"
+    if structure.fluids:
+        for place, one in enumerate(structure.kinds):
+            if one.has_pistons:
+                yield from _pistons(place, one, imports)
+        for place, (_fluid, shape) in enumerate(structure.fluids):
+            yield from _chambers(place, shape, structure.asks, imports)
+    yield "    work.torque[:n_points] = 0.0"
+    yield "    work.gross[:n_points] = 0.0"
+    if structure.needs_inertia:
+        yield "    work.applied[:n_points] = 0.0"
+        yield "    work.inertia[:n_points] = 0.0"
+    if any(one.has_slaves for one in structure.kinds):
+        yield "    work.on_rod[:, :, :n_points] = 0.0"
+    # what slaves do to their masters' rods is a load there
+    order = sorted(enumerate(structure.kinds), key=lambda one: one[1].kind.dynamics.on_master is None)
+    for place, one in order:
+        yield from _forces(place, one, structure, imports)
+    yield ""
+    yield ""
+
+
+def _pistons(place: int, one: KindSource, imports: _Imports) -> Iterator[str]:
+    """How far pistons of one kind are from their shafts."""
+    yield f"    for member in range(k{place}.index.size):"
+    yield f"        piston = k{place}.piston[member]"
+    yield from _indented(_member(place, one, imports), 2)
+    yield "        work.push[piston, :n_points] = 0.0"
+    yield "        for point in range(n_points):"
+    yield "            cos, sin = work.cos[point], work.sin[point]"
+    yield f"            motion = motion_{place}({_CRANK}, size)"
+    yield "            work.slider[piston, point] = motion.slider.value"
+    yield "            work.slope[piston, point] = motion.slider.first"
+
+
+def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: _Imports) -> Iterator[str]:
+    """Pressure in the chambers that hold one fluid, and what it does to their pistons."""
+    numbers, made = _local(shape, imports, f"f{place}.numbers", "c")
+    yield f"    for member in range(f{place}.places.size):"
+    yield f"        chamber = f{place}.places[member]"
+    yield from _indented(numbers, 2)
+    yield f"        gas = {made}"
+    yield "        smallest, largest = room.smallest[design, chamber], room.largest[design, chamber]"
+    yield "        start, ambient = room.start[design, chamber], room.ambient[design, chamber]"
+    yield "        firing = room.firing[design, chamber]"
+    yield "        one, other = room.partner[chamber, 0], room.partner[chamber, 1]"
+    yield "        area, beside = room.area[design, chamber, 0], room.area[design, chamber, 1]"
+    yield "        start += area * room.top[design, one] + beside * room.top[design, other]"
+    yield "        for panel in range(count):"
+    yield "            middle = panels.start[panel] + 0.5 * panels.width[panel]"
+    yield "            sense, turn = branch_at(middle, room, design, chamber, cycle_length)"
+    yield "            begin = panels.first[panel]"
+    yield "            for point in range(begin, begin + nodes.size[panels.size[panel]]):"
+    yield "                volume = start - area * work.slider[one, point] - beside * work.slider[other, point]"
+    yield "                state = ChamberState(volume, smallest, largest, sense, turn, panels.angle[point] - firing)"
+    yield f"                pressure = pressure_{place}(state, gas)"
+    if "pressure" in asks:
+        yield "                slope = -area * work.slope[one, point] - beside * work.slope[other, point]"
+        yield "                work.pressure[chamber, point] = pressure"
+        yield f"                work.rise[chamber, point] = slope_{place}(state, pressure, slope, gas)"
+    yield "                over = pressure - ambient"
+    yield "                work.push[one, point] += area * over"
+    yield "                work.push[other, point] += beside * over"
+
+
+def _forces(place: int, one: KindSource, structure: Structure, imports: _Imports) -> Iterator[str]:
+    """Forces of the mechanisms of one kind, and what they do to the shaft."""
+    dynamics, asks = one.kind.dynamics, structure.asks
+    yield f"    for member in range(k{place}.index.size):"
+    yield from _indented([*_member(place, one, imports), *_bodies(place, one)], 2)
+    is_slave = dynamics.on_master is not None
+    if one.has_pistons and structure.fluids:
+        yield f"        piston = k{place}.piston[member]"
+    if one.has_slaves or is_slave:
+        yield f"        master = k{place}.{'master' if is_slave else 'index'}[member]"
+    joints = [place for place, reaction in enumerate(dynamics.reactions) if reaction.on in dynamics.moving]
+    if "joint" in asks:
+        for number in joints:
+            yield f"        j{number} = k{place}.joint[member, {number}]"
+    yield "        for point in range(n_points):"
+    yield "            cos, sin = work.cos[point], work.sin[point]"
+    yield f"            motion = motion_{place}({_CRANK}, size)"
+    pushed = "-work.push[piston, point]" if one.has_pistons and structure.fluids else "0.0"
+    yield f"            own = load_{place}(motion, size, {pushed})"
+    borne = "own"
+    if one.has_slaves:
+        yield "            handed = Wrench("
+        yield "                own[1].x + work.on_rod[0, master, point], own[1].y + work.on_rod[1, master, point],"
+        yield "                own[1].moment + work.on_rod[2, master, point],"
+        yield "            )"
+        borne = "(own[0], handed, own[2])"
+    yield f"            forces = forces_{place}(motion, size, bodies, {borne}, conditions)"
+    if is_slave:
+        yield f"            on_rod = on_master_{place}(motion, size, forces.joints[{dynamics.joint('knuckle_pin')}])"
+        yield "            work.on_rod[0, master, point] += on_rod.x"
+        yield "            work.on_rod[1, master, point] += on_rod.y"
+        yield "            work.on_rod[2, master, point] += on_rod.moment"
+    else:
+        yield "            work.torque[point] -= forces.driving_torque"
+        yield "            work.gross[point] += abs(forces.driving_torque)"
+    if structure.needs_inertia:
+        yield f"            carried = reduced(links_{place}(motion, size), bodies, own, gravity)"
+        yield "            work.inertia[point] += carried.inertia.value"
+        torque = "" if is_slave else " - forces.driving_torque"
+        yield f"            work.applied[point] += 0.5 * carried.inertia.first * speed * speed{torque}"
+    if "joint" in asks:
+        for number in joints:
+            yield f"            work.joint_x[j{number}, point] = forces.joints[{number}].x"
+            yield f"            work.joint_y[j{number}, point] = forces.joints[{number}].y"
+    if "rod" in asks and one.has_pistons and one.kind.has_rod:
+        yield from _indented(_rod(place, one), 1)
+
+
+def _rod(place: int, one: KindSource) -> Iterator[str]:
+    """Forces of one piston and its rod."""
+    dynamics = one.kind.dynamics
+    moving = list(dynamics.moving)
+    first = dynamics.joint("crank_pin")
+    first = dynamics.joint("knuckle_pin") if first is None else first
+    second, guide = dynamics.joint("piston_pin"), dynamics.joint("guide")
+    rod, slider = moving.index("rod"), moving.index("slider")
+    yield f"        shares = shares_of(bodies[{rod}], size.rod_length)"
+    yield f"        back = bodies[{slider}].mass + shares.second"
+    yield "        along = along_rod("
+    yield f"            motion.rod, motion.slider, (forces.joints[{first}], forces.joints[{second}]), shares,"
+    yield "            conditions.drive, gravity,"
+    yield "        )"
+    yield f"        piston = k{place}.piston[member]"
+    yield "        pulled = inertia_of(motion.slider, back, conditions.drive)"
+    yield f"        work.rod[0, piston, point] = -own[{slider}].x - back * gravity.x + pulled"
+    yield f"        work.rod[1, piston, point] = forces.joints[{guide}].y"
+    yield "        work.rod[2, piston, point] = along[0]"
+    # a slave's rod is on no crank pin: of it the force at the piston pin alone is told
+    yield f"        work.rod[3, piston, point] = along[{1 if dynamics.on_master is None else 0}]"
+
+
+def _cycle(structure: Structure) -> list[str]:
+    """The loop over designs."""
+    arguments = _arguments(structure)
+    own = f"def cycle(first, last, {arguments}, room, turning, wanted, nodes, panels, work, found):"
+    gas = _GAS.format(arguments=arguments) if structure.fluids else ""
+    return _CYCLE.format(head=own, arguments=arguments, gas=gas).splitlines()
+
+
+_CYCLE = """\
+@loop
+{head}
+    for design in range(first, last):
+        speed = turning.speed[design]
+        finer = 1.0
+        while finer <= FINEST:
+            n_edges = own_edges(design, turning, room, panels)
+{gas}\
+            count = cut_cycle(n_edges, finer, turning, panels, work, nodes)
+            if count > 0:
+                n_points = directions(panels, count, nodes, work)
+                fill(design, panels, count, n_points, nodes, speed, turning.cycle, {arguments}, room, work)
+            if count > 0 and shows(panels, count, nodes, wanted, work):
+                tell(design, panels, count, nodes, turning, wanted, work, found)
+                break
+            finer *= 2.0"""
+
+_GAS = """\
+            for chamber in range(room.partner.shape[0]):
+                least = room.least[design, chamber]
+                smallest, _slope, bend = volume_at(design, chamber, least, {arguments}, room)
+                work.pole[chamber] = least
+                work.away[chamber] = np.sqrt(2.0 * smallest / bend)
+                for kink in range(room.sense.size):
+                    volume, sense = room.kink[design, chamber, kink], room.sense[kink]
+                    if volume > smallest:
+                        away = min(np.sqrt(2.0 * (volume - smallest) / bend), 0.75 * np.pi)
+                        for _step in range(STEPS):
+                            now, rate, bending = volume_at(design, chamber, least + sense * away, {arguments}, room)
+                            before = away
+                            away = nearer(away, sense, now - volume, rate, bending)
+                            if abs(away - before) < SETTLED:
+                                break
+                        other = 0.0 if room.turn[kink] > 0.0 else TURN
+                        panels.edge[n_edges] = least + other + sense * away
+                        n_edges += 1
+"""
