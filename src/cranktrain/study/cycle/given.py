@@ -115,20 +115,20 @@ class Work(NamedTuple):
     ----------
     cos, sin : Array, shape (point,)
         Of the crank angle φ.
-    slider, slope : Array, shape (piston, point)
-        Distance of each pin from its shaft, and its derivative by the crank angle. [m, m/rad]
+    slider : Array, shape (piston, point)
+        Distance of each pin from its shaft. [m]
     push : Array, shape (piston, point)
         Force of the gas on each, toward its shaft. [N]
     on_rod : Array, shape (3, mechanism, point)
         What slaves do to each rod. [N, N, N·m]
     pole, away : Array, shape (chamber,)
         φ of the poles beside least volumes, and how far they are from the real axis. [rad]
-    torque, gross : Array, shape (point,)
+    torque : Array, shape (2, point)
         Of the machine, and the sizes of what each mechanism has of it together. [N·m]
-    applied, inertia, integral, square : Array, shape (point,)
-        Torque without inertia, inertia, excess work, square of the speed. [N·m, kg·m², J, rad²/s²]
-    pressure, rise : Array, shape (chamber, point)
-        [Pa, Pa/rad]
+    running : Array, shape (4, point)
+        Torque without inertia, inertia, excess work, and room for a curve. [N·m, kg·m², J]
+    pressure : Array, shape (chamber, point)
+        [Pa]
     joint_x, joint_y : Array, shape (joint, point)
         [N]
     rod : Array, shape (4, piston, point)
@@ -141,19 +141,13 @@ class Work(NamedTuple):
     cos: Array
     sin: Array
     slider: Array
-    slope: Array
     push: Array
     on_rod: Array
     pole: Array
     away: Array
     torque: Array
-    gross: Array
-    applied: Array
-    inertia: Array
-    integral: Array
-    square: Array
+    running: Array
     pressure: Array
-    rise: Array
     joint_x: Array
     joint_y: Array
     rod: Array
@@ -169,8 +163,8 @@ class Found(NamedTuple):
     is_known : array of bool, shape (design,)
     torque : Array, shape (design, 5)
         Largest, its angle, smallest, its angle, and the largest that all mechanisms have together. [N·m, rad]
-    pressure : Array, shape (design, chamber, 4)
-        Largest, its angle, steepest rise, its angle. [Pa, rad, Pa/rad, rad]
+    pressure : Array, shape (design, chamber, 2)
+        Largest, and its angle. [Pa, rad]
     joint : Array, shape (design, joint, 2)
         Largest force, its angle. [N, rad]
     rod : Array, shape (design, piston, 6)

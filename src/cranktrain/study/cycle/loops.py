@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from cranktrain.motion import Array
 from cranktrain.study.cycle.given import Found, Room, Turning, Wanted, Work
 from cranktrain.study.cycle.nodes import Nodes
 from cranktrain.study.cycle.panels import Panels, cut, sorted_edges
@@ -13,6 +14,10 @@ FINEST = 8.0
 _RESOLVED = 1e-9
 """Last orders of the curves' series, in parts of the curves."""
 _TURN = 2 * np.pi
+_ALONG_ROD = 2
+"""Among the forces of a piston."""
+_ALIKE = 1e-9
+"""Values that differ by less, in parts of the larger, are one."""
 
 
 def own_edges(design: int, turning: Turning, room: Room, panels: Panels) -> int:
@@ -52,69 +57,70 @@ def directions(panels: Panels, count: int, nodes: Nodes, work: Work) -> int:
     return n_points
 
 
-def shows(panels: Panels, count: int, nodes: Nodes, wanted: Wanted, work: Work) -> bool:
-    """Whether the panels show all curves that are asked for."""
-    if unresolved(work.torque, panels, count, nodes, _RESOLVED):
-        return False
-    for joint in range(work.joint_x.shape[0]):
-        if unresolved(work.joint_x[joint], panels, count, nodes, _RESOLVED):
-            return False
-        if unresolved(work.joint_y[joint], panels, count, nodes, _RESOLVED):
-            return False
-    for chamber in range(work.pressure.shape[0]):
-        if unresolved(work.pressure[chamber], panels, count, nodes, _RESOLVED):
+def shows(curves: Array, panels: Panels, count: int, nodes: Nodes) -> bool:
+    """Whether the panels show all of some curves, shape (curve, point)."""
+    for curve in range(curves.shape[0]):
+        if unresolved(curves[curve], panels, count, nodes, _RESOLVED):
             return False
     return True
 
 
-def tell(
-    design: int,
-    panels: Panels,
-    count: int,
-    nodes: Nodes,
-    turning: Turning,
-    wanted: Wanted,
-    work: Work,
-    found: Found,
+def tell_torque(
+    design: int, panels: Panels, count: int, nodes: Nodes, turning: Turning, work: Work, found: Array
 ) -> None:
-    """Find the facts of a design by the curves at the points of its panels."""
+    """Find the largest and the smallest torque of a design; `found` is that of `Found`, as in all that follow."""
     zero, cycle, room = turning.zero[design], turning.cycle, work.tops
-    angle, value, _panel = highest(work.torque, 1.0, panels, count, nodes, zero, cycle, room)
-    found.torque[design, 0], found.torque[design, 1] = value, angle
-    angle, value, _panel = highest(work.torque, -1.0, panels, count, nodes, zero, cycle, room)
-    found.torque[design, 2], found.torque[design, 3] = value, angle
+    found[design, 1], found[design, 0] = highest(work.torque[0], 1.0, panels, count, nodes, zero, cycle, room)
+    found[design, 3], found[design, 2] = highest(work.torque[0], -1.0, panels, count, nodes, zero, cycle, room)
     gross = 0.0
     for point in range(panels.first[count - 1] + nodes.size[panels.size[count - 1]]):
-        gross = max(gross, work.gross[point])
-    found.torque[design, 4] = gross
+        gross = max(gross, work.torque[1, point])
+    found[design, 4] = gross
+
+
+def tell_joints(
+    design: int, panels: Panels, count: int, nodes: Nodes, turning: Turning, work: Work, found: Array
+) -> None:
+    """Find the largest force in every joint."""
+    zero, cycle, room = turning.zero[design], turning.cycle, work.tops
     for joint in range(work.joint_x.shape[0]):
-        angle, value = largest_size(
+        found[design, joint, 1], found[design, joint, 0] = largest_size(
             work.joint_x[joint], work.joint_y[joint], panels, count, nodes, zero, cycle, room
         )
-        found.joint[design, joint, 0], found.joint[design, joint, 1] = value, angle
+
+
+def tell_chambers(
+    design: int, panels: Panels, count: int, nodes: Nodes, turning: Turning, work: Work, found: Array
+) -> None:
+    """Find the largest pressure in every chamber."""
+    zero, cycle, room = turning.zero[design], turning.cycle, work.tops
     for chamber in range(work.pressure.shape[0]):
-        angle, value, _panel = highest(work.pressure[chamber], 1.0, panels, count, nodes, zero, cycle, room)
-        found.pressure[design, chamber, 0], found.pressure[design, chamber, 1] = value, angle
-        angle, value, _panel = highest(work.rise[chamber], 1.0, panels, count, nodes, zero, cycle, room)
-        found.pressure[design, chamber, 2], found.pressure[design, chamber, 3] = value, angle
+        own = found[design, chamber]
+        own[1], own[0] = highest(work.pressure[chamber], 1.0, panels, count, nodes, zero, cycle, room)
+
+
+def tell_rods(
+    design: int, panels: Panels, count: int, nodes: Nodes, turning: Turning, work: Work, found: Array
+) -> None:
+    """Find the largest force along every cylinder, of its wall, and along its rod at either pin."""
+    zero, cycle, room = turning.zero[design], turning.cycle, work.tops
     for piston in range(work.rod.shape[1]):
         for place in range(3):
             value, angle = _either_way(work.rod[place, piston], panels, count, nodes, zero, cycle, room)
-            if place == 2:
+            if place == _ALONG_ROD:
                 other, where = _either_way(work.rod[3, piston], panels, count, nodes, zero, cycle, room)
-                if other > value * (1.0 + 1e-9) or (other > value * (1.0 - 1e-9) and where < angle):
-                    value, angle = max(value, other), where
-            found.rod[design, piston, 2 * place], found.rod[design, piston, 2 * place + 1] = value, angle
-    found.is_known[design] = True
-    if wanted.has_work:
-        found.is_known[design] = _tell_running(design, panels, count, nodes, turning, wanted, work, found)
+                if other > value * (1.0 + _ALIKE):
+                    value, angle = other, where
+            found[design, piston, 2 * place], found[design, piston, 2 * place + 1] = value, angle
 
 
-def _either_way(curve, panels, count, nodes, zero, cycle, room):
-    """Largest size of a curve, and where."""
-    up, most, _panel = highest(curve, 1.0, panels, count, nodes, zero, cycle, room)
-    down, least, _panel = highest(curve, -1.0, panels, count, nodes, zero, cycle, room)
-    alike = 1e-9 * max(most, -least)
+def _either_way(
+    curve: Array, panels: Panels, count: int, nodes: Nodes, zero: float, cycle: float, room: Array
+) -> tuple[float, float]:
+    """Largest size of a curve, and where that is."""
+    up, most = highest(curve, 1.0, panels, count, nodes, zero, cycle, room)
+    down, least = highest(curve, -1.0, panels, count, nodes, zero, cycle, room)
+    alike = _ALIKE * max(most, -least)
     if most > -least + alike:
         return most, up
     if -least > most + alike:
@@ -122,7 +128,7 @@ def _either_way(curve, panels, count, nodes, zero, cycle, room):
     return max(most, -least), min(up, down)
 
 
-def _tell_running(
+def tell_running(
     design: int,
     panels: Panels,
     count: int,
@@ -134,12 +140,12 @@ def _tell_running(
 ) -> bool:
     """Find how evenly a design runs; give whether all that was asked is known."""
     zero, cycle, room, speed = turning.zero[design], turning.cycle, work.tops, turning.speed[design]
-    mean = mean_of(work.applied, panels, count, nodes, cycle)
-    integral_of(work.applied, mean, panels, count, nodes, work.integral)
-    _angle, most, _panel = highest(work.integral, 1.0, panels, count, nodes, zero, cycle, room)
-    _angle, least, _panel = highest(work.integral, -1.0, panels, count, nodes, zero, cycle, room)
+    mean = mean_of(work.running[0], panels, count, nodes, cycle)
+    integral_of(work.running[0], mean, panels, count, nodes, work.running[2])
+    _angle, most = highest(work.running[2], 1.0, panels, count, nodes, zero, cycle, room)
+    _angle, least = highest(work.running[2], -1.0, panels, count, nodes, zero, cycle, room)
     found.work[design] = most - least
-    stored, inertia, square = work.integral, work.inertia, work.square
+    stored, inertia, square = work.running[2], work.running[1], work.running[3]
     for flywheel in range(wanted.inertia.shape[1]):
         if not fluctuation_of(
             stored,
@@ -163,8 +169,8 @@ def _tell_running(
         n_points = panels.first[count - 1] + nodes.size[panels.size[count - 1]]
         for point in range(n_points):
             square[point] = stored[point] - 0.5 * speed * speed * inertia[point]
-        _angle, upper, _panel = highest(square, 1.0, panels, count, nodes, zero, cycle, room)
-        _angle, lower, _panel = highest(square, -1.0, panels, count, nodes, zero, cycle, room)
+        _angle, upper = highest(square, 1.0, panels, count, nodes, zero, cycle, room)
+        _angle, lower = highest(square, -1.0, panels, count, nodes, zero, cycle, room)
         sizes[1] = (upper - lower) / (delta * speed * speed)
         sizes[2] = (most - least) / (delta * speed * speed)
         for method in range(3):

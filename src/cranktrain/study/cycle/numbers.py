@@ -21,9 +21,6 @@ from cranktrain.study.cycle.source import KindSource, Structure, shape_of
 from cranktrain.study.cycle.tops import MOST_TOPS
 
 
-_CURVES = ("cos", "sin", "torque", "gross", "applied", "inertia", "integral", "square")
-
-
 class NumbersOfKinds(NamedTuple):
     """What of each kind stands in the source, and the numbers of its mechanisms."""
 
@@ -163,16 +160,18 @@ def room_to_work(structure: Structure, room: Room, n_mechanisms: int, n_pistons:
     n_pressures = n_chambers if "pressure" in asks else 0
     n_forces = n_joints if "joint" in asks else 0
     n_rods = n_pistons if "rod" in asks else 0
+    cos, sin = np.zeros((2, n_points))
     return Work(
+        cos=cos,
+        sin=sin,
         slider=np.zeros((n_pistons, n_points)),
-        slope=np.zeros((n_pistons, n_points)),
         push=np.zeros((n_pistons, n_points)),
         on_rod=np.zeros((3, n_mechanisms, n_points)),
         pole=np.zeros(n_chambers),
         away=np.zeros(n_chambers),
-        **dict(zip(_CURVES, np.zeros((len(_CURVES), n_points)), strict=True)),
+        torque=np.zeros((2, n_points)),
+        running=np.zeros((4, n_points)),
         pressure=np.zeros((n_pressures, n_points)),
-        rise=np.zeros((n_pressures, n_points)),
         joint_x=np.zeros((n_forces, n_points)),
         joint_y=np.zeros((n_forces, n_points)),
         rod=np.zeros((4, n_rods, n_points)),
@@ -190,7 +189,7 @@ def nothing_found(structure: Structure, work: Work, n_designs: int) -> Found:
     return Found(
         is_known=np.zeros(n_designs, dtype=np.bool_),
         torque=unknown(5),
-        pressure=unknown(len(work.pressure), 4),
+        pressure=unknown(len(work.pressure), 2),
         joint=unknown(len(work.joint_x), 2),
         rod=unknown(work.rod.shape[1], 6),
         work=unknown(),

@@ -88,15 +88,8 @@ def gas_pressures(cycles: Cycles) -> GasPressures:
         zero = cycles.crank_angle.zero[..., 0]
         after = around_zero(found[..., 1] + zero - firing)
         after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
-        rise_at = around_zero(found[..., 3] + zero - firing)
-        shown = [
-            cycles.crank_angle.counted((firing + one)[..., np.newaxis], gas.cycle)[..., 0] for one in (after, rise_at)
-        ]
-        peaks = {
-            "peak_pressure": Extreme(shown[0], found[..., 0]),
-            "peak_pressure_after": after,
-            "steepest_pressure_rise": Extreme(shown[1], found[..., 2]),
-        }
+        shown = cycles.crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0]
+        peaks = {"peak_pressure": Extreme(shown, found[..., 0]), "peak_pressure_after": after}
     return bare(
         GasPressures,
         cycle=gas.cycle,
@@ -184,7 +177,7 @@ def _peaks(*names: str) -> frozenset[str]:
 ASKS: Mapping[type, FromLoop] = {
     GasPressures: FromLoop(
         "pressure",
-        _peaks("peak_pressure", "steepest_pressure_rise")
+        _peaks("peak_pressure")
         | {"indicated_work", "indicated_mean_pressure", "peak_pressure_after"},
         gas_pressures,
     ),

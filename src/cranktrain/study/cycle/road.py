@@ -53,6 +53,7 @@ _LOOKED_AT = 16
 """Points of the turn of which the best is where a dead centre is looked for."""
 _BY_FORMULA = frozenset({"indicated_work", "indicated_mean_pressure"})
 """Facts of the gas that need no loop."""
+_OF_PEAKS = frozenset({"peak_pressure_at", "peak_pressure_after"})
 _OF_EVENNESS = frozenset({"work", "flywheel", "running"})
 
 
@@ -116,11 +117,11 @@ def way_to(machine: Machine, wanted: Sequence[str]) -> Way | Words:
         if name not in home:
             return _("{name} is a fact of other machines", name=name)
         own = _rests_on(name, home[name].gives, by_outcome)
-        if own is None:
+        if own is None or (name in _OF_PEAKS and _is_level(parts)):
             return _("{name} is no fact of the compiled cycle", name=name)
         rests |= own
     rests |= {GasPressures} & by_outcome.keys()
-    asks = {"torque", *(ASKS[kind].ask for kind in rests if kind is not GasPressures)}
+    asks = {ASKS[kind].ask for kind in rests if kind is not GasPressures}
     if ASKS[GasPressures].names.difference(_BY_FORMULA).intersection(wanted):
         asks.add("pressure")
     if asks & _OF_EVENNESS and (reason := _no_evenness(parts)) is not None:
@@ -169,6 +170,12 @@ def _out_of_reach(parts: Parts) -> Words | None:
     return None
 
 
+def _is_level(parts: Parts) -> bool:
+    """Whether the largest pressure may stand for a while, as that of what is delivered does: then it has no angle."""
+    gas = parts.get(DeclaredGas)
+    return isinstance(gas, DeclaredGas) and any(not table.fluid.fires for table in gas.tables)
+
+
 def _no_evenness(parts: Parts) -> Words | None:
     """Why the compiled cycle does not say how evenly a machine runs."""
     balancing = parts.get(Balancing)
@@ -208,7 +215,7 @@ def _cycles(together: Machine, parts: Any, n_designs: int, way: Way) -> Cycles:
     """Find the cycles of all designs."""
     grid: CrankAngle = parts[CrankAngle]
     crank_angle = replace(grid, shown=np.empty(0))
-    mechanisms, carriers, speed, masses = (parts[kind] for kind in (Mechanisms, Carriers, Speed, Masses))
+    mechanisms, carriers, speed, masses = (parts.get(kind) for kind in (Mechanisms, Carriers, Speed, Masses))
     joints = joints_of(LoadedMachine(mechanisms, carriers, masses, None, None, speed))
     kinds = of_kinds(mechanisms, masses, carriers, joints)
     known = {**parts, CrankAngle: crank_angle}
@@ -221,22 +228,21 @@ def _cycles(together: Machine, parts: Any, n_designs: int, way: Way) -> Cycles:
         }
     stages = stages_of(together.asks, together.kinds)
     absent = lacking(stages, parts)
-    there = [one for one in stages if one.outcome not in absent]
-    run = StageRun(there, known)
+    run = StageRun([one for one in stages if one.outcome not in absent], known)
     has_gas = GasPressures in way.from_loop
     run.find([GasInChambers, CylinderTravel, SweptVolumes] if has_gas else [])
     gas = of_gas(run[GasInChambers] if has_gas else None, run[CylinderTravel] if has_gas else None, n_designs)
     structure = Structure(kinds.sources, gas.sources, way.asks)
     work = room_to_work(structure, gas.room, len(mechanisms.names), carriers.driven.size, len(joints))
     found = nothing_found(structure, work, n_designs)
-    turning = Turning(
-        _each(speed.value, n_designs), _each(crank_angle.zero, n_designs), float(crank_angle.cycle)
-    )
-    tables = nodes()
-    given = (*kinds.numbers, *gas.numbers, gas.room, turning, _wanted(parts, way, n_designs))
-    written_module(written_cycle(structure)).cycle(
-        0, n_designs, *given, tables, panel_room(tables), work, found
-    )
+    if way.asks:
+        tables = nodes()
+        turning = Turning(_each(speed.value, n_designs), _each(crank_angle.zero, n_designs), float(crank_angle.cycle))
+        given = (*kinds.numbers, *gas.numbers, gas.room, turning, _wanted(parts, way, n_designs))
+        loop = written_module(written_cycle(structure)).cycle
+        loop(0, n_designs, *given, tables, panel_room(tables), work, found)
+    else:
+        found.is_known[:] = True
     cycles = Cycles(found, crank_angle, speed, mechanisms, run, tuple(joint.name for joint in joints))
     for kind in way.from_loop:
         run.know(ASKS[kind].made(cycles))

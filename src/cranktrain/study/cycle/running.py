@@ -125,8 +125,8 @@ def fluctuation_of(
     least = speeds_at(work, inertia, added, energy, n_points, square)
     if not least > (_LEAST * wanted) * (_LEAST * wanted):
         return False
-    found[1], most, _panel = highest(square, 1.0, panels, count, nodes, zero, cycle, room)
-    found[3], less, _panel = highest(square, -1.0, panels, count, nodes, zero, cycle, room)
+    found[1], most = highest(square, 1.0, panels, count, nodes, zero, cycle, room)
+    found[3], less = highest(square, -1.0, panels, count, nodes, zero, cycle, room)
     found[0], found[2] = np.sqrt(most), np.sqrt(less)
     for point in range(n_points):
         square[point] = np.sqrt(square[point])
@@ -153,10 +153,10 @@ def flywheel_between(
     n_points = panels.first[count - 1] + nodes.size[panels.size[count - 1]]
     for point in range(n_points):
         curve[point] = work[point] - 0.5 * fastest * fastest * inertia[point]
-    _angle, upper, _panel = highest(curve, 1.0, panels, count, nodes, 0.0, cycle, room)
+    _angle, upper = highest(curve, 1.0, panels, count, nodes, 0.0, cycle, room)
     for point in range(n_points):
         curve[point] = work[point] - 0.5 * slowest * slowest * inertia[point]
-    _angle, lower, _panel = highest(curve, -1.0, panels, count, nodes, 0.0, cycle, room)
+    _angle, lower = highest(curve, -1.0, panels, count, nodes, 0.0, cycle, room)
     size = (upper - lower) / (0.5 * (fastest - slowest) * (fastest + slowest))
     return size, 0.5 * fastest * fastest * size - upper
 

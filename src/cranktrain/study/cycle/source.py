@@ -93,7 +93,6 @@ def kernels(structure: Structure) -> dict[str, Callable[..., Any]]:
         found |= {"shares_of": weighed_ends, "along_rod": rod_forces, "inertia_of": inertia_force}
     for place, (fluid, _shape) in enumerate(structure.fluids):
         found[f"pressure_{place}"] = fluid.pressure
-        found[f"slope_{place}"] = fluid.slope
     return found
 
 
@@ -127,7 +126,7 @@ def written_cycle(structure: Structure) -> Written:
     """Write the module whose function `cycle` fills `Found` for designs from `first` up to `last`."""
     imports, called = _Imports(), kernels(structure)
     body = [
-        *_kernels(called, _PARTS, imports),
+        *_kernels(called, (*_PARTS, *_told(structure)), imports),
         *_volume(structure, imports),
         *_fill(structure, imports),
         *_cycle(structure),
@@ -152,13 +151,14 @@ def _module(imports: _Imports, body: Sequence[str], called: Mapping[str, Callabl
         *imports.lines(),
         "from cranktrain.study.cycle.chambers import SETTLED, STEPS, TURN, branch_at, nearer, toward_end",
         "from cranktrain.study.cycle.compiling import Direction, called, kernel, loop, part",
-        "from cranktrain.study.cycle.loops import FINEST, cut_cycle, directions, own_edges, shows, tell",
+        "from cranktrain.study.cycle.loops import FINEST, cut_cycle, directions, own_edges, shows",
+        "from cranktrain.study.cycle.loops import tell_chambers, tell_joints, tell_rods, tell_running, tell_torque",
         "",
     ]
     return Written("\n".join([*head, *body, ""]), tuple(called.values()))
 
 
-_PARTS = ("branch_at", "nearer", "cut_cycle", "directions", "own_edges", "shows", "tell")
+_PARTS = ("branch_at", "nearer", "cut_cycle", "directions", "own_edges", "shows")
 """What is the same for all machines, by its name in the source."""
 
 
@@ -301,11 +301,9 @@ def _fill(structure: Structure, imports: _Imports) -> Iterator[str]:
                 yield from _pistons(place, one, imports)
         for place, (_fluid, shape) in enumerate(structure.fluids):
             yield from _chambers(place, shape, structure.asks, imports)
-    yield "    work.torque[:n_points] = 0.0"
-    yield "    work.gross[:n_points] = 0.0"
+    yield "    work.torque[:, :n_points] = 0.0"
     if structure.needs_inertia:
-        yield "    work.applied[:n_points] = 0.0"
-        yield "    work.inertia[:n_points] = 0.0"
+        yield "    work.running[:2, :n_points] = 0.0"
     if any(one.has_slaves for one in structure.kinds):
         yield "    work.on_rod[:, :, :n_points] = 0.0"
     # what slaves do to their masters' rods is a load there
@@ -326,7 +324,6 @@ def _pistons(place: int, one: KindSource, imports: _Imports) -> Iterator[str]:
     yield "            cos, sin = work.cos[point], work.sin[point]"
     yield f"            motion = motion_{place}({_CRANK}, size)"
     yield "            work.slider[piston, point] = motion.slider.value"
-    yield "            work.slope[piston, point] = motion.slider.first"
 
 
 def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: _Imports) -> Iterator[str]:
@@ -351,9 +348,7 @@ def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: _Imports)
     yield "                state = ChamberState(volume, smallest, largest, sense, turn, panels.angle[point] - firing)"
     yield f"                pressure = pressure_{place}(state, gas)"
     if "pressure" in asks:
-        yield "                slope = -area * work.slope[one, point] - beside * work.slope[other, point]"
         yield "                work.pressure[chamber, point] = pressure"
-        yield f"                work.rise[chamber, point] = slope_{place}(state, pressure, slope, gas)"
     yield "                over = pressure - ambient"
     yield "                work.push[one, point] += area * over"
     yield "                work.push[other, point] += beside * over"
@@ -392,13 +387,13 @@ def _forces(place: int, one: KindSource, structure: Structure, imports: _Imports
         yield "            work.on_rod[1, master, point] += on_rod.y"
         yield "            work.on_rod[2, master, point] += on_rod.moment"
     else:
-        yield "            work.torque[point] -= forces.driving_torque"
-        yield "            work.gross[point] += abs(forces.driving_torque)"
+        yield "            work.torque[0, point] -= forces.driving_torque"
+        yield "            work.torque[1, point] += abs(forces.driving_torque)"
     if structure.needs_inertia:
         yield f"            carried = reduced(links_{place}(motion, size), bodies, own, gravity)"
-        yield "            work.inertia[point] += carried.inertia.value"
+        yield "            work.running[1, point] += carried.inertia.value"
         torque = "" if is_slave else " - forces.driving_torque"
-        yield f"            work.applied[point] += 0.5 * carried.inertia.first * speed * speed{torque}"
+        yield f"            work.running[0, point] += 0.5 * carried.inertia.first * speed * speed{torque}"
     if "joint" in asks:
         for number in joints:
             yield f"            work.joint_x[j{number}, point] = forces.joints[{number}].x"
@@ -430,12 +425,38 @@ def _rod(place: int, one: KindSource) -> Iterator[str]:
     yield f"        work.rod[3, piston, point] = along[{1 if dynamics.on_master is None else 0}]"
 
 
+def _told(structure: Structure) -> Iterator[str]:
+    """What tells the facts that are asked for, by its name in the source."""
+    yield from (call for ask, call in _TOLD.items() if ask in structure.asks)
+    if structure.needs_inertia:
+        yield "tell_running"
+
+
 def _cycle(structure: Structure) -> list[str]:
     """The loop over designs."""
     arguments = _arguments(structure)
     own = f"def cycle(first, last, {arguments}, room, turning, wanted, nodes, panels, work, found):"
     gas = _GAS.format(arguments=arguments) if structure.fluids else ""
-    return _CYCLE.format(head=own, arguments=arguments, gas=gas).splitlines()
+    curves = [curve for ask, curve in _CURVES.items() if ask in structure.asks]
+    shown = " and ".join(f"shows({curve}, panels, count, nodes)" for curve in ("work.torque[:1]", *curves))
+    told = [
+        f"                {call}(design, panels, count, nodes, turning, work, found.{ask})"
+        for ask, call in _TOLD.items()
+        if ask in structure.asks
+    ]
+    known = "True"
+    if structure.needs_inertia:
+        known = "tell_running(design, panels, count, nodes, turning, wanted, work, found)"
+    told.append(f"                found.is_known[design] = {known}")
+    return _CYCLE.format(
+        head=own, arguments=arguments, gas=gas, shown=shown, told="\n".join(told)
+    ).splitlines()
+
+
+_CURVES = {"pressure": "work.pressure", "joint": "work.joint_x", "rod": "work.rod[1]"}
+"""What has to be shown by the panels, besides the torque, by what is asked."""
+_TOLD = {"torque": "tell_torque", "joint": "tell_joints", "pressure": "tell_chambers", "rod": "tell_rods"}
+"""What tells the facts that are asked for."""
 
 
 _CYCLE = """\
@@ -451,8 +472,8 @@ _CYCLE = """\
             if count > 0:
                 n_points = directions(panels, count, nodes, work)
                 fill(design, panels, count, n_points, nodes, speed, turning.cycle, {arguments}, room, work)
-            if count > 0 and shows(panels, count, nodes, wanted, work):
-                tell(design, panels, count, nodes, turning, wanted, work, found)
+            if count > 0 and {shown}:
+{told}
                 break
             finer *= 2.0"""
 

@@ -15,11 +15,13 @@ _LOOKED_AT = 0.02
 """By which part of its range a curve's points may be lower than its top that lies between them."""
 _ALIKE = 1e-9
 """Values that differ by less, in parts of the largest size, are one: the first of them is the largest."""
+_LEVEL = 10.0
+"""Slopes and bends of a level curve over a panel, in parts of what is alike."""
 
 
 def highest(
     values: Array, sign: float, panels: Panels, count: int, nodes: Nodes, zero: float, cycle: float, room: Array
-) -> tuple[float, float, int]:
+) -> tuple[float, float]:
     """Largest value of a curve, or its smallest.
 
     Parameters
@@ -39,14 +41,16 @@ def highest(
 
     Returns
     -------
-    angle, value, panel
-        The angle from `zero` in [0, cycle), of alike tops the first [rad]; and the panel in which it is.
+    angle, value : float
+        The angle from `zero` in [0, cycle), of alike tops the first. [rad]
     """
     most, least = -np.inf, np.inf
-    for point in range(panels.first[count - 1] + nodes.size[panels.size[count - 1]]):
+    last = panels.first[count - 1] + nodes.size[panels.size[count - 1]] - 1
+    for point in range(last + 1):
         height = sign * values[point]
         most, least = max(most, height), min(least, height)
     enough, best, n_tops = most - _LOOKED_AT * (most - least), most, 0
+    alike = _ALIKE * max(abs(most), abs(least))
     for panel in range(count):
         first, row = panels.first[panel], panels.size[panel]
         has_series = False
@@ -54,26 +58,25 @@ def highest(
             height = sign * values[first + node]
             if height < enough or n_tops == MOST_TOPS:
                 continue
-            before = sign * values[first + node - 1] if node > 0 else -np.inf
+            before = sign * values[first + node - 1] if node > 0 or panel > 0 else sign * values[last]
             after = sign * values[first + node + 1] if node < nodes.size[row] - 1 else -np.inf
-            if height < before or height < after:
+            # of what is level the first; before a panel stands the one before it
+            if height <= before + alike or height < after - alike:
                 continue
             if not has_series:
                 _series(values, first, row, nodes, room[2])
                 has_series = True
-            way, top = _polished(room[2], sign, height, node, row, nodes)
+            way, top = _polished(room[2], sign, height, alike, node, row, nodes)
             room[0, n_tops] = panels.start[panel] + panels.width[panel] * (0.5 + 0.5 * way)
             room[1, n_tops] = top
-            room[3, n_tops] = panel
             best = max(best, top)
             n_tops += 1
-    alike = _ALIKE * max(abs(most), abs(least))
-    angle, where = np.inf, 0
+    angle = np.inf
     for top in range(n_tops):
         counted = _counted(room[0, top] - zero, cycle)
         if room[1, top] >= best - alike and counted < angle:
-            angle, where = counted, int(room[3, top])
-    return angle, sign * best, where
+            angle = counted
+    return angle, sign * best
 
 
 def largest_size(
@@ -81,10 +84,11 @@ def largest_size(
 ) -> tuple[float, float]:
     """Largest size of a vector whose components are x and y; parameters and returns as of `highest`."""
     most, least = -1.0, np.inf
-    for point in range(panels.first[count - 1] + nodes.size[panels.size[count - 1]]):
+    last = panels.first[count - 1] + nodes.size[panels.size[count - 1]] - 1
+    for point in range(last + 1):
         square = x[point] * x[point] + y[point] * y[point]
         most, least = max(most, square), min(least, square)
-    enough, best, n_tops = most - _LOOKED_AT * (most - least), most, 0
+    enough, best, n_tops, alike = most - _LOOKED_AT * (most - least), most, 0, 2.0 * _ALIKE * most
     for panel in range(count):
         first, row = panels.first[panel], panels.size[panel]
         has_series = False
@@ -93,10 +97,11 @@ def largest_size(
             square = x[point] * x[point] + y[point] * y[point]
             if square < enough or n_tops == MOST_TOPS:
                 continue
-            before = x[point - 1] * x[point - 1] + y[point - 1] * y[point - 1] if node > 0 else -1.0
+            beside = point - 1 if point > 0 else last
+            before = x[beside] * x[beside] + y[beside] * y[beside]
             is_last = node == nodes.size[row] - 1
-            after = -1.0 if is_last else x[point + 1] * x[point + 1] + y[point + 1] * y[point + 1]
-            if square < before or square < after:
+            after = -np.inf if is_last else x[point + 1] * x[point + 1] + y[point + 1] * y[point + 1]
+            if square <= before + alike or square < after - alike:
                 continue
             if not has_series:
                 _series(x, first, row, nodes, room[2])
@@ -110,17 +115,24 @@ def largest_size(
     angle = np.inf
     for top in range(n_tops):
         counted = _counted(room[0, top] - zero, cycle)
-        if room[1, top] >= best * (1.0 - 2.0 * _ALIKE) and counted < angle:
+        if room[1, top] >= best - alike and counted < angle:
             angle = counted
     return angle, np.sqrt(best)
 
 
-def _polished(series: Array, sign: float, height: float, node: int, row: int, nodes: Nodes) -> tuple[float, float]:
-    """Top of a series about a point of its panel, by Newton's method: where in [−1, 1], and sign times its value."""
+def _polished(
+    series: Array, sign: float, height: float, alike: float, node: int, row: int, nodes: Nodes
+) -> tuple[float, float]:
+    """Top of a series about a point of its panel, by Newton's method: where in [−1, 1], and sign times its value.
+
+    What is level, by slopes that are rounding, has its top at that point.
+    """
     low, high = nodes.place[row, max(node - 1, 0)], nodes.place[row, min(node + 1, nodes.size[row] - 1)]
     way, at = nodes.place[row, node], height
     for _step in range(_STEPS):
         at, slope, bend = _at(series, nodes.size[row], way)
+        if abs(slope) <= _LEVEL * alike and abs(bend) <= _LEVEL * alike:
+            break
         move = _toward_top(sign * slope, sign * bend, low - way, high - way)
         way += move
         if abs(move) <= _SETTLED:
