@@ -15,23 +15,30 @@ Parameters = ParamSpec("Parameters")
 Outcome = TypeVar("Outcome")
 
 
-def quick(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
+_AS_WRITTEN = frozenset({"contract"})
+"""A product and a sum may be one step; all else comes in the order in which it is written."""
+
+
+def quick(
+    function: Callable[Parameters, Outcome], faster: frozenset[str] = _AS_WRITTEN
+) -> Callable[Parameters, Outcome]:
     """Compile a function, and those that it calls by its globals or that were joined into it, once.
 
-    What Numba has compiled already is taken as it is.
+    What Numba has compiled already is taken as it is. Faster says how sums and products may be put together otherwise
+    than they are written, in the words of LLVM.
     """
-    return cast(Callable[Parameters, Outcome], _quick(function))
+    return cast(Callable[Parameters, Outcome], _quick(function, faster))
 
 
 @cache
-def _quick(function: Any) -> Any:
+def _quick(function: Any, faster: frozenset[str]) -> Any:
     if not isinstance(function, FunctionType):
         return function
     import numba
 
     teach_choices()
     callees = {
-        name: _quick(called)
+        name: _quick(called, faster)
         for name in function.__code__.co_names
         if isinstance(called := function.__globals__.get(name), FunctionType) and called is not chosen
     }
@@ -39,23 +46,23 @@ def _quick(function: Any) -> Any:
         function.__code__,
         {**function.__globals__, **callees},
         function.__name__,
-        closure=_cells(function.__closure__),
+        closure=_cells(function.__closure__, faster),
     )
     # private parts are called in one place, and calls cost as many words as their arrays have
     is_part = function.__name__.startswith("_")
-    made: Any = numba.njit(error_model="numpy", nogil=True, fastmath={"contract"}, forceinline=is_part, **_UNCOUNTED)
+    made: Any = numba.njit(error_model="numpy", nogil=True, fastmath=set(faster), forceinline=is_part, **_UNCOUNTED)
     return made(copy)
 
 
-def _cells(closure: tuple[CellType, ...] | None) -> tuple[CellType, ...] | None:
+def _cells(closure: tuple[CellType, ...] | None, faster: frozenset[str]) -> tuple[CellType, ...] | None:
     """Cells of a closure with their functions compiled, those in a named tuple too."""
-    return closure and tuple(CellType(_inner(cell.cell_contents)) for cell in closure)
+    return closure and tuple(CellType(_inner(cell.cell_contents, faster)) for cell in closure)
 
 
-def _inner(value: Any) -> Any:
+def _inner(value: Any, faster: frozenset[str]) -> Any:
     if isinstance(value, FunctionType):
-        return _quick(value)
+        return _quick(value, faster)
     if isinstance(value, tuple):
         together: Any = cast(tuple[object, ...], value)
-        return type(together)(*(_inner(each) for each in together))
+        return type(together)(*(_inner(each, faster) for each in together))
     return value

@@ -11,8 +11,9 @@ from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 import numpy as np
 
-from cranktrain.linkage import compiled
+from cranktrain.linkage import compiled as compiled_kernel
 from cranktrain.motion import Array
+from cranktrain.study.cycle.kept import keep
 from cranktrain.transient.compiling import quick
 
 Parameters = ParamSpec("Parameters")
@@ -79,12 +80,14 @@ def plain_numpy() -> ModuleType:
 
 def kernel(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
     """Compile a kernel, to stand in the loop that calls it."""
-    return compiled(function, faster=FASTER, numpy=plain_numpy())
+    return compiled_kernel(function, faster=FASTER, numpy=plain_numpy())
 
 
 def called(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
-    """Compile a long loop, which is called."""
-    return quick(function)
+    """Compile a long loop, which is called, and keep what comes out."""
+    compiled = quick(function, FASTER)
+    keep(compiled, function, *sorted(FASTER))
+    return compiled
 
 
 def part(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:

@@ -1,84 +1,25 @@
-"""Written cycles on disk: one module for all machines of a structure, found by what it and its kernels are made of."""
+"""Written modules: one file for all machines of a structure, by what it and its kernels are made of."""
 
-import hashlib
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator
 from functools import cache
-from importlib.metadata import version
 from importlib.util import module_from_spec, spec_from_file_location
 from inspect import getsource
 from pathlib import Path
 from tempfile import gettempdir
-from types import CodeType, FunctionType, ModuleType
-from typing import Any
-
-import numpy as np
+from types import ModuleType
 
 from cranktrain.study.cycle import chambers, compiling, loops, nodes, panels, running, tops
-from cranktrain.study.cycle.compiling import FASTER
+from cranktrain.study.cycle.kept import fingerprint, folder
 from cranktrain.study.cycle.source import Written
 
 _LOOPS = (chambers, compiling, loops, nodes, panels, running, tops)
 
 
 def written_module(written: Written) -> ModuleType:
-    """Give a module that was written, as a file if it is not there.
-
-    It is found again as long as its source, and that of every kernel that it calls, whatever calls whatever, are as
-    they were; what Numba made of it is kept beside it.
-    """
-    return _imported(_folder() / f"cycle_{_fingerprint(written)}.py", written.source)
-
-
-def _folder() -> Path:
-    """Where cycles are kept: `CRANKTRAIN_CACHE`, or the user's own cache."""
-    named = os.environ.get("CRANKTRAIN_CACHE")
-    if named:
-        return Path(named) / "cycles"
-    home = os.environ.get("XDG_CACHE_HOME") or (Path.home() / ".cache")
-    return Path(home) / "cranktrain" / "cycles"
-
-
-def _fingerprint(written: Written) -> str:
-    """Name of a module, by all that it is made of."""
-    found = hashlib.sha256(written.source.encode())
-    for part in (sys.version, np.__version__, version("numba"), *sorted(FASTER)):
-        found.update(str(part).encode())
-    for module in _LOOPS:
-        found.update(getsource(module).encode())
-    for line in _made_of(written.calls):
-        found.update(line.encode())
-    return found.hexdigest()[:24]
-
-
-def _made_of(functions: Iterable[Callable[..., Any]]) -> Iterator[str]:
-    """Sources of some functions, and of all that they call, with the numbers that they name."""
-    open_ends, seen = list(functions), set[Any]()
-    while open_ends:
-        function = open_ends.pop()
-        if function in seen:
-            continue
-        seen.add(function)
-        yield f"{function.__module__}.{function.__qualname__}"
-        code = function.__code__
-        yield from _said_by(code)
-        for name in code.co_names:
-            used = function.__globals__.get(name)
-            if isinstance(used, FunctionType):
-                open_ends.append(used)
-            elif isinstance(used, int | float | tuple):
-                yield f"{name} = {used!r}"
-
-
-def _said_by(code: CodeType) -> Iterator[str]:
-    """What a function does, wherever it stands."""
-    yield repr((code.co_code, code.co_names, code.co_varnames))
-    for constant in code.co_consts:
-        if isinstance(constant, CodeType):
-            yield from _said_by(constant)
-        else:
-            yield repr(constant)
+    """Give a module that was written, as a file if it is not there; what Numba makes of it is kept beside it."""
+    name = fingerprint(written.calls, written.source, *sorted(compiling.FASTER), *map(getsource, _LOOPS))
+    return _imported(folder() / "cycles" / f"cycle_{name}.py", written.source)
 
 
 @cache

@@ -175,6 +175,16 @@ class Found(NamedTuple):
         Flywheels by each method, and what fluctuation each gives. [kg·m², 1]
     running : Array, shape (design, 5)
         Largest speed, its angle, smallest, its angle, mean over the crank angle. [rad/s, rad]
+    count : array of int, shape (design,)
+        How many panels each design has; with their points kept where something else is asked of these.
+    panel : Array, shape (design, 2, panel)
+        Where each begins, and how wide it is. [rad]
+    row : array of int, shape (design, panel)
+        Its size, as of `Nodes`.
+    angle : Array, shape (design, point)
+        φ of the points; beyond a design's own 0. [rad]
+    push : Array, shape (design, piston, point)
+        Force of the gas there, of the panel's own side of a jump. [N]
     """
 
     is_known: NDArray[np.bool_]
@@ -185,3 +195,8 @@ class Found(NamedTuple):
     work: Array
     flywheel: Array
     running: Array
+    count: Places
+    panel: Array
+    row: Places
+    angle: Array
+    push: Array

@@ -7,12 +7,14 @@ from cranktrain.study.cycle.given import Found, Room, Turning, Wanted, Work
 from cranktrain.study.cycle.nodes import Nodes
 from cranktrain.study.cycle.panels import Panels, cut, sorted_edges
 from cranktrain.study.cycle.running import exact_flywheel, fluctuation_of, integral_of, mean_of
-from cranktrain.study.cycle.tops import highest, largest_size, unresolved
+from cranktrain.study.cycle.tops import highest, largest_size, mean_size, unresolved
 
 FINEST = 8.0
 """By what panels are made narrower at most until they show all curves."""
 _RESOLVED = 1e-9
 """Last orders of the curves' series, in parts of the curves."""
+_BORNE = 1e-8
+"""Likewise of what others make of the curves."""
 _TURN = 2 * np.pi
 _ALONG_ROD = 2
 """Among the forces of a piston."""
@@ -48,11 +50,12 @@ def directions(panels: Panels, count: int, nodes: Nodes, work: Work) -> int:
         middle = panels.start[panel] + half
         cos_middle, sin_middle = np.cos(middle), np.sin(middle)
         size = nodes.size[row]
+        place, own_cos, own_sin = nodes.place[row], work.cos[first : first + size], work.sin[first : first + size]
         for node in range(size):
-            x = half * nodes.place[row, node]
+            x = half * place[node]
             cos, sin = _cosine(x * x), x * _sine_share(x * x)
-            work.cos[first + node] = cos_middle * cos - sin_middle * sin
-            work.sin[first + node] = sin_middle * cos + cos_middle * sin
+            own_cos[node] = cos_middle * cos - sin_middle * sin
+            own_sin[node] = sin_middle * cos + cos_middle * sin
         n_points = first + size
     return n_points
 
@@ -112,6 +115,58 @@ def tell_rods(
                 if other > value * (1.0 + _ALIKE):
                     value, angle = other, where
             found[design, piston, 2 * place], found[design, piston, 2 * place + 1] = value, angle
+
+
+def keep_panels(design: int, panels: Panels, count: int, nodes: Nodes, work: Work, found: Found) -> bool:
+    """Keep panels of a design, with the gas's force at their points; give whether there was room for them."""
+    n_points = panels.first[count - 1] + nodes.size[panels.size[count - 1]]
+    if n_points > found.angle.shape[1]:
+        return False
+    found.count[design] = count
+    for panel in range(count):
+        found.panel[design, 0, panel], found.panel[design, 1, panel] = panels.start[panel], panels.width[panel]
+        found.row[design, panel] = panels.size[panel]
+    for point in range(n_points):
+        found.angle[design, point] = panels.angle[point]
+    for piston in range(found.push.shape[1]):
+        for point in range(n_points):
+            found.push[design, piston, point] = work.push[piston, point]
+    return True
+
+
+def tell_vectors(
+    first: int,
+    last: int,
+    nodes: Nodes,
+    panels: Panels,
+    turning: Turning,
+    found: Found,
+    loads: Array,
+    told: Array,
+    room: Array,
+) -> None:
+    """Find the largest and the mean size of vectors at the points of the kept panels of designs.
+
+    Parameters
+    ----------
+    loads : Array, shape (design, vector, 2, point)
+    told : Array, shape (design, vector, 3), which is filled
+        Largest size, its angle, mean size; NaN where the panels do not show a vector. [rad]
+    """
+    for design in range(first, last):
+        count = found.count[design]
+        n_points = 0
+        for panel in range(count):
+            panels.start[panel], panels.width[panel] = found.panel[design, 0, panel], found.panel[design, 1, panel]
+            panels.size[panel], panels.first[panel] = found.row[design, panel], n_points
+            n_points += nodes.size[panels.size[panel]]
+        for vector in range(loads.shape[1] if count > 0 else 0):
+            x, y = loads[design, vector, 0], loads[design, vector, 1]
+            if unresolved(x, panels, count, nodes, _BORNE) or unresolved(y, panels, count, nodes, _BORNE):
+                continue
+            angle, value = largest_size(x, y, panels, count, nodes, turning.zero[design], turning.cycle, room)
+            told[design, vector, 0], told[design, vector, 1] = value, angle
+            told[design, vector, 2] = mean_size(x, y, panels, count, nodes, turning.cycle, room)
 
 
 def _either_way(

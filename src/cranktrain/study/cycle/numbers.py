@@ -21,6 +21,10 @@ from cranktrain.study.cycle.source import KindSource, Structure, shape_of
 from cranktrain.study.cycle.tops import MOST_TOPS
 
 
+MOST_POINTS = 2048
+"""Points of a design that are kept."""
+
+
 class NumbersOfKinds(NamedTuple):
     """What of each kind stands in the source, and the numbers of its mechanisms."""
 
@@ -183,6 +187,8 @@ def room_to_work(structure: Structure, room: Room, n_mechanisms: int, n_pistons:
 def nothing_found(structure: Structure, work: Work, n_designs: int) -> Found:
     """Room for the facts of all designs, of which none is known yet."""
 
+    keeps = "points" in structure.asks
+
     def unknown(*shape: int) -> Array:
         return np.full((n_designs, *shape), np.nan)
 
@@ -195,4 +201,9 @@ def nothing_found(structure: Structure, work: Work, n_designs: int) -> Found:
         work=unknown(),
         flywheel=unknown(6),
         running=unknown(5),
+        count=np.zeros(n_designs, dtype=np.intp),
+        panel=np.zeros((n_designs, 2, MOST_PANELS if keeps else 0)),
+        row=np.zeros((n_designs, MOST_PANELS if keeps else 0), dtype=np.intp),
+        angle=np.zeros((n_designs, MOST_POINTS if keeps else 0)),
+        push=np.zeros((n_designs, len(work.push) if keeps else 0, MOST_POINTS if keeps else 0)),
     )

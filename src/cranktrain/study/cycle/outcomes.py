@@ -12,6 +12,9 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, Peak, around_zero
+from cranktrain.questions.crankshaft.loads.loaded_shafts import LoadedShafts
+from cranktrain.questions.crankshaft.results.main_bearing_loads import MainBearingLoads
+from cranktrain.questions.crankshaft.results.supported_shafts import SupportedShafts
 from cranktrain.questions.cylinders.firing import Firing
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.cylinders.volumes import ChamberVolumes, SweptVolumes
@@ -35,7 +38,20 @@ Outcome = TypeVar("Outcome")
 
 
 class Cycles(NamedTuple):
-    """Designs whose cycles were found: what the loop found, the parts and stages that it rests on, names of joints."""
+    """Designs whose cycles were found: what the loop found, and what it rests on.
+
+    Attributes
+    ----------
+    found : Found
+    crank_angle, speed, mechanisms
+    stages : StageRun
+        On a grid without angles.
+    joints : tuple of str
+    over_grid : callable
+        Gives the stages on the grid of facts, for what rests on more than numbers.
+    tell_vectors : callable (loads) → Array
+        Largest size, its angle, mean size of vectors at the points that were kept, shape (design, vector, 3).
+    """
 
     found: Found
     crank_angle: CrankAngle
@@ -43,6 +59,8 @@ class Cycles(NamedTuple):
     mechanisms: Mechanisms
     stages: StageRun
     joints: tuple[str, ...]
+    over_grid: Callable[[], StageRun]
+    tell_vectors: Callable[[Array], Array]
 
 
 def bare(kind: type[Outcome], **known: Any) -> Outcome:
@@ -162,6 +180,28 @@ def _flywheel_size(cycles: Cycles) -> FlywheelSize:
     )
 
 
+def _main_bearing_loads(cycles: Cycles) -> MainBearingLoads:
+    """Loads of bearings by all methods at the points of the panels, with the gas of their own side of jumps."""
+    over_grid = cycles.over_grid()
+    over_grid.find([LoadedShafts, SupportedShafts])
+    shafts, supported = over_grid[LoadedShafts], over_grid[SupportedShafts]
+    n_points = int(np.max(np.count_nonzero(cycles.found.angle, axis=-1))) + 1
+    angle = cycles.found.angle[:, np.newaxis, :n_points]
+    push = cycles.found.push[..., :n_points] if shafts.loaded.gas is not None else None
+    acting = shafts.loads(angle, shafts.loaded.solved(angle, gas_force=push))
+    load = supported.borne(acting)
+    told = cycles.tell_vectors(np.ascontiguousarray(load.reshape(len(load), -1, *load.shape[-2:])))
+    cycles.found.is_known[np.any(np.isnan(told[..., 1]), axis=-1)] = False
+    size, angle, mean = (told[..., i].reshape(load.shape[:3]) for i in range(3))
+    gross = np.max(size, axis=(1, 2), keepdims=True, initial=0.0)
+    return bare(
+        MainBearingLoads,
+        largest_bearing_load=without_rounding(Peak(angle, size, np.zeros_like(size)), gross),
+        mean_bearing_load=mean,
+        labels={"bearing_method": tuple(method.name for method in supported.methods)},
+    )
+
+
 class FromLoop(NamedTuple):
     """A result that the loop gives: what it is asked for, the names of the facts, and what makes the result of it."""
 
@@ -201,6 +241,9 @@ ASKS: Mapping[type, FromLoop] = {
             {"flywheel_inertia", "wanted_flywheel_moment", "flywheel_inertia_error", "flywheel_fluctuation"}
         ),
         _flywheel_size,
+    ),
+    MainBearingLoads: FromLoop(
+        "points", _peaks("largest_bearing_load") | {"mean_bearing_load"}, _main_bearing_loads
     ),
 }
 """What stages give that look at a grid."""

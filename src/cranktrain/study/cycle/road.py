@@ -28,6 +28,8 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, turn_grid
 from cranktrain.quantities import shown
+from cranktrain.questions.crankshaft.loads.gears import DeclaredGears
+from cranktrain.questions.crankshaft.parts import DeclaredCrankshafts
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.cylinders.volumes import SweptVolumes
 from cranktrain.questions.evenness.spec import Balancing, DrivenByMotor, GivenFlywheel, WantedCoefficient
@@ -41,8 +43,10 @@ from cranktrain.questions.motion.dead_centres import DeadCentres, dead_centres_a
 from cranktrain.questions.motion.outputs import InCylinders
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.saying.catalogue import Entry, entries, values
+from cranktrain.study.cycle.compiling import called
 from cranktrain.study.cycle.disk import written_module
 from cranktrain.study.cycle.given import Found, Turning, Wanted
+from cranktrain.study.cycle.loops import tell_vectors
 from cranktrain.study.cycle.nodes import nodes
 from cranktrain.study.cycle.numbers import NumbersOfKinds, nothing_found, of_gas, of_kinds, room_to_work
 from cranktrain.study.cycle.outcomes import ASKS, GRIDLESS, Cycles, bare
@@ -124,6 +128,8 @@ def way_to(machine: Machine, wanted: Sequence[str]) -> Way | Words:
     asks = {ASKS[kind].ask for kind in rests if kind is not GasPressures}
     if ASKS[GasPressures].names.difference(_BY_FORMULA).intersection(wanted):
         asks.add("pressure")
+    if "points" in asks and (reason := _no_bearings(parts)) is not None:
+        return reason
     if asks & _OF_EVENNESS and (reason := _no_evenness(parts)) is not None:
         return reason
     return Way(
@@ -186,6 +192,18 @@ def _no_evenness(parts: Parts) -> Words | None:
     return None
 
 
+def _no_bearings(parts: Parts) -> Words | None:
+    """Why the compiled cycle does not say what main bearings carry."""
+    shafts = parts.get(DeclaredCrankshafts)
+    if not isinstance(shafts, DeclaredCrankshafts) or shafts.has_clearance:
+        return _("its bearings have clearance")
+    if any(one.pulls.over_angle for one in shafts.each):
+        return _("a pull over the crank angle acts on its shaft")
+    if DeclaredGears in parts and LoadsOnShafts in parts:
+        return _("gears hand loads on")
+    return None
+
+
 def facts_of_cycles(together: Machine, n_designs: int, way: Way) -> FactsOfCycles:
     """Find facts of designs that stand together in the columns of one machine.
 
@@ -235,15 +253,25 @@ def _cycles(together: Machine, parts: Any, n_designs: int, way: Way) -> Cycles:
     structure = Structure(kinds.sources, gas.sources, way.asks)
     work = room_to_work(structure, gas.room, len(mechanisms.names), carriers.driven.size, len(joints))
     found = nothing_found(structure, work, n_designs)
+    tables = nodes()
+    turning = Turning(_each(speed.value, n_designs), _each(crank_angle.zero, n_designs), float(crank_angle.cycle))
     if way.asks:
-        tables = nodes()
-        turning = Turning(_each(speed.value, n_designs), _each(crank_angle.zero, n_designs), float(crank_angle.cycle))
         given = (*kinds.numbers, *gas.numbers, gas.room, turning, _wanted(parts, way, n_designs))
         loop = written_module(written_cycle(structure)).cycle
         loop(0, n_designs, *given, tables, panel_room(tables), work, found)
     else:
         found.is_known[:] = True
-    cycles = Cycles(found, crank_angle, speed, mechanisms, run, tuple(joint.name for joint in joints))
+
+    def over_grid() -> StageRun:
+        return StageRun([one for one in stages if one.outcome not in absent], parts)
+
+    def of_vectors(loads: Array) -> Array:
+        told = np.full((*loads.shape[:2], 3), np.nan)
+        called(tell_vectors)(0, n_designs, tables, panel_room(tables), turning, found, loads, told, work.tops)
+        return told
+
+    names = tuple(joint.name for joint in joints)
+    cycles = Cycles(found, crank_angle, speed, mechanisms, run, names, over_grid, of_vectors)
     for kind in way.from_loop:
         run.know(ASKS[kind].made(cycles))
     return cycles

@@ -18,9 +18,10 @@ def mean_of(values: Array, panels: Panels, count: int, nodes: Nodes, cycle: floa
     total = 0.0
     for panel in range(count):
         first, row = panels.first[panel], panels.size[panel]
+        own, weight = values[first : first + nodes.size[row]], nodes.weight[row]
         part = 0.0
         for node in range(nodes.size[row]):
-            part += nodes.weight[row, node] * values[first + node]
+            part += weight[node] * own[node]
         total += 0.5 * panels.width[panel] * part
     return total / cycle
 
@@ -31,11 +32,12 @@ def integral_of(values: Array, mean: float, panels: Panels, count: int, nodes: N
     for panel in range(count):
         first, row, half = panels.first[panel], panels.size[panel], 0.5 * panels.width[panel]
         size = nodes.size[row]
+        own, place = values[first : first + size], nodes.place[row]
         for node in range(size):
-            part = 0.0
+            part, weights = 0.0, nodes.integral[row, node]
             for other in range(size):
-                part += nodes.integral[row, node, other] * values[first + other]
-            integral[first + node] = before + half * (part - mean * (nodes.place[row, node] + 1.0))
+                part += weights[other] * own[other]
+            integral[first + node] = before + half * (part - mean * (place[node] + 1.0))
         before = integral[first + size - 1]
 
 
@@ -69,12 +71,14 @@ def energy_for(
         late, steep = 0.0, 0.0
         for panel in range(count):
             first, row = panels.first[panel], panels.size[panel]
+            size, weight = nodes.size[row], nodes.weight[row]
+            own_work, own_inertia = work[first : first + size], inertia[first : first + size]
             own_late, own_steep = 0.0, 0.0
-            for node in range(nodes.size[row]):
-                carried = inertia[first + node] + added
-                slowness = np.sqrt(carried / (2.0 * (work[first + node] + energy)))
-                own_late += nodes.weight[row, node] * slowness
-                own_steep += nodes.weight[row, node] * (slowness * slowness * slowness / carried)
+            for node in range(size):
+                carried = own_inertia[node] + added
+                slowness = np.sqrt(carried / (2.0 * (own_work[node] + energy)))
+                own_late += weight[node] * slowness
+                own_steep += weight[node] * (slowness * slowness * slowness / carried)
             late += 0.5 * panels.width[panel] * own_late
             steep += 0.5 * panels.width[panel] * own_steep
         # by the square of the mean speed, which is nearly a straight line over the energy

@@ -61,7 +61,7 @@ class Structure:
     kinds : tuple of KindSource
     fluids : tuple of (Fluid, Shape)
     asks : frozenset of str
-        Of `torque`, `pressure`, `joint`, `rod`, `work`, `flywheel`, `running`.
+        Of `torque`, `pressure`, `joint`, `rod`, `work`, `flywheel`, `running`; and `points`, which are to be kept.
     """
 
     kinds: tuple[KindSource, ...]
@@ -151,7 +151,7 @@ def _module(imports: _Imports, body: Sequence[str], called: Mapping[str, Callabl
         *imports.lines(),
         "from cranktrain.study.cycle.chambers import SETTLED, STEPS, TURN, branch_at, nearer, toward_end",
         "from cranktrain.study.cycle.compiling import Direction, called, kernel, loop, part",
-        "from cranktrain.study.cycle.loops import FINEST, cut_cycle, directions, own_edges, shows",
+        "from cranktrain.study.cycle.loops import FINEST, cut_cycle, directions, keep_panels, own_edges, shows",
         "from cranktrain.study.cycle.loops import tell_chambers, tell_joints, tell_rods, tell_running, tell_torque",
         "",
     ]
@@ -295,6 +295,7 @@ def _fill(structure: Structure, imports: _Imports) -> Iterator[str]:
         imports.name(thing)
     yield "@part"
     yield f"def fill(design, panels, count, n_points, nodes, speed, cycle_length, {_arguments(structure)}, room, work):"
+    yield "    all_cos, all_sin = work.cos, work.sin"
     if structure.fluids:
         for place, one in enumerate(structure.kinds):
             if one.has_pistons:
@@ -319,11 +320,12 @@ def _pistons(place: int, one: KindSource, imports: _Imports) -> Iterator[str]:
     yield f"    for member in range(k{place}.index.size):"
     yield f"        piston = k{place}.piston[member]"
     yield from _indented(_member(place, one, imports), 2)
-    yield "        work.push[piston, :n_points] = 0.0"
+    yield "        slider, push = work.slider[piston], work.push[piston]"
     yield "        for point in range(n_points):"
-    yield "            cos, sin = work.cos[point], work.sin[point]"
+    yield "            cos, sin = all_cos[point], all_sin[point]"
     yield f"            motion = motion_{place}({_CRANK}, size)"
-    yield "            work.slider[piston, point] = motion.slider.value"
+    yield "            slider[point] = motion.slider.value"
+    yield "            push[point] = 0.0"
 
 
 def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: _Imports) -> Iterator[str]:
@@ -343,15 +345,22 @@ def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: _Imports)
     yield "            middle = panels.start[panel] + 0.5 * panels.width[panel]"
     yield "            sense, turn = branch_at(middle, room, design, chamber, cycle_length)"
     yield "            begin = panels.first[panel]"
-    yield "            for point in range(begin, begin + nodes.size[panels.size[panel]]):"
-    yield "                volume = start - area * work.slider[one, point] - beside * work.slider[other, point]"
-    yield "                state = ChamberState(volume, smallest, largest, sense, turn, panels.angle[point] - firing)"
+    yield "            size = nodes.size[panels.size[panel]]"
+    yield "            end = begin + size"
+    yield "            of_one, of_other = work.slider[one, begin:end], work.slider[other, begin:end]"
+    yield "            on_one, on_other = work.push[one, begin:end], work.push[other, begin:end]"
+    yield "            angle = panels.angle[begin:end]"
+    if "pressure" in asks:
+        yield "            pressures = work.pressure[chamber, begin:end]"
+    yield "            for point in range(size):"
+    yield "                volume = start - area * of_one[point] - beside * of_other[point]"
+    yield "                state = ChamberState(volume, smallest, largest, sense, turn, angle[point] - firing)"
     yield f"                pressure = pressure_{place}(state, gas)"
     if "pressure" in asks:
-        yield "                work.pressure[chamber, point] = pressure"
+        yield "                pressures[point] = pressure"
     yield "                over = pressure - ambient"
-    yield "                work.push[one, point] += area * over"
-    yield "                work.push[other, point] += beside * over"
+    yield "                on_one[point] += area * over"
+    yield "                on_other[point] += beside * over"
 
 
 def _forces(place: int, one: KindSource, structure: Structure, imports: _Imports) -> Iterator[str]:
@@ -368,41 +377,56 @@ def _forces(place: int, one: KindSource, structure: Structure, imports: _Imports
     if "joint" in asks:
         for number in joints:
             yield f"        j{number} = k{place}.joint[member, {number}]"
+    if one.has_pistons and structure.fluids:
+        yield "        push = work.push[piston]"
+    if one.has_slaves or is_slave:
+        yield "        rod_x, rod_y = work.on_rod[0, master], work.on_rod[1, master]"
+        yield "        rod_moment = work.on_rod[2, master]"
+    yield "        torque, gross = work.torque[0], work.torque[1]"
+    if structure.needs_inertia:
+        yield "        applied, inertia = work.running[0], work.running[1]"
+    if "joint" in asks:
+        for number in joints:
+            yield f"        x{number}, y{number} = work.joint_x[j{number}], work.joint_y[j{number}]"
+    has_rods = "rod" in asks and one.has_pistons and one.kind.has_rod
+    if has_rods:
+        yield f"        piston = k{place}.piston[member]"
+        yield "        along, across = work.rod[0, piston], work.rod[1, piston]"
+        yield "        at_piston, at_crank = work.rod[2, piston], work.rod[3, piston]"
     yield "        for point in range(n_points):"
-    yield "            cos, sin = work.cos[point], work.sin[point]"
+    yield "            cos, sin = all_cos[point], all_sin[point]"
     yield f"            motion = motion_{place}({_CRANK}, size)"
-    pushed = "-work.push[piston, point]" if one.has_pistons and structure.fluids else "0.0"
+    pushed = "-push[point]" if one.has_pistons and structure.fluids else "0.0"
     yield f"            own = load_{place}(motion, size, {pushed})"
     borne = "own"
     if one.has_slaves:
         yield "            handed = Wrench("
-        yield "                own[1].x + work.on_rod[0, master, point], own[1].y + work.on_rod[1, master, point],"
-        yield "                own[1].moment + work.on_rod[2, master, point],"
+        yield "                own[1].x + rod_x[point], own[1].y + rod_y[point], own[1].moment + rod_moment[point]"
         yield "            )"
         borne = "(own[0], handed, own[2])"
     yield f"            forces = forces_{place}(motion, size, bodies, {borne}, conditions)"
     if is_slave:
         yield f"            on_rod = on_master_{place}(motion, size, forces.joints[{dynamics.joint('knuckle_pin')}])"
-        yield "            work.on_rod[0, master, point] += on_rod.x"
-        yield "            work.on_rod[1, master, point] += on_rod.y"
-        yield "            work.on_rod[2, master, point] += on_rod.moment"
+        yield "            rod_x[point] += on_rod.x"
+        yield "            rod_y[point] += on_rod.y"
+        yield "            rod_moment[point] += on_rod.moment"
     else:
-        yield "            work.torque[0, point] -= forces.driving_torque"
-        yield "            work.torque[1, point] += abs(forces.driving_torque)"
+        yield "            torque[point] -= forces.driving_torque"
+        yield "            gross[point] += abs(forces.driving_torque)"
     if structure.needs_inertia:
         yield f"            carried = reduced(links_{place}(motion, size), bodies, own, gravity)"
-        yield "            work.running[1, point] += carried.inertia.value"
-        torque = "" if is_slave else " - forces.driving_torque"
-        yield f"            work.running[0, point] += 0.5 * carried.inertia.first * speed * speed{torque}"
+        yield "            inertia[point] += carried.inertia.value"
+        driving = "" if is_slave else " - forces.driving_torque"
+        yield f"            applied[point] += 0.5 * carried.inertia.first * speed * speed{driving}"
     if "joint" in asks:
         for number in joints:
-            yield f"            work.joint_x[j{number}, point] = forces.joints[{number}].x"
-            yield f"            work.joint_y[j{number}, point] = forces.joints[{number}].y"
-    if "rod" in asks and one.has_pistons and one.kind.has_rod:
-        yield from _indented(_rod(place, one), 1)
+            yield f"            x{number}[point] = forces.joints[{number}].x"
+            yield f"            y{number}[point] = forces.joints[{number}].y"
+    if has_rods:
+        yield from _indented(_rod(one), 3)
 
 
-def _rod(place: int, one: KindSource) -> Iterator[str]:
+def _rod(one: KindSource) -> Iterator[str]:
     """Forces of one piston and its rod."""
     dynamics = one.kind.dynamics
     moving = list(dynamics.moving)
@@ -410,19 +434,16 @@ def _rod(place: int, one: KindSource) -> Iterator[str]:
     first = dynamics.joint("knuckle_pin") if first is None else first
     second, guide = dynamics.joint("piston_pin"), dynamics.joint("guide")
     rod, slider = moving.index("rod"), moving.index("slider")
-    yield f"        shares = shares_of(bodies[{rod}], size.rod_length)"
-    yield f"        back = bodies[{slider}].mass + shares.second"
-    yield "        along = along_rod("
-    yield f"            motion.rod, motion.slider, (forces.joints[{first}], forces.joints[{second}]), shares,"
-    yield "            conditions.drive, gravity,"
-    yield "        )"
-    yield f"        piston = k{place}.piston[member]"
-    yield "        pulled = inertia_of(motion.slider, back, conditions.drive)"
-    yield f"        work.rod[0, piston, point] = -own[{slider}].x - back * gravity.x + pulled"
-    yield f"        work.rod[1, piston, point] = forces.joints[{guide}].y"
-    yield "        work.rod[2, piston, point] = along[0]"
+    yield f"shares = shares_of(bodies[{rod}], size.rod_length)"
+    yield f"back = bodies[{slider}].mass + shares.second"
+    yield f"pins = (forces.joints[{first}], forces.joints[{second}])"
+    yield "ends = along_rod(motion.rod, motion.slider, pins, shares, conditions.drive, gravity)"
+    yield "pulled = inertia_of(motion.slider, back, conditions.drive)"
+    yield f"along[point] = -own[{slider}].x - back * gravity.x + pulled"
+    yield f"across[point] = forces.joints[{guide}].y"
+    yield "at_piston[point] = ends[0]"
     # a slave's rod is on no crank pin: of it the force at the piston pin alone is told
-    yield f"        work.rod[3, piston, point] = along[{1 if dynamics.on_master is None else 0}]"
+    yield f"at_crank[point] = ends[{1 if dynamics.on_master is None else 0}]"
 
 
 def _told(structure: Structure) -> Iterator[str]:
@@ -430,6 +451,8 @@ def _told(structure: Structure) -> Iterator[str]:
     yield from (call for ask, call in _TOLD.items() if ask in structure.asks)
     if structure.needs_inertia:
         yield "tell_running"
+    if "points" in structure.asks:
+        yield "keep_panels"
 
 
 def _cycle(structure: Structure) -> list[str]:
@@ -447,6 +470,8 @@ def _cycle(structure: Structure) -> list[str]:
     known = "True"
     if structure.needs_inertia:
         known = "tell_running(design, panels, count, nodes, turning, wanted, work, found)"
+    if "points" in structure.asks:
+        known += " and keep_panels(design, panels, count, nodes, work, found)"
     told.append(f"                found.is_known[design] = {known}")
     return _CYCLE.format(
         head=own, arguments=arguments, gas=gas, shown=shown, told="\n".join(told)

@@ -9,12 +9,15 @@ from cranktrain.study.cycle.panels import Panels
 MOST_TOPS = 64
 """Tops of one curve that are looked at."""
 _STEPS = 12
-_SETTLED = 1e-14
+_SETTLED = 1e-8
 """A step of Newton's method, in half widths of a panel, after which the next one is less than rounding."""
 _LOOKED_AT = 0.02
 """By which part of its range a curve's points may be lower than its top that lies between them."""
 _ALIKE = 1e-9
 """Values that differ by less, in parts of the largest size, are one: the first of them is the largest."""
+_SHOWN, _NARROWEST = 1e-9, 1e-4
+"""Last orders of a size in a piece that its points show, and the narrowest one in which that is asked."""
+_NOTHING = 1e-14
 _LEVEL = 10.0
 """Slopes and bends of a level curve over a panel, in parts of what is alike."""
 
@@ -120,6 +123,43 @@ def largest_size(
     return angle, np.sqrt(best)
 
 
+def mean_size(x: Array, y: Array, panels: Panels, count: int, nodes: Nodes, cycle: float, room: Array) -> float:
+    """Mean over the cycle of the size of a vector, whose square is smooth and which may come near to 0."""
+    total = 0.0
+    for panel in range(count):
+        first, row = panels.first[panel], panels.size[panel]
+        _series(x, first, row, nodes, room[2])
+        _series(y, first, row, nodes, room[3])
+        # pieces of the panel, each halved until it shows the size
+        start, width, whole = -1.0, 2.0, 0.0
+        while start < 1.0 - _NOTHING:
+            part, is_shown = _integral_of_size(room[2], room[3], start, width, row, nodes)
+            if is_shown or width < _NARROWEST:
+                whole += part
+                start += width
+                width = min(2.0 * width, 1.0 - start)
+            else:
+                width *= 0.5
+        total += 0.5 * panels.width[panel] * whole
+    return total / cycle
+
+
+def _integral_of_size(x: Array, y: Array, start: float, width: float, row: int, nodes: Nodes) -> tuple[float, bool]:
+    """Integral of the size of a vector over a piece of [−1, 1], and whether its points show it."""
+    size, most = nodes.size[row], len(nodes.size) - 1
+    total, scale, last, other = 0.0, 0.0, 0.0, 0.0
+    n_points = nodes.size[most]
+    for node in range(n_points):
+        way = start + 0.5 * width * (1.0 + nodes.place[most, node])
+        at_x, at_y = _at(x, size, way)[0], _at(y, size, way)[0]
+        value = np.sqrt(at_x * at_x + at_y * at_y)
+        scale = max(scale, value)
+        total += nodes.weight[most, node] * value
+        last += nodes.series[most, n_points - 1, node] * value
+        other += nodes.series[most, n_points - 2, node] * value
+    return 0.5 * width * total, max(abs(last), abs(other)) <= _SHOWN * scale
+
+
 def _polished(
     series: Array, sign: float, height: float, alike: float, node: int, row: int, nodes: Nodes
 ) -> tuple[float, float]:
@@ -170,10 +210,11 @@ def _toward_top(slope: float, bend: float, low: float, high: float) -> float:
 def _series(values: Array, first: int, row: int, nodes: Nodes, series: Array) -> None:
     """Coefficients of Chebyshev's polynomials of a curve in the panel whose points begin at `first`."""
     size = nodes.size[row]
+    own = values[first : first + size]
     for order in range(size):
-        total = 0.0
+        total, weights = 0.0, nodes.series[row, order]
         for node in range(size):
-            total += nodes.series[row, order, node] * values[first + node]
+            total += weights[node] * own[node]
         series[order] = total
 
 
@@ -206,12 +247,11 @@ def unresolved(values: Array, panels: Panels, count: int, nodes: Nodes, part: fl
     for panel in range(count):
         first, row = panels.first[panel], panels.size[panel]
         size = nodes.size[row]
-        ends = 0.0
-        other = 0.0
+        own, one, other = values[first : first + size], nodes.series[row, size - 1], nodes.series[row, size - 2]
+        of_one, of_other = 0.0, 0.0
         for node in range(size):
-            value = values[first + node]
-            scale = max(scale, abs(value))
-            ends += nodes.series[row, size - 1, node] * value
-            other += nodes.series[row, size - 2, node] * value
-        last = max(last, abs(ends), abs(other))
+            scale = max(scale, abs(own[node]))
+            of_one += one[node] * own[node]
+            of_other += other[node] * own[node]
+        last = max(last, abs(of_one), abs(of_other))
     return not last <= part * scale
