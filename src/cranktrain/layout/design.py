@@ -100,6 +100,11 @@ class Designs:
         """How many they are."""
         return len(self.each)
 
+    @cached_property
+    def different(self) -> tuple[Design, ...]:
+        """Those of `each` that are not one: designs of which only numbers in columns differ may be given as one."""
+        return tuple({id(design): design for design in self.each}.values())
+
     @property
     def places(self) -> tuple[PlacedMechanism, ...]:
         """Mechanisms, with the numbers of all designs."""

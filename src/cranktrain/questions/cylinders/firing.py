@@ -117,26 +117,30 @@ def firing(
     top = pistons.nominal_top[:, cylinders.leading, 0]
     nominal = within_turn(top)
     shift = travel.inner - top
-    angles = np.empty_like(nominal)
-    interval = np.empty_like(nominal)
-    for design, tops in enumerate(nominal):
-        if order.angles is not None:
-            in_order = order.angles[design, order.order]
-        else:
-            found = firing_angles(tops[order.order], cycle.length)
-            in_order = np.full(tops.shape, np.nan) if found is None else found
-        angles[design, order.order] = in_order
-        interval[design, order.order] = np.diff(in_order, append=in_order[0] + cycle.length)
+    # Designs mostly have their tops at the same angles.
+    found: dict[bytes, tuple[Array, int]] = {}
+    each = [_of_tops(found, tops[order.order], cycle.length) for tops in nominal] if order.angles is None else []
+    in_order = np.stack([own for own, _choices in each]) if order.angles is None else order.angles[:, order.order]
+    angles, interval = np.empty_like(nominal), np.empty_like(nominal)
+    angles[:, order.order] = in_order
+    interval[:, order.order] = np.diff(in_order, append=in_order[:, :1] + cycle.length, axis=-1)
     return Firing(
         firing_angle=crank_angle.counted(angles[..., np.newaxis], cycle.length)[..., 0],
         firing_dead_centre=crank_angle.counted((angles + around_zero(shift))[..., np.newaxis], cycle.length)[..., 0],
         firing_interval=interval,
         order=tuple(order.order.tolist()),
         numbers=order.numbers,
-        n_choices=tuple(
-            firing_choices(tops[order.order], cycle.length) if order.angles is None else 1 for tops in nominal
-        ),
+        n_choices=tuple(choices for _own, choices in each) if each else (1,) * len(nominal),
     )
+
+
+def _of_tops(found: dict[bytes, tuple[Array, int]], tops: Array, cycle: float) -> tuple[Array, int]:
+    """Firing angles for tops in the order of firing, NaN where there are none, and of how many choices of turns."""
+    key = tops.tobytes()
+    if key not in found:
+        angles = firing_angles(tops, cycle)
+        found[key] = np.full(tops.shape, np.nan) if angles is None else angles, firing_choices(tops, cycle)
+    return found[key]
 
 
 def has_firing(cycle: Cycle | None) -> bool:

@@ -90,7 +90,7 @@ def declared_gas(designs: Designs) -> DeclaredGas | None:
     given = gas_tables(designs.together)
     if not given:
         return None
-    each = [gas_tables(design) for design in designs.each]
+    each = [gas_tables(design) for design in designs.different]
     tables: list[GasTable] = []
     for path, spec in given.items():
         fluid = fluid_of(spec)

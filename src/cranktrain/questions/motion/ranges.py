@@ -73,10 +73,10 @@ class OpenMechanisms:
 
 def open_mechanisms_of(designs: Designs) -> OpenMechanisms | None:
     """Find the mechanisms that cannot turn all round; None where all can."""
-    each = [{i: closed_ranges(ranges) for i, ranges in design.once(open_places).items()} for design in designs.each]
-    stuck = sorted({i for own in each for i in own})
+    stuck = sorted({i for design in designs.different for i in design.once(open_places)})
     if not stuck:
         return None
+    each = [{i: closed_ranges(ranges) for i, ranges in design.once(open_places).items()} for design in designs.each]
     places = designs.places
     links = tuple((i, link) for i in stuck for link in places[i].kind.links)
     of_designs = list(zip(designs.each, each, strict=True))
