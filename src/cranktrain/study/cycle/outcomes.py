@@ -30,7 +30,7 @@ from cranktrain.questions.forces.peaks import without_rounding
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.powers import BrakePowers, IndicatedPowers
 from cranktrain.questions.gas.pressures import GasPressures
-from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING, DeadCentres
+from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
 from cranktrain.questions.torque.torques import ShaftTorques
 from cranktrain.study.cycle.given import Found
 
@@ -253,7 +253,6 @@ GRIDLESS: frozenset[type] = frozenset(
         BrakePowers,
         ChamberVolumes,
         CylinderTravel,
-        DeadCentres,
         Firing,
         GasInChambers,
         IndicatedPowers,

@@ -18,6 +18,7 @@ from cranktrain.analysis.stages import homes, lacking, stages_of
 from cranktrain.columns import row_of
 from cranktrain.language import Words, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.design import Design
 from cranktrain.layout.loads import Loads
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms, Pistons
@@ -142,7 +143,8 @@ def _rests_on(name: str, home: type, by_outcome: Mapping[type, Stage]) -> set[ty
     if home in ASKS and name not in ASKS[home].names:
         return None
     found: set[type] = set()
-    open_ends, seen = [home], {PistonMotion}
+    # dead centres are found before all stages
+    open_ends, seen = [home], {DeadCentres, PistonMotion}
     while open_ends:
         kind = open_ends.pop()
         if kind in seen or kind not in by_outcome:
@@ -216,7 +218,7 @@ def facts_of_cycles(together: Machine, n_designs: int, way: Way) -> FactsOfCycle
         Of one of them, by `way_to`.
     """
     with np.errstate(all="ignore"):
-        parts: Any = parts_together(together, [row_of(together, 0).design] * n_designs, step=FACTS_STEP)
+        parts: Any = parts_together(together, _designs(together, n_designs), step=FACTS_STEP)
         cycles = _cycles(together, parts, n_designs, way)
     cycles.stages.find(way.homes.values())
     told = {name: _entry(kind, name) for name, kind in way.homes.items()}
@@ -227,6 +229,13 @@ def facts_of_cycles(together: Machine, n_designs: int, way: Way) -> FactsOfCycle
 
 def _entry(kind: type, name: str) -> Entry:
     return next(entry for entry in entries(kind) if entry.name == name)
+
+
+def _designs(together: Machine, n_designs: int) -> list[Design]:
+    """The designs by themselves; one for all where nothing is taken of each, as pulls on a crankshaft are."""
+    if together.crankshaft is not None and together.crankshaft.pulls:
+        return [row_of(together, place).design for place in range(n_designs)]
+    return [row_of(together, 0).design] * n_designs
 
 
 def _cycles(together: Machine, parts: Any, n_designs: int, way: Way) -> Cycles:

@@ -64,12 +64,15 @@ def highest(
             before = sign * values[first + node - 1] if node > 0 or panel > 0 else sign * values[last]
             after = sign * values[first + node + 1] if node < nodes.size[row] - 1 else -np.inf
             # of what is level the first; before a panel stands the one before it
-            if height <= before + alike or height < after - alike:
+            goes_on = height <= before + alike
+            if (goes_on and node > 0) or height < before - alike or height < after - alike:
                 continue
             if not has_series:
                 _series(values, first, row, nodes, room[2])
                 has_series = True
             way, top = _polished(room[2], sign, height, alike, node, row, nodes)
+            if goes_on and way == nodes.place[row, 0]:
+                continue
             room[0, n_tops] = panels.start[panel] + panels.width[panel] * (0.5 + 0.5 * way)
             room[1, n_tops] = top
             best = max(best, top)
@@ -104,13 +107,16 @@ def largest_size(
             before = x[beside] * x[beside] + y[beside] * y[beside]
             is_last = node == nodes.size[row] - 1
             after = -np.inf if is_last else x[point + 1] * x[point + 1] + y[point + 1] * y[point + 1]
-            if square <= before + alike or square < after - alike:
+            goes_on = square <= before + alike
+            if (goes_on and node > 0) or square < before - alike or square < after - alike:
                 continue
             if not has_series:
                 _series(x, first, row, nodes, room[2])
                 _series(y, first, row, nodes, room[3])
                 has_series = True
             way, top = _polished_size(room[2], room[3], square, node, row, nodes)
+            if goes_on and way == nodes.place[row, 0]:
+                continue
             room[0, n_tops] = panels.start[panel] + panels.width[panel] * (0.5 + 0.5 * way)
             room[1, n_tops] = top
             best = max(best, top)

@@ -1,0 +1,140 @@
+"""The compiled cycle against `run`, which is its judge: random designs of all examples that it knows."""
+
+import random
+from collections.abc import Iterator, Mapping
+from functools import cache
+
+import numpy as np
+import pytest
+
+import cranktrain as ct
+from cranktrain.columns import in_columns
+from cranktrain.errors import InputError
+from cranktrain.machine import machine_problems
+from cranktrain.quantities.number import rounded
+from cranktrain.study.cycle.road import FactsOfCycles, Way, facts_of_cycles, way_to
+from cranktrain.study.sweep.typed import quantity_typed
+
+EXAMPLES = (
+    *("vaz_21213", "3d12", "kamaz_740", "ls3", "r_1340", "deltic", "10d100"),
+    *("gas_compressor", "two_throw_compressor", "compressor_start", "inline_six"),
+)
+N_DESIGNS = 20
+EVEN = ("excess", "flywheel", "fluctuation", "crank_speed", "mean_speed_over_angle", "mean_speed_of_extremes")
+"""Of what is made of integrals of the torque, in parts of the largest: 1e-6; all else 1e-9."""
+
+
+def numbers_of(data, above=()) -> Iterator[tuple[tuple, object]]:
+    """Paths of all numbers of some tables, with what is typed."""
+    if isinstance(data, Mapping) and "value" not in data:
+        for key, inner in data.items():
+            yield from numbers_of(inner, (*above, key))
+    else:
+        typed = data["value"] if isinstance(data, Mapping) else data
+        if isinstance(typed, float) or (isinstance(typed, str) and quantity_typed(typed) is not None):
+            yield above, typed
+
+
+def changed(typed, factor):
+    """A number as typed, times a factor."""
+    if isinstance(typed, float):
+        return typed * factor
+    found = quantity_typed(typed)
+    return f"{rounded(found.number) * factor!r} {found.unit}"
+
+
+@cache
+def designs(name: str, n_designs: int = N_DESIGNS) -> list[ct.Machine]:
+    """The example, and variants of it in up to six numbers by up to 4 %."""
+    machine, chance = ct.load(name), random.Random(name)
+    numbers = [one for one in numbers_of(machine.declared) if one[0][-1] not in ("start_pressure", "direction")]
+    found = [machine]
+    while len(found) < n_designs:
+        some = chance.sample(numbers, min(6, len(numbers)))
+        row = {".".join(map(str, path)): changed(typed, chance.uniform(0.96, 1.04)) for path, typed in some}
+        try:
+            design = machine.with_(row)
+            ct.run(design)
+        except InputError:
+            continue
+        if not machine_problems(design):
+            found.append(design)
+    return found
+
+
+@cache
+def facts_by_both(name: str) -> tuple[Way, FactsOfCycles, ct.Result]:
+    machines = designs(name)
+    result = ct.run(machines)
+    wanted = [
+        fact
+        for fact, entry in result.catalogue.items()
+        if not result.is_curve(entry) and isinstance(way_to(machines[0], [fact]), Way)
+    ]
+    way = way_to(machines[0], wanted)
+    assert isinstance(way, Way)
+    return way, facts_of_cycles(in_columns(machines), len(machines), way), result
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_facts_are_those_of_run(name):
+    way, found, result = facts_by_both(name)
+    assert {"largest_torque", "largest_crankpin_load", "stroke"} <= way.homes.keys()
+    assert np.all(found.is_known)
+    for fact, values in found.values.items():
+        exact, entry = np.asarray(getattr(result, fact)), result.catalogue[fact]
+        np.testing.assert_array_equal(np.isnan(values), np.isnan(exact), err_msg=fact)
+        off = np.abs(values - exact)
+        if entry.unit == "deg":
+            # tops that are alike stand where rounding has them
+            apart = np.minimum(np.nan_to_num(off), np.abs(result.cycle - np.nan_to_num(off)))
+            assert np.median(apart) < 1e-6, fact
+            continue
+        scale = np.nanmax(np.abs(exact), axis=tuple(range(1, exact.ndim)), keepdims=True, initial=0.0)
+        part = 1e-6 if any(word in fact for word in EVEN) else 1e-9
+        assert np.nanmax(off - part * scale, initial=-1.0) <= 0.0, (fact, np.nanmax(off / scale))
+
+
+@pytest.mark.parametrize("name", ["vaz_21213", "gas_compressor"])
+def test_a_design_is_found_as_it_is_alone(name):
+    """Whatever stands beside it: to the last bit."""
+    way, found, _result = facts_by_both(name)
+    for place in (0, 7, N_DESIGNS - 1):
+        alone = facts_of_cycles(in_columns([designs(name)[place]] * 2), 2, way)
+        for fact, values in found.values.items():
+            np.testing.assert_array_equal(alone.values[fact][1], values[place], err_msg=fact)
+
+
+@pytest.mark.parametrize(
+    ("fact", "path"),
+    [("largest_torque", "bank.line.mechanism.rod_length"), ("largest_side_force", "shaft.main.speed")],
+)
+def test_central_differences_of_facts(fact, path):
+    """Of a relative step of 1e-4 against Richardson's of twice and half of it: to 1e-7."""
+    machine = ct.load("vaz_21213")
+    typed = dict((".".join(map(str, where)), value) for where, value in numbers_of(machine.declared))[path]
+    steps = [-2e-4, -1e-4, -0.5e-4, 0.5e-4, 1e-4, 2e-4]
+    machines = [machine.with_({path: changed(typed, 1 + step)}) for step in steps]
+    way = way_to(machine, [fact])
+    values = facts_of_cycles(in_columns(machines), len(machines), way).values[fact].reshape(len(machines), -1)[:, 0]
+    wide, middle, narrow = (
+        (values[5 - i] - values[i]) / (steps[5 - i] - steps[i]) for i in range(3)
+    )
+    exact = (64 * narrow - 20 * middle + wide) / 45
+    assert abs(middle - exact) <= 1e-7 * abs(exact)
+
+
+@pytest.mark.parametrize(
+    ("name", "fact", "words"),
+    [
+        ("shaper", "largest_torque", "composed in the file"),
+        ("mill_engine", "largest_torque", "curve over the cycle"),
+        ("burning_cylinder", "largest_torque", "curve over the cycle"),
+        ("eccentric_press", "largest_torque", "loads act"),
+        ("vaz_21213", "crankpin_wear", "no fact of the compiled cycle"),
+        ("vaz_21213", "cycle_time", "of other machines"),
+        ("gas_compressor", "peak_pressure_at", "no fact of the compiled cycle"),
+    ],
+)
+def test_it_is_said_what_is_not_compiled(name, fact, words):
+    assert words in str(way_to(ct.load(name), [fact]))
