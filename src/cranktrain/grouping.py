@@ -5,6 +5,7 @@ from typing import TypeVar
 
 Key = TypeVar("Key", bound=Hashable)
 Member = TypeVar("Member")
+Other = TypeVar("Other")
 
 
 def grouped(members: Iterable[tuple[Key, Member]]) -> dict[Key, list[Member]]:
@@ -19,6 +20,21 @@ def grouped(members: Iterable[tuple[Key, Member]]) -> dict[Key, list[Member]]:
     for key, member in members:
         groups.setdefault(key, []).append(member)
     return groups
+
+
+def without_equal(members: Iterable[Other]) -> list[Other]:
+    """Leave out what is equal to one before, of members that need be no keys.
+
+    Examples
+    --------
+    >>> without_equal([80.0, 90.0, 80.0])
+    [80.0, 90.0]
+    """
+    found: list[Other] = []
+    for member in members:
+        if member not in found:
+            found.append(member)
+    return found
 
 
 def places_of_equal(keys: Iterable[Key]) -> dict[Key, list[int]]:

@@ -44,6 +44,11 @@ def single(value: float) -> Array:
     return cast(Array, value)
 
 
+def plain(value: Array | float) -> float:
+    """Take a number of NumPy's as one of Python's, as `float` does; one that a sweep follows through rules stays so."""
+    return value.item() if hasattr(value, "item") else float(value)
+
+
 def chosen(condition: NDArray[np.bool_], one: Array | float, other: Array | float) -> Array:
     """Take `one` where the condition holds and `other` elsewhere, of any shapes that broadcast.
 

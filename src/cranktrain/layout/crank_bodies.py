@@ -4,12 +4,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from cranktrain.errors import Problem
+from cranktrain.grouping import without_equal
 from cranktrain.language import _
 from cranktrain.layout.bodies import BodySpec
 from cranktrain.layout.part_tables import nearest_item, table_paths
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.kind import AnyKind
-from cranktrain.motion import ZERO, Array
+from cranktrain.motion import ZERO, Array, plain
 from cranktrain.quantities import Given
 from cranktrain.saying.wording import precise
 
@@ -103,7 +104,7 @@ def _share_problems(places: Sequence[PlacedMechanism], given: Bodies) -> Iterato
                 yield Problem(where, text, _("is for the crank of rods on a crank pin: [masses.crank]"))
                 continue
             radii = (getattr(place.geometry, "crank_radius", None) for place in own if _is_on_pin(place.kind))
-            for radius in dict.fromkeys(float(radius) for radius in radii if radius is not None):
+            for radius in without_equal(plain(radius) for radius in radii if radius is not None):
                 yield from _rest_problems(where, text, body, radius)
 
 
@@ -142,7 +143,7 @@ def _is_rod_of_piston(kind: AnyKind) -> bool:
 
 
 def _unlike_radii(one: PlacedMechanism, other: PlacedMechanism) -> Iterator[Problem]:
-    radius, own = (float(place.geometry.crank_radius) for place in (one, other))
+    radius, own = (plain(place.geometry.crank_radius) for place in (one, other))
     if abs(own - radius) > _SAME * max(radius, own):
         path, given = _radius_field(other)
         allowed = _(
@@ -169,6 +170,6 @@ def _is_same(one: BodySpec, other: BodySpec) -> bool:
 
 def _numbers(body: BodySpec) -> tuple[float, ...]:
     """Mass, centroid, share at the pin and inertia; 0 of what is not given."""
-    inertia = 0.0 if body.own_inertia is None else float(body.own_inertia)
+    inertia = 0.0 if body.own_inertia is None else plain(body.own_inertia)
     lengths = (0.0 if one is None else one.si for one in (body.mass, body.along, body.across, body.pin_share))
     return (*lengths, inertia)

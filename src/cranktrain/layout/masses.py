@@ -6,7 +6,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from cranktrain.errors import Problem
-from cranktrain.grouping import grouped
+from cranktrain.grouping import grouped, without_equal
 from cranktrain.language import N_, Words, _
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.layout.crank_bodies import CRANK, at_pin, crank_bodies, crank_problems
@@ -24,7 +24,7 @@ from cranktrain.layout.part_tables import (
 )
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces import Body, Gravity
-from cranktrain.motion import ZERO, Array
+from cranktrain.motion import ZERO, Array, plain
 from cranktrain.numerics.designs import by_design
 from cranktrain.quantities import Given
 from cranktrain.record import record
@@ -123,7 +123,8 @@ def _length(place: PlacedMechanism, part: str) -> Array | None:
 def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> Iterator[Problem]:
     """Find masses, friction and guides of parts that no mechanism has, and bodies that cannot be the link's."""
     moves = _("must be a part that moves: {parts}")
-    alike = grouped(((place.path, place.geometry), place) for place in places)
+    # Alike mechanisms share their geometry.
+    alike = grouped(((place.path, id(place.geometry)), place) for place in places)
     different = [first for first, *_others in alike.values()]
     yield from unknown_parts(different, _TABLE, given.bodies, lambda dynamics: dynamics.moving, moves)
     for path, bodies in given.bodies.items():
@@ -146,7 +147,7 @@ def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> Iterator
 
 def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
     """Find what a body lacks, and a centroid that lies far outside its link."""
-    lengths = dict.fromkeys(float(length) for place in places if (length := _length(place, name)) is not None)
+    lengths = without_equal(plain(length) for place in places if (length := _length(place, name)) is not None)
     turns = any(name not in map(part_name, place.kind.dynamics.straight) for place in places)
     if turns and name != PISTON and body.big_end is None and not body.weighs_nothing:
         yield from (

@@ -12,7 +12,7 @@ from cranktrain.layout.specs import BankSpec, OpposedPistonSpec, ShaftSpec, thro
 from cranktrain.mechanisms import MechanismSpec, kind_of
 from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, mirrored
 from cranktrain.mechanisms.spec import Master
-from cranktrain.motion import Array, single
+from cranktrain.motion import Array, plain, single
 from cranktrain.numerics.nested import each_changed
 from cranktrain.record import record
 
@@ -187,7 +187,7 @@ class _Metal:
 
 def _plain(value: Array) -> Array:
     """Take what is one number as a number, so that geometries can be compared."""
-    return single(float(value)) if np.ndim(value) == 0 else value
+    return single(plain(value)) if np.ndim(value) == 0 else value
 
 
 def _slots(

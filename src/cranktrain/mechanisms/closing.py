@@ -21,6 +21,8 @@ _CHANGES = 10.0 ** np.linspace(-7, 3, 21)
 """Relative changes tried for a first bound of the margin: where the links are open anywhere, they open before."""
 _CELLS = 4
 """Cells below that bound, at whose ends all changes are tried."""
+_BLOCK = 1024
+"""Mechanisms of which it is found at once whether they close: some megabytes."""
 _ROUNDING = 16 * np.finfo(float).eps
 """Links that close by less, in parts of all their lengths, stand at a change point or cannot close at all."""
 _FAR, _NEAR = 8, 1e-9
@@ -91,11 +93,16 @@ def closing_margin(kind: Kind[Motion, Geometry], geometry: Geometry) -> ClosingM
 
 def _close_by_far(kind: Kind[Motion, Geometry], geometry: Geometry, grid: Array) -> NDArray[np.bool_]:
     """Whether links close by far more than their gap bends from point to point of a turn, and so between them too."""
-    lengths = np.sum([np.abs(named_part(geometry, name)) for name in kind.lengths], axis=0)
+    lengths = _all_lengths(kind, geometry)
     gaps = kind.gap(grid, geometry)
     bend = np.max(np.abs(np.diff(gaps, 2, append=gaps[..., :2])), axis=-1, keepdims=True)
     least = np.min(gaps, axis=-1, keepdims=True)
     return ((least > _FAR * bend) & (least > _NEAR * lengths))[..., 0]
+
+
+def _is_open_at(kind: Kind[Motion, Geometry], geometry: Geometry, grid: Array) -> NDArray[np.bool_]:
+    """Whether links are open at one of some angles by more than nothing."""
+    return np.any(kind.gap(grid, geometry) < -_NEAR * _all_lengths(kind, geometry), axis=-1)
 
 
 def _of_longest(kind: Kind[Motion, Geometry], geometry: Geometry, least: Extreme) -> ClosingMargin:
@@ -204,8 +211,56 @@ def _least_gap(kind: Kind[Motion, Geometry], geometry: Geometry, grid: Array = _
 
 def _rounding(kind: Kind[Motion, Geometry], geometry: Geometry) -> Array:
     """Gap that may be rounding. [m]"""
-    total = np.sum([np.abs(named_part(geometry, name)) for name in kind.lengths], axis=0)
-    return _ROUNDING * total
+    return _ROUNDING * _all_lengths(kind, geometry)
+
+
+def _all_lengths(kind: Kind[Motion, Geometry], geometry: Geometry) -> Array:
+    """All lengths of a mechanism together. [m]"""
+    return np.sum([np.abs(named_part(geometry, name)) for name in kind.lengths], axis=0)
+
+
+class Closing(NamedTuple):
+    """Whether links close all round, and whether it is too close to say of many at once; truths of shape (n,)."""
+
+    closes: NDArray[np.bool_]
+    is_unclear: NDArray[np.bool_]
+
+
+def closing_all_round(kind: Kind[Motion, Geometry], geometry: Geometry) -> Closing:
+    """Find which of many mechanisms have no `open_ranges`.
+
+    Parameters
+    ----------
+    kind : Kind
+    geometry : NamedTuple of arrays, shape (n, 1)
+
+    Returns
+    -------
+    Closing
+        Of what is unclear, `open_ranges` has the last word.
+
+    Notes
+    -----
+    Most close by far more than their gap bends between a few points of a turn, or are open at one of these. The others
+    are looked at from point to point, and those that are left at their least gap, unless it is next to nothing.
+    """
+    n_rows = len(leaves(geometry)[0])
+    closes, is_unclear = np.zeros((2, n_rows), dtype=bool)
+    is_walked = kind.openings is not None or kind.change_points is not None
+    with np.errstate(all="ignore"):
+        for start in range(0, n_rows, _BLOCK):
+            left = np.arange(start, min(start + _BLOCK, n_rows))
+            for grid in (turn_grid(),) if is_walked else (_SCAN_GRID, turn_grid()):
+                own = rows(geometry, left)
+                far, is_open = _close_by_far(kind, own, grid), _is_open_at(kind, own, grid)
+                closes[left[far]] = True
+                left = left[~far & ~is_open]
+            if left.size:
+                own = rows(geometry, left)
+                least = (_least_gap(kind, own, turn_grid()).value - _rounding(kind, own))[:, 0]
+                closes[left] = least > 0
+                is_unclear[left] = ~(np.abs(least) > _NEAR * _all_lengths(kind, own)[:, 0])
+    return Closing(closes, is_unclear)
 
 
 class OpenRange(NamedTuple):

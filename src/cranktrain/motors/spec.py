@@ -10,7 +10,7 @@ from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, Words, _
-from cranktrain.motion import Array
+from cranktrain.motion import Array, plain
 from cranktrain.motors.declared import DeclaredMotor, Rating
 from cranktrain.quantities import (
     Dimension,
@@ -154,7 +154,7 @@ def out_of_place(spec: Spec, names: Iterable[str], allowed: Words) -> Iterator[P
 
 def first(number: Array) -> float:
     """Number of the first design."""
-    return float(np.ravel(number)[0])
+    return plain(np.ravel(number)[0])
 
 
 def points(listed: tuple[Given, ...]) -> Array:

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, TypeAlias, cast, get_args
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, core_schema
@@ -118,6 +120,13 @@ class Quantity:
         read = self._in_range(data)
         return Given(read.si, read.text)
 
+    def allows(self, si: Array) -> NDArray[np.bool_]:
+        """Whether numbers in SI are within the limits of the field, of the shape of `si`."""
+        is_right = (si == 0.0) | ((np.abs(si) > 1 / _LARGEST) & (np.abs(si) < _LARGEST))
+        for limit, holds, _allowed in self._limits():
+            is_right &= holds(si, limit)
+        return is_right
+
     def _from_table(self, table: Mapping[str, object]) -> Given:
         read, problems = None, list(_table_problems(table))
         try:
@@ -156,7 +165,7 @@ class Quantity:
             allowed = _("{allowed}, or in {units}", allowed=problem.allowed, units=units)
             raise QuantityError(problem.given, allowed, problem.repair) from None
 
-    def _limits(self) -> Iterator[tuple[float, Callable[[float, float], bool], str]]:
+    def _limits(self) -> Iterator[tuple[float, Callable[[Any, float], Any], str]]:
         """Limits that are set, what must hold between a value and each, and how to say so."""
         for limit, holds, allowed in (
             (self.above, operator.gt, N_("must be more than {limit}")),

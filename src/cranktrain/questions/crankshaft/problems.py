@@ -10,6 +10,7 @@ from cranktrain.language import Words, _
 from cranktrain.layout.design import Design
 from cranktrain.layout.shafts import throw_positions
 from cranktrain.layout.specs import MAIN
+from cranktrain.motion import plain
 from cranktrain.quantities import Given, one_of
 from cranktrain.questions.crankshaft.shaft_line import (
     LinePin,
@@ -89,7 +90,7 @@ class _OneShaft:
     def _at_one_place(self, pins: Sequence[LinePin]) -> Iterator[Problem]:
         """Find pins that do not stand apart."""
         for one, other in pairwise(pins):
-            if float(other.z - one.z) <= _TOUCHING:
+            if plain(other.z - one.z) <= _TOUCHING:
                 throws = sorted((one.throw + 1, other.throw + 1))
                 allowed = _(
                     "must part throws {one} and {other}, whose pins stand at one place; or leave [crankshaft] out"
@@ -162,17 +163,17 @@ class _OneShaft:
             for diameter, bore in zip(diameters, bores, strict=True):
                 if bore >= diameter:
                     allowed = _("must be less than {name}_diameter = {diameter}")
-                    said = allowed.format(name=name, diameter=precise(float(diameter)))
-                    yield self.problem(f"{name}_bore", precise(float(bore)), said)
+                    said = allowed.format(name=name, diameter=precise(plain(diameter)))
+                    yield self.problem(f"{name}_bore", precise(plain(bore)), said)
                     break
 
     def _room(self, line: ShaftLine) -> Iterator[Problem]:
         """Find two webs that leave no journal, and no web, between them."""
         for number, is_there in enumerate(line.journals[1:-1].tolist()):
             begin, end = line.planes[number][1], line.planes[number + 1][0]
-            gap = float(end - begin - (line.web_thickness[number][1] + line.web_thickness[number + 1][0]) / 2)
+            gap = plain(end - begin - (line.web_thickness[number][1] + line.web_thickness[number + 1][0]) / 2)
             if not is_there:
-                gap = float(line.web_thickness[number][1])
+                gap = plain(line.web_thickness[number][1])
             if gap <= _TOUCHING:
                 given = self.table.pin_length
                 allowed = _("must leave room between pins {one} and {other} with their webs: more than {gap} more")
@@ -182,12 +183,12 @@ class _OneShaft:
     def _standing(self, line: ShaftLine) -> Iterator[Problem]:
         """Find bearings and pulls that stand in a throw, or beyond a pin that hangs over."""
         for bearing in line.bearings:
-            if not _on_journal(line, float(bearing.z)):
+            if not _on_journal(line, plain(bearing.z)):
                 allowed = _("must stand on a journal, clear of webs and pins, and is at {z} from throw 1")
                 own = self.table.bearing.get(bearing.name)
                 key = "bearing_distance" if own is None else f"bearing.{bearing.name}.z"
                 given = self.table.bearing_distance if own is None else own.z
-                said = allowed.format(z=precise(float(bearing.z)))
+                said = allowed.format(z=precise(plain(bearing.z)))
                 yield self.problem(key, None if given is None else given.text, said)
         yield from self._directions(line)
         yield from self._apart(line)
@@ -201,19 +202,19 @@ class _OneShaft:
         """Find shoulders in throws, at one place or within a bearing, and bores that leave nothing."""
         for number, shoulder in enumerate(line.shoulders):
             where, given = f"shoulder.{shoulder.name}", self.table.shoulder[shoulder.name]
-            z = float(shoulder.z)
+            z = plain(shoulder.z)
             if not _on_journal(line, z):
                 yield self.problem(f"{where}.z", given.z.text, _("must be on a journal, clear of webs and pins"))
-            if number and z - float(line.shoulders[number - 1].z) <= _TOUCHING:
+            if number and z - plain(line.shoulders[number - 1].z) <= _TOUCHING:
                 allowed = _("must stand apart from {other}", other=line.shoulders[number - 1].name)
                 yield self.problem(f"{where}.z", given.z.text, allowed)
             for bearing in line.bearings:
                 width = 0.0 if bearing.table.width is None else bearing.table.width.si
-                if abs(z - float(bearing.z)) < width / 2:
+                if abs(z - plain(bearing.z)) < width / 2:
                     allowed = _("must stand clear of bearing {name} and its width", name=bearing.name)
                     yield self.problem(f"{where}.z", given.z.text, allowed)
             if shoulder.bore >= shoulder.diameter:
-                allowed = _("must be more than its bore, {bore}", bore=precise(float(shoulder.bore)))
+                allowed = _("must be more than its bore, {bore}", bore=precise(plain(shoulder.bore)))
                 yield self.problem(f"{where}.diameter", given.diameter.text, allowed)
 
     def _directions(self, line: ShaftLine) -> Iterator[Problem]:
@@ -230,7 +231,7 @@ class _OneShaft:
     def _apart(self, line: ShaftLine) -> Iterator[Problem]:
         """Find bearings at one place, and such as are too wide to stand beside each other."""
         for one, other in pairwise(line.bearings):
-            apart = float(other.z - one.z)
+            apart = plain(other.z - one.z)
             widths = [0.0 if own.table.width is None else own.table.width.si for own in (one, other)]
             if apart <= _TOUCHING:
                 yield self.problem("bearing", None, _("must stand apart from one another along the shaft"))
@@ -253,14 +254,14 @@ class _OneShaft:
 
     def _rods(self, line: ShaftLine) -> Iterator[Problem]:
         """Find rods for which there is no place on their pin; of those as far aside the first."""
-        found = set[tuple[float, float]]()
+        found = list[tuple[float, float]]()
         for place in self.design.places:
             if place.shaft != self.name or place.is_far or place.kind.is_slave:
                 continue
             number = next(i for i, pin in enumerate(line.pins) if pin.throw == place.throw)
-            aside, length = abs(float(place.stagger)), float(line.pin_length[number])
+            aside, length = abs(plain(place.stagger)), plain(line.pin_length[number])
             if 2 * aside >= length and (aside, length) not in found:
-                found.add((aside, length))
+                found.append((aside, length))
                 allowed = _("must reach to the rod of {name}, which is {aside} from the middle of its pin")
                 said = allowed.format(name=place.name, aside=precise(aside))
                 yield self.problem("pin_length", precise(length), said)
@@ -268,11 +269,11 @@ class _OneShaft:
 
 def _on_journal(line: ShaftLine, z: float) -> bool:
     """Whether a place on the shaft is on a journal that there is."""
-    number = sum(float(pin.z) < z for pin in line.pins)
+    number = sum(plain(pin.z) < z for pin in line.pins)
     if not line.journals[number]:
         return False
-    begin = -np.inf if number == 0 else float(line.planes[number - 1][1] + line.web_thickness[number - 1][1] / 2)
-    end = np.inf if number == len(line.pins) else float(line.planes[number][0] - line.web_thickness[number][0] / 2)
+    begin = -np.inf if number == 0 else plain(line.planes[number - 1][1] + line.web_thickness[number - 1][1] / 2)
+    end = np.inf if number == len(line.pins) else plain(line.planes[number][0] - line.web_thickness[number][0] / 2)
     return begin < z < end
 
 

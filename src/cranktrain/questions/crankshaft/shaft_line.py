@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from cranktrain.layout.design import Design
 from cranktrain.layout.shafts import throw_positions
-from cranktrain.motion import ZERO, Array
+from cranktrain.motion import ZERO, Array, plain
 from cranktrain.quantities import Given
 from cranktrain.questions.crankshaft.spec import NEEDED, BearingSpec, CrankshaftSpec, CrankshaftTable
 from cranktrain.record import record
@@ -232,7 +232,7 @@ def _with_common(table: CrankshaftTable, bearing: BearingSpec) -> BearingSpec:
 
 
 def _first(value: Array) -> float:
-    return float(np.ravel(value)[0])
+    return plain(np.ravel(value)[0])
 
 
 def each_of(given: Sequence[Given] | None, n: int) -> tuple[Array, ...]:

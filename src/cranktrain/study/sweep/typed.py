@@ -4,6 +4,7 @@ import re
 import tomllib
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import lru_cache
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import Words, _
@@ -15,6 +16,8 @@ DEFAULT_POINTS = 21
 """Of a range that does not say how many."""
 MOST_POINTS = 1_000_000
 """Of one range."""
+_KEPT = 256
+"""Units of which it is kept whether they are any."""
 _WORD = re.compile(r"\d{1,10}")
 
 
@@ -140,6 +143,7 @@ def _measured(text: str) -> Measured | None:
         return None
 
 
+@lru_cache(maxsize=_KEPT)
 def _is_unit(text: str) -> bool:
     """Whether a text names a unit of anything."""
     return any(is_unit(text, dimension) for dimension in Dimension)

@@ -1,11 +1,14 @@
 """What a sweep varies: values at paths of the machine file, and which of them are numbers."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
 from itertools import product
 from math import prod
 from typing import Any, TypeGuard, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
@@ -13,8 +16,9 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line, short
 from cranktrain.paths import path_text, quantity_path, value_at
-from cranktrain.quantities import nearest
+from cranktrain.quantities import Quantity, nearest
 from cranktrain.record import record
+from cranktrain.study.sweep.numbers import ReadValues, looks_like_number, read_values
 from cranktrain.study.sweep.typed import quantity_typed, values_typed
 
 _NAMED = 6
@@ -43,6 +47,21 @@ class Varied:
     values: tuple[object, ...]
     numbers: Array | None
     unit: str
+
+    @cached_property
+    def are_numbers(self) -> NDArray[np.bool_]:
+        """Whether each of them may be read as a quantity."""
+        return np.array([looks_like_number(value) for value in self.values], dtype=bool)
+
+    def read_as(self, quantity: Quantity) -> ReadValues:
+        """Read them as a field does, each once however often they are asked for."""
+        if quantity not in self._read:
+            self._read[quantity] = read_values(quantity, self.values)
+        return self._read[quantity]
+
+    @cached_property
+    def _read(self) -> dict[Quantity, ReadValues]:
+        return {}
 
     @property
     def texts(self) -> tuple[str, ...]:
@@ -91,8 +110,41 @@ class SweptDesigns:
             named = zip(self.varied, values, strict=True)
             yield {one.path: value for one, value in named if value is not None}
 
+    def row(self, place: int) -> dict[str, object]:
+        """Values of one design, by path."""
+        found = ((one.path, one.values[index[0]]) for one, index in self.block(place, place + 1))
+        return {path: value for path, value in found if value is not None}
+
+    def block(self, first: int, last: int) -> list[tuple[Varied, NDArray[np.intp]]]:
+        """Give what varies among some designs, and which of its values each has, shape (design,)."""
+        places = np.arange(first, last)
+        if self.is_listed:
+            return [_different(replace(one, values=one.values[first:last], numbers=None)) for one in self.varied]
+        shape = tuple(len(one.values) for one in self.varied)
+        return list(zip(self.varied, np.unravel_index(places, shape), strict=True))
+
     def __len__(self) -> int:
         return len(self.varied[0].values) if self.is_listed else prod(len(one.values) for one in self.varied)
+
+
+def _different(listed: Varied) -> tuple[Varied, NDArray[np.intp]]:
+    """Take what differs among values of a list, and which of it each is; plain numbers are taken as they stand."""
+    if all(type(value) is float for value in listed.values):
+        return listed, np.arange(len(listed.values))
+    # 1, 1.0 and true are equal.
+    places: dict[tuple[type, object], int] = {}
+    keys = ((type(value), value if isinstance(value, str | int | float) else repr(value)) for value in listed.values)
+    index = np.array([places.setdefault(key, len(places)) for key in keys], dtype=np.intp)
+    _places, first = np.unique(index, return_index=True)
+    return replace(listed, values=tuple(listed.values[place] for place in first.tolist())), index
+
+
+def rows_listed(rows: Sequence[Mapping[str, object]]) -> SweptDesigns:
+    """Take designs by their rows, as `SweptDesigns.rows` gives them."""
+    paths = dict.fromkeys(path for row in rows for path in row)
+    return SweptDesigns(
+        tuple(Varied(path, path, tuple(row.get(path) for row in rows), None, "") for path in paths), is_listed=True
+    )
 
 
 def _shown(value: object) -> str:

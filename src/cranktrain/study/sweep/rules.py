@@ -1,0 +1,132 @@
+"""Rules asked of many designs at once: those of the tables by numbers that are followed, and whether all links close."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any, NamedTuple, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.columns import with_numbers
+from cranktrain.errors import InputError
+from cranktrain.language import Said
+from cranktrain.machine import Machine
+from cranktrain.mechanisms.closing import closing_all_round
+from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, rows
+from cranktrain.motion import Array
+from cranktrain.numerics.designs import by_design
+from cranktrain.numerics.nested import each_changed
+from cranktrain.paths import PathParts, item_at
+from cranktrain.quantities import Given
+from cranktrain.spec import Spec
+from cranktrain.study.sweep.followed import Course, Followed, NotFollowed
+
+_MOST_WAYS = 32
+"""Ways through the rules that are followed; designs that go yet others are asked one by one."""
+
+
+class Judged(NamedTuple):
+    """What rules say of designs, each of shape (design,): that something is wrong, or that they cannot be followed."""
+
+    is_wrong: NDArray[np.bool_]
+    is_unknown: NDArray[np.bool_]
+
+
+def judged_together(machine: Machine, columns: Mapping[PathParts, Array], n_designs: int) -> Judged:
+    """Ask rules of designs that differ in some numbers, as `machine_problems` does of one.
+
+    Parameters
+    ----------
+    machine : Machine
+        One of them, or another like them, whose own tables are right each by itself.
+    columns : mapping of Array, shape (design,)
+        The numbers, by where they stand.
+    n_designs : int
+
+    Returns
+    -------
+    Judged
+
+    Notes
+    -----
+    The rules go the way of the first design; those that go along are judged with it, and of the others again the first
+    is looked at, until none is left.
+    """
+    judged = _by_tables(machine, columns, n_designs)
+    right = np.flatnonzero(~judged.is_wrong & ~judged.is_unknown)
+    if right.size:
+        closing = _by_closing(machine, {where: column[right] for where, column in columns.items()}, right.size)
+        judged.is_wrong[right], judged.is_unknown[right] = closing
+    return judged
+
+
+def _by_tables(machine: Machine, columns: Mapping[PathParts, Array], n_designs: int) -> Judged:
+    is_wrong, is_unknown = np.zeros((2, n_designs), dtype=bool)
+    left = np.arange(n_designs)
+    for _way in range(_MOST_WAYS):
+        if not left.size:
+            break
+        course = Course(left.size)
+        given = {
+            where: replace(_given(machine, where), si=cast("Any", Followed(course, column[left])))
+            for where, column in columns.items()
+        }
+        try:
+            found = _is_wrong(machine, given)
+        except (NotFollowed, Exception):  # of a rule that fails itself, each design is to say so
+            is_unknown[left[course.goes_along]] = True
+        else:
+            is_wrong[left[course.goes_along]] = found
+        left = left[~course.goes_along]
+    is_unknown[left] = True
+    return Judged(is_wrong, is_unknown)
+
+
+def _given(machine: Machine, where: PathParts) -> Given:
+    """A quantity of the tables."""
+    given = item_at(machine, where)
+    assert isinstance(given, Given)
+    return given
+
+
+def _is_wrong(machine: Machine, given: Mapping[PathParts, Given]) -> bool:
+    """Whether rules find anything with these numbers: first those of each table in which one stands, then of all."""
+    design = with_numbers(machine, given)
+    try:
+        with np.errstate(all="ignore"):
+            if any(True for table in _tables(design, given) for _problem in table._problems()):  # pyright: ignore[reportPrivateUsage]
+                return True
+        return bool(design.table_problems)
+    except InputError:
+        return True
+
+
+def _tables(machine: Machine, given: Mapping[PathParts, Given]) -> Iterator[Spec]:
+    """Tables in which one of the numbers stands."""
+    for where in dict.fromkeys(where[:n] for where in given for n in range(len(where))):
+        if isinstance(table := item_at(machine, where), Spec):
+            yield table
+
+
+def _by_closing(machine: Machine, columns: Mapping[PathParts, Array], n_designs: int) -> Judged:
+    """Ask of designs whose tables are right whether all links close."""
+    given = {where: replace(_given(machine, where), column=column) for where, column in columns.items()}
+    places, problems = with_numbers(machine, given).arranged
+    is_wrong, is_unknown = np.zeros((2, n_designs), dtype=bool)
+    if problems:
+        return Judged(is_wrong, ~is_unknown)
+    for place in {id(place.geometry): place for place in places}.values():
+        geometry = each_changed(lambda value: value[:, 0], by_design([place.geometry], n_designs))
+        closes, is_unclear = closing_all_round(place.kind, geometry)
+        is_unknown |= is_unclear
+        stuck = np.flatnonzero(~closes & ~is_unclear)
+        if stuck.size and _is_refused_whole(place.kind, rows(geometry, stuck[:1])):
+            is_wrong[stuck] = True
+        else:
+            is_unknown[stuck] = True
+    return Judged(is_wrong, is_unknown & ~is_wrong)
+
+
+def _is_refused_whole(kind: AnyKind, geometry: AnyGeometry) -> bool:
+    """Whether a mechanism that does not close is refused, whichever of its parts it is that does not."""
+    return isinstance(kind.closing_advice(each_changed(lambda value: value[0, 0], geometry)), Said | str)
