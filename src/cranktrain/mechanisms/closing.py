@@ -93,16 +93,18 @@ def closing_margin(kind: Kind[Motion, Geometry], geometry: Geometry) -> ClosingM
 
 def _close_by_far(kind: Kind[Motion, Geometry], geometry: Geometry, grid: Array) -> NDArray[np.bool_]:
     """Whether links close by far more than their gap bends from point to point of a turn, and so between them too."""
-    lengths = _all_lengths(kind, geometry)
+    return _seen_from_far(kind, geometry, grid)[0]
+
+
+def _seen_from_far(
+    kind: Kind[Motion, Geometry], geometry: Geometry, grid: Array
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Whether links close by far, and whether they are open at one of some angles by more than nothing."""
+    near = _NEAR * _all_lengths(kind, geometry)
     gaps = kind.gap(grid, geometry)
     bend = np.max(np.abs(np.diff(gaps, 2, append=gaps[..., :2])), axis=-1, keepdims=True)
     least = np.min(gaps, axis=-1, keepdims=True)
-    return ((least > _FAR * bend) & (least > _NEAR * lengths))[..., 0]
-
-
-def _is_open_at(kind: Kind[Motion, Geometry], geometry: Geometry, grid: Array) -> NDArray[np.bool_]:
-    """Whether links are open at one of some angles by more than nothing."""
-    return np.any(kind.gap(grid, geometry) < -_NEAR * _all_lengths(kind, geometry), axis=-1)
+    return ((least > _FAR * bend) & (least > near))[..., 0], (least < -near)[..., 0]
 
 
 def _of_longest(kind: Kind[Motion, Geometry], geometry: Geometry, least: Extreme) -> ClosingMargin:
@@ -251,8 +253,7 @@ def closing_all_round(kind: Kind[Motion, Geometry], geometry: Geometry) -> Closi
         for start in range(0, n_rows, _BLOCK):
             left = np.arange(start, min(start + _BLOCK, n_rows))
             for grid in (turn_grid(),) if is_walked else (_SCAN_GRID, turn_grid()):
-                own = rows(geometry, left)
-                far, is_open = _close_by_far(kind, own, grid), _is_open_at(kind, own, grid)
+                far, is_open = _seen_from_far(kind, rows(geometry, left), grid)
                 closes[left[far]] = True
                 left = left[~far & ~is_open]
             if left.size:

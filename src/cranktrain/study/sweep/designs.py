@@ -7,7 +7,7 @@ designs of each group always, the machine itself is asked.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple, overload
+from typing import Any, NamedTuple, cast, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -80,12 +80,13 @@ class RefusedDesigns(Mapping[int, Problem]):
         """Take one of which it is known why."""
         self._said[place] = problem
 
+    def unsaid(self, place: int) -> Problem:
+        """Give the problem of a design without saying it yet, which takes as long as the design alone."""
+        known = self._said[place]
+        return UnsaidProblem(self._machine, self._designs.row(self._first + place)) if known is None else known
+
     def __getitem__(self, place: int) -> Problem:
-        problem = self._said[place]
-        if problem is None:
-            found = problem_of(self._machine, self._designs.row(self._first + place))
-            assert found is not None, place
-            problem = self._said[place] = found
+        problem = self._said[place] = said(self.unsaid(place))
         return problem
 
     def __contains__(self, place: object) -> bool:
@@ -96,6 +97,33 @@ class RefusedDesigns(Mapping[int, Problem]):
 
     def __len__(self) -> int:
         return len(self._said)
+
+
+class UnsaidProblem(Problem):
+    """What is wrong with a design that is known to be refused, found when somebody reads it."""
+
+    def __init__(self, machine: Machine, row: Mapping[str, object]) -> None:
+        vars(self)["of"] = machine, row
+
+    def __getattribute__(self, name: str) -> Any:
+        """Be the problem itself for whoever reads a field of it."""
+        if name in Problem.__dataclass_fields__ or name == "__class__":
+            return getattr(said(self), name)
+        return super().__getattribute__(name)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """Go to other processes unsaid."""
+        return UnsaidProblem, vars(self)["of"]
+
+
+def said(problem: Problem) -> Problem:
+    """Give a problem as one that was found."""
+    if not issubclass(type(problem), UnsaidProblem):
+        return problem
+    own = vars(problem)
+    if "said" not in own:
+        own["said"] = problem_of(*own["of"])
+    return cast("Problem", own["said"])
 
 
 def checked(machine: Machine, row: Mapping[str, object]) -> Machine:

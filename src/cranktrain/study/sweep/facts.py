@@ -8,14 +8,14 @@ import numpy as np
 from cranktrain.analysis import Result, run
 from cranktrain.analysis.blocks import MOST_AT_ONCE
 from cranktrain.errors import InputError, Problem
-from cranktrain.grouping import places_of_equal
 from cranktrain.language import Words
-from cranktrain.machine import Machine, machine_problems
+from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.run import Run
 from cranktrain.study.start import Start, start
-from cranktrain.study.sweep.typed import quantity_typed
+from cranktrain.study.sweep.designs import designs_in_columns
+from cranktrain.study.sweep.varied import rows_listed
 
 
 class FactsOfRows(NamedTuple):
@@ -60,18 +60,14 @@ def facts_of_rows(
     over_time : bool
         Whether they are of starts, and not of the cycle.
     """
+    block = designs_in_columns(machine, rows_listed(rows), 0, len(rows))
     refused: list[Problem | None] = [None] * len(rows)
-    machines: dict[int, Machine] = {}
-    for place, row in enumerate(rows):
-        try:
-            machines[place] = _checked(machine, row)
-        except InputError as error:
-            refused[place] = error.problems[0]
+    for place in block.refused:
+        refused[place] = block.refused.unsaid(place)
     together = _Gathered(len(rows))
-    for places in places_of_equal(_words_of(rows[place]) for place in machines).values():
-        own = [list(machines)[place] for place in places]
-        designs = [machines[place] for place in own]
-        runs = _starts(own, designs, refused) if over_time else _cycles(own, designs, wanted, refused)
+    for group in block.groups:
+        places = group.places.tolist()
+        runs = _starts(places, group.each, refused) if over_time else _cycles(places, group.each, wanted, refused)
         for found, of in runs:
             together.take(found, of, wanted)
     return together.found(refused)
@@ -88,24 +84,6 @@ def joined_rows(parts: Sequence[FactsOfRows]) -> FactsOfRows:
         together.ended[start : start + len(places)] = part.ended
         start += len(places)
     return together.found([problem for part in parts for problem in part.refused])
-
-
-def _checked(machine: Machine, row: Mapping[str, object]) -> Machine:
-    """A design with whose tables nothing is wrong."""
-    design = machine.with_(row) if row else machine
-    if problems := machine_problems(design):
-        raise InputError(problems)
-    return design
-
-
-def _words_of(row: Mapping[str, object]) -> tuple[tuple[str, str], ...]:
-    """Values of a design that are no numbers: designs in which these are alike differ in numbers alone."""
-    return tuple((path, repr(value)) for path, value in row.items() if not _is_number(value))
-
-
-def _is_number(value: object) -> bool:
-    """Whether a value is a quantity; whole numbers may be counts."""
-    return isinstance(value, float) or (isinstance(value, str) and quantity_typed(value) is not None)
 
 
 def _starts(

@@ -155,10 +155,10 @@ class Followed(NDArrayOperatorsMixin):
             return _fixed(base) ** _fixed(exponent)
         bases, exponents = (np.broadcast_to(_column_of(one), self.column.shape).tolist() for one in (base, exponent))
         try:
-            found = [one**other for one, other in zip(bases, exponents, strict=True)]
+            found = list(map(pow, bases, exponents))
         except ArithmeticError:
             raise NotFollowed from None
-        if not all(isinstance(one, float) for one in found):
+        if not {*map(type, found)} <= {float}:
             raise NotFollowed
         is_numpy = self.is_numpy or _is_of_numpy(base) or _is_of_numpy(exponent)
         return Followed(self.course, np.array(found), is_numpy=is_numpy)

@@ -1,6 +1,6 @@
 """Where numbers that are varied stand in a machine's tables: found by designs that differ in one of them."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -104,6 +104,6 @@ def _words_of(value: object, where: PathParts) -> Iterator[tuple[PathParts, obje
     if isinstance(value, Spec):
         yield where, (type(value), frozenset(value.model_fields_set))
     elif not items:
-        yield where, value
+        yield where, type(value) if isinstance(value, Mapping) else value
     for key, item in items:
         yield from _words_of(item, (*where, key))

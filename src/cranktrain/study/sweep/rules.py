@@ -15,10 +15,11 @@ from cranktrain.mechanisms.closing import closing_all_round
 from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, rows
 from cranktrain.motion import Array
 from cranktrain.numerics.designs import by_design
-from cranktrain.numerics.nested import each_changed
+from cranktrain.numerics.nested import each_changed, leaves
 from cranktrain.paths import PathParts, item_at
 from cranktrain.quantities import Given
 from cranktrain.spec import Spec
+from cranktrain.study.sweep.numbers import bits
 from cranktrain.study.sweep.followed import Course, Followed, NotFollowed
 
 _MOST_WAYS = 32
@@ -55,8 +56,11 @@ def judged_together(machine: Machine, columns: Mapping[PathParts, Array], n_desi
     judged = _by_tables(machine, columns, n_designs)
     right = np.flatnonzero(~judged.is_wrong & ~judged.is_unknown)
     if right.size:
-        closing = _by_closing(machine, {where: column[right] for where, column in columns.items()}, right.size)
-        judged.is_wrong[right], judged.is_unknown[right] = closing
+        own = {where: column[right] for where, column in columns.items()}
+        try:
+            judged.is_wrong[right], judged.is_unknown[right] = _by_closing(machine, own, right.size)
+        except Exception:  # of one whose geometry cannot be put together, each is to say so
+            judged.is_unknown[right] = True
     return judged
 
 
@@ -117,16 +121,27 @@ def _by_closing(machine: Machine, columns: Mapping[PathParts, Array], n_designs:
         return Judged(is_wrong, ~is_unknown)
     for place in {id(place.geometry): place for place in places}.values():
         geometry = each_changed(lambda value: value[:, 0], by_design([place.geometry], n_designs))
-        closes, is_unclear = closing_all_round(place.kind, geometry)
-        is_unknown |= is_unclear
+        different, which = _different(geometry)
+        closes, is_unclear = (truths[which] for truths in closing_all_round(place.kind, different))
         stuck = np.flatnonzero(~closes & ~is_unclear)
         if stuck.size and _is_refused_whole(place.kind, rows(geometry, stuck[:1])):
             is_wrong[stuck] = True
         else:
             is_unknown[stuck] = True
+        is_unknown |= is_unclear
     return Judged(is_wrong, is_unknown & ~is_wrong)
 
 
 def _is_refused_whole(kind: AnyKind, geometry: AnyGeometry) -> bool:
     """Whether a mechanism that does not close is refused, whichever of its parts it is that does not."""
     return isinstance(kind.closing_advice(each_changed(lambda value: value[0, 0], geometry)), Said | str)
+
+
+def _different(geometry: AnyGeometry) -> tuple[AnyGeometry, NDArray[np.intp]]:
+    """Take what differs among geometries, shape (design, 1), and which of these each is: of a map most are alike."""
+    which = np.zeros(len(leaves(geometry)[0]), dtype=np.intp)
+    for leaf in leaves(geometry):
+        _numbers, own = np.unique(bits(leaf[:, 0]), return_inverse=True)
+        which = np.unique(which * (own.max() + 1) + own, return_inverse=True)[1]
+    _which, first = np.unique(which, return_index=True)
+    return rows(geometry, first), which
