@@ -28,7 +28,7 @@ from cranktrain.study.sweep.varied import SweptDesigns
 
 Rows = NDArray[np.intp]
 
-_FEW = 12
+_FEW = 24
 """Designs that are alike in all but numbers, of which fewer are asked one by one."""
 _TRIED = 4
 """Designs of which one is to be right by its tables, so that it is found where numbers stand."""
@@ -187,13 +187,12 @@ class _Block:
         return {path: value for path, value in found if value is not None}
 
     def alike(self, rows: Rows, worded: frozenset[str]) -> Iterator[Rows]:
-        """Put designs together that are alike in all that is no number, and at the paths that are named."""
+        """Put designs together that are alike in all but numbers, in their units too, and at the paths that are named."""
         key = np.zeros(rows.size, dtype=np.int64)
         for one, index in self.axes:
-            if one.path in worded or not np.all(one.are_numbers):
-                word = np.arange(len(one.values)) + 1
-                own = word if one.path in worded else np.where(one.are_numbers, 0, word)
-                key = np.unique(key, return_inverse=True)[1] * (len(one.values) + 1) + own[index[rows]]
+            kinds = np.arange(len(one.values)) if one.path in worded else one.kinds
+            if np.any(kinds != kinds[0]):
+                key = np.unique(key, return_inverse=True)[1] * len(kinds) + kinds[index[rows]]
         _keys, found = np.unique(key, return_inverse=True)
         order = np.argsort(found, kind="stable")
         yield from (rows[own] for own in np.split(order, np.flatnonzero(np.diff(found[order])) + 1) if own.size)

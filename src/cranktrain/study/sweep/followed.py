@@ -4,15 +4,15 @@ A rule is plain Python that looks at one design: `if rod.si <= crank.si`. Asked 
 it takes the way of the design that is looked at, and each comparison notes which designs would go another way. All that
 are left at the end have gone the same way, number for number, and are right or wrong as that one is.
 
-What makes a plain number of one (`float`, `math`, an array, a hash) goes on with the number that is looked at, and only
-designs that have the same one go along. Where there are many such numbers this raises `NotFollowed`: whoever asked then
-has to ask each design by itself. Texts are made of the number that is looked at: they are for sentences, on which nothing
-hangs.
+What makes a plain number of one (`float`, `math`, a function of arrays) goes on with the number that is looked at, and
+only designs that have the same one go along. Where there are many such numbers `NotFollowed` is raised, as it is for a key
+or an item of an array, which may be kept for longer than the rules: whoever asked then has to ask each design by itself.
+Texts are made of the number that is looked at: they are for sentences, on which nothing hangs.
 """
 
 import operator
 from collections.abc import Callable, Sequence
-from typing import Any, cast
+from typing import Any, NoReturn, cast
 
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
@@ -23,7 +23,7 @@ Column = NDArray[Any]
 _MOST_VALUES = 16
 """Of numbers that cannot be followed further."""
 
-_NUMBERS = (bool, int, float, np.generic)
+_NUMBERS = (bool, int, float, np.floating, np.integer, np.bool_)
 
 
 class NotFollowed(BaseException):  # noqa: N818 - nobody catches it as an error: rules catch errors of their own
@@ -109,9 +109,9 @@ class Followed(NDArrayOperatorsMixin):
             return (self,)
         return function(*map(_fixed, given), **options)
 
-    def __array__(self, *asked: Any, **named: Any) -> Column:
-        """Be one number of an array, which follows nothing."""
-        return np.array(self.course.fixed(self.column), *asked, **named)
+    def __array__(self, *_asked: object, **_named: object) -> NoReturn:
+        """Refuse to be an item of an array."""
+        raise NotFollowed
 
     def item(self) -> "Followed":
         """As a number of Python."""
@@ -190,8 +190,8 @@ class Followed(NDArrayOperatorsMixin):
         return round(float(self), digits)
 
     def __hash__(self) -> int:
-        """Go on with the number that is looked at."""
-        return hash(self.course.fixed(self.column))
+        """Refuse to be a key: what is found by it may be kept, and asked for by others."""
+        raise NotFollowed
 
 
 _OF_PYTHON = {

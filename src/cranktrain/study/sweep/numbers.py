@@ -31,11 +31,12 @@ class ReadValues(NamedTuple):
     is_right: NDArray[np.bool_]
 
 
-def looks_like_number(value: object) -> bool:
-    """Whether a value may be read as a quantity, right or wrong; else it is a word, a list or a table."""
+def unit_written(value: object) -> str | None:
+    """Give the unit of what may be read as a quantity, right or wrong; None of a word, a list or a table."""
     if isinstance(value, str):
-        return quantity_typed(value) is not None
-    return isinstance(value, int | float) and not isinstance(value, bool)
+        number = quantity_typed(value)
+        return None if number is None else number.unit
+    return "" if isinstance(value, int | float) and not isinstance(value, bool) else None
 
 
 def given_as(quantity: Quantity, value: object) -> Given | None:
@@ -64,7 +65,7 @@ def read_values(quantity: Quantity, values: Sequence[object]) -> ReadValues:
         return _read_plain(quantity, np.array(values, dtype=float))
     si = np.full(len(values), np.nan)
     for place, value in enumerate(values):
-        given = given_as(quantity, value) if looks_like_number(value) else None
+        given = given_as(quantity, value)
         si[place] = np.nan if given is None else given.si
     return ReadValues(si, ~np.isnan(si))
 

@@ -24,6 +24,8 @@ from cranktrain.study.sweep.followed import Course, Followed, NotFollowed
 
 _MOST_WAYS = 32
 """Ways through the rules that are followed; designs that go yet others are asked one by one."""
+_MOST_LOST = 2
+"""Ways that could not be followed, after which no more are tried."""
 
 
 class Judged(NamedTuple):
@@ -66,9 +68,9 @@ def judged_together(machine: Machine, columns: Mapping[PathParts, Array], n_desi
 
 def _by_tables(machine: Machine, columns: Mapping[PathParts, Array], n_designs: int) -> Judged:
     is_wrong, is_unknown = np.zeros((2, n_designs), dtype=bool)
-    left = np.arange(n_designs)
+    left, n_lost = np.arange(n_designs), 0
     for _way in range(_MOST_WAYS):
-        if not left.size:
+        if not left.size or n_lost == _MOST_LOST:
             break
         course = Course(left.size)
         given = {
@@ -79,6 +81,7 @@ def _by_tables(machine: Machine, columns: Mapping[PathParts, Array], n_designs: 
             found = _is_wrong(machine, given)
         except (NotFollowed, Exception):  # of a rule that fails itself, each design is to say so
             is_unknown[left[course.goes_along]] = True
+            n_lost += 1
         else:
             is_wrong[left[course.goes_along]] = found
         left = left[~course.goes_along]

@@ -18,7 +18,7 @@ from cranktrain.one_line import one_line, short
 from cranktrain.paths import path_text, quantity_path, value_at
 from cranktrain.quantities import Quantity, nearest
 from cranktrain.record import record
-from cranktrain.study.sweep.numbers import ReadValues, looks_like_number, read_values
+from cranktrain.study.sweep.numbers import ReadValues, read_values, unit_written
 from cranktrain.study.sweep.typed import quantity_typed, values_typed
 
 _NAMED = 6
@@ -51,7 +51,18 @@ class Varied:
     @cached_property
     def are_numbers(self) -> NDArray[np.bool_]:
         """Whether each of them may be read as a quantity."""
-        return np.array([looks_like_number(value) for value in self.values], dtype=bool)
+        return np.array([unit is not None for unit in self._units], dtype=bool)
+
+    @cached_property
+    def kinds(self) -> NDArray[np.intp]:
+        """Which of them differ in their number alone: those of one unit share a number from 0; a word has its own."""
+        own: Iterable[object] = (place if unit is None else unit for place, unit in enumerate(self._units))
+        kinds: dict[object, int] = {}
+        return np.array([kinds.setdefault(kind, len(kinds)) for kind in own], dtype=np.intp)
+
+    @cached_property
+    def _units(self) -> tuple[str | None, ...]:
+        return tuple(map(unit_written, self.values))
 
     def read_as(self, quantity: Quantity) -> ReadValues:
         """Read them as a field does, each once however often they are asked for."""
