@@ -105,7 +105,7 @@ def _with_numbers(value: Any, numbers: Mapping[PathParts, Given]) -> Any:
     if isinstance(value, Spec):
         return BaseModel.model_copy(value, update=cast("dict[str, Any]", items))
     if isinstance(value, Mapping):
-        return {**value, **items}
+        return {**cast("Mapping[str, Any]", value), **items}
     return tuple(items.get(place, item) for place, item in items_of(value))
 
 

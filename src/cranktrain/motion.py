@@ -4,6 +4,7 @@ A mechanism with one degree of freedom moves by geometry alone; speed enters las
 velocity q′ω, acceleration q″ω² + q′ε.
 """
 
+from collections.abc import Callable
 from typing import Annotated, NamedTuple, TypeAlias, cast
 
 import numpy as np
@@ -46,7 +47,8 @@ def single(value: float) -> Array:
 
 def plain(value: Array | float) -> float:
     """Take a number of NumPy's as one of Python's, as `float` does; one that a sweep follows through rules stays so."""
-    return value.item() if hasattr(value, "item") else float(value)
+    item: Callable[[], float] | None = getattr(value, "item", None)
+    return float(value) if item is None else item()
 
 
 def chosen(condition: NDArray[np.bool_], one: Array | float, other: Array | float) -> Array:

@@ -5,9 +5,9 @@ it takes the way of the design that is looked at, and each comparison notes whic
 are left at the end have gone the same way, number for number, and are right or wrong as that one is.
 
 What makes a plain number of one (`float`, `math`, a function of arrays) goes on with the number that is looked at, and
-only designs that have the same one go along. Where there are many such numbers `NotFollowed` is raised, as it is for a key
-or an item of an array, which may be kept for longer than the rules: whoever asked then has to ask each design by itself.
-Texts are made of the number that is looked at: they are for sentences, on which nothing hangs.
+only designs that have the same one go along. Where there are many such numbers `NotFollowed` is raised, as it is for a
+key or an item of an array, which may be kept for longer than the rules: whoever asked has to ask each design by itself
+then. Texts are made of the number that is looked at: they are for sentences, on which nothing hangs.
 """
 
 import operator
@@ -23,11 +23,11 @@ Column = NDArray[Any]
 _MOST_VALUES = 16
 """Of numbers that cannot be followed further."""
 
-_NUMBERS = (bool, int, float, np.floating, np.integer, np.bool_)
+_NUMBERS: tuple[type, ...] = (bool, int, float, np.floating, np.integer, np.bool_)
 
 
-class NotFollowed(BaseException):  # noqa: N818 - nobody catches it as an error: rules catch errors of their own
-    """Raised where a rule makes of a followed number what cannot be followed."""
+class NotFollowed(BaseException):
+    """Raised where a rule makes of a followed number what cannot be followed; no error, as rules may catch these."""
 
 
 class Course:
@@ -100,9 +100,8 @@ class Followed(NDArrayOperatorsMixin):
         """Give shapes, and what is elementwise of one number."""
         if function in (np.shape, np.ndim, np.size):
             return {np.shape: (), np.ndim: 0, np.size: 1}[function]
-        if function is np.where and len(given) == len(("condition", "one", "other")) and not options:
-            if all(isinstance(one, _KNOWN) for one in given):
-                return Followed(self.course, np.where(*map(_column_of, given)), is_numpy=True)
+        if function is np.where and len(given) == 3 and all(isinstance(one, _KNOWN) for one in given):
+            return Followed(self.course, cast("Column", np.where(*map(_column_of, given))), is_numpy=True)
         if function in (np.any, np.all) and len(given) == 1 and given[0] is self and not options:
             return Followed(self.course, self.column.astype(bool), is_numpy=True)
         if function is np.ravel and len(given) == 1 and not options:
@@ -209,7 +208,7 @@ def _as_python(course: Course, ufunc: np.ufunc, inputs: Sequence[Any]) -> Follow
     return Followed(course, ufunc(*columns))
 
 
-_KNOWN = (Followed, *_NUMBERS)
+_KNOWN: tuple[type, ...] = (Followed, *_NUMBERS)
 
 
 def _column_of(value: Any) -> Any:

@@ -1,7 +1,7 @@
 """Values of one place of the file as numbers in SI: each read once, as a new machine reads it."""
 
 from collections.abc import Sequence
-from typing import NamedTuple, cast, get_origin
+from typing import NamedTuple, get_origin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -105,4 +105,4 @@ def _holds(annotation: object, kind: type) -> bool:
 
 def bits(numbers: Array) -> NDArray[np.int64]:
     """Numbers by their bits: what is equal in them is the same number, to the last one."""
-    return cast("NDArray[np.int64]", np.asarray(numbers, dtype=np.float64).view(np.int64))
+    return np.asarray(numbers, dtype=np.float64).view(np.int64)

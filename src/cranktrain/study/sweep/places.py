@@ -45,7 +45,7 @@ class Place:
 
 
 def designs_tried(start: Machine, varied: Varied, used: NDArray[np.intp]) -> list[tuple[object, Machine]]:
-    """Give some values of a path, with designs in which these alone differ from one, and which are read without a fault.
+    """Give some values of a path, with designs in which these alone differ from one, and whose tables are right.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def place_of(start: Machine, varied: Varied, tried: Sequence[tuple[object, Machi
 
 
 def words_of(spec: Spec) -> tuple[object, ...]:
-    """All of a table that is no quantity, with where it stands: of tables that are alike in it, numbers alone differ."""
+    """Give all of a table that is no quantity, with where it stands: tables in which it is alike differ in numbers."""
     return tuple(_words_of(spec, ()))
 
 
@@ -104,6 +104,6 @@ def _words_of(value: object, where: PathParts) -> Iterator[tuple[PathParts, obje
     if isinstance(value, Spec):
         yield where, (type(value), frozenset(value.model_fields_set))
     elif not items:
-        yield where, type(value) if isinstance(value, Mapping) else value
+        yield where, dict if isinstance(value, Mapping) else value
     for key, item in items:
         yield from _words_of(item, (*where, key))

@@ -1,4 +1,4 @@
-"""Rules asked of many designs at once: those of the tables by numbers that are followed, and whether all links close."""
+"""Rules asked of many designs at once: those of the tables by numbers that are followed, and whether links close."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -19,8 +19,8 @@ from cranktrain.numerics.nested import each_changed, leaves
 from cranktrain.paths import PathParts, item_at
 from cranktrain.quantities import Given
 from cranktrain.spec import Spec
-from cranktrain.study.sweep.numbers import bits
 from cranktrain.study.sweep.followed import Course, Followed, NotFollowed
+from cranktrain.study.sweep.numbers import bits
 
 _MOST_WAYS = 32
 """Ways through the rules that are followed; designs that go yet others are asked one by one."""
@@ -110,8 +110,8 @@ def _is_wrong(machine: Machine, given: Mapping[PathParts, Given]) -> bool:
 
 def _tables(machine: Machine, given: Mapping[PathParts, Given]) -> Iterator[Spec]:
     """Tables in which one of the numbers stands."""
-    for where in dict.fromkeys(where[:n] for where in given for n in range(len(where))):
-        if isinstance(table := item_at(machine, where), Spec):
+    for above in dict.fromkeys(where[:n] for where in given for n in range(len(where))):
+        if isinstance(table := item_at(machine, above), Spec):
             yield table
 
 
@@ -123,7 +123,7 @@ def _by_closing(machine: Machine, columns: Mapping[PathParts, Array], n_designs:
     if problems:
         return Judged(is_wrong, ~is_unknown)
     for place in {id(place.geometry): place for place in places}.values():
-        geometry = each_changed(lambda value: value[:, 0], by_design([place.geometry], n_designs))
+        geometry = _by_design(place.geometry, n_designs)
         different, which = _different(geometry)
         closes, is_unclear = (truths[which] for truths in closing_all_round(place.kind, different))
         stuck = np.flatnonzero(~closes & ~is_unclear)
@@ -138,6 +138,12 @@ def _by_closing(machine: Machine, columns: Mapping[PathParts, Array], n_designs:
 def _is_refused_whole(kind: AnyKind, geometry: AnyGeometry) -> bool:
     """Whether a mechanism that does not close is refused, whichever of its parts it is that does not."""
     return isinstance(kind.closing_advice(each_changed(lambda value: value[0, 0], geometry)), Said | str)
+
+
+def _by_design(geometry: AnyGeometry, n_designs: int) -> AnyGeometry:
+    """Give a geometry that is laid out of designs together as arrays of shape (design, 1)."""
+    members: AnyGeometry = by_design([geometry], n_designs)
+    return each_changed(lambda value: value[:, 0], members)
 
 
 def _different(geometry: AnyGeometry) -> tuple[AnyGeometry, NDArray[np.intp]]:
