@@ -10,7 +10,7 @@ from tests.machines import ROCKER, slider
 import cranktrain as ct
 from cranktrain.mechanisms import articulated_rod, closing, crank_rocker, eccentric, slider_crank
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
-from cranktrain.mechanisms.closing import closing_margin, open_ranges
+from cranktrain.mechanisms.closing import closing_all_round, closing_margin, open_ranges
 from cranktrain.mechanisms.crank_rocker import CrankRocker
 from cranktrain.mechanisms.eccentric import Eccentric
 from cranktrain.mechanisms.slider_crank import SliderCrank
@@ -287,3 +287,49 @@ def test_only_the_least_change_is_followed(monkeypatch):
     # The lever, 500 mm up from 250 mm below the shaft: of 780 mm its end is a rod's 300 mm above the guide at 230 mm.
     assert float(np.ravel(found.closing_margin)[0]) == pytest.approx(0.56, rel=1e-12)
     assert len(looks) <= 6
+
+
+def test_many_slider_cranks_close_by_the_closed_form():
+    """L > R + |e|; those within some roundings of it are unclear, and none else."""
+    random = np.random.default_rng(3)
+    radius, offset, excess = random.uniform((0.01, -0.1, -0.1), (0.2, 0.1, 0.1), (5000, 3)).T
+    excess[::50] *= 1e-9
+    excess[::100] = 0.0
+    rod = np.abs(radius + np.abs(offset) + excess)
+    found = closing_all_round(slider_crank.KIND, SliderCrank(*(one[:, np.newaxis] for one in (radius, rod, offset))))
+    by_form = rod - radius - np.abs(offset)
+    assert np.all((found.closes == (by_form > 0))[~found.is_unclear])
+    assert np.all(np.abs(by_form[found.is_unclear]) < 2e-9)
+    assert np.all(found.is_unclear[::100])
+    assert np.count_nonzero(found.is_unclear) <= 100
+
+
+def four_bars(random):
+    """Crank-rockers of which some close."""
+    lengths = random.uniform((0.02, 0.1, 0.1, 0.1), (0.1, 0.5, 0.5, 0.5), (400, 4)).T
+    return CrankRocker(*lengths[..., np.newaxis], side=np.ones((400, 1)))
+
+
+def slaves(random):
+    """Articulated rods of which some close: master, knuckle, its angle and the bank's, the slave."""
+    least = (0.03, 0.05, -0.02, 0.02, 0.5, 0.5, 0.02, -0.02)
+    most = (0.06, 0.25, 0.02, 0.08, 1.5, 1.5, 0.25, 0.02)
+    numbers = random.uniform(least, most, (400, 8)).T[..., np.newaxis]
+    return ArticulatedRod(SliderCrank(*numbers[:3]), *numbers[3:])
+
+
+def row_of(geometry, row):
+    """One of many mechanisms, of plain numbers."""
+    parts = [row_of(part, row) if isinstance(part, tuple) else float(part[row, 0]) for part in geometry]
+    return type(geometry)(*parts)
+
+
+@pytest.mark.parametrize(("kind", "many"), [(crank_rocker.KIND, four_bars), (articulated_rod.KIND, slaves)])
+def test_many_mechanisms_close_as_each_does(kind, many):
+    """What has no range where it is open closes."""
+    geometry = many(np.random.default_rng(4))
+    found = closing_all_round(kind, geometry)
+    closes = [not open_ranges(kind, row_of(geometry, row)) for row in range(400)]
+    assert not np.any(found.is_unclear)
+    assert found.closes.tolist() == closes
+    assert 20 < sum(closes) < 380

@@ -262,11 +262,11 @@ def path_meant(machine: Machine, given: str) -> str:
     parts = quantity_path(given)
     if len(parts) > 1 or given in machine.declared or given in type(machine).model_fields:
         return path_text(parts)
-    ends = [path for path in _paths(machine.declared) if quantity_path(path)[-1:] == parts]
+    ends = [path for path in paths_in(machine.declared) if quantity_path(path)[-1:] == parts]
     if len(ends) == 1:
         return ends[0]
     if not ends:
-        last = {str(quantity_path(path)[-1]) for path in _paths(machine.declared)}
+        last = {str(quantity_path(path)[-1]) for path in paths_in(machine.declared)}
         meant = nearest(given, sorted(last))
         repair = _("did you mean {name}?", name=meant) if meant else _("write its path, as bank.R.mechanism.rod_length")
         raise InputError([Problem(given, None, _("is no key of this machine's file"), repair)])
@@ -275,11 +275,11 @@ def path_meant(machine: Machine, given: str) -> str:
     raise InputError([Problem(given, None, allowed, _("write one of: {paths}", paths=named))])
 
 
-def _paths(data: object, above: tuple[str | int, ...] = ()) -> Iterator[str]:
+def paths_in(data: object, above: tuple[str | int, ...] = ()) -> Iterator[str]:
     """Paths of all values of some tables."""
     if isinstance(data, Mapping) and "value" not in data:
         for key, inner in cast("Mapping[str, object]", data).items():
-            yield from _paths(inner, (*above, key))
+            yield from paths_in(inner, (*above, key))
     else:
         yield path_text(above)
 
