@@ -21,6 +21,8 @@ from steps import ready_stages
 import cranktrain as ct
 from cranktrain.analysis import every_stage
 from cranktrain.saying.catalogue import entries
+from cranktrain.study.sweep.designs import designs_in_columns
+from cranktrain.study.sweep.varied import combined_designs
 
 LIMITS = {
     ("3d12", "all"): 10.5,
@@ -55,11 +57,18 @@ LIMITS = {
     ("cranktrain --help", "process"): 0.6,
     ("3d12", "crankshaft"): 29.0,
     ("vaz_21213", "200 designs"): 1.2,
+    ("burning_cylinder", "columns"): 5.0,
+    ("3d12", "columns"): 34.0,
 }
-"""Twice what was reached, in parts of the yardstick's time; of processes, and of the last two rows, of another way's.
+"""Twice what was reached, in parts of the yardstick's time; of processes, of crankshafts and of 200 designs, of another way's.
 
 Of `run` and `check` as processes 1.4 to 1.7 times what was reached, 2.4, 1.7 and 2.2.
 """
+MAPS = {
+    "burning_cylinder": {"mechanism.rod_length": "110..300 mm:250", "gas.heat": "500..2000 J:400"},
+    "3d12": {"bank.L.mechanism.stroke": "160..200 mm:250", "bank.R.mechanism.rod_length": "235..250 mm:400"},
+}
+"""What is varied for 100,000 designs."""
 FACT = "stroke"
 ROD_LENGTH = "bank.L.mechanism.rod_length"
 MECHANICS = tuple(f"cranktrain.questions.{name}" for name in ("motion", "forces", "torque"))
@@ -197,12 +206,25 @@ def of_designs(example):
     yield whole, before + few(range(TIMES // 2, TIMES))
 
 
+def of_columns(example, n_pairs):
+    """Times in which designs of a map become columns of one machine, each judged, and of the yardstick. [s]"""
+    machine = ct.load(example)
+    # Values that were read are kept with what is varied.
+    return beside(lambda: _in_columns(machine, combined_designs(machine, MAPS[example])), yardstick, n_pairs)
+
+
+def _in_columns(machine, designs):
+    return designs_in_columns(machine, designs, 0, len(designs))
+
+
 def pairs_of(name, what, environment, n_pairs):
     """Times of a row's work and of what it is measured by. [s]"""
     if what == "process":
         return of_process(name, environment, n_pairs)
     if what == "crankshaft":
         return of_crankshaft(name, n_pairs)
+    if what == "columns":
+        return of_columns(name, n_pairs)
     return of_designs(name) if what == "200 designs" else of_run(name, what, n_pairs)
 
 

@@ -1,4 +1,4 @@
-"""Designs of a sweep as columns of one machine, against each design alone: `with_`, `machine_problems`, `in_columns`."""
+"""Designs of a sweep as columns of one machine, against each design alone: with_, machine_problems, in_columns."""
 
 import pickle
 from dataclasses import replace

@@ -70,7 +70,7 @@ RULES = [
     lambda size, other: np.sin(size) * np.cos(other) > 0.3,
     lambda size, other: plain(np.ravel(size)[0]) < plain(other),
     lambda size, other: float(size) < float(other),
-    lambda size, other: math.isclose(size, other),
+    math.isclose,
     lambda size, other: abs(-size + 3) > +other,
     lambda size, other: (size > 1) == (other > 1),
     lambda size, other: np.any(np.array([1.0, 2.0]) * size > 3) and other > 0,

@@ -15,7 +15,7 @@ from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.run import Run
 from cranktrain.study.start import Start, start
 from cranktrain.study.sweep.designs import designs_in_columns
-from cranktrain.study.sweep.varied import rows_listed
+from cranktrain.study.sweep.varied import SweptDesigns, rows_listed
 
 
 class FactsOfRows(NamedTuple):
@@ -60,11 +60,30 @@ def facts_of_rows(
     over_time : bool
         Whether they are of starts, and not of the cycle.
     """
-    block = designs_in_columns(machine, rows_listed(rows), 0, len(rows))
-    refused: list[Problem | None] = [None] * len(rows)
+    return facts_of_designs(machine, rows_listed(rows), 0, len(rows), wanted, over_time=over_time)
+
+
+def facts_of_designs(
+    machine: Machine, designs: SweptDesigns, first: int, last: int, wanted: Sequence[str], *, over_time: bool = False
+) -> FactsOfRows:
+    """Compute facts of some designs of a sweep, as of their rows.
+
+    Parameters
+    ----------
+    machine : Machine
+    designs : SweptDesigns
+    first, last : int
+        Which of them: from `first` up to, but not with, `last`.
+    wanted : sequence of str
+        Names of facts.
+    over_time : bool
+        Whether they are of starts, and not of the cycle.
+    """
+    block = designs_in_columns(machine, designs, first, last)
+    refused: list[Problem | None] = [None] * (last - first)
     for place in block.refused:
         refused[place] = block.refused.unsaid(place)
-    together = _Gathered(len(rows))
+    together = _Gathered(len(refused))
     for group in block.groups:
         places = group.places.tolist()
         runs = _starts(places, group.each, refused) if over_time else _cycles(places, group.each, wanted, refused)
