@@ -1,13 +1,13 @@
 """Checks: identities that can fail, computed with every result; and limits beyond which numbers are flagged."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import Words, _
+from cranktrain.language import Message, Words, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
 from cranktrain.quantities import shown
@@ -100,6 +100,19 @@ class Flagged(StageResult):
     unlikely: tuple[Words, ...] = field(default=(), kw_only=True)
 
 
+@dataclass(frozen=True, slots=True, repr=False, eq=False)
+class Flag(Message):
+    """A flag of several designs, which says the worst of them.
+
+    Attributes
+    ----------
+    own : mapping of int to Message
+        What is said of each design that is flagged, by its place.
+    """
+
+    own: Mapping[int, Message] = field(default_factory=dict[int, Message])
+
+
 class Limit(NamedTuple):
     """The most that was ever built, or that digits allow, in SI; the unit of what is told; and the sentence.
 
@@ -112,21 +125,32 @@ class Limit(NamedTuple):
     least: float = -np.inf
 
 
-def flagged(limit: Limit, values: Array, named: Array | None = None, whose: Sequence[Words] = ("",)) -> Iterator[Words]:
+def flagged(limit: Limit, values: Array, named: Array | None = None, whose: Sequence[Words] = ("",)) -> Iterator[Flag]:
     """Flag the value that is farthest beyond a limit, NaN never, the first of those within 1e-9.
 
     Parameters
     ----------
     limit : Limit
-    values : Array
+    values : Array, shape (design, …)
     named : Array, optional
         Told in place of the values, of their shape.
     whose : sequence of Words
         What the values along the last axis are of, for {whose} in the sentence.
     """
     beyond = np.fmax(np.fmax(values - limit.most, limit.least - values), 0.0)
+    told = np.ravel(values if named is None else named)
+
+    def said(place: int) -> Message:
+        value = float(told[place])
+        written = f"{shown(value, limit.unit):.4g} {limit.unit}" if limit.unit else f"{value:.4g}"
+        return _(limit.sentence, value=written, whose=whose[place % len(whose)])
+
     if np.any(beyond > 0):
-        worst = first_largest(beyond)
-        told = float(np.ravel(values if named is None else named)[worst])
-        written = f"{shown(told, limit.unit):.4g} {limit.unit}" if limit.unit else f"{told:.4g}"
-        yield _(limit.sentence, value=written, whose=whose[worst % len(whose)])
+        of_designs = beyond.reshape(len(beyond), -1)
+        size = of_designs.shape[1]
+        own = {
+            design: said(design * size + first_largest(of_designs[design]))
+            for design in np.flatnonzero(np.any(of_designs > 0, axis=1)).tolist()
+        }
+        worst = said(first_largest(beyond))
+        yield Flag(worst.text, worst.pieces, own)

@@ -72,8 +72,8 @@ def unlikely_loads(
     """Flag what is beyond the limits, as far as it is known; of all designs the worst is named."""
     found: list[Words] = []
     if loaded is not None:
-        rubbing = [np.ravel(part) for batch in loaded.masses.batches for part in batch.friction]
-        found += flagged(_FRICTION, np.concatenate([np.empty(0), *rubbing]))
+        rubbing = [part.reshape(len(part), -1) for batch in loaded.masses.batches for part in batch.friction]
+        found += flagged(_FRICTION, np.concatenate([np.empty((len(loaded.speed.value), 0)), *rubbing], axis=-1))
         found += flagged(_CENTRE, _centres_of_rods(loaded), whose=loaded.mechanisms.names)
         if chambers is not None and travel is not None:
             found += _of_pistons(loaded, chambers, travel.stroke, None if gas is None else gas.indicated_work > 0)

@@ -149,8 +149,8 @@ def _unlikely_pressures(gas: GasInChambers, fires: NDArray[np.bool_], peak: Arra
     """Flags of ratios and peaks that no engine has, of chambers that give work, shape (design, chamber)."""
     ratio = (gas.limits.largest / gas.limits.smallest)[..., 0]
     # What no machine at all has is flagged where the ratio is found.
-    yield from flagged(_ENGINE_RATIO, ratio[fires & (ratio <= RATIO.most)])
-    yield from flagged(_PEAK_PRESSURE, peak[fires])
+    yield from flagged(_ENGINE_RATIO, np.where(fires & (ratio <= RATIO.most), ratio, np.nan))
+    yield from flagged(_PEAK_PRESSURE, np.where(fires, peak, np.nan))
 
 
 def _largest(

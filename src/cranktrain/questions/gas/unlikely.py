@@ -124,4 +124,4 @@ def _compressing(gas: GasInChambers) -> Iterator[Words]:
     for filling in gas.filled_with("compressor"):
         ready = filling.ready
         each = np.broadcast_arrays(ready.compression_exponent, ready.expansion_exponent)
-        yield from flagged(_LEAST_EXPONENT, np.concatenate(each))
+        yield from flagged(_LEAST_EXPONENT, np.concatenate(each, axis=-1))

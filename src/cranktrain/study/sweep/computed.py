@@ -1,32 +1,41 @@
 """Designs of a sweep in blocks: how long they will take is said before they begin, and how far they are meanwhile."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import islice
-from multiprocessing import get_context
-from signal import SIG_IGN, SIGINT, signal
 from time import perf_counter
+from typing import NamedTuple
 
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.how_far import say_how_far
 from cranktrain.language import Words, _
 from cranktrain.machine import Machine
-from cranktrain.study.sweep.facts import FactsOfRows, facts_of_rows, joined_rows
+from cranktrain.paths import path_text, quantity_path
+from cranktrain.study.sweep.blocks import Blocks, blocks_of, rows_between, shape_of
+from cranktrain.study.sweep.crew import Alone, Compute, Crew, Rows, in_order, killed
+from cranktrain.study.sweep.facts import FactsOfRows, facts_of_rows, joined_rows, rows_of
+from cranktrain.study.sweep.kept import InMemory, Plan, Store
 from cranktrain.study.sweep.sweep import Sweep
-from cranktrain.study.sweep.varied import SweptDesigns, combined_designs, listed_designs
+from cranktrain.study.sweep.varied import SweptDesigns, combined_designs, listed_designs, names_apart, path_meant
 from cranktrain.study.sweep.wanted import facts_wanted
 
-_TRIED = 4
-"""Designs by which it is found how long one takes."""
-_BLOCK = 64
+_TRIED, _GROWTH = 4, 8
+"""Designs by which it is found how long one takes; so many times more next, until that can be measured."""
+_MEASURED = 0.025
+"""What can be measured. [s]"""
+_BLOCK_SECONDS, _SLOW_BLOCK_SECONDS = 0.2, 2.0
+"""What a block takes at least; and at most, unless it has no more designs than cost less together. [s]"""
+_TOGETHER = 64
+"""Designs that cost less together."""
+_LARGEST_BLOCK = 100_000
 _MOST = 10_000_000
-"""Designs at once."""
+"""Designs in memory at once."""
 _LONG = 60.0
 """From when on somebody has to say that it is meant. [s]"""
 _WORTH = 6.0
 """From when on more processes are worth their start. [s]"""
+_CREW_OF_BLOCK = 4
+"""So many processes hand blocks of the least size back without waiting for who keeps them."""
 
 
 def swept(
@@ -37,6 +46,9 @@ def swept(
     over_time: bool = False,
     processes: int = 1,
     is_meant: bool = True,
+    settings: Collection[str] = (),
+    store: Store | None = None,
+    scheduler: object = None,
 ) -> Sweep:
     """Compute facts of a machine over values of its file.
 
@@ -53,47 +65,66 @@ def swept(
         How many may work at once.
     is_meant : bool
         Whether it may take however long it takes.
+    settings : collection of str
+        Paths of values that were set for all designs, of which none may be varied.
+    store : Store, optional
+        Where facts are kept; memory unless given.
+    scheduler : str or distributed.Client, optional
+        A cluster that computes in place of processes.
 
     Raises
     ------
     InputError
         With everything that is wrong with what is asked; a design that cannot be is none of it, unless all are such.
     """
-    designs, names = _asked(machine, vary, partial(facts_wanted, machine, wanted, over_time=over_time))
-    compute = partial(facts_of_rows, machine, wanted=names, over_time=over_time)
-    n_designs, rows = len(designs), designs.rows
-    if n_designs > _MOST:
+    designs, names = _asked(machine, vary, partial(facts_wanted, machine, wanted, over_time=over_time), settings)
+    n_designs = len(designs)
+    if store is None and n_designs > _MOST:
         allowed = _("is {n} designs, and may be {most}", n=n_designs, most=_MOST)
-        raise InputError([Problem("vary", None, allowed, _("ask for fewer values"))])
-    parts = [compute(list(islice(rows, min(_TRIED, n_designs))))]
-    # The first one loads what the others have then.
-    since = perf_counter()
-    tried = list(islice(rows, min(_TRIED, n_designs - len(parts[0].refused))))
-    parts += [compute(tried)] if tried else []
-    each = (perf_counter() - since) / max(len(tried), 1)
-    n_left = n_designs - sum(len(part.refused) for part in parts)
-    if not is_meant and n_left * each / processes > _LONG:
-        raise InputError([_long(n_designs, n_left * each / processes)])
+        raise InputError([Problem("vary", None, allowed, _("ask for fewer values, or for a store"))])
+    plan = Plan(machine, names_apart(designs, names), names, over_time)
+    return _kept(plan, store or InMemory(), processes, scheduler, is_meant=is_meant)
+
+
+def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_meant: bool) -> Sweep:
+    """Compute what a store has not."""
+    designs = plan.designs
+    compute = partial(facts_of_rows, plan.machine, wanted=plan.wanted, over_time=plan.over_time)
+    blocks = store.opened(plan)
+    missing = [] if blocks is None else [number for number in range(len(blocks)) if number not in store.done]
+    if blocks is not None and not missing:
+        return Sweep(plan.machine, designs, store.found())
+    tried = _tried(compute, designs, *((0, len(designs)) if blocks is None else blocks.span(missing[0])))
+    n_left = len(designs) if blocks is None else sum(after - first for first, after in map(blocks.span, missing))
+    seconds = (n_left - len(tried.found.refused)) * tried.each
+    if not is_meant and scheduler is None and seconds / processes > _LONG:
+        raise InputError([_long(len(designs), seconds / processes)])
+    if tried.after - tried.first == len(designs):
+        _refuse_all(tried.found, len(designs))
+    n_at_once = processes if seconds > _WORTH else 1
+    if blocks is None:
+        blocks = blocks_of(shape_of(designs), _designs_of_block(tried.each, n_at_once))
+        missing = list(range(len(blocks)))
+        store.begin(plan, blocks)
     try:
-        for part in _in_blocks(compute, rows, n_left, processes if n_left * each > _WORTH else 1):
-            parts.append(part)
+        _compute(designs, blocks, missing, tried, store, _crew(compute, n_at_once, scheduler))
     except KeyboardInterrupt:  # what was computed so far is kept
-        parts.append(_stopped(n_designs - sum(len(part.refused) for part in parts)))
-    found = joined_rows(parts)
-    if found.refused and None not in found.refused:
-        # What is wrong with all of them is wrong with what was asked.
-        refuse(_none_of(len(found.refused), problem) for problem in found.refused[:1] if problem is not None)
-    return Sweep(machine, designs, found)
+        pass
+    finally:
+        store.end()
+    return Sweep(plan.machine, designs, store.found())
 
 
 def _asked(
     machine: Machine,
     vary: Mapping[str, object] | Sequence[Mapping[str, object]],
     wanted: Callable[[], tuple[str, ...]],
+    settings: Collection[str],
 ) -> tuple[SweptDesigns, tuple[str, ...]]:
     """Which designs, and which facts; all that is wrong with either is told."""
     try:
         designs = combined_designs(machine, vary) if isinstance(vary, Mapping) else listed_designs(machine, vary)
+        refuse(_without_effect(machine, designs, settings))
     except InputError as error:
         problems = list(error.problems)
         try:
@@ -104,19 +135,115 @@ def _asked(
     return designs, wanted()
 
 
+def _without_effect(machine: Machine, designs: SweptDesigns, settings: Collection[str]) -> Iterator[Problem]:
+    """Refuse what is set for all designs where each has a value of its own."""
+    for given in settings:
+        path = quantity_path(path_meant(machine, given))
+        for one in designs.varied:
+            own = quantity_path(one.path)
+            if path[: len(own)] == own and None not in one.values:
+                allowed = _("is set and varied: what is set would have no effect")
+                yield Problem(path_text(path), None, allowed, _("keep one of the two"))
+
+
+class _Tried(NamedTuple):
+    """Facts of the first designs, from one place to another, and how long one of these took. [s]"""
+
+    first: int
+    after: int
+    found: FactsOfRows
+    each: float
+
+    def between(self, first: int, after: int) -> FactsOfRows:
+        """Those of a block that are among them."""
+        return rows_of(self.found, first - self.first, min(after, self.after) - self.first)
+
+
+def _tried(compute: Compute, designs: SweptDesigns, first: int, after: int) -> _Tried:
+    """Compute some designs, more and more at once, until it is known how long one takes; `after` is not among them."""
+    parts: list[FactsOfRows] = []
+    place, n_next, each, seconds = first, _TRIED, 0.0, 0.0
+    while place < after and seconds < _MEASURED:
+        rows = list(rows_between(designs, place, min(place + n_next, after)))
+        since = perf_counter()
+        parts.append(compute(rows))
+        seconds = perf_counter() - since
+        place, each = place + len(rows), seconds / len(rows)
+        if len(parts) == 1:  # it loads what the others have then
+            seconds = 0.0
+        else:
+            n_next *= _GROWTH
+    return _Tried(first, place, joined_rows(parts), each)
+
+
+def _designs_of_block(each: float, n_at_once: int) -> int:
+    """How many designs of such a duration make a block."""
+    least = _BLOCK_SECONDS * max(1.0, n_at_once / _CREW_OF_BLOCK)
+    together = min(_TOGETHER, _SLOW_BLOCK_SECONDS / max(each, 1e-12))
+    return max(1, min(_LARGEST_BLOCK, round(max(least / max(each, 1e-12), together))))
+
+
+def _crew(compute: Compute, n_at_once: int, scheduler: object) -> Crew:
+    """Whoever computes."""
+    if scheduler is not None:
+        from cranktrain.study.sweep.cluster import Cluster  # which needs distributed
+
+        return Cluster(compute, scheduler)
+    if n_at_once == 1:
+        return Alone(compute)
+    from cranktrain.study.sweep.processes import Processes  # most sweeps take no time
+
+    return Processes(compute, n_at_once)
+
+
+def _compute(
+    designs: SweptDesigns, blocks: Blocks, missing: Sequence[int], tried: _Tried, store: Store, crew: Crew
+) -> None:
+    """Compute blocks that are missing, of which `tried` has the first designs; none is begun before the one before."""
+    spans = {number: blocks.span(number) for number in missing}
+    known = [number for number, (_first, after) in spans.items() if tried.first < after <= tried.after]
+    for number in known:
+        store.add(number, tried.between(*spans[number]))
+    left = [number for number in missing if number not in set(known)]
+
+    def begins(number: int) -> int:
+        first, after = spans[number]
+        return tried.after if tried.first <= first < tried.after < after else first
+
+    n_left = sum(spans[number][1] - begins(number) for number in left)
+    n_done, since, is_any = 0, perf_counter(), None in tried.found.refused
+
+    def say() -> None:
+        say_how_far(partial(_how_far, n_done, n_left, perf_counter() - since))
+
+    def each() -> Iterator[tuple[int, Rows]]:
+        for number in left:
+            yield number, list(rows_between(designs, begins(number), spans[number][1]))
+
+    with crew:
+        for number, own in in_order(each(), crew, say):
+            (first, after), begin = spans[number], begins(number)
+            part = killed(after - begin) if own is None else own
+            n_done += after - begin
+            is_any = is_any or None in part.refused
+            parts = [part] if begin == first else [tried.between(first, after), part]
+            store.add(number, joined_rows(parts), is_lost=own is None)
+    if not is_any and len(missing) == len(blocks):
+        _refuse_all(tried.found, len(designs))
+
+
+def _refuse_all(found: FactsOfRows, n_designs: int) -> None:
+    """What is wrong with all designs is wrong with what was asked."""
+    if found.refused and None not in found.refused:
+        refuse(_none_of(n_designs, problem) for problem in found.refused[:1] if problem is not None)
+
+
 def _none_of(n_designs: int, first: Problem) -> Problem:
     """Say that none of the designs can be, with what is wrong with the first."""
     if n_designs == 1:
         return replace(first, repair=None)
     said = _("none of the {n} designs can be; the first: {why}", n=n_designs, why=str(replace(first, repair=None)))
     return Problem("", None, said)
-
-
-def _stopped(n_designs: int) -> FactsOfRows:
-    """Designs that were not computed."""
-    problem = Problem("", None, _("not computed, as the sweep was stopped"))
-    nothing: tuple[Words, ...] = ("",) * n_designs
-    return FactsOfRows({}, {}, {}, (problem,) * n_designs, nothing, nothing)
 
 
 def _long(n_designs: int, seconds: float) -> Problem:
@@ -126,37 +253,18 @@ def _long(n_designs: int, seconds: float) -> Problem:
     return Problem("vary", None, allowed, _("ask for fewer values, or write --yes"))
 
 
-def _in_blocks(
-    compute: Callable[[Sequence[Mapping[str, object]]], FactsOfRows],
-    rows: Iterator[Mapping[str, object]],
-    n_left: int,
-    processes: int,
-) -> Iterator[FactsOfRows]:
-    """Facts block by block, in their order."""
-    since, done = perf_counter(), 0
-    blocks = iter(lambda: list(islice(rows, _BLOCK)), [])
-    if processes == 1:
-        for block in blocks:
-            say_how_far(partial(_how_far, done, n_left, perf_counter() - since))
-            yield compute(block)
-            done += len(block)
-        return
-    # Ctrl-C is for who waits: it reaches all processes of a terminal.
-    ignoring = partial(signal, SIGINT, SIG_IGN)
-    with ProcessPoolExecutor(processes, mp_context=get_context("spawn"), initializer=ignoring) as pool:
-        try:
-            for part in pool.map(compute, blocks):
-                yield part
-                done += len(part.refused)
-                say_how_far(partial(_how_far, done, n_left, perf_counter() - since))
-        finally:
-            pool.shutdown(cancel_futures=True)
-
-
 def _how_far(done: int, n_left: int, seconds: float) -> Words:
     """How many designs are done, and how long the others will take."""
     if done == 0:
         return _("{done} of {all} designs", done=done, all=n_left)
     left = seconds / done * (n_left - done)
-    said = _("{done} of {all} designs, {left:.0f} s left   (Ctrl-C ends it)")
-    return said.format(done=done, all=n_left, left=left)
+    said = _("{done} of {all} designs, {left} left   (Ctrl-C ends it)")
+    return said.format(done=done, all=n_left, left=_duration(left))
+
+
+def _duration(seconds: float) -> Words:
+    """A time as one would say it."""
+    if seconds < 100:
+        return _("{seconds:.0f} s", seconds=seconds)
+    hours, minutes = divmod(round(seconds / 60), 60)
+    return _("{hours} h {minutes} min", hours=hours, minutes=minutes) if hours else _("{n} min", n=minutes)

@@ -1,6 +1,7 @@
 """Facts of many designs of one machine, each design checked by itself; what cannot be has a sentence and no number."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,6 +13,7 @@ from cranktrain.language import Words
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
+from cranktrain.saying.checks import Flag
 from cranktrain.saying.run import Run
 from cranktrain.study.start import Start, start
 from cranktrain.study.sweep.designs import designs_in_columns
@@ -35,14 +37,17 @@ class FactsOfRows(NamedTuple):
         Which checks of a design do not hold; empty where all do.
     ended : tuple of Words
         Why the start of a design ended; empty of what is no start.
+    flags : tuple of tuple of Words
+        What is to be minded of a design: numbers beyond what was ever built, or beyond what digits allow.
     """
 
     entries: Mapping[str, Entry]
     labels: Mapping[str, tuple[str, ...]]
     values: Mapping[str, Array]
-    refused: tuple[Problem | None, ...]
-    failing: tuple[Words, ...]
-    ended: tuple[Words, ...]
+    refused: Sequence[Problem | None]
+    failing: Sequence[Words]
+    ended: Sequence[Words]
+    flags: Sequence[tuple[Words, ...]]
 
 
 def facts_of_rows(
@@ -92,17 +97,26 @@ def facts_of_designs(
     return together.found(refused)
 
 
-def joined_rows(parts: Sequence[FactsOfRows]) -> FactsOfRows:
-    """Put facts of designs behind one another."""
+def joined_rows(parts: Sequence[FactsOfRows], labels: Mapping[str, tuple[str, ...]] | None = None) -> FactsOfRows:
+    """Put facts of designs behind one another; members that have a place already, `labels`, keep it."""
     n_rows = sum(len(part.refused) for part in parts)
-    together, start = _Gathered(n_rows), 0
+    together, start = _Gathered(n_rows, labels or {}), 0
     for part in parts:
         places = list(range(start, start + len(part.refused)))
         together.add(part.entries, part.labels, part.values, places)
         together.failing[start : start + len(places)] = part.failing
         together.ended[start : start + len(places)] = part.ended
+        together.flags[start : start + len(places)] = part.flags
         start += len(places)
     return together.found([problem for part in parts for problem in part.refused])
+
+
+def rows_of(found: FactsOfRows, first: int, after: int) -> FactsOfRows:
+    """Facts of some designs that stand one behind the other."""
+    own = slice(first, after)
+    values = {name: array[own] for name, array in found.values.items()}
+    each = (found.refused[own], found.failing[own], found.ended[own], found.flags[own])
+    return FactsOfRows(found.entries, found.labels, values, *each)
 
 
 def _starts(
@@ -141,16 +155,17 @@ def _cycles(
 class _Gathered:
     """Facts of designs that may have other members, laid beside each other."""
 
-    def __init__(self, n_rows: int) -> None:
+    def __init__(self, n_rows: int, labels: Mapping[str, tuple[str, ...]] = MappingProxyType({})) -> None:
         self.entries: dict[str, Entry] = {}
-        self.labels: dict[str, tuple[str, ...]] = {}
+        self.labels = dict(labels)
         self.values: dict[str, Array] = {}
         self.failing: list[Words] = [""] * n_rows
         self.ended: list[Words] = [""] * n_rows
+        self.flags: list[tuple[Words, ...]] = [()] * n_rows
 
     def found(self, refused: Sequence[Problem | None]) -> FactsOfRows:
         """Give all that is known."""
-        said = tuple(self.failing), tuple(self.ended)
+        said = tuple(self.failing), tuple(self.ended), tuple(self.flags)
         return FactsOfRows(self.entries, self.labels, self.values, tuple(refused), *said)
 
     def take(self, run: Run, places: Sequence[int], wanted: Sequence[str]) -> None:
@@ -167,6 +182,9 @@ class _Gathered:
         for check in run.checks if isinstance(run, Result) else ():
             for place in np.flatnonzero(check.judged & ~check.passed).tolist():
                 self.failing[places[place]] = check.sentence
+        for flag in run.flag_words if isinstance(run, Result) else ():
+            for place, words in flag.own.items() if isinstance(flag, Flag) else ():
+                self.flags[places[place]] += (words,)
 
     def add(
         self,

@@ -246,6 +246,12 @@ def names_of(paths: Sequence[str]) -> list[str]:
     ]
 
 
+def names_apart(designs: SweptDesigns, facts: Sequence[str]) -> SweptDesigns:
+    """Call what is varied by its whole path where a fact has its name, as the stroke."""
+    each = (replace(one, name=_word(one.path)) if one.name in facts else one for one in designs.varied)
+    return replace(designs, varied=tuple(each))
+
+
 def _word(path: str) -> str:
     """A path as one word."""
     return "".join(letter if letter.isalnum() else "_" for letter in path).strip("_").replace("__", "_")
