@@ -45,7 +45,9 @@ def dataset_of(run: Run) -> "xarray.Dataset":
         if name in wanted
     }
     used = {dimension for dimensions, *_rest in variables.values() for dimension in dimensions}
-    coordinates: dict[str, Any] = {name: _coordinate(name, words) for name, words in run.labels.items() if name in used}
+    coordinates: dict[str, Any] = {
+        name: coordinate_of(name, words) for name, words in run.labels.items() if name in used
+    }
     for name, unit, symbol, places in run.number_axes:
         coordinates[name] = (name, places, {"units": unit, "symbol": symbol})
     return Dataset(variables, coordinates, dict(run.attributes()))
@@ -63,8 +65,13 @@ def imported(package: str, asked: str) -> Any:
 def with_attributes(entry: Entry, values: Array, catalogue: Mapping[str, Entry]) -> tuple[Array, dict[str, str]]:
     """Give values in the unit that was asked for, else in the catalogue's, and what that says of them."""
     unit, given = in_asked_unit(entry.unit, values, entry.shown)
+    return given, attributes_of(entry, unit, catalogue)
+
+
+def attributes_of(entry: Entry, unit: str, catalogue: Mapping[str, Entry]) -> dict[str, str]:
+    """Say in which unit a quantity's values are, and what its entry says of it."""
     line = entry.in_symbols(catalogue)
-    return given, {
+    return {
         "units": unit,
         "symbol": entry.symbol,
         "long_name": entry.sentence,
@@ -74,7 +81,7 @@ def with_attributes(entry: Entry, values: Array, catalogue: Mapping[str, Entry])
     }
 
 
-def _coordinate(dimension: str, labels: Sequence[str]) -> list[str] | list[int] | list[float]:
+def coordinate_of(dimension: str, labels: Sequence[str]) -> list[str] | list[int] | list[float]:
     """Give labels as numbers where they are numbers that count; a machine's mechanisms, often `1`, have names."""
     about = dimension_named(dimension)
     counts = about.title and not about.family and all(label.isdecimal() for label in labels)

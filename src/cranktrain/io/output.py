@@ -92,8 +92,13 @@ def _write_file(name: str, pieces: Iterable[bytes], *, force: bool) -> None:
     except BrokenPipeError:  # its reader has had enough: no fault of the input
         raise
     except OSError as error:
-        allowed, repair = _FAILURES.get(error.errno or 0, (N_("cannot be written: {reason}"), None))
-        raise refusal(name, _(allowed, reason=error.strerror), repair and _(repair)) from None
+        raise not_written(name, error) from None
+
+
+def not_written(name: str, error: OSError) -> InputError:
+    """Say why a file cannot be written, and what to do."""
+    allowed, repair = _FAILURES.get(error.errno or 0, (N_("cannot be written: {reason}"), None))
+    return refusal(name, _(allowed, reason=error.strerror), repair and _(repair))
 
 
 def _check(name: str, target: Path, old: os.stat_result | None, *, force: bool) -> None:

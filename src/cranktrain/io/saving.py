@@ -41,7 +41,7 @@ def machine_text(machine: Machine, folder: Path) -> str:
         the same order, as one that was taken away has others in it, all is written anew, below the file's first lines.
     """
     file = machine.typed_in
-    typed, plain = file.data, _plain(machine.declared)
+    typed, plain = file.data, plain_tables(machine.declared)
     declared = _with_files(plain, typed, file.folder.absolute(), folder.absolute())
     with suppress(InputError, ValueError):  # of changes that cannot be made in the text, or leave none that is TOML
         changed = _written(commented_out(file.text, _gone(typed, declared)), _changed(typed, declared))
@@ -64,8 +64,8 @@ def _is_same(one: Any, other: Any) -> bool:
     return one.keys() == other.keys() and named[0] == named[1] and all(_is_same(one[key], other[key]) for key in one)
 
 
-def _plain(value: object) -> Any:
-    """Give what was declared as TOML reads it."""
+def plain_tables(value: object) -> Any:
+    """Give what was declared as TOML reads it: tables, lists, texts, numbers."""
     if isinstance(value, Given):
         about = {name: getattr(value, name) for name in ("status", "note", "source")}
         said = {name: text for name, text in about.items() if text is not None}
@@ -74,11 +74,11 @@ def _plain(value: object) -> Any:
         fields = type(value).model_fields
         own: dict[str, Any] = {fields[name].alias or name: getattr(value, name) for name in value.model_fields_set}
         others: Mapping[str, Any] = {} if value.others is None else own.pop(value.others, {})
-        return _plain({**own, **others})
+        return plain_tables({**own, **others})
     if isinstance(value, Mapping):
-        return {key: _plain(item) for key, item in cast("Mapping[str, object]", value).items()}
+        return {key: plain_tables(item) for key, item in cast("Mapping[str, object]", value).items()}
     if isinstance(value, list | tuple):
-        return [_plain(item) for item in cast("Sequence[object]", value)]
+        return [plain_tables(item) for item in cast("Sequence[object]", value)]
     return float(value) if isinstance(value, float) else value  # NumPy's numbers too
 
 

@@ -24,6 +24,7 @@ from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import said_name
 from cranktrain.saying.run import Axis, BehindQuantity, Run
 from cranktrain.saying.sections import Column, Grid, PagePart, section
+from cranktrain.study.sweep.blocks import rows_between
 from cranktrain.study.sweep.facts import FactsOfRows
 from cranktrain.study.sweep.varied import SweptDesigns, Varied
 
@@ -66,9 +67,15 @@ class Sweep(Run):
         return tuple(len(one.values) for one in self.along)
 
     @cached_property
-    def _over(self) -> int | None:
+    def over(self) -> int | None:
         """Which of them is the axis."""
         return next((place for place, one in enumerate(self.along) if one.numbers is not None), None)
+
+    def dimensions_of(self, entry: Entry | None = None) -> tuple[str, ...]:
+        """Along what a fact's array stands: what is varied, its own dimensions, the axis; of None what is no fact."""
+        beside = tuple(one.name for place, one in enumerate(self.along) if place != self.over)
+        over = () if self.over is None else (self.along[self.over].name,)
+        return (*beside, *(() if entry is None else entry.dimensions), *over)
 
     @property
     def subject(self) -> Words:
@@ -95,17 +102,15 @@ class Sweep(Run):
 
     @cached_property
     def _catalogue(self) -> dict[str, Entry]:
-        beside = tuple(one.name for place, one in enumerate(self.along) if place != self._over)
-        over = () if self._over is None else (self.along[self._over].name,)
         return {
-            name: replace(entry, dimensions=(*beside, *entry.dimensions, *over), of="", line="")
+            name: replace(entry, dimensions=self.dimensions_of(entry), of="", line="")
             for name, entry in self.found.entries.items()
         }
 
     @property
     def labels(self) -> Mapping[str, tuple[str, ...]]:
         """Values as typed along what is varied, and members along all other dimensions."""
-        beside = {one.name: one.texts for place, one in enumerate(self.along) if place != self._over}
+        beside = {one.name: one.texts for place, one in enumerate(self.along) if place != self.over}
         return {**beside, **self.found.labels}
 
     @property
@@ -119,7 +124,7 @@ class Sweep(Run):
             raise AttributeError(name)
         values = self.found.values[name]
         apart = values.reshape(*self.shape, *values.shape[1:])
-        return apart if self._over is None else np.moveaxis(apart, self._over, -1)
+        return apart if self.over is None else np.moveaxis(apart, self.over, -1)
 
     @property
     def refused(self) -> Mapping[int, Problem]:
@@ -153,7 +158,7 @@ class Sweep(Run):
 
     def values_at(self, place: int) -> Mapping[str, object]:
         """Values of a design by path, by its place among all."""
-        return next(itertools.islice(self.designs.rows, place, None))
+        return next(rows_between(self.designs, place, place + 1))
 
     def place_of_best(self, *, least: str = "", most: str = "") -> int:
         """Place among the designs of that which `best` gives."""
@@ -230,18 +235,18 @@ class Sweep(Run):
     @cached_property
     def _lines(self) -> list[int]:
         """Which values of the axis, or else of what is varied first, have a line of their own."""
-        n_values = self.shape[self._over or 0]
+        n_values = self.shape[self.over or 0]
         return evenly(n_values, _MOST_LINES)
 
     @property
     def _lines_of(self) -> Words:
-        return said_name(self.along[self._over or 0].name)
+        return said_name(self.along[self.over or 0].name)
 
     @property
     def _line_heads(self) -> list[str]:
         if self.designs.is_listed:
             return [str(line + 1) for line in self._lines]
-        own = self.along[self._over or 0]
+        own = self.along[self.over or 0]
         return [own.texts[line] for line in self._lines]
 
     def apart(self, name: str) -> list[tuple[str, Array]]:
@@ -274,7 +279,7 @@ class Sweep(Run):
 
     def _columns(self, name: str) -> Iterator[Column]:
         """One fact over the lines: a column for each combination of the rest."""
-        entry, over = self.found.entries[name], self._over or 0
+        entry, over = self.found.entries[name], self.over or 0
         beside = [one for place, one in enumerate(self.along) if place != over]
         others: list[tuple[str, ...]] = list(itertools.product(*(one.texts for one in beside)))
         for place in evenly(len(others), _MOST_OTHERS):
