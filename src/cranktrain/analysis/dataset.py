@@ -44,6 +44,7 @@ def dataset_of(run: Run) -> "xarray.Dataset":
         for name, entry in catalogue.items()
         if name in wanted
     }
+    variables |= {name: (one.dimensions, one.texts, {"long_name": str(one.about)}) for name, one in run.marks.items()}
     used = {dimension for dimensions, *_rest in variables.values() for dimension in dimensions}
     coordinates: dict[str, Any] = {
         name: coordinate_of(name, words) for name, words in run.labels.items() if name in used

@@ -15,6 +15,6 @@ def netcdf_bytes(run: Run, names: Collection[str]) -> bytes:
     names : collection of str
         Quantities to write.
     """
-    chosen: Any = run.dataset[[name for name in run.catalogue if name in names]]
+    chosen: Any = run.dataset[[*(name for name in run.catalogue if name in names), *run.marks]]
     texts = {name: value if isinstance(value, str) else "; ".join(value) for name, value in chosen.attrs.items()}
     return bytes(chosen.assign_attrs(texts).to_netcdf(engine="scipy"))

@@ -185,7 +185,8 @@ class SweepStore:
         """Make what a store has before anything is computed: what it is of, what is varied, what is said of designs."""
         sweep = self._sweep
         names = [one.name for one in sweep.designs.varied] if sweep.designs.is_listed else []
-        self._write_about({"name": str(sweep.subject), "cranktrain": VERSION, "coordinates": " ".join(names)})
+        coordinates = {"coordinates": " ".join(names)} if names else {}
+        self._write_about({"name": str(sweep.subject), "cranktrain": VERSION, **coordinates})
         for one in sweep.along:
             if one.numbers is None:
                 self._coordinate(one.name, (one.name,), np.array(one.texts, dtype=object), {})

@@ -5,6 +5,7 @@ import io
 import itertools
 import json
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -52,12 +53,18 @@ def csv_lines(said: Iterable[tuple[str, str]], columns: Mapping[str, Array], *, 
     row = io.StringIO()
     writer = csv.writer(row, delimiter=";" if comma else ",", lineterminator="\n")
     writer.writerow(columns)
-    for numbers in zip(*(column.tolist() for column in columns.values()), strict=True):
-        digits = map(repr, numbers)
-        writer.writerow([number.replace(".", ",") for number in digits] if comma else digits)
+    for row_of_table in zip(*(column.tolist() for column in columns.values()), strict=True):
+        writer.writerow([_digits(value, comma=comma) for value in row_of_table])
         yield row.getvalue()
         row.seek(0)
         row.truncate()
+
+
+def _digits(value: float | str, *, comma: bool) -> str:
+    """A number with all its digits, or words as they are."""
+    if isinstance(value, str):
+        return value
+    return repr(value).replace(".", ",") if comma else repr(value)
 
 
 def _remark(word: str, sentence: str) -> str:
@@ -86,7 +93,18 @@ def headed(run: Run, columns: Iterable[CurveColumn], places: Array | None) -> di
         entry = column.entry
         unit, values = in_asked_unit(entry.unit, column.values, entry.shown)
         found[f"{entry.name}({column.of}) [{unit}]" if column.of else f"{entry.name} [{unit}]"] = values
+    for name, of, texts in _marked(run) if places is None else ():
+        found[f"{name}({of})" if of else name] = texts
     return found
+
+
+def _marked(run: Run) -> Iterator[tuple[str, str, Any]]:
+    """Words beside quantities: their name, what they are of, those along the axis or alone."""
+    over = None if run.axis is None else run.axis.name
+    for name, (dimensions, texts, _about) in run.marks.items():
+        members = [run.labels[dimension] for dimension in dimensions if dimension != over]
+        for place in itertools.product(*(range(len(names)) for names in members)):
+            yield name, " ".join(names[i] for names, i in zip(members, place, strict=True)), texts[place]
 
 
 def json_text(run: Run, machine: Mapping[str, object], names: Collection[str]) -> Iterator[str]:
@@ -226,6 +244,8 @@ def fact_csv(run: Run, names: Collection[str], *, comma: bool = False) -> Iterat
     writer = csv.writer(text, delimiter=";" if comma else ",", lineterminator="\n")
     writer.writerow(HEADS)
     for name, of, value, unit, meaning in fact_rows(run, names):
-        number = repr(value).replace(".", ",") if comma else repr(value)
-        writer.writerow((name, of, number, unit, meaning))
+        writer.writerow((name, of, _digits(value, comma=comma), unit, meaning))
+    for name, of, words in _marked(run) if run.axis is None else ():
+        if words:
+            writer.writerow((name, of, words, "", str(run.marks[name].about)))
     yield "\ufeff" * comma + text.getvalue()

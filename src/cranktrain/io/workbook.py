@@ -50,11 +50,12 @@ def workbook_bytes(
     curves.append(list(map(_text, shown)))
     for numbers in zip(*(column.tolist() for column in shown.values()), strict=True):
         curves.append(list(map(_cell, numbers)))
-    if facts:
+    rows = list(fact_rows(run, facts))
+    if rows:
         sheet = book.create_sheet(_("facts"))
         sheet.freeze_panes = "A2"
         sheet.append(HEADS)
-        for name, of, value, unit, meaning in fact_rows(run, facts):
+        for name, of, value, unit, meaning in rows:
             sheet.append((name, _text(of), _cell(value), unit, meaning))
     head = book.create_sheet(_("about"))
     for word, sentence in about(run, columns, angles):
@@ -75,8 +76,10 @@ def _openpyxl() -> Any:
         ) from None
 
 
-def _cell(number: float) -> float | None:
+def _cell(number: float | str) -> float | str | None:
     """Leave a cell empty where there is no number."""
+    if isinstance(number, str):
+        return _text(number)
     return number if math.isfinite(number) else None
 
 

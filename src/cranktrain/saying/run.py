@@ -11,6 +11,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.faces import face
@@ -35,6 +36,14 @@ class Axis(NamedTuple):
     unit: str
     symbol: str
     values: Array
+
+
+class Marks(NamedTuple):
+    """Words that stand beside quantities, along some dimensions, the axis last; and what they are about."""
+
+    dimensions: tuple[str, ...]
+    texts: NDArray[np.object_]
+    about: Words
 
 
 class BehindQuantity(NamedTuple):
@@ -111,6 +120,11 @@ class Run:
     def attributes(self) -> Mapping[str, object]:
         """What a dataset says of it as a whole."""
         return {"name": str(self.subject)}
+
+    @property
+    def marks(self) -> Mapping[str, Marks]:
+        """Words beside its quantities, by name: flags of designs."""
+        return {}
 
     def needs_of(self, *_quantities: str) -> tuple[Words, ...]:
         """What quantities that are missing would need."""

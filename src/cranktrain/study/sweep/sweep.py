@@ -1,6 +1,7 @@
 """A sweep: facts of a machine over values of its file."""
 
 import itertools
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager
 from dataclasses import replace
@@ -22,7 +23,7 @@ from cranktrain.quantities import FileUnits, nearest, shown_as_in
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import said_name
-from cranktrain.saying.run import Axis, BehindQuantity, Run
+from cranktrain.saying.run import Axis, BehindQuantity, Marks, Run
 from cranktrain.saying.sections import Column, Grid, PagePart, section
 from cranktrain.study.sweep.blocks import rows_between
 from cranktrain.study.sweep.facts import FactsOfRows
@@ -35,6 +36,8 @@ _MOST_OTHERS = 5
 _FIGURES = 9
 """Of its size, in which columns of members that share one are alike."""
 _MOST_SENTENCES = 6
+_NUMBER = re.compile(r"[+−-]?[\d.,]+(e[+−-]?\d+)?")
+"""In a sentence, which else is the same of all designs."""
 
 
 @record
@@ -136,6 +139,23 @@ class Sweep(Run):
         """Checks that do not hold, each with the places of designs of which they do not."""
         return grouped((words, place) for place, words in enumerate(self.found.failing) if words)
 
+    @property
+    def flags(self) -> Mapping[Words, list[int]]:
+        """What is to be minded of numbers, each as it is said of the first, with the places of all designs it is of."""
+        said = ((words, place) for place, flags in enumerate(self.found.flags) for words in flags)
+        alike = grouped((_NUMBER.sub("", str(words)), (words, place)) for words, place in said)
+        return {each[0][0]: [place for _words, place in each] for each in alike.values()}
+
+    @property
+    def marks(self) -> Mapping[str, Marks]:
+        """The flags of each design, a line for each, where any has one."""
+        if not any(self.found.flags):
+            return {}
+        texts = ["\n".join(map(str, flags)) for flags in self.found.flags]
+        apart = np.array(texts, dtype=object).reshape(self.shape)
+        along = apart if self.over is None else np.moveaxis(apart, self.over, -1)
+        return {"flags": Marks(self.dimensions_of(), along, _("What is to be minded"))}
+
     def best(self, *, least: str = "", most: str = "") -> Machine:
         """Give the design with the least or the largest value of a fact.
 
@@ -185,7 +205,7 @@ class Sweep(Run):
         yield "machine", self.machine.name
         for one in self.designs.varied:
             yield "varied", _("{path}: {n} values", path=one.path, n=len(one.values))
-        yield from (("refused", words) for words in self._refusals())
+        yield from (("minded", words) for words in self._refusals())
 
     def attributes(self) -> Mapping[str, object]:
         """What a dataset says of it as a whole: the machine, and what of it cannot be."""
@@ -213,6 +233,9 @@ class Sweep(Run):
             yield _("{n} of {all} starts: {why}", n=len(places), all=n_designs, why=words)
         for words, places in self.failing.items():
             yield _("{n} of {all} designs do not hold a check: {which}", n=len(places), all=n_designs, which=words)
+        for words, places in self.flags.items():
+            counted = _("1 design") if len(places) == 1 else _("{n} designs", n=len(places))
+            yield _("flags: {words} ({counted})", words=words, counted=counted)
 
     def in_its_units(self) -> AbstractContextManager[None]:
         """Show numbers in the units of the machine, as far as nobody chose others."""
