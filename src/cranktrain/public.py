@@ -16,6 +16,9 @@ from cranktrain.language import said as _
 from cranktrain.quantities import shown_by, units_by_dimension
 
 if TYPE_CHECKING:
+    import os
+
+    from distributed import Client
     from numpy.typing import ArrayLike
 
     from cranktrain.analysis import SpeedWanted
@@ -131,6 +134,9 @@ def sweep(
     set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
     over_time: bool = False,
     processes: int = 1,
+    store: "str | os.PathLike[str] | None" = None,
+    resume: bool = False,
+    scheduler: "str | Client | None" = None,
 ) -> "Sweep":
     """Compute facts of a machine over values of its file.
 
@@ -150,6 +156,13 @@ def sweep(
         Whether they are facts of starts, as `start` runs each design, and not of the cycle.
     processes : int
         How many may work at once; from a script these need `if __name__ == "__main__":`.
+    store : str or path-like, optional
+        A folder `NAME.zarr` in which facts are kept while they are computed, and read from when they are asked for
+        later; with `pip install 'cranktrain[store]'`.
+    resume : bool
+        Go on with that store, which may have been stopped at any moment; where it is not there, begin it.
+    scheduler : str or distributed.Client, optional
+        A cluster of Dask that computes, `"tcp://HOST:8786"`; with `pip install 'cranktrain[cluster]'`.
 
     Returns
     -------
@@ -170,11 +183,26 @@ def sweep(
     >>> [round(float(force)) for force in found.largest_side_force[0]]
     [2663, 1676, 1420]
     """
+    from cranktrain.io.notebook_line import told_in_notebooks
     from cranktrain.study.sweep import swept
 
     source = sources_of(machine, set, partial=False)[0][0]
-    with problems_as(source.placed):
-        return swept(source.machine, vary, _names_in(wanted), over_time=over_time, processes=processes)
+    kept = None
+    if store is not None:
+        from cranktrain.io.store_of_sweep import SweepStore  # only for who asks
+
+        kept = SweepStore(store, resume=resume)
+    with problems_as(source.placed), told_in_notebooks():
+        return swept(
+            source.machine,
+            vary,
+            _names_in(wanted),
+            over_time=over_time,
+            processes=processes,
+            settings=tuple(set or ()),
+            store=kept,
+            scheduler=scheduler,
+        )
 
 
 def compare(

@@ -77,6 +77,7 @@ def add_sweep(app: typer.Typer) -> None:
             '  cranktrain sweep vaz_21213 --vary rod_length=110..170mm:31 --vary "speed=2000, 5400 rpm" -o rods.png\n'
             '  cranktrain sweep 3d12 --vary "shaft.main.speed=1000..2000 rpm:11" -o speeds.csv\n'
             "  cranktrain sweep mine.toml --cases designs.csv --wanted largest_torque -o designs.xlsx\n"
+            "  cranktrain sweep vaz_21213 --vary rod_length=110..170mm:100000 --yes -o rods.zarr --resume\n"
             "  cranktrain sweep tilting_table --start --vary drive.stage[0].ratio=30..50:5\n"
             "  cranktrain sweep vaz_21213 --vary rod_length=110..170mm:61 --least largest_side_force --save best.toml"
         ),
@@ -125,11 +126,17 @@ def add_sweep(app: typer.Typer) -> None:
                 "-o",
                 "--output",
                 metavar="FILE",
-                help=N_("Write the facts: .csv, .json, .xlsx or .nc; or draw them: .png, .svg, .pdf."),
+                help=N_("Write the facts: .csv, .json, .xlsx, .nc or a store .zarr; or draw them: .png, .svg, .pdf."),
             ),
         ] = None,
+        resume: Annotated[
+            bool, typer.Option("--resume", help=N_("Go on with the store that -o names; where none is, begin it."))
+        ] = False,
         processes: Annotated[
             str | None, typer.Option(metavar="N", help=N_("How many may work at once; all processors unless given."))
+        ] = None,
+        scheduler: Annotated[
+            str | None, typer.Option(metavar="ADDRESS", help=N_("Let a cluster of Dask work: tcp://HOST:8786."))
         ] = None,
         yes: Annotated[bool, typer.Option("--yes", help=N_("However long it takes."))] = False,
         decimal: Decimal = "point",
@@ -151,6 +158,8 @@ def add_sweep(app: typer.Typer) -> None:
                 settings=tuple(settings or ()),
                 output=output,
                 processes=processes,
+                scheduler=scheduler,
+                is_resumed=resume,
                 is_meant=yes,
                 decimal=decimal,
                 units=units,

@@ -3,10 +3,12 @@
 import csv
 import json
 import os
+import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from io import StringIO
-from pathlib import Path
+from pathlib import Path, PurePath
+from typing import TYPE_CHECKING
 
 from cranktrain.cli.asked import Asked, in_units_of, units_asked_for
 from cranktrain.cli.how_far import says_how_far
@@ -26,6 +28,10 @@ from cranktrain.saying.names import said_name
 from cranktrain.saying.sections import PagePart, section
 from cranktrain.study.sweep import Sweep, swept
 
+if TYPE_CHECKING:
+    from cranktrain.io.store_of_sweep import SweepStore
+
+STORE = ".zarr"
 _MOST_PROCESSES = 512
 
 
@@ -41,6 +47,8 @@ class SweepRequest(Asked):
     save: str | None = None
     over_time: bool = False
     processes: str | None = None
+    scheduler: str | None = None
+    is_resumed: bool = False
     is_meant: bool = False
     decimal: str = "point"
 
@@ -54,22 +62,26 @@ def show_sweep(request: SweepRequest) -> None:
         With everything that is wrong with the request, else with the machine.
     """
     _check(request)
-    form = None if request.output is None else form_or_picture(request.output, request.decimal)
+    is_stored = _is_stored(request)
+    form = None if request.output is None or is_stored else form_or_picture(request.output, request.decimal)
     asked = units_asked_for(request.units)
     file = read_machine(request.file, request.settings)
     with in_units_of(file, asked):
-        found = _computed(request, file)
+        store = _store(request) if is_stored else None
+        found = _computed(request, file, store)
+        if store is not None:
+            _say_what_is_stored(store, found)
         best = _best(request, found)
         if request.save is not None and best is not None:
             _save(request, file, found, best)
         if request.output is not None and form is not None:
             write_run(found, form, request.output, {}, force=request.force)
-        elif request.output is not None:
+        elif request.output is not None and store is None:
             from cranktrain.cli.quiet_pictures import save_quietly
 
             save_quietly(found.plot, request.output, force=request.force)
             print(_("written: {name}", name=one_line(request.output)))
-        else:
+        elif store is None:
             show_page(title(file.machine), _shown(found, request, best))
 
 
@@ -93,7 +105,36 @@ def _check(request: SweepRequest) -> None:
     if request.processes is not None and not _is_count(request.processes):
         allowed = _("must be a whole number from 1 to {most}", most=_MOST_PROCESSES)
         problems.append(Problem("--processes", request.processes, allowed))
+    if request.scheduler is not None and request.processes is not None:
+        allowed = _("does not go with --processes: the cluster has its own")
+        problems.append(Problem("--scheduler", request.scheduler, allowed, _("keep one of the two")))
+    if request.is_resumed and not _is_stored(request):
+        problems.append(Problem("--resume", None, _("needs a store"), _("write -o NAME{suffix}", suffix=STORE)))
+    if _is_stored(request) and request.units is not None:
+        problems.append(Problem("--units", request.units, _("is not for a store, whose numbers are in SI and degrees")))
     refuse(problems)
+
+
+def _is_stored(request: SweepRequest) -> bool:
+    return request.output is not None and PurePath(request.output).suffix.lower() == STORE
+
+
+def _store(request: SweepRequest) -> "SweepStore":
+    """The store that is asked for."""
+    from cranktrain.io.store_of_sweep import SweepStore  # only for who asks
+
+    assert request.output is not None  # else nobody asks
+    return SweepStore(request.output, resume=request.is_resumed, force=request.force)
+
+
+def _say_what_is_stored(store: "SweepStore", found: Sweep) -> None:
+    """Say that all is there; or how to go on, and that it was stopped."""
+    if store.is_whole:
+        print(_("written: {name}", name=store.name))
+        return
+    said = _("{n} of {all} designs are in {name}: the same command with --resume goes on with them")
+    print(said.format(n=store.n_done, all=len(found.designs), name=store.name), file=sys.stderr)
+    raise KeyboardInterrupt
 
 
 def _is_count(typed: str) -> bool:
@@ -103,7 +144,7 @@ def _is_count(typed: str) -> bool:
 _VARY = Position("--vary")
 
 
-def _computed(request: SweepRequest, file: MachineFile) -> Sweep:
+def _computed(request: SweepRequest, file: MachineFile, store: "SweepStore | None") -> Sweep:
     """All designs."""
     processes = len(os.sched_getaffinity(0)) if request.processes is None else int(request.processes)
     wanted = request.wanted
@@ -117,6 +158,8 @@ def _computed(request: SweepRequest, file: MachineFile) -> Sweep:
         if problem.path == "wanted":
             of = {request.least: "--least", request.most: "--most"}
             return replace(problem, path="", position=Position(of.get(str(problem.given), "--wanted")))
+        if problem.path in ("processes", "scheduler"):
+            return replace(problem, path="", position=Position(f"--{problem.path}"))
         path = "" if problem.path in ("vary", "cases") else problem.path
         return replace(problem, path=path, position=_VARY if request.cases is None else Position(request.cases))
 
@@ -129,6 +172,9 @@ def _computed(request: SweepRequest, file: MachineFile) -> Sweep:
             over_time=request.over_time,
             processes=processes,
             is_meant=request.is_meant,
+            settings=[setting.partition("=")[0].strip() for setting in request.settings],
+            store=store,
+            scheduler=request.scheduler,
         )
 
 

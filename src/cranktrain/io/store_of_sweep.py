@@ -99,7 +99,11 @@ class SweepStore:
         if not self._resume:
             if self._force:
                 return None
-            raise refusal(self.name, _("is there already"), _("go on with it by --resume, or replace it with --force"))
+            raise refusal(
+                self.name,
+                _("is there already"),
+                _("--resume (in Python resume=True) goes on with it, --force replaces it"),
+            )
         if different := list(differences(about, identity(plan), self.name)):
             raise InputError(different)
         with self._writing():
