@@ -2,6 +2,7 @@
 
 import os
 import signal
+from pathlib import Path
 
 import numpy as np
 from tests.machines import slider
@@ -10,6 +11,7 @@ import cranktrain as ct
 from cranktrain.study.sweep import Sweep
 from cranktrain.study.sweep.facts import FactsOfRows
 
+ROOT = Path(__file__).parents[1]
 MACHINE = ct.Machine(mechanism=slider(crank_radius="40 mm", rod_length="136 mm"), shaft={"main": {"speed": "1500 rpm"}})
 VARY = {"rod_length": "30..150 mm:13", "speed": "1000, 1500, 2000 rpm"}
 WANTED = ["largest_piston_acceleration", "mean_piston_speed", "stroke"]

@@ -94,7 +94,7 @@ def test_it_goes_on_with_what_is_missing(path, in_memory, monkeypatch, most):
     assert sum(n_rows) == 39 - most * 6
 
 
-@pytest.mark.parametrize("most", range(2, 92, 8))
+@pytest.mark.parametrize("most", range(2, 58, 7))
 def test_a_disk_that_is_full_loses_nothing(path, in_memory, monkeypatch, most):
     """Each file of a store appears whole or not at all: after any of them there may be no room for the next."""
     put, n_put = local._put, []
