@@ -173,7 +173,7 @@ class SweepStore:
         except OSError as error:
             raise InputError(map(_with_resume, not_written(self.name, error).problems)) from None
 
-    def _put(self, name: str, values: Array, box: tuple[slice, ...]) -> None:
+    def _put(self, name: str, values: NDArray[Any], box: tuple[slice, ...]) -> None:
         """Write the values of a block, shape (design, …)."""
         sizes = [one.stop - one.start for one in box]
         apart, over = values.reshape(*sizes, *values.shape[1:]), self._sweep.over
@@ -293,7 +293,8 @@ def _about(path: Path, name: str) -> dict[str, Any]:
 
 
 def _entry(fields: Mapping[str, Any]) -> Entry:
-    return Entry(**{**fields, "dimensions": tuple(fields["dimensions"])})
+    about: dict[str, Any] = {**fields, "dimensions": tuple(fields["dimensions"])}
+    return Entry(**about)
 
 
 def _are_texts(members: Sequence[object]) -> bool:

@@ -1,7 +1,7 @@
 """Facts and sentences of designs as arrays of a store, and read from there when they are asked for."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, ClassVar, Generic, TypeVar, overload
 
 import numpy as np
@@ -76,13 +76,11 @@ class StoredFacts:
     def as_facts(self) -> FactsOfRows:
         """Give them as a sweep takes them."""
         n_designs = len(self._sweep.designs)
-        said = [
-            Later(n_designs, read) for read in (lambda: self._texts(Words.FAILING), lambda: self._texts(Words.ENDED))
-        ]
         refused = Later(n_designs, self._refused)
+        failing, ended = (Later(n_designs, partial(self._texts, name)) for name in (Words.FAILING, Words.ENDED))
         flags = Later(n_designs, lambda: [tuple(filter(None, text.split("\n"))) for text in self._texts(Words.FLAGS)])
         values = ReadValues(tuple(self._entries), self.flat)
-        return FactsOfRows(dict(self._entries), dict(self._labels), values, refused, *said, flags)
+        return FactsOfRows(dict(self._entries), dict(self._labels), values, refused, failing, ended, flags)
 
     def flat(self, name: str) -> Array:
         """Read an array, shape (design, …)."""

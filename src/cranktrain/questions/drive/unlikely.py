@@ -39,7 +39,7 @@ def unlikely_drive(
     crank_angle: CrankAngle,
 ) -> UnlikelyDrive:
     """Flag what is unlikely, as far as it is known."""
-    found = [] if drive is None else list(flagged(_STAGE_EFFICIENCY, drive.forward))
+    found: list[Words] = [] if drive is None else [*flagged(_STAGE_EFFICIENCY, drive.forward)]
     if motor is not None and work is not None:
         found += _driving(work, None if gas is None else gas.work_over(crank_angle))
     return UnlikelyDrive(unlikely=tuple(found))

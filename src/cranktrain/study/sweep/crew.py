@@ -17,7 +17,7 @@ _AHEAD = 4
 """So many blocks for each that may work at once wait at most for those before them."""
 
 
-class Crew(Protocol, AbstractContextManager["Crew"]):
+class Crew(AbstractContextManager["Crew"], Protocol):
     """Whoever computes blocks, within `with`."""
 
     @property

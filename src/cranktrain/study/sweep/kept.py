@@ -23,7 +23,7 @@ class Plan(NamedTuple):
 class Store(Protocol):
     """Keeps facts block by block."""
 
-    def opened(self, plan: Plan) -> Blocks | None:
+    def opened(self, plan: Plan, /) -> Blocks | None:
         """Give the blocks of a sweep that was begun, to go on with it; None of one that is to begin.
 
         Raises
@@ -33,7 +33,7 @@ class Store(Protocol):
         """
         ...
 
-    def begin(self, plan: Plan, blocks: Blocks) -> None:
+    def begin(self, plan: Plan, blocks: Blocks, /) -> None:
         """Make room for the facts of all blocks."""
         ...
 
@@ -42,7 +42,7 @@ class Store(Protocol):
         """Numbers of the blocks that are kept."""
         ...
 
-    def add(self, number: int, found: FactsOfRows, *, is_lost: bool = False) -> None:
+    def add(self, number: int, found: FactsOfRows, /, *, is_lost: bool = False) -> None:
         """Keep the facts of a block, after all before it; of one that `is_lost` why there are none."""
         ...
 
