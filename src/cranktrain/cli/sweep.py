@@ -1,13 +1,11 @@
 """`sweep`: facts of a machine over values of its file, shown, written or drawn; and which design is best."""
 
-import csv
 import json
 import os
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from io import StringIO
-from pathlib import Path, PurePath
+from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from cranktrain.cli.asked import Asked, in_units_of, units_asked_for
@@ -15,11 +13,10 @@ from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.run_files import form_or_picture, write_run
 from cranktrain.cli.screen.sections import show_page
 from cranktrain.cli.screen.title import title
-from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
-from cranktrain.io.curve_files import curve_text
+from cranktrain.cli.sweep_cases import cases_of
+from cranktrain.errors import Position, Problem, problems_as, refuse
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import write_machine_file
-from cranktrain.language import N_
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
 from cranktrain.record import record
@@ -164,7 +161,7 @@ def _computed(request: SweepRequest, file: MachineFile, store: "SweepStore | Non
         return replace(problem, path=path, position=_VARY if request.cases is None else Position(request.cases))
 
     with problems_as(placed), says_how_far():
-        vary = _varied(request) if request.cases is None else list(_cases(request.cases))
+        vary = _varied(request) if request.cases is None else list(cases_of(request.cases))
         return swept(
             file.machine,
             vary,
@@ -186,36 +183,6 @@ def _varied(request: SweepRequest) -> Mapping[str, str]:
         refuse([Problem(path, values, _("is varied twice"), position=_VARY)] if path.strip() in given else [])
         given[path.strip()] = values
     return given
-
-
-def _cases(name: str) -> Iterator[dict[str, object]]:
-    """Designs of a .csv: a path at the head of each column, with the unit of plain numbers behind it in brackets."""
-    text = curve_text(Path(name), name, N_("a list of designs"))
-    head = text.partition("\n")[0]
-    lines = csv.reader(StringIO(text), delimiter=";" if head.count(";") > head.count(",") else ",")
-    paths: list[tuple[str, str]] | None = None
-    for number, line in enumerate(lines, start=1):
-        if not any(cell.strip() for cell in line) or line[0].lstrip().startswith("#"):
-            continue
-        if paths is None:
-            paths = [_headed(cell) for cell in line]
-            twice = [path for path, _unit in paths if [other for other, _other_unit in paths].count(path) > 1]
-            refuse(Problem(path, None, _("heads two columns"), position=Position(name, number)) for path in twice[:1])
-            continue
-        if len(line) > len(paths):
-            allowed = _("has {n} values, and {heads} columns have a head", n=len(line), heads=len(paths))
-            raise InputError([Problem("", ", ".join(line), allowed, position=Position(name, number))])
-        yield {
-            path: f"{cell.strip()} {unit}".strip()
-            for (path, unit), cell in zip(paths, line, strict=False)
-            if cell.strip()
-        }
-
-
-def _headed(cell: str) -> tuple[str, str]:
-    """Path and unit of a column."""
-    path, bracket, unit = cell.strip().rpartition(" [")
-    return (path.strip(), unit.removesuffix("]").strip()) if bracket and unit.endswith("]") else (cell.strip(), "")
 
 
 def _best(request: SweepRequest, found: Sweep) -> int | None:

@@ -56,6 +56,23 @@ def of_result(si: Size, unit: str, usual: str) -> Size:
     return shown(si / float(TURN) if usual == "Hz" else si, unit)
 
 
+def in_other_unit(number: Fraction, unit: str, other: str) -> Fraction | None:
+    """Express a number of one unit of the list in another, exactly; None where nothing is measured in both.
+
+    Examples
+    --------
+    >>> in_other_unit(Fraction(14, 100), "m", "mm"), in_other_unit(Fraction(1), "m", "kg")
+    (Fraction(140, 1), None)
+    """
+    own, wanted = plain(unit), plain(other)
+    for dimension in Dimension:
+        known = spellings(dimension)
+        if own in known and wanted in known:
+            (one, _form), (two, _other_form) = known[own], known[wanted]
+            return (number * one.scale + one.offset - two.offset) / two.scale
+    return None
+
+
 @cache
 def _conversion(name: str) -> tuple[float, bool, float]:
     """What to multiply with, or else to divide by, whichever is exact in binary; and what to take off before.

@@ -71,6 +71,46 @@ def test_designs_of_a_list(typed, pump, written):
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "rod_length [mm];speed\n120,5;1500,25 rpm\n−120,5;\n",
+        "rod_length [mm]\tspeed\n120,5\t1500,25 rpm\n−120,5\t\n",
+        "\ufeffrod_length;speed [rpm]\n120,5 mm;1500,25\n−120,5 mm;\n",
+        "# of a spreadsheet\nrod_length [mm],speed\n120.5,1500.25 rpm\n−120.5,\n",
+    ],
+    ids=["semicolons", "tabs", "units in cells", "points"],
+)
+def test_designs_of_a_spreadsheet(typed, pump, written, text):
+    """Where commas do not divide columns they divide decimals, as in curve files."""
+    written(text, "cases.csv")
+    answer = typed("sweep", pump, "--cases", "cases.csv", "--wanted", "mean_piston_speed")
+    assert answer.errors == ""
+    assert ["1", "120.5", "mm", "1500.25", "rpm", "4.001"] in [line.split() for line in answer.output.splitlines()]
+    assert "1 of 2 designs cannot be" in answer.output
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            'rod_length [mm],speed\n"120,5",1500 rpm\n',
+            "cases.csv:2  rod_length = 120,5: has a comma in a number, and commas divide the columns here;"
+            ' write "120.5"',
+        ),
+        (
+            "rod_length [mm],speed\n120,5,1500 rpm\n",
+            "cases.csv:2  120,5,1500 rpm: has 3 values, and 2 columns have a head; where a comma divides decimals,"
+            " divide the columns by semicolons",
+        ),
+    ],
+)
+def test_commas_in_numbers_between_commas(typed, pump, written, text, said):
+    written(text, "cases.csv")
+    answer = typed("sweep", pump, "--cases", "cases.csv", "--wanted", "mean_piston_speed")
+    assert (answer.status, answer.errors, answer.output) == (2, said + "\n", "")
+
+
+@pytest.mark.parametrize(
     ("arguments", "said"),
     [
         (["pump.toml"], "needs either --vary PATH=VALUES or --cases FILE"),
@@ -88,6 +128,13 @@ def test_designs_of_a_list(typed, pump, written):
         (["pump.toml", *RODS, "--save", "best.toml"], "needs --least FACT or --most FACT"),
         (["pump.toml", *RODS, "--processes", "0"], f"{WHOLE_NUMBER} from 1"),
         (["pump.toml", *RODS, "-o", "rods.txt"], ENDS_IN),
+        (["pump.toml", *RODS, "--resume"], "--resume: needs a store; write -o NAME.zarr"),
+        (["pump.toml", *RODS, "-o", "rods.zarr", "--units", "in"], "is not for a store, whose numbers are in SI"),
+        (["pump.toml", *RODS, "--processes", "2", "--scheduler", "x"], "does not go with --processes"),
+        (
+            ["pump.toml", *RODS, "--set", "mechanism.rod_length=150 mm"],
+            "--vary  mechanism.rod_length: is set and varied",
+        ),
         (["pum.toml", *RODS], NO_FILE),
         (["pump.toml", "--cases", "none.csv"], NO_FILE),
         (["pump.toml", "--vary", "rod_length=60..70 mm:1000", "--vary", "speed=1..2 rpm:90000"], "may be 10000000"),

@@ -98,3 +98,40 @@ def test_rows_of_a_grid_and_of_a_list():
     rows = list(grid.rows)
     assert len(grid) == len(rows) == 4
     assert rows[1] == {"mechanism.rod_length": 0.13, "shaft.main.speed": "2000 rpm"}
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "numbers", "unit"),
+    [
+        ("mechanism.rod_length", "130 mm, 0.14 m, 6 in", [130, 140, 152.4], "mm"),
+        ("shaft.main.speed", "1500 rpm, 100 rad/s", [1500, 954.92965855137201461330258], "rpm"),
+        ("mechanism.rod_length", ["0.13 m", "140 mm"], [0.13, 0.14], "m"),
+    ],
+)
+def test_units_may_differ(path, text, numbers, unit):
+    """Numbers are in the unit of the first; each design has what was typed."""
+    (one,) = combined_designs(MACHINE, {path: text}).varied
+    np.testing.assert_array_equal(one.numbers, numbers)
+    assert one.unit == unit
+
+
+def test_one_length_in_two_units_stands_twice():
+    with pytest.raises(ct.InputError, match="stands twice among its values"):
+        combined_designs(MACHINE, {"rod_length": "130 mm, 0.13 m"})
+
+
+def test_what_is_varied_has_the_name_of_no_fact():
+    """A stroke that is varied, and found, is a coordinate beside a variable."""
+    found = ct.sweep("vaz_21213", {"stroke": "70, 80 mm"}, "stroke")
+    dataset = found.dataset
+    np.testing.assert_array_equal(dataset.bank_line_mechanism_stroke, [70, 80])
+    np.testing.assert_allclose(dataset.stroke, np.broadcast_to([0.07, 0.08], dataset.stroke.shape), rtol=1e-3)
+
+
+def test_what_is_set_is_not_varied():
+    with pytest.raises(ct.InputError, match=r"mechanism\.rod_length: is set and varied: what is set would have no"):
+        ct.sweep(MACHINE, {"rod_length": "130, 140 mm"}, set={"mechanism.rod_length": "150 mm"})
+    cases = [{"rod_length": "130 mm"}, {"speed": "2000 rpm"}]
+    found = ct.sweep(MACHINE, cases, "closing_margin", set={"mechanism.rod_length": "150 mm"})
+    alone = ct.run(MACHINE, set={"mechanism.rod_length": "150 mm"}).closing_margin
+    assert found.closing_margin[1] == alone

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from functools import cached_property
 from itertools import product
 from math import prod
@@ -11,12 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line, short
 from cranktrain.paths import path_text, quantity_path, value_at
 from cranktrain.quantities import Quantity, nearest
+from cranktrain.quantities.conversion import in_other_unit
 from cranktrain.record import record
 from cranktrain.study.sweep.numbers import ReadValues, read_values, unit_written
 from cranktrain.study.sweep.typed import quantity_typed, values_typed
@@ -201,7 +204,7 @@ def combined_designs(machine: Machine, vary: Mapping[str, object]) -> SweptDesig
     InputError
         With everything that is wrong.
     """
-    found: list[tuple[str, tuple[object, ...]]] = []
+    found: list[Varied] = []
     problems: list[Problem] = []
     for given, values in vary.items():
         try:
@@ -217,24 +220,33 @@ def combined_designs(machine: Machine, vary: Mapping[str, object]) -> SweptDesig
             repair = _('write like [["0 deg", "90 deg"], ["0 deg", "180 deg"]]')
             problems.append(Problem(path, None, allowed, repair))
             continue
-        twice = [text for text, count in _counts(own) if count > 1]
-        problems += [Problem(path, short(text), _("stands twice among its values")) for text in twice]
-        problems += [Problem(path, None, _("is varied twice"))] if path in [one for one, _own in found] else []
-        found.append((path, own))
+        one = varied(path, "", own)
+        problems += [Problem(path, short(repr(value)), _("stands twice among its values")) for value in _twice(one)]
+        problems += [Problem(path, None, _("is varied twice"))] if path in [other.path for other in found] else []
+        found.append(one)
     refuse(problems or ([] if found else [Problem("vary", None, _("is missing: name what is to be varied"))]))
-    names = names_of([path for path, _own in found])
-    return SweptDesigns(tuple(varied(path, name, values) for (path, values), name in zip(found, names, strict=True)))
+    names = names_of([one.path for one in found])
+    return SweptDesigns(tuple(replace(one, name=name) for one, name in zip(found, names, strict=True)))
 
 
 def varied(path: str, name: str, values: tuple[object, ...]) -> Varied:
-    """Say what values are: numbers of one unit, or words."""
+    """Say what values are: numbers in the unit of the first, as far as the others can be said in it, or words."""
     each = [_measured(value) for value in values]
     # One that a design does not name is none of them.
-    units = {unit for _number, unit in filter(None, each)}
-    if None in each or len(units) != 1:
+    unit = next((unit for _number, unit in filter(None, each)), "")
+    numbers = [None if one is None else _in_unit(*one, unit) for one in each]
+    known = [number for number in numbers if number is not None]
+    if len(known) < len(values):
         return Varied(path, name, values, None, "")
-    numbers = np.array([number for number, _unit in filter(None, each)])
-    return Varied(path, name, values, numbers, units.pop())
+    return Varied(path, name, values, np.array(known), unit)
+
+
+def _in_unit(number: Fraction | float, unit: str, other: str) -> float | None:
+    """A number in another unit than its own; None where it cannot be said in it."""
+    if unit == other:
+        return float(number)
+    found = in_other_unit(Fraction(number), unit, other) if unit and other else None
+    return None if found is None else float(found)
 
 
 def names_of(paths: Sequence[str]) -> list[str]:
@@ -310,19 +322,17 @@ def _as_given(value: object) -> object:
     return cast("Any", value).item() if isinstance(value, np.generic) else value
 
 
-def _counts(values: Sequence[object]) -> list[tuple[str, int]]:
-    """How often each value stands among some."""
-    counts: dict[str, int] = {}
-    for value in values:
-        counts[repr(value)] = counts.get(repr(value), 0) + 1
-    return list(counts.items())
+def _twice(one: Varied) -> list[object]:
+    """Values that stand twice, of those that are one number the first."""
+    keys = map(repr, one.values) if one.numbers is None else one.numbers.tolist()
+    return [each[0] for each in grouped(zip(keys, one.values, strict=True)).values() if len(each) > 1]
 
 
-def _measured(value: object) -> tuple[float, str] | None:
+def _measured(value: object) -> tuple[Fraction | float, str] | None:
     """A number with its unit; None of what is none."""
     if isinstance(value, int | float) and not isinstance(value, bool):
         return float(value), ""
     if not isinstance(value, str):
         return None
     found = quantity_typed(value)
-    return None if found is None else (float(found.number), found.unit)
+    return None if found is None else (found.number, found.unit)
