@@ -1,6 +1,7 @@
 """Arguments and options that several commands have."""
 
 import math
+import os
 from typing import Annotated
 
 import typer
@@ -101,6 +102,12 @@ SpeedCurve = Annotated[
         help=N_("All at the speed over the crank angle that this file of two columns has."),
     ),
 ]
+
+
+def n_processors() -> int:
+    """How many processors this process may use."""
+    # Not every system lets a process have some of them alone.
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def listed(text: str) -> tuple[str, ...]:

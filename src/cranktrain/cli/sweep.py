@@ -1,7 +1,6 @@
 """`sweep`: facts of a machine over values of its file, shown, written or drawn; and which design is best."""
 
 import json
-import os
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from cranktrain.cli.asked import Asked, in_units_of, units_asked_for
 from cranktrain.cli.how_far import says_how_far
+from cranktrain.cli.options import n_processors
 from cranktrain.cli.run_files import form_or_picture, write_run
 from cranktrain.cli.screen.sections import show_page
 from cranktrain.cli.screen.title import title
@@ -143,7 +143,7 @@ _VARY = Position("--vary")
 
 def _computed(request: SweepRequest, file: MachineFile, store: "SweepStore | None") -> Sweep:
     """All designs."""
-    processes = len(os.sched_getaffinity(0)) if request.processes is None else int(request.processes)
+    processes = n_processors() if request.processes is None else int(request.processes)
     wanted = request.wanted
     if wanted is not None:
         wanted = (*wanted, *(name for name in (request.least, request.most) if name is not None))

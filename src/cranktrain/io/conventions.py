@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from cranktrain.analysis import Result, sentences
+from cranktrain.io.description import longer_cycle_words
 from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
@@ -20,7 +21,8 @@ def conventions(result: Result) -> dict[str, str]:
     -------
     dict of str
         Sentences by what they are about: `rotation`, `running`, `crank_angle`, `units`, and the signs that matter;
-        `unused` where the file has tables that nothing rests on; `crank_speed` where it varies over the cycle.
+        `unused` where the file has tables that nothing rests on; `cycle` where loads or the speed make it two turns;
+        `crank_speed` where it varies over the cycle.
     """
     return dict(_sentences(result))
 
@@ -42,6 +44,8 @@ def _sentences(result: Result) -> Iterator[tuple[str, str]]:
     if result.unused:
         yield "unused", " ".join(map(str, sentences(result.unused)))
     yield "crank_angle", _crank_angle(machine)
+    if longer := longer_cycle_words(machine):
+        yield "cycle", longer
     if (curve := result.get(SpeedCurve)) is not None:
         yield "crank_speed", str(curve.condition(0))
     if "piston" in result.labels:

@@ -9,6 +9,7 @@ from cranktrain.language import said as _
 from cranktrain.layout.unit_tables import units_of_table
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import FileUnits, Given, own_units
 from cranktrain.spec import Spec
 
@@ -33,6 +34,11 @@ def counted_parts(machine: Machine) -> list[str]:
     counts = [(outputs[output], output.counted) for output in in_order]
     counts.append((len(machine.main_shaft.throws), (N_("1 throw"), N_("{n} throws"))))
     return [_(one) if n == 1 else _(many, n=n) for n, (one, many) in counts]
+
+
+def longer_cycle_words(machine: Machine) -> str:
+    """Say that loads, or the speed, have a cycle of two turns; nothing where cylinders have it, or it is one turn."""
+    return _("two turns a cycle") if machine.cycle > (machine.cylinder.cycle_length or TURN) else ""
 
 
 def counted_by_status(numbers: Iterable[Given]) -> str:

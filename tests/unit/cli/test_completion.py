@@ -48,6 +48,13 @@ def test_examples_are_those_of_the_program():
         (["run", "3d12", "--quant"], {"--quantities"}),
         (["run", "3d12", "--quantities", "strok"], {"stroke"}),
         (["run", "--quantities", "rod_angle,strok"], {"rod_angle,stroke"}),
+        (["sweep", "3d12", "--wanted", "stroke,largest_piston_s"], {"stroke,largest_piston_speed"}),
+        (["sweep", "3d12", "--least", "largest_piston_s"], {"largest_piston_speed"}),
+        (["sweep", "3d12", "--most", "largest_piston_s"], {"largest_piston_speed"}),
+        (["sweep", "3d12", "--vary", "bank.R.mechanism.rod"], {"bank.R.mechanism.rod_length="}),
+        (["sweep", "3d12", "--processes", ""], {"1"}),
+        (["sweep", "3d12", "--scheduler", ""], {"tcp://"}),
+        (["sweep", "3d12", "-o", "rods.z"], {"rods.zarr"}),
         (["run", "--quantities", "=", "strok"], {"stroke"}),
         (["run", "3d12", "--set", "cylinder.b"], {"cylinder.bore="}),
         (
@@ -90,6 +97,13 @@ def test_what_is_completed(typed, among):
         ["run", "\x00", "--set", "x"],
     ],
 )
+def test_lists_of_designs_are_completed(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("rods.csv", "rods.toml"):
+        (tmp_path / name).touch()
+    assert completed("sweep", "3d12", "--cases", "") == ["rods.csv"]
+
+
 def test_nothing_goes_wrong_where_nothing_is_known(typed):
     assert isinstance(completed(*typed), list)
 

@@ -173,3 +173,15 @@ def test_designs_of_one_cycle():
     machines = [alone({"file": "load.csv", "text": text}) for text in (one, two)]
     with pytest.raises(ct.InputError, match="must go on over one turn in all designs, or over two in all"):
         ct.run(machines)
+
+
+@pytest.mark.parametrize(("load", "said"), [(ONE, False), (TWO, True)])
+def test_heads_of_files_and_sheets_say_how_many_turns_a_cycle_has(load, said):
+    """As the screen does: the angles alone, to 360° or 720°, leave a reader to guess."""
+    result = ct.run(alone(load))
+    assert ("two turns a cycle" in str(dict(result.about()))) is said
+    figure = result.sheet("machine")
+    assert (
+        any("two turns a cycle" in text.get_text() for text in figure.findobj(lambda one: hasattr(one, "get_text")))
+        is said
+    )

@@ -9,9 +9,15 @@ from typing import Any
 from cranktrain.cli.app import commands
 from cranktrain.cli.completing.names import example_names, results, words
 from cranktrain.cli.completing.paths import setting_paths
+from cranktrain.cli.options import n_processors
 
 _PICTURES = (".png", ".svg", ".pdf")
-_ENDINGS = {"run": (".csv", ".json", ".xlsx"), "plot": (*_PICTURES, ".gif", ".dxf"), "compare": _PICTURES}
+_ENDINGS = {
+    "run": (".csv", ".json", ".xlsx"),
+    "plot": (*_PICTURES, ".gif", ".dxf"),
+    "compare": _PICTURES,
+    "sweep": (".csv", ".json", ".xlsx", ".nc", ".zarr", *_PICTURES),
+}
 """What the name of an output ends in, by command."""
 
 ASKED = "_CRANKTRAIN_COMPLETE"
@@ -87,15 +93,23 @@ def _arguments(taking: dict[str, Any], before: Sequence[str]) -> list[str]:
 
 def _of_option(option: Any, before: Sequence[str], begun: str) -> Iterator[str]:
     """Give values of an option: paths of the machine that is named, results or units with commas between, or words."""
-    if "--set" in option.opts:
+    if option.opts[0] in ("--set", "--vary"):
         files = [word for word in before[1:] if not word.startswith("-") and "=" not in word]
         yield from (f"{path}=" for path in setting_paths(files[0] if files else None))
-    elif "--quantities" in option.opts:
+    elif option.opts[0] in ("--quantities", "--wanted"):
         done, comma, _last = begun.rpartition(",")
         yield from (f"{done}{comma}{name}" for name in results())
     elif "--units" in option.opts:
         done, comma, _last = begun.rpartition(",")
         yield from (f"{done}{comma}{name}" for name in words("units"))
+    elif option.opts[0] in ("--least", "--most"):
+        yield from results()
+    elif "--processes" in option.opts:
+        yield from map(str, range(1, n_processors() + 1))
+    elif "--scheduler" in option.opts:
+        yield "tcp://"
+    elif "--cases" in option.opts:
+        yield from _files(begun, "*.csv")
     elif "--output" in option.opts:
         stem = begun.partition(".")[0]
         yield from (f"{stem}{ending}" for ending in _ENDINGS.get(before[0], ()) if stem)
@@ -107,9 +121,7 @@ def _of_words(metavar: str, begun: str) -> Iterator[str]:
     """Give what an argument of that name may be: machine files and examples, kinds, or the words that it lists."""
     if "FILE" in metavar.upper().strip("[]").split("|") or metavar == "OTHER":
         yield from example_names()
-        folder, slash, name = begun.rpartition("/")
-        found = Path(folder + slash or ".").glob("*.toml") if not name.startswith(".") else ()
-        yield from sorted(f"{folder}{slash}{path.name}" for path in found)
+        yield from _files(begun, "*.toml")
     elif metavar == "RESULT":
         yield from results()
     elif metavar == "KIND":
@@ -117,6 +129,13 @@ def _of_words(metavar: str, begun: str) -> Iterator[str]:
         yield from example_names()
     elif "|" in metavar:
         yield from metavar.strip("[]").split("|")
+
+
+def _files(begun: str, pattern: str) -> list[str]:
+    """Files of a kind, in the folder that is named."""
+    folder, slash, name = begun.rpartition("/")
+    found = Path(folder + slash or ".").glob(pattern) if not name.startswith(".") else ()
+    return sorted(f"{folder}{slash}{path.name}" for path in found)
 
 
 def show_candidates(arguments: Sequence[str]) -> None:

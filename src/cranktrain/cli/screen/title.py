@@ -5,11 +5,10 @@ from collections.abc import Iterator
 from cranktrain.analysis import Result
 from cranktrain.cli.screen.text import folded
 from cranktrain.grouping import places_of_equal
-from cranktrain.io.description import counted_parts, kind_words, layout_words
+from cranktrain.io.description import counted_parts, kind_words, layout_words, longer_cycle_words
 from cranktrain.language import said as _
 from cranktrain.layout.specs import ShaftSpec
 from cranktrain.machine import Machine
-from cranktrain.numerics.harmonics import TURN
 from cranktrain.one_line import one_line
 from cranktrain.questions.cylinders.firing import Firing
 from cranktrain.saying.wording import as_given, in_words, ranged
@@ -69,8 +68,7 @@ def _cycle(result: Result) -> str:
     machine = result.machines[0]
     given = machine.cylinder.cycle
     strokes = "" if given is None or result.get(Firing) is None else words[given]
-    is_longer = machine.cycle > (machine.cylinder.cycle_length or TURN)
-    return _BETWEEN.join(filter(None, (strokes, _("two turns a cycle") if is_longer else "")))
+    return _BETWEEN.join(filter(None, (strokes, longer_cycle_words(machine))))
 
 
 def _speeds(shaft: ShaftSpec) -> Iterator[str]:

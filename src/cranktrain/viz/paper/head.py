@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from textwrap import wrap
 
-from cranktrain.io.description import counted_by_status, given_numbers, layout_words
+from cranktrain.io.description import counted_by_status, given_numbers, layout_words, longer_cycle_words
 from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
@@ -50,7 +50,7 @@ def title_block(page: Page, machine: Machine, title: str = "", at_speed: str = "
 
 
 def running_words(machine: Machine) -> str:
-    """Say speed and sense of rotation, and at one moment the angular acceleration."""
+    """Say speed and sense of rotation, at one moment the angular acceleration; and that a cycle has two turns."""
     senses = {
         ("clockwise", "ahead"): _("clockwise"),
         ("anticlockwise", "ahead"): _("anticlockwise"),
@@ -61,7 +61,8 @@ def running_words(machine: Machine) -> str:
     given = (("n", shaft.speed, "rpm"), ("ε", shaft.acceleration, "rad/s²"))
     said = [f"{symbol} = {as_given(one, usual)}" for symbol, one, usual in given if one is not None]
     sense = senses[machine.rotation, machine.running]
-    return ", ".join([*said, sense if said else sense[:1].upper() + sense[1:]])
+    turning = sense if said else sense[:1].upper() + sense[1:]
+    return ", ".join(filter(None, (*said, turning, longer_cycle_words(machine))))
 
 
 def speed_words(curve: SpeedCurve | None, design: int = 0) -> str:
