@@ -97,15 +97,15 @@ def test_what_is_completed(typed, among):
         ["run", "\x00", "--set", "x"],
     ],
 )
+def test_nothing_goes_wrong_where_nothing_is_known(typed):
+    assert isinstance(completed(*typed), list)
+
+
 def test_lists_of_designs_are_completed(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for name in ("rods.csv", "rods.toml"):
         (tmp_path / name).touch()
     assert completed("sweep", "3d12", "--cases", "") == ["rods.csv"]
-
-
-def test_nothing_goes_wrong_where_nothing_is_known(typed):
-    assert isinstance(completed(*typed), list)
 
 
 def test_paths_of_a_file_that_cannot_be_read(tmp_path, monkeypatch):
