@@ -1,12 +1,13 @@
 """Checks: identities that can fail, computed with every result; and limits beyond which numbers are flagged."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.grouping import grouped
 from cranktrain.language import Message, Words, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
@@ -111,6 +112,15 @@ class Flag(Message):
     """
 
     own: Mapping[int, Message] = field(default_factory=dict[int, Message])
+
+
+def flags_of_designs(each: Iterable[Iterable[Words]]) -> tuple[Words, ...]:
+    """Put flags of designs, one after the other, together: each once, with the designs of which it is said."""
+    said = grouped((flag, design) for design, flags in enumerate(each) for flag in flags)
+    return tuple(
+        Flag(flag.text, flag.pieces, dict.fromkeys(designs, flag)) if isinstance(flag, Message) else flag
+        for flag, designs in said.items()
+    )
 
 
 class Limit(NamedTuple):

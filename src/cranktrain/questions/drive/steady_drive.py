@@ -22,7 +22,7 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_EVENNESS as _EVENNESS
 from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
-from cranktrain.saying.checks import Check, Checked, Flagged
+from cranktrain.saying.checks import Check, Checked, Flagged, flags_of_designs
 from cranktrain.saying.wording import number
 from cranktrain.transient.gearing import overall_ratio
 
@@ -139,7 +139,7 @@ def steady_drive(
                 needs,
             ),
         ),
-        flags=(*dict.fromkeys(flag for one in each for flag in one.flags), *motor.flags, *motor.notes),
+        flags=(*flags_of_designs(one.flags for one in each), *motor.flags, *motor.notes),
     )
 
 

@@ -19,7 +19,7 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CLUTCHED_DRIVES as _THEORY
 from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
-from cranktrain.saying.checks import Check, Checked, Flagged
+from cranktrain.saying.checks import Check, Checked, Flagged, flags_of_designs
 from cranktrain.saying.wording import number
 from cranktrain.transient.clutched.equation import ANGLE
 from cranktrain.transient.clutched.runs import PRESS_REASONS, RESTS, TIME_IS_OVER
@@ -134,7 +134,7 @@ def press_strokes(
                 tuple(_("needs a stroke") for _one in found),
             ),
         ),
-        flags=tuple(dict.fromkeys(flag for design, one in enumerate(found) for flag in _flags(one, parts, design))),
+        flags=flags_of_designs(_flags(one, parts, design) for design, one in enumerate(found)),
     )
 
 

@@ -23,7 +23,7 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_DRIVES as _THEORY
 from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
-from cranktrain.saying.checks import Flagged
+from cranktrain.saying.checks import Flagged, flags_of_designs
 from cranktrain.transient.gearing import (
     Gearing,
     overall_ratio,
@@ -98,8 +98,9 @@ def drive_flywheel(
     docs/theory/drive, eqs. (25.36) and (25.39).
     """
     rows: list[tuple[float, ...]] = []
-    flags: list[Words] = []
+    flags: list[list[Words]] = []
     for design, gearing in enumerate(drive.gearings):
+        flags.append([])
         turning = DriveInTurn(machines.each[design], motor, design, gearing)
         torque, evenness = float(wanted.largest_torque[design]), float(wanted.fluctuation[design])
 
@@ -113,12 +114,12 @@ def drive_flywheel(
             turning_inertia(gearing) + mean_inertia(machines.each[design], machines.cycle), gearing, wanted
         )
         if there <= 0:
-            flags.append(_("No flywheel is sought: nothing of the machine or its drive has inertia yet."))
+            flags[-1].append(_("No flywheel is sought: nothing of the machine or its drive has inertia yet."))
             rows.append((np.nan,) * _N_FACTS)
             continue
         needed = least_inertia(excess, there)
         if not np.isfinite(needed):
-            flags.append(
+            flags[-1].append(
                 _("No flywheel is large enough: the load's mean asks for more, or the motor does not carry it.")
             )
         own = _running(turning, machines, wanted.shaft, needed if np.isfinite(needed) else 0.0)
@@ -130,7 +131,7 @@ def drive_flywheel(
         rows.append(
             (needed, formula, error, own.peak, own.rms, float(steady.rms_motor_torque[design]), own.fluctuation)
         )
-    return DriveFlywheel(*np.array(rows).T, flags=tuple(dict.fromkeys(flags)))
+    return DriveFlywheel(*np.array(rows).T, flags=flags_of_designs(flags))
 
 
 def _turned(gearing: Gearing, shaft: int) -> float:

@@ -35,7 +35,7 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_DRIVES as _THEORY
 from cranktrain.references import THEORY_OF_TRANSIENTS as _TRANSIENTS
 from cranktrain.saying.catalogue import quantity
-from cranktrain.saying.checks import Flagged
+from cranktrain.saying.checks import Flagged, flags_of_designs
 from cranktrain.saying.labels import titled
 from cranktrain.saying.wording import number
 from cranktrain.transient.gearing import Gearing, overall_ratio, turning_inertia
@@ -156,7 +156,7 @@ def motor_sizing(
     """
     rows: list[tuple[CheckedMotor, ...]] = []
     rated: list[list[tuple[float, float]]] = []
-    flags: list[Words] = []
+    flags: list[list[Words]] = []
     checks = check_keys(duty, has_clutch=clutch is not None)
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value)).tolist()
     for design, gearing in enumerate(drive.gearings):
@@ -169,11 +169,11 @@ def motor_sizing(
         reason = _other_pace(gearing, motor, design, held[design]) if is_asked_torque else ""
         places = (-1, -1) if reason or not is_asked_torque else None
         found, places = ((UNCHECKED,) * 2, (-1, -1)) if places else _smallest(one, own)
-        if duty.is_asked and reason:
-            flags.append(reason)
+        flags.append([reason] if duty.is_asked and reason else [])
         rows.append((own, *found))
         rated.append([_rated(motor, design), *(_rated(typical_motors(), place) for place in places)])
-        flags += _beyond(own, checks, has_valves=len(machines.each[design].chambers) > 0) if motor is not None else ()
+        if motor is not None:
+            flags[-1] += _beyond(own, checks, has_valves=len(machines.each[design].chambers) > 0)
     points = np.array(rated)
     columns = [np.array([[getattr(one, name) for one in row] for row in rows]) for name in _SHOWN]
     return MotorSizing(
@@ -186,7 +186,7 @@ def motor_sizing(
             "sized_motor": tuple(SIZED_MOTORS),
             "sizing_check": checks,
         },
-        flags=tuple(dict.fromkeys(flags)),
+        flags=flags_of_designs(flags),
         unknown=rows[0][0].unknown,
     )
 
