@@ -17,7 +17,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::Depr
 
 @pytest.fixture(autouse=True)
 def small_blocks(monkeypatch):
-    monkeypatch.setattr(computed, "_designs_of_block", lambda _each, _n_at_once: 10)
+    monkeypatch.setattr(computed, "_designs_of_block", lambda *_known: 10)
 
 
 @pytest.fixture

@@ -20,7 +20,7 @@ ASKED = ("sweep", "vaz_21213", "--vary", "rod_length=100..170 mm:400", "--wanted
 SMALL_BLOCKS = """
 import sys
 from cranktrain.study.sweep import computed
-computed._designs_of_block = lambda each, n_at_once: 7
+computed._designs_of_block = lambda *_known: 7
 computed._WORTH = 0.0
 from cranktrain.cli import main
 sys.exit(main())

@@ -3,7 +3,7 @@
 import json
 from collections.abc import Iterator, Mapping
 from hashlib import sha256
-from typing import Any
+from typing import Any, cast
 
 from cranktrain.errors import Position, Problem
 from cranktrain.io.saving import plain_tables
@@ -65,12 +65,20 @@ def _differences(there: Mapping[str, Any], here: Mapping[str, Any]) -> Iterator[
 
 
 def _values(there: object, here: object, path: PathParts = ()) -> Iterator[str]:
-    """Values of the file that differ."""
+    """Values of the file that differ; where they are from makes no other numbers."""
+    there, here = _alone(there), _alone(here)
     if is_table(there) and is_table(here):
         for key in dict.fromkeys([*there, *here]):
             yield from _values(there.get(key), here.get(key), (*path, key))
     elif there != here:
         yield _("{path} is {there} there and {here} here", path=path_text(path), there=_said(there), here=_said(here))
+
+
+def _alone(value: object) -> object:
+    """A value without its status, note and source."""
+    if isinstance(value, Mapping) and not is_table(value):
+        return cast("Mapping[str, object]", value)["value"]
+    return value
 
 
 def _said(value: object) -> str:

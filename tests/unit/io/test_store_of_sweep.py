@@ -19,7 +19,7 @@ xarray = pytest.importorskip("xarray")
 @pytest.fixture(autouse=True)
 def small_blocks(monkeypatch):
     """Blocks of two rods."""
-    monkeypatch.setattr(computed, "_designs_of_block", lambda _each, _n_at_once: 6)
+    monkeypatch.setattr(computed, "_designs_of_block", lambda *_known: 6)
     monkeypatch.setattr(computed, "_MEASURED", 0.0)
 
 

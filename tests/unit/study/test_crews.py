@@ -75,7 +75,7 @@ def test_a_block_that_kills_three_processes_is_refused():
 
 def test_that_it_was_killed_is_said(monkeypatch, tmp_path):
     """In a store such a block is not done, and a later run tries it again."""
-    monkeypatch.setattr(computed, "_designs_of_block", lambda _each, _n_at_once: 4)
+    monkeypatch.setattr(computed, "_designs_of_block", lambda *_known: 4)
     monkeypatch.setattr(computed, "_MEASURED", 0.0)
 
     class _Killed(Alone):
@@ -95,7 +95,7 @@ def test_that_it_was_killed_is_said(monkeypatch, tmp_path):
 
 def test_processes_that_are_killed_at_any_moment(monkeypatch):
     """Ten times, at random: what they had is computed again, the facts are the same to the last bit."""
-    monkeypatch.setattr(computed, "_designs_of_block", lambda _each, _n_at_once: 40)
+    monkeypatch.setattr(computed, "_designs_of_block", lambda *_known: 40)
     monkeypatch.setattr(computed, "_WORTH", 0.0)
     monkeypatch.setattr("cranktrain.study.sweep.processes.TRIES", 100)
     machine, vary = ct.load("vaz_21213"), {"rod_length": "100..170 mm:1200"}

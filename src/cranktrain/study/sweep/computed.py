@@ -28,6 +28,8 @@ _BLOCK_SECONDS, _SLOW_BLOCK_SECONDS = 0.2, 2.0
 _TOGETHER = 64
 """Designs that cost less together."""
 _LARGEST_BLOCK = 100_000
+_MANY_BLOCKS, _LONG_BLOCK_SECONDS = 10_000, 10.0
+"""A store with more blocks has too many files, unless each of them would take longer than this. [s]"""
 _MOST = 10_000_000
 """Designs in memory at once."""
 _LONG = 60.0
@@ -103,7 +105,7 @@ def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_mea
         _refuse_all(tried.found, len(designs))
     n_at_once = processes if seconds > _WORTH else 1
     if blocks is None:
-        blocks = blocks_of(shape_of(designs), _designs_of_block(tried.each, n_at_once))
+        blocks = blocks_of(shape_of(designs), _designs_of_block(tried.each, n_at_once, len(designs)))
         missing = list(range(len(blocks)))
         store.begin(plan, blocks)
     try:
@@ -176,11 +178,15 @@ def _tried(compute: Compute, designs: SweptDesigns, first: int, after: int) -> _
     return _Tried(first, place, joined_rows(parts), each)
 
 
-def _designs_of_block(each: float, n_at_once: int) -> int:
+def _designs_of_block(each: float, n_at_once: int, n_designs: int) -> int:
     """How many designs of such a duration make a block."""
-    least = _BLOCK_SECONDS * max(1.0, n_at_once / _CREW_OF_BLOCK)
-    together = min(_TOGETHER, _SLOW_BLOCK_SECONDS / max(each, 1e-12))
-    return max(1, min(_LARGEST_BLOCK, round(max(least / max(each, 1e-12), together))))
+    each = max(each, 1e-12)
+    least = max(
+        _BLOCK_SECONDS * max(1.0, n_at_once / _CREW_OF_BLOCK),
+        min(n_designs * each / _MANY_BLOCKS, _LONG_BLOCK_SECONDS),
+    )
+    together = min(_TOGETHER, _SLOW_BLOCK_SECONDS / each)
+    return max(1, min(_LARGEST_BLOCK, round(max(least / each, together))))
 
 
 def _crew(compute: Compute, n_at_once: int, scheduler: object) -> Crew:
